@@ -27,7 +27,7 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 PICTURES ?= openimageio
 VIEWER ?= yes
 # Of the viewer's files, the one that tests of files and fuzzers use.
-WITHOUT_WINDOW := src/viewer/session.c
+WITHOUT_WINDOW := src/viewer/scene/session.c
 LEFT_OUT := $(if $(filter small,$(PICTURES)),src/base/file/image_%.cpp,src/base/file/small/%) \
     $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
 
@@ -55,16 +55,15 @@ PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa
 PKG := cglm $(if $(filter small,$(PICTURES)),OpenEXR,OpenImageIO) $(if $(VIEWER),imgui glfw3)
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
-# Parts of struct settings are written by their own types, and the whole is copied: by C's rules of aliasing a compiler may
-# turn the two around, as GCC did where a preset kept the exposure.
-C_FLAGS = -std=c11 -fno-strict-aliasing -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
+C_FLAGS = -std=c11 -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
 PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
 LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs $(PKG) 2>/dev/null)) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
-EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o
+EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o $(BUILD)/bounds_embedded.o
+BOUNDS := $(sort $(wildcard src/techniques/*/bounds.csv))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
 GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
@@ -141,6 +140,13 @@ $(BUILD)/chart_embedded.c: bench/chart.gp Makefile
 	@mkdir -p $(@D)
 	@{ echo 'extern const char chart_script[];'; echo 'const char chart_script[] ='; \
 	   $(quote) $<; echo ';'; } > $@
+
+# The rows of all techniques, each behind the technique's name.
+$(BUILD)/bounds_embedded.c: $(BOUNDS) Makefile
+	@mkdir -p $(@D)
+	@{ echo 'extern const char failure_bounds[];'; echo 'const char failure_bounds[] ='; \
+	   awk '{ sub(".*techniques/", "", FILENAME); sub("/.*", "", FILENAME); print FILENAME "," $$0 }' $(BOUNDS) | \
+	   $(quote); echo ';'; } > $@
 
 $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(say) CC $@
@@ -503,7 +509,7 @@ test-all: deps
 # How much of the lower floors their tests reach, and the programs that those start, as gcovr tells it; of branches
 # without those that exceptions take. C++ is compiled with -O1: without it GCC gives the destructors of temporaries
 # in a short circuit branches of their own, a quarter of all. Without test_full_disk, whose limits cut gcov's files too.
-COVERED := base scene metrics
+COVERED := base scene lights metrics
 COVERING := base options exr gltf gltf_refusals packed scene scene_parts animation framing metrics heat_map compare output_file info emissive emitters \
     environment environment_fit memory seeds light starts robust failures reference_app several_lights bench sky \
     marching_cubes caster caster_pool sequence hostile reference imperfect area_lights faults machine
@@ -541,7 +547,7 @@ analyze: all
 	@test/analyze
 
 # Below PREFIX lies a list of what was installed, also by versions before: uninstall removes these files, the list, and
-# folders of the program that are empty then. bounds.csv is what bench failures holds pictures to.
+# folders of the program that are empty then.
 SHARE := share/manylight
 DOC := share/doc/manylight
 INSTALLED := $(SHARE)/installed
@@ -556,7 +562,6 @@ install: all
 	put $(DOC) 644 LICENSE; \
 	put $(SHARE)/scenes 644 scenes/*.glb scenes/*.hdr; \
 	put $(SHARE)/scenes/failures 644 scenes/failures/*.glb; \
-	for bounds in src/techniques/*/bounds.csv; do put "$(SHARE)/$${bounds%/*}" 644 "$$bounds"; done; \
 	sort -u -o "$$root/$(INSTALLED)" "$$root/$(INSTALLED)"
 
 uninstall:

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/memory.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,9 +5,9 @@
 #include "support.h"
 
 #include "gl/context/context.h"
-#include "measure/stage.h"
 #include "reference/scene/ray_scene.h"
 #include "renderer/renderer.h"
+#include "renderer/stage.h"
 
 /* A debug context of that kind that is current; the test is skipped where there is none. */
 struct context *open_context(enum context_kind kind);

@@ -8,7 +8,7 @@
 #include "scene/animation.h"
 #include "scene/camera.h"
 #include "scene/clips.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 #include "scene/read_rules.h"
 

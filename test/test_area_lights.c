@@ -9,7 +9,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "reference/scene/emission.h"
-#include "scene/flat_shape.h"
+#include "scene/lights/flat_shape.h"
 #include "scene/node.h"
 #include "shared/vpl.h"
 

@@ -6,7 +6,7 @@
 #include "tiny_png.h"
 
 #include "base/memory.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -7,10 +7,10 @@
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "measure/costs.h"
-#include "measure/quality.h"
-#include "measure/time_budget.h"
-#include "viewer/preset.h"
+#include "quality/costs.h"
+#include "quality/quality.h"
+#include "quality/time_budget.h"
+#include "viewer/picture/preset.h"
 
 #include <stdio.h>
 #include <stdlib.h>

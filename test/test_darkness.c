@@ -4,7 +4,7 @@
 #include "cube_parts.h"
 
 #include "base/log.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/open.h"
 #include "scene/placing.h"
 

@@ -6,8 +6,8 @@
 #include "gltf_parts.h"
 
 #include "base/file/image_file.h"
-#include "scene/emissive.h"
-#include "scene/lamp_parts.h"
+#include "scene/lights/emissive.h"
+#include "scene/lights/lamp_parts.h"
 #include "scene/node.h"
 
 #include <stdio.h>

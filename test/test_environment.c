@@ -5,14 +5,14 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "base/file/image_file.h"
+#include "base/log.h"
 #include "reference/channels.h"
 #include "reference/path_tracer.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "scene/open.h"
-#include "scene/read_rules.h"
 #include "scene/placing.h"
+#include "scene/read_rules.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -2,7 +2,7 @@
 #include "support.h"
 
 #include "base/memory.h"
-#include "scene/environment_fit.h"
+#include "lights/environment_fit.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -55,7 +55,7 @@ static struct {
 } const skies[] = {
     {"even", paint_even}, {"day", paint_day}, {"sunny", paint_sunny}, {"lit above", paint_black}};
 
-static void add_energy(const struct sky_light *lights, int count, double energy[3]) {
+static void add_energy(const struct environment_light *lights, int count, double energy[3]) {
     for (int i = 0; i < count; i++)
         for (int c = 0; c < 3; c++)
             energy[c] += (double)(lights[i].radiance[c] * lights[i].solid_angle);
@@ -68,8 +68,8 @@ static void test_conservation(void **state) {
     (void)state;
     for (size_t s = 0; s < sizeof skies / sizeof *skies; s++)
         for (int fit = 0; fit < FITS; fit++)
-            for (int wanted = SKY_LIGHTS_MIN; wanted < 100; wanted = 5 * wanted) {
-                struct sky_light lights[SKY_LIGHTS_MAX];
+            for (int wanted = ENVIRONMENT_LIGHTS_MIN; wanted < 100; wanted = 5 * wanted) {
+                struct environment_light lights[ENVIRONMENT_LIGHTS_MAX];
                 struct environment sky = make_sky(skies[s].paint);
                 int count = environment_fit(lights, &sky, (enum sky_fit)fit, wanted);
                 double got[3] = {0}, expected[3] = {0};
@@ -89,7 +89,7 @@ static void test_conservation(void **state) {
 }
 
 /* Lambert's sum over a light above the horizon, or cut off by it. */
-static double lambert(const struct sky_light *light, const float normal[3]) {
+static double lambert(const struct environment_light *light, const float normal[3]) {
     vec3 corners[8];
     int count = 0;
     for (int i = 0; i < 4; i++) {
@@ -124,7 +124,7 @@ static void test_even_sky(void **state) {
     struct environment sky = make_sky(paint_even);
     for (int fit = 0; fit < FITS; fit++)
         for (int wanted = 6; wanted <= 96; wanted *= 2) {
-            struct sky_light lights[SKY_LIGHTS_MAX];
+            struct environment_light lights[ENVIRONMENT_LIGHTS_MAX];
             int count = environment_fit(lights, &sky, (enum sky_fit)fit, wanted);
             double angle = 0;
             for (int i = 0; i < count; i++)
@@ -141,7 +141,7 @@ static void test_even_sky(void **state) {
     free(sky.texels);
 }
 
-static void middle_of(const struct sky_light *light, float middle[3]) {
+static void middle_of(const struct environment_light *light, float middle[3]) {
     glm_vec3_zero(middle);
     for (int i = 0; i < 4; i++)
         glm_vec3_add(middle, (float *)light->corners[i], middle);
@@ -152,7 +152,7 @@ static void test_sun(void **state) {
     (void)state;
     struct environment sky = make_sky(paint_sunny);
     for (int fit = 0; fit < FITS; fit++) {
-        struct sky_light lights[SKY_LIGHTS_MAX];
+        struct environment_light lights[ENVIRONMENT_LIGHTS_MAX];
         float middle[3];
         environment_fit(lights, &sky, (enum sky_fit)fit, 30);
         middle_of(&lights[0], middle);
@@ -173,12 +173,12 @@ static void test_turn(void **state) {
         glm_vec3_copy(sky.texels[i], turned.texels[i - i % WIDTH + (i + WIDTH * 3 / 4) % WIDTH]);
     sky.turn = 90;
     sky.strength = 2;
-    struct sky_light lights[SKY_LIGHTS_MAX], others[SKY_LIGHTS_MAX];
+    struct environment_light lights[ENVIRONMENT_LIGHTS_MAX], others[ENVIRONMENT_LIGHTS_MAX];
     int count = environment_fit(lights, &sky, SKY_FIT_RECTANGLES, 30);
     assert_int_equal(environment_fit(others, &turned, SKY_FIT_RECTANGLES, 30), count);
     double farthest = 0, energy = 0;
     for (int i = 0; i < count; i++) {
-        struct sky_light light = sky_light_turned(&lights[i], &sky);
+        struct environment_light light = environment_light_turned(&lights[i], &sky);
         double nearest = 1;
         float middle[3], other[3];
         middle_of(&light, middle);
@@ -209,12 +209,12 @@ static void test_turn(void **state) {
 static void test_vector(void **state) {
     (void)state;
     struct environment sky = make_sky(paint_even);
-    struct sky_light lights[SKY_LIGHTS_MAX];
+    struct environment_light lights[ENVIRONMENT_LIGHTS_MAX];
     int count = environment_fit(lights, &sky, SKY_FIT_EVEN, 48);
     double sum[3] = {0};
     for (int i = 0; i < count; i++) {
         float vector[3], middle[3];
-        sky_light_vector(&lights[i], vector);
+        environment_light_vector(&lights[i], vector);
         middle_of(&lights[i], middle);
         check_near("face on", (double)glm_vec3_dot(vector, middle), lambert(&lights[i], middle),
                    1e-5);

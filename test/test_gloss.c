@@ -5,12 +5,12 @@
 #include "gl/glsl.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "lights/view.h"
 #include "reference/brdf.h"
 #include "reference/path_tracer.h"
 #include "reference/sampler.h"
 #include "reference/scene/emission.h"
 #include "scene/gpu/lobes.h"
-#include "scene/view.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 
 #include "reference/channels.h"
 #include "reference/path_tracer.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include <cglm/cglm.h>
 #include <stdio.h>

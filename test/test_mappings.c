@@ -5,7 +5,7 @@
 #include "tiny_png.h"
 
 #include "base/log.h"
-#include "measure/picture.h"
+#include "quality/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
 

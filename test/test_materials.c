@@ -2,7 +2,7 @@
  * be there. Distances are those of scenes/boxes/materials.c. */
 #include "render_support.h"
 
-#include "measure/picture.h"
+#include "quality/picture.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -2,13 +2,13 @@
  */
 #include "render_support.h"
 
+#include "apps/bench/measure/clip.h"
+#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/variants.h"
 #include "base/error.h"
 #include "inspect/aov.h"
 #include "inspect/lights.h"
-#include "measure/clip.h"
-#include "measure/rival.h"
-#include "measure/truth.h"
-#include "measure/variants.h"
 
 #include <stdio.h>
 #include <stdlib.h>

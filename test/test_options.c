@@ -237,8 +237,8 @@ static void test_settings(void **state) {
         count++;
     assert_int_equal(count, 4);
     check_ok("assign", settings_assign(&settings, "count=3, painter.width=4 maker-width=.25"));
-    const struct maker *maker = settings_of(&settings, &maker_part);
-    const struct painter *painter = settings_of(&settings, &painter_part);
+    const struct maker *maker = settings_of(struct maker, &settings, &maker_part);
+    const struct painter *painter = settings_of(struct painter, &settings, &painter_part);
     assert_true(maker->count == 3 && maker->width == .25F);
     assert_true(painter->width == 4 && !painter->bright);
     assert_true(settings_number(&settings, "painter.width") == 4);

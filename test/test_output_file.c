@@ -7,7 +7,7 @@
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
-#include "viewer/session.h"
+#include "viewer/scene/session.h"
 
 #include <dirent.h>
 #include <signal.h>

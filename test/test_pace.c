@@ -2,7 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "support.h"
 
-#include "viewer/pace.h"
+#include "viewer/picture/pace.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* The published path, path=paper: what it may be blamed for, and what not. */
 #include "render_support.h"
 
-#include "measure/errors.h"
-#include "measure/picture.h"
-#include "measure/truth.h"
+#include "apps/bench/measure/errors.h"
+#include "apps/bench/measure/truth.h"
+#include "quality/picture.h"
 
 #include <stdio.h>
 

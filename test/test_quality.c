@@ -2,13 +2,13 @@
 #define _POSIX_C_SOURCE 200809L
 #include "render_support.h"
 
+#include "apps/bench/measure/truth.h"
 #include "base/error.h"
-#include "measure/estimate.h"
-#include "measure/picture.h"
-#include "measure/quality.h"
-#include "measure/truth.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
+#include "quality/estimate.h"
+#include "quality/picture.h"
+#include "quality/quality.h"
 
 #include <math.h>
 #include <stdio.h>

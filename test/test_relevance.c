@@ -2,8 +2,8 @@
  * shown beside it has one. */
 #include "render_support.h"
 
-#include "viewer/relevance.h"
-#include "viewer/setting_label.h"
+#include "viewer/panel/relevance.h"
+#include "viewer/panel/setting_label.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,7 +21,7 @@ static void set_otherwise(const struct setting *setting, struct settings *settin
     const struct option *option = setting->option;
     struct settings before = *settings;
     char text[64];
-    double now = option_number(option, settings_of(settings, setting->part));
+    double now = setting_number(setting, settings);
     const double tries[] = {now * 2 + 1, option->maximum, option->minimum};
     for (int i = 0; i < 3 && setting_equal(setting, settings, &before); i++) {
         if (option->type == OPTION_FLAG)
@@ -157,7 +157,7 @@ static void check_labels(const struct settings *settings) {
         part = setting.part;
         assert_true(count < 64);
         if (!setting_label(&setting, before[count]))
-            fail_msg("%s has no label in viewer/setting_label.c", name);
+            fail_msg("%s has no label in viewer/panel/setting_label.c", name);
         assert_true(strlen(before[count]) <= 17);
         for (int i = 0; i < count; i++)
             assert_string_not_equal(before[i], before[count]);

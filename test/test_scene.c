@@ -4,15 +4,15 @@
 
 #include "base/error.h"
 #include "base/log.h"
-#include "scene/brightness.h"
+#include "lights/view.h"
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/brightness.h"
+#include "scene/lights/emitter.h"
 #include "scene/material.h"
 #include "scene/mesh/geometry.h"
 #include "scene/open.h"
 #include "scene/room.h"
 #include "scene/stand_in.h"
-#include "scene/view.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

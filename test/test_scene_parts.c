@@ -3,16 +3,16 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "lights/view.h"
 #include "scene/camera.h"
-#include "scene/emitter.h"
-#include "scene/environment.h"
 #include "scene/hash.h"
+#include "scene/lights/emitter.h"
+#include "scene/lights/environment.h"
 #include "scene/material.h"
 #include "scene/node.h"
 #include "scene/open.h"
 #include "scene/stand_in.h"
 #include "scene/texture.h"
-#include "scene/view.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "surface_shape.h"
 
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/scene.h"
 
 #include <stdio.h>

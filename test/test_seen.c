@@ -2,7 +2,7 @@
  * plane leaves, and the light that there would be without it. */
 #include "hand_made.h"
 
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include <stdio.h>
 

@@ -6,7 +6,7 @@
 #include "base/file/file.h"
 #include "direct/direct.h"
 #include "gl/memory.h"
-#include "scene/view.h"
+#include "lights/view.h"
 #include "techniques/technique.h"
 
 #include <math.h>

@@ -6,7 +6,7 @@
 
 #include "base/memory.h"
 #include "direct/direct.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>

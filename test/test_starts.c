@@ -11,7 +11,7 @@
 
 enum { SIZE = 64 };
 
-static const struct sky_lights no_lights;
+static const struct environment_lights no_lights;
 static const struct sky_groups no_groups;
 static const struct starts_sky no_sky = {&no_lights, &no_groups};
 static const struct starts_desc of_four = {.places = 4, .wide = .3F, .radius = 1};

@@ -8,7 +8,7 @@
 #include "base/file/webp.h"
 #include "metrics/colour.h"
 #include "metrics/layer.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #include "render_support.h"
 
 #include "base/option.h"
-#include "measure/time_budget.h"
+#include "quality/time_budget.h"
 
 #include <math.h>
 #include <stdio.h>

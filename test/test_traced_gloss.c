@@ -4,7 +4,7 @@
 
 #include "reference/scene/emission.h"
 #include "reference/warp.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include <stdio.h>
 

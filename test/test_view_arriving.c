@@ -3,6 +3,7 @@
 #include "view_inside.h"
 
 #include "base/error.h"
+#include "viewer/scene/sky.h"
 
 #include <stdatomic.h>
 #include <stdio.h>
@@ -14,9 +15,9 @@ static void begin(void) {
 
 /* As long as the scene waits for its shaders. */
 static void wait_for_arrival(void) {
-    for (int i = 0; i < 20000 && !viewer.is_arriving; i++)
+    for (int i = 0; i < 20000 && !viewer.opening.is_arriving; i++)
         turn();
-    assert_true(viewer.is_arriving);
+    assert_true(viewer.opening.is_arriving);
 }
 
 /* How many different greens a texture has. */
@@ -45,9 +46,9 @@ static void test_coarse_picture(void **state) {
         was_read |= strstr(text, "reading") != NULL;
         was_compiled |= strstr(text, "faces; compiling shaders") != NULL;
         turn();
-        if (values == 0 && viewer.preview.has_texture) {
+        if (values == 0 && viewer.opening.preview.has_texture) {
             printf("    %s: the coarse picture is there\n", text);
-            values = count_values(&viewer.preview.texture);
+            values = count_values(&viewer.opening.preview.texture);
             assert_false(viewer.has_scene);
         }
     }
@@ -57,7 +58,7 @@ static void test_coarse_picture(void **state) {
     while (viewer.shown.dirty || viewer.shown.coarse || viewer.shown.moving)
         turn();
     turn();
-    assert_false(viewer.preview.has_texture); /* the picture has taken its place */
+    assert_false(viewer.opening.preview.has_texture); /* the picture has taken its place */
     assert_ptr_equal(viewer.shown.left, &viewer.shown.renderer.composite.display);
 }
 
@@ -69,9 +70,9 @@ static void test_stop(void **state) {
     viewer_open(&viewer, "scenes/gloss.glb");
     viewer_stop_opening(&viewer);
     assert_false(viewer_is_opening(&viewer));
-    while (atomic_load(&viewer.loader.state) != LOADER_IDLE)
+    while (atomic_load(&viewer.opening.loader.state) != LOADER_IDLE)
         turn();
-    assert_false(viewer.is_arriving);
+    assert_false(viewer.opening.is_arriving);
     viewer_open(&viewer, "scenes/gloss.glb");
     wait_for_arrival();
     viewer_stop_opening(&viewer);
@@ -83,7 +84,7 @@ static void test_stop(void **state) {
     for (int i = 0; i < 60000 && viewer_is_opening(&viewer); i++)
         turn();
     assert_non_null(strstr(viewer.document.scene.path, "materials"));
-    assert_null(viewer.leaving.scene.path);
+    assert_null(viewer.opening.leaving.scene.path);
     assert_int_equal(context_message_count(viewer.host.context), 0);
 }
 
@@ -101,10 +102,10 @@ static void test_stop_sky(void **state) {
     printf("    shaders are being compiled: %d, afterwards %d\n", compiles,
            !compiling_rests(&viewer.compiling));
     assert_false(viewer_is_opening(&viewer));
-    assert_non_null(viewer.leaving_sky);
-    for (int i = 0; i < 60000 && viewer.leaving_sky; i++)
+    assert_non_null(viewer.opening.leaving_sky);
+    for (int i = 0; i < 60000 && viewer.opening.leaving_sky; i++)
         turn();
-    assert_null(viewer.leaving_sky);
+    assert_null(viewer.opening.leaving_sky);
     assert_null(viewer.document.scene.environment);
 }
 
@@ -126,7 +127,7 @@ static void test_coarse_picture_of_time(void **state) {
     emitter_place(&light, &scene, 0, 0);
     float first = light.direction[2];
     emitter_place(&light, &scene, 0, time);
-    float got = viewer.preview.desc.emitters.items[0].direction[2];
+    float got = viewer.opening.preview.desc.emitters.items[0].direction[2];
     printf("    the light shines to z %g, at first %g, expected %g\n", (double)got, (double)first,
            (double)light.direction[2]);
     assert_true(got == light.direction[2] && got != first);
@@ -140,7 +141,7 @@ static void test_coarse_picture_of_time(void **state) {
     wait_for_arrival();
     check_ok("scene", scene_load(&scene, "scenes/metaballs.glb"));
     check_ok("geometry", geometry_init(&geometry, &scene, 0));
-    const struct geometry *coarse = &viewer.arriving.geometry;
+    const struct geometry *coarse = &viewer.opening.arriving.geometry;
     size_t size = sizeof *geometry.position * geometry.vertex_count;
     check_ok("pose", geometry_pose(&geometry, &scene, time));
     assert_int_equal(coarse->vertex_count, geometry.vertex_count);
@@ -175,19 +176,19 @@ static void test_fails_after_reading(void **state) {
     viewer.wish.direct = &refused;
     viewer.desc.light = "0";
     viewer.desc.time = 1;
-    viewer.opening.is_told = true;
+    viewer.opening.is_given = true;
     viewer_open(&viewer, "scenes/moving-spot.glb");
     wait_for_arrival();
-    turn_until(viewer.preview.has_texture);
+    turn_until(viewer.opening.preview.has_texture);
     atomic_store(&may_end, true);
     turn_until(!viewer_is_opening(&viewer));
     printf("    after it has failed: coarse picture %d, told %d, at %g s\n",
-           viewer.preview.has_texture, viewer.opening.is_told, (double)viewer.desc.time);
+           viewer.opening.preview.has_texture, viewer.opening.is_given, (double)viewer.desc.time);
     assert_true(is_message_told("no memory for these shadows", UI_ERROR));
     assert_true(viewer.has_scene);
     assert_non_null(strstr(viewer.document.scene.path, "metaballs"));
-    assert_false(viewer.preview.has_texture);
-    assert_false(viewer.opening.is_told);
+    assert_false(viewer.opening.preview.has_texture);
+    assert_false(viewer.opening.is_given);
     assert_null(viewer.desc.light);
     assert_true(viewer.desc.time == 0);
     viewer.wish.direct = NULL;

@@ -4,7 +4,7 @@
 #include "view_stage.h"
 
 #include "scene/placing.h"
-#include "viewer/orbit.h"
+#include "viewer/scene/orbit.h"
 
 #include <cglm/cglm.h>
 

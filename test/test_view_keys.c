@@ -2,6 +2,8 @@
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
+#include "viewer/files/recorder.h"
+#include "viewer/panel/timeline.h"
 #include "viewer/window/ui.h"
 #include "viewer/window/window.h"
 
@@ -47,7 +49,7 @@ static void test_held_key(void **state) {
 }
 
 static void record_all(void) {
-    recorder_ask(&viewer, RECORD_PICTURES);
+    timeline_ask(&viewer, RECORD_PICTURES);
     int length = snprintf(viewer.record.folder, sizeof viewer.record.folder, "%s", stage.folder);
     assert_true(length > 0 && (size_t)length < sizeof viewer.record.folder);
     viewer.record.is_open = false;

@@ -11,6 +11,13 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/memory.h"
+#include "viewer/files/opening.h"
+#include "viewer/picture/look.h"
+#include "viewer/picture/picture.h"
+#include "viewer/reference/tracing.h"
+#include "viewer/scene/animation.h"
+#include "viewer/scene/lights.h"
+#include "viewer/scene/placed.h"
 #include "viewer/viewer.h"
 #include "viewer/window/ui.h"
 

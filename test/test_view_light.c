@@ -47,7 +47,7 @@ static void test_add(void **state) {
     emitters_free(&lights);
 }
 
-/* Where the handle of the width is: as far from the shape as viewer/light_tool.c has it. */
+/* Where the handle of the width is: as far from the shape as viewer/scene/light_tool.c has it. */
 static void find_handle(const struct emitter *light, float at[2]) {
     struct scene scene;
     struct camera camera;

@@ -4,8 +4,10 @@
 
 #include "render_support.h"
 
-#include "measure/picture.h"
 #include "metrics/layer.h"
+#include "quality/picture.h"
+#include "viewer/reference/tracing.h"
+#include "viewer/scene/sessions.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,9 +6,17 @@
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "renderer/settings.h"
-#include "viewer/develop.h"
-#include "viewer/free_number.h"
-#include "viewer/preset.h"
+#include "viewer/files/kept.h"
+#include "viewer/files/recorder.h"
+#include "viewer/files/screenshot.h"
+#include "viewer/panel/timeline.h"
+#include "viewer/picture/preset.h"
+#include "viewer/reference/comparing.h"
+#include "viewer/reference/tracing.h"
+#include "viewer/scene/develop.h"
+#include "viewer/scene/placed.h"
+#include "viewer/scene/sessions.h"
+#include "viewer/scene/sky.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -241,7 +249,7 @@ static void test_record_range(void **state) {
     struct record_request *request = &viewer.record;
     if (!stage.server)
         skip();
-    recorder_ask(&viewer, RECORD_PICTURES);
+    timeline_ask(&viewer, RECORD_PICTURES);
     assert_true(request->is_open && request->to > 1);
     turn();
     request->from = 2.F / TIMELINE_FPS;

@@ -6,7 +6,7 @@
 #include "desktop.h"
 
 #include "base/log.h"
-#include "viewer/gallery.h"
+#include "viewer/files/gallery.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,6 +5,7 @@
 #include "view_stage.h"
 
 #include "base/clock.h"
+#include "viewer/files/opening.h"
 #include "viewer/viewer.h"
 
 #include <string.h>

@@ -2,7 +2,9 @@
 #include "lib/divide.glsl"
 #include "lib/gbuffer.glsl"
 
-const float BLOCK_COSINE = 0.8;
+#ifndef BLOCK_COSINE
+#define BLOCK_COSINE 0.8
+#endif
 // Over the picture's height: farther off a block's plane, a pixel is not the block's.
 const float BLOCK_APART = 0.008;
 

@@ -3,7 +3,7 @@
 #include "shared/sky.h"
 
 layout(std140, binding = BLOCK_SKY) uniform sky_uniforms {
-    vec4 sky_rows[SKY_LIGHTS_MAX * SKY_ROWS];
+    vec4 sky_rows[ENVIRONMENT_LIGHTS_MAX * SKY_ROWS];
 };
 
 vec3 sky_corner(int i, int corner) {

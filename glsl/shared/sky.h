@@ -4,7 +4,7 @@
 
 #include "shared/types.h"
 
-#define SKY_LIGHTS_MAX 256
+#define ENVIRONMENT_LIGHTS_MAX 256
 
 #define SKY_ROWS 13
 
@@ -32,8 +32,8 @@ STD140_SIZE(sky_source, 16 * SKY_ROWS)
 
 /* lib/sky.glsl reads it. */
 struct sky_block {
-    STRUCT(sky_source) sources[SKY_LIGHTS_MAX];
+    STRUCT(sky_source) sources[ENVIRONMENT_LIGHTS_MAX];
 };
-STD140_SIZE(sky_block, 16 * SKY_ROWS * SKY_LIGHTS_MAX)
+STD140_SIZE(sky_block, 16 * SKY_ROWS * ENVIRONMENT_LIGHTS_MAX)
 
 #endif

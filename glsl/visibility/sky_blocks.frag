@@ -1,5 +1,6 @@
 // The visibility of four lights of a sky at the centre of each block; of what is below the horizon, 1.
-#include "lib/gbuffer.glsl"
+#include "shared/environment_lighting.h"
+#include "gather/block.glsl"
 #include "visibility/sky_visibility.glsl"
 
 flat in int instance;
@@ -7,9 +8,7 @@ flat in int instance;
 layout(location = TARGET_RESULT) out vec4 visible;
 
 void main() {
-    int size = params.block;
-    ivec2 pixel = min(ivec2(gl_FragCoord.xy) * size + size / 2, gbuffer_size() - 1);
-    surface s = gbuffer_surface(pixel);
+    surface s = gbuffer_surface(block_center(ivec2(gl_FragCoord.xy)));
     visible = vec4(1.0);
     if (!s.present)
         return;

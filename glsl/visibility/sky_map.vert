@@ -13,7 +13,7 @@ out vec2 surface_uv;
 #endif
 
 void main() {
-    sky_maps_of maps = sky_maps_at(sky_light_of(gl_InstanceID));
+    sky_maps_of maps = sky_maps_at(light_of_layer(gl_InstanceID));
     sky_view v = sky_view_at(maps.light);
     int number = gl_InstanceID - maps.first;
     ivec2 map = ivec2(number % maps.side, number / maps.side);

@@ -6,7 +6,7 @@ struct sky_maps_of {
     int light, first, side; // the first layer; maps a side
 };
 
-int sky_light_of(int layer) {
+int light_of_layer(int layer) {
     return layer < SUNS * OF_SUN ? layer / OF_SUN : layer - SUNS * (OF_SUN - 1);
 }
 

@@ -2,7 +2,7 @@
 // normal: octahedral, the middles of the outer texels on the edge.
 #include "lib/octahedral.glsl"
 #include "lib/sky.glsl"
-#include "shared/sky_light.h"
+#include "shared/environment_lighting.h"
 
 flat in int instance;
 

@@ -6,7 +6,7 @@
 //
 // All is in a view's frame: x right, y up, z away from the light, metres; up: metres towards the light.
 #include "lib/sky.glsl"
-#include "shared/sky_light.h"
+#include "shared/environment_lighting.h"
 #include "visibility/sky_maps.glsl"
 
 layout(binding = UNIT_SKY_MAPS) uniform sampler2DArray sky_maps;

@@ -2,7 +2,7 @@
 
 #include "base/log.h"
 #include "base/memory.h"
-#include "measure/quality.h"
+#include "quality/quality.h"
 #include "techniques/vals.h"
 
 #include <stdlib.h>

@@ -3,8 +3,8 @@
 #define APPS_IN_TIME_H
 
 #include "base/option.h"
-#include "measure/stage.h"
-#include "measure/time_budget.h"
+#include "quality/time_budget.h"
+#include "renderer/stage.h"
 
 struct in_time {
     struct time_budget budget;

@@ -12,10 +12,10 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
-#include "measure/picture.h"
-#include "measure/stage.h"
 #include "metrics/quantile.h"
+#include "quality/picture.h"
 #include "reference/channels.h"
+#include "renderer/stage.h"
 #include "scene/material.h"
 #include "shared/composite.h"
 #include "techniques/many_lights.h"
@@ -198,7 +198,8 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
 }
 
 static bool check_compensation(const struct values *values, const struct measure_desc *desc) {
-    const struct gather_settings *gather = settings_of(&desc->settings, &gather_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, &desc->settings, &gather_part);
     return values->compensation == 0 ||
            (values->technique != TECHNIQUE_PATH && gather->clamp == GATHER_CLAMP_VALUE) ||
            error_set("--compensation is for --technique vpl-raytraced and lightcuts with "

@@ -21,7 +21,7 @@
 #include "gl/api.h"
 #include "gl/glsl.h"
 #include "inspect/aov.h"
-#include "measure/quality.h"
+#include "quality/quality.h"
 #include "shared/composite.h"
 
 #include <stdlib.h>

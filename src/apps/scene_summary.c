@@ -2,8 +2,8 @@
 
 #include "scene/camera.h"
 #include "scene/clips.h"
-#include "scene/emitter.h"
-#include "scene/environment.h"
+#include "scene/lights/emitter.h"
+#include "scene/lights/environment.h"
 #include "scene/node.h"
 #include "scene/open.h"
 

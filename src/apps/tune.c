@@ -3,6 +3,7 @@
 #include "apps/arguments.h"
 #include "apps/options.h"
 
+#include "apps/bench/measure/result_rows.h"
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/file/folder.h"
@@ -10,9 +11,8 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
-#include "measure/costs.h"
-#include "measure/measure.h"
-#include "measure/result_rows.h"
+#include "quality/costs.h"
+#include "quality/measure.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
-#include "measure/quality.h"
+#include "quality/quality.h"
 #include "viewer/viewer.h"
 
 struct values {
@@ -84,9 +84,11 @@ static void choose_tone(struct values *values) {
     if (desc->frames || desc->screenshot || desc->session)
         return;
     desc->auto_exposure = !technique_values_name(&values->technique, &picture_part, "exposure");
-    struct picture_settings *picture = settings_edit(&desc->settings, &picture_part);
+    struct picture_settings picture =
+        *settings_of(struct picture_settings, &desc->settings, &picture_part);
     if (!technique_values_name(&values->technique, &picture_part, "tone-map"))
-        picture->tone_map = TONE_MAP_FILMIC;
+        picture.tone_map = TONE_MAP_FILMIC;
+    settings_set(&desc->settings, &picture_part, &picture);
 }
 
 int app_view(int argc, char **argv) {

@@ -9,34 +9,68 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* Fields are read and written by memcpy alone: those of struct settings lie in bytes. */
 static void *field(const struct option *option, const void *values) {
     return (char *)values + option->offset;
 }
 
+void option_set_number(const struct option *option, void *values, double number) {
+    void *at = field(option, values);
+    switch (option->type) {
+    case OPTION_FLAG:
+        memcpy(at, &(bool){number != 0}, sizeof(bool));
+        return;
+    case OPTION_INT:
+    case OPTION_CHOICE:
+        memcpy(at, &(int){(int)number}, sizeof(int));
+        return;
+    case OPTION_FLOAT:
+        memcpy(at, &(float){(float)number}, sizeof(float));
+        return;
+    case OPTION_TEXT:
+    case OPTION_LIST:
+    case OPTION_SIZE:
+        break;
+    }
+    assert(!"no number");
+}
+
+double option_number(const struct option *option, const void *values) {
+    const void *at = field(option, values);
+    bool flag;
+    int number;
+    float real;
+    switch (option->type) {
+    case OPTION_FLAG:
+        memcpy(&flag, at, sizeof flag);
+        return flag;
+    case OPTION_INT:
+    case OPTION_CHOICE:
+        memcpy(&number, at, sizeof number);
+        return number;
+    case OPTION_FLOAT:
+        memcpy(&real, at, sizeof real);
+        return (double)real;
+    case OPTION_TEXT:
+    case OPTION_LIST:
+    case OPTION_SIZE:
+        break;
+    }
+    assert(!"no number");
+    return 0;
+}
+
 void options_set_defaults(const struct option *table, void *values) {
     for (const struct option *o = table; o->name; o++) {
-        void *at = field(o, values);
-        switch (o->type) {
-        case OPTION_FLAG:
-            *(bool *)at = o->default_value != 0;
-            break;
-        case OPTION_INT:
-        case OPTION_CHOICE:
-            *(int *)at = (int)o->default_value;
-            break;
-        case OPTION_FLOAT:
-            *(float *)at = (float)o->default_value;
-            break;
-        case OPTION_TEXT:
-            *(const char **)at = NULL;
-            break;
-        case OPTION_LIST:
-            ((struct text_list *)at)->count = 0;
-            break;
-        case OPTION_SIZE:
-            ((int *)at)[0] = ((int *)at)[1] = (int)o->default_value;
-            break;
-        }
+        int number = (int)o->default_value;
+        if (o->type == OPTION_TEXT)
+            *(const char **)field(o, values) = NULL;
+        else if (o->type == OPTION_LIST)
+            ((struct text_list *)field(o, values))->count = 0;
+        else if (o->type == OPTION_SIZE)
+            memcpy(field(o, values), (int[]){number, number}, sizeof(int[2]));
+        else
+            option_set_number(o, values, o->default_value);
     }
 }
 
@@ -89,7 +123,7 @@ static bool parse_int(const char **text, const struct option *option, int *value
     return true;
 }
 
-static bool parse_float(const char *text, const struct option *option, float *value) {
+static bool parse_float(const char *text, const struct option *option, double *value) {
     char *end;
     double number = strtod(text, &end);
     if (end > text && strcmp(end, "%") == 0) {
@@ -101,41 +135,56 @@ static bool parse_float(const char *text, const struct option *option, float *va
     if (end == text || *end || !isfinite(number) || number < option->minimum ||
         number > option->maximum)
         return false;
-    *value = (float)number;
+    *value = number;
     return true;
 }
 
-static bool parse_flag(const char *text, bool *value) {
+static bool parse_flag(const char *text, double *value) {
     static const char *const words[] = {"off", "on", "false", "true", "no", "yes", "0", "1"};
     for (size_t i = 0; i < sizeof words / sizeof *words; i++)
         if (strcmp(text, words[i]) == 0) {
-            *value = i % 2;
+            *value = (double)(i % 2);
             return true;
         }
     return false;
 }
 
+static bool parse_choice(const char *text, const struct option *option, double *value) {
+    for (int i = 0; option->choices[i]; i++)
+        if (strcmp(text, option->choices[i]) == 0) {
+            *value = i;
+            return true;
+        }
+    return false;
+}
+
+static bool parse_number(const struct option *option, const char *text, double *value) {
+    int number = 0;
+    if (option->type == OPTION_FLAG)
+        return parse_flag(text, value);
+    if (option->type == OPTION_FLOAT)
+        return parse_float(text, option, value);
+    if (option->type == OPTION_CHOICE)
+        return parse_choice(text, option, value);
+    bool ok = parse_int(&text, option, &number) && !*text;
+    *value = number;
+    return ok;
+}
+
 bool option_parse(const struct option *option, void *values, const char *text) {
     void *at = field(option, values);
     const char *rest = text;
+    double number;
     int size[2];
     switch (option->type) {
     case OPTION_FLAG:
-        return parse_flag(text, at) || refuse(option, text);
     case OPTION_INT:
-        if (!parse_int(&rest, option, &size[0]) || *rest)
-            return refuse(option, text);
-        *(int *)at = size[0];
-        return true;
     case OPTION_FLOAT:
-        return parse_float(text, option, at) || refuse(option, text);
     case OPTION_CHOICE:
-        for (int i = 0; option->choices[i]; i++)
-            if (strcmp(text, option->choices[i]) == 0) {
-                *(int *)at = i;
-                return true;
-            }
-        return refuse(option, text);
+        if (!parse_number(option, text, &number))
+            return refuse(option, text);
+        option_set_number(option, values, number);
+        return true;
     case OPTION_TEXT:
         if (option->check && !option->check(text))
             return error_prefix("%s", option->name);
@@ -158,39 +207,20 @@ bool option_parse(const struct option *option, void *values, const char *text) {
     return false;
 }
 
-double option_number(const struct option *option, const void *values) {
-    const void *at = field(option, values);
-    switch (option->type) {
-    case OPTION_FLAG:
-        return *(const bool *)at;
-    case OPTION_INT:
-    case OPTION_CHOICE:
-        return *(const int *)at;
-    case OPTION_FLOAT:
-        return (double)*(const float *)at;
-    case OPTION_TEXT:
-    case OPTION_LIST:
-    case OPTION_SIZE:
-        break;
-    }
-    assert(!"no number");
-    return 0;
-}
-
 void option_format(const struct option *option, const void *values, char *text, size_t size) {
     const void *at = field(option, values);
     switch (option->type) {
     case OPTION_FLAG:
-        snprintf(text, size, "%s", *(const bool *)at ? "on" : "off");
+        snprintf(text, size, "%s", option_number(option, values) != 0 ? "on" : "off");
         break;
     case OPTION_INT:
-        snprintf(text, size, "%d", *(const int *)at);
+        snprintf(text, size, "%.0f", option_number(option, values));
         break;
     case OPTION_FLOAT:
-        snprintf(text, size, "%.9g", (double)*(const float *)at);
+        snprintf(text, size, "%.9g", option_number(option, values));
         break;
     case OPTION_CHOICE:
-        snprintf(text, size, "%s", option->choices[*(const int *)at]);
+        snprintf(text, size, "%s", option->choices[(int)option_number(option, values)]);
         break;
     case OPTION_TEXT:
         snprintf(text, size, "%s", *(const char *const *)at ? *(const char *const *)at : "");
@@ -206,25 +236,13 @@ void option_format(const struct option *option, const void *values, char *text, 
 
 bool option_equal(const struct option *option, const void *a, const void *b) {
     const void *x = field(option, a), *y = field(option, b);
-    switch (option->type) {
-    case OPTION_FLAG:
-        return *(const bool *)x == *(const bool *)y;
-    case OPTION_INT:
-    case OPTION_CHOICE:
-        return *(const int *)x == *(const int *)y;
-    case OPTION_FLOAT:
-        return *(const float *)x == *(const float *)y;
-    case OPTION_TEXT: {
+    if (option->type == OPTION_TEXT) {
         const char *s = *(const char *const *)x, *t = *(const char *const *)y;
         return s && t ? strcmp(s, t) == 0 : s == t;
     }
-    case OPTION_SIZE:
+    if (option->type == OPTION_SIZE)
         return memcmp(x, y, 2 * sizeof(int)) == 0;
-    case OPTION_LIST:
-        break;
-    }
-    assert(!"lists are not compared");
-    return false;
+    return option_number(option, a) == option_number(option, b);
 }
 
 static const struct option *find_argument(const struct option *table, const char *argument,

@@ -60,6 +60,7 @@ bool option_parse(const struct option *option, void *values, const char *text);
 
 /* The field of a flag, a number or a choice. */
 double option_number(const struct option *option, const void *values);
+void option_set_number(const struct option *option, void *values, double number);
 
 /* The field as text that option_parse reads back. */
 void option_format(const struct option *option, const void *values, char *text, size_t size);

@@ -9,11 +9,6 @@
 
 /* --- parts --- */
 
-static size_t padded(size_t size) {
-    size_t align = sizeof(double);
-    return (size + align - 1) / align * align;
-}
-
 /* Where a part's struct begins; where the next would, if the part is not there. */
 static size_t offset_of(const struct settings *settings, const struct settings_part *part,
                         bool *found) {
@@ -22,7 +17,7 @@ static size_t offset_of(const struct settings *settings, const struct settings_p
         *found = settings->parts[i] == part;
         if (*found)
             return offset;
-        offset += padded(settings->parts[i]->size);
+        offset += settings->parts[i]->size;
     }
     *found = false;
     return offset;
@@ -44,31 +39,38 @@ void settings_add(struct settings *settings, const struct settings_part *part) {
     assert(offset + part->size <= SETTINGS_BYTES_MAX);
     assert(row_count(part) <= 32); /* as many as there are bits in settings->given */
     settings->parts[settings->part_count++] = part;
-    options_set_defaults(part->table, settings->values.bytes + offset);
+    options_set_defaults(part->table, settings->bytes + offset);
 }
 
-const void *settings_of(const struct settings *settings, const struct settings_part *part) {
+static const unsigned char *bytes_of(const struct settings *settings,
+                                     const struct settings_part *part) {
     bool found;
     size_t offset = offset_of(settings, part, &found);
     assert(found);
-    return settings->values.bytes + offset;
+    return settings->bytes + offset;
 }
 
-void *settings_edit(struct settings *settings, const struct settings_part *part) {
-    return (void *)settings_of(settings, part);
+const void *settings_get(const struct settings *settings, const struct settings_part *part,
+                         void *values, size_t size) {
+    assert(size == part->size);
+    return memcpy(values, bytes_of(settings, part), size);
+}
+
+void settings_set(struct settings *settings, const struct settings_part *part, const void *values) {
+    memcpy((void *)bytes_of(settings, part), values, part->size);
 }
 
 bool settings_same(const struct settings *a, const struct settings *b,
                    const struct settings_part *part) {
     for (const struct option *option = part->table; option->name; option++)
-        if (!option_equal(option, settings_of(a, part), settings_of(b, part)))
+        if (!option_equal(option, bytes_of(a, part), bytes_of(b, part)))
             return false;
     return true;
 }
 
 void settings_copy(struct settings *to, const struct settings *from,
                    const struct settings_part *part) {
-    memcpy(settings_edit(to, part), settings_of(from, part), part->size);
+    settings_set(to, part, bytes_of(from, part));
 }
 
 /* --- settings --- */
@@ -142,24 +144,31 @@ bool setting_is_among(const struct setting *setting, const char *names) {
 
 void setting_format(const struct setting *setting, const struct settings *settings, char *text,
                     size_t size) {
-    option_format(setting->option, settings_of(settings, setting->part), text, size);
+    option_format(setting->option, bytes_of(settings, setting->part), text, size);
 }
 
 bool setting_parse(const struct setting *setting, struct settings *settings, const char *text) {
-    return option_parse(setting->option, settings_edit(settings, setting->part), text);
+    return option_parse(setting->option, (void *)bytes_of(settings, setting->part), text);
+}
+
+double setting_number(const struct setting *setting, const struct settings *settings) {
+    return option_number(setting->option, bytes_of(settings, setting->part));
+}
+
+void setting_set_number(const struct setting *setting, struct settings *settings, double number) {
+    option_set_number(setting->option, (void *)bytes_of(settings, setting->part), number);
 }
 
 bool setting_equal(const struct setting *setting, const struct settings *a,
                    const struct settings *b) {
-    return option_equal(setting->option, settings_of(a, setting->part),
-                        settings_of(b, setting->part));
+    return setting_number(setting, a) == setting_number(setting, b);
 }
 
 double settings_number(const struct settings *settings, const char *name) {
     struct setting setting;
     bool found = settings_find(settings, name, &setting);
     assert(found);
-    return found ? option_number(setting.option, settings_of(settings, setting.part)) : 0;
+    return found ? setting_number(&setting, settings) : 0;
 }
 
 /* --- texts --- */
@@ -203,13 +212,8 @@ void settings_forget_given(struct settings *settings) {
 
 void settings_copy_given(struct settings *to, const struct settings *from) {
     for (struct setting s = {0}; settings_next(from, &s);)
-        if (from->given[part_number(from, &s)] & row_bit(&s)) {
-            char text[256];
-            setting_format(&s, from, text, sizeof text);
-            bool parsed = setting_parse(&s, to, text);
-            assert(parsed);
-            (void)parsed;
-        }
+        if (from->given[part_number(from, &s)] & row_bit(&s))
+            setting_set_number(&s, to, setting_number(&s, from));
 }
 
 bool settings_assign(struct settings *settings, const char *assignments) {

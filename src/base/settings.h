@@ -16,7 +16,7 @@ struct settings_part {
     const char *owner; /* "gather" */
     const char *title; /* a heading: "gathering light" */
     const struct option *table;
-    size_t size; /* of the struct that the table's rows lie in; no larger alignment than a double */
+    size_t size; /* of the struct that the table's rows lie in */
 };
 
 enum { SETTINGS_PARTS_MAX = 48, SETTINGS_BYTES_MAX = 2048, SETTING_NAME_SIZE = 64 };
@@ -27,19 +27,21 @@ struct settings {
     int part_count;
     /* Of each part, by rows of its table: those that settings_give_word set. */
     uint32_t given[SETTINGS_PARTS_MAX];
-    union {
-        double align;
-        unsigned char bytes[SETTINGS_BYTES_MAX]; /* the parts' structs, one after another */
-    } values;
+    unsigned char bytes[SETTINGS_BYTES_MAX]; /* the parts' structs, one after another */
 };
 
 /* Adds a part with its defaults, unless it is there; parts beyond the limits are a mistake of the
  * program's. */
 void settings_add(struct settings *settings, const struct settings_part *part);
 
-/* A part's struct; the part must be there. */
-const void *settings_of(const struct settings *settings, const struct settings_part *part);
-void *settings_edit(struct settings *settings, const struct settings_part *part);
+/* A part's struct, which must be there: a copy that lives as long as the block of the call. */
+#define settings_of(type, settings, part)                                                          \
+    ((const type *)settings_get(settings, part, &(type){0}, sizeof(type)))
+
+/* Copies a part's struct to the values, and returns these; and back. */
+const void *settings_get(const struct settings *settings, const struct settings_part *part,
+                         void *values, size_t size);
+void settings_set(struct settings *settings, const struct settings_part *part, const void *values);
 
 /* Whether both have the same values of a part. */
 bool settings_same(const struct settings *a, const struct settings *b,
@@ -70,12 +72,15 @@ void setting_format(const struct setting *setting, const struct settings *settin
                     size_t size);
 bool setting_parse(const struct setting *setting, struct settings *settings, const char *text);
 
+/* The value of a flag, a number or a choice, as all settings are. */
+double setting_number(const struct setting *setting, const struct settings *settings);
+void setting_set_number(const struct setting *setting, struct settings *settings, double number);
+
 /* Whether the setting is the same in both. */
 bool setting_equal(const struct setting *setting, const struct settings *a,
                    const struct settings *b);
 
-/* The value of a setting that is a number, a flag or a choice, which must be there: for who cannot
- * know its part. */
+/* setting_number of the setting of that name, which must be there: for who cannot know its part. */
 double settings_number(const struct settings *settings, const char *name);
 
 /* Parses "name=value", or several with spaces or commas between. Error: of a name, or of a value. */

@@ -4,14 +4,20 @@
 #define DIRECT_DIRECT_H
 
 #include "base/settings.h"
+#include "lights/sky.h"
+#include "lights/view.h"
 #include "passes/frame.h"
-#include "scene/view.h"
+#include "scene/gpu/caster_pool.h"
 
 struct direct_desc {
     const struct settings *settings;
     int width, height;
     const struct light_layout *lights;
     bool gloss; /* the G-buffer has it */
+    /* For environment_direct alone (direct/environment.h): */
+    struct caster_pool *casters;
+    const struct direct_method *lamps;
+    const struct environment_lights *sky;
 };
 
 struct direct_method {

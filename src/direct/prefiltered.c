@@ -63,7 +63,8 @@ static void show_maps(struct prefiltered *own) {
 
 /* Three quarters of a GiB at most, of maps of 1024 texels with sums of four moments. */
 static int size_of(const struct direct_desc *desc) {
-    const struct prefilter_settings *set = settings_of(desc->settings, &prefilter_part);
+    const struct prefilter_settings *set =
+        settings_of(struct prefilter_settings, desc->settings, &prefilter_part);
     const int full_maps = 24;
     return light_map_share(set->size, desc->lights->maps, full_maps);
 }
@@ -73,7 +74,8 @@ static const float depth_bias = 2e-3F;
 
 bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                        const struct prefiltered_desc *method) {
-    const struct prefilter_settings *set = settings_of(desc->settings, &prefilter_part);
+    const struct prefilter_settings *set =
+        settings_of(struct prefilter_settings, desc->settings, &prefilter_part);
     char *defines = mem_printf("%sFILTER %d;SEARCH_PARTS %d;SHADOW_PARTS %d;",
                                method->defines ? method->defines : "", method->filter,
                                method->search_parts, method->shadow_parts);
@@ -95,7 +97,8 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
 
 bool prefiltered_init(void **state, const struct direct_desc *desc,
                       const struct prefiltered_desc *method) {
-    const struct window_settings *set = settings_of(desc->settings, &window_part);
+    const struct window_settings *set =
+        settings_of(struct window_settings, desc->settings, &window_part);
     struct prefiltered_desc own = *method;
     own.search_parts = set->search_parts ? set->search_parts : method->search_parts;
     own.shadow_parts = set->shadow_parts ? set->shadow_parts : method->shadow_parts;

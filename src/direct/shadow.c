@@ -17,7 +17,8 @@ const struct settings_part shadow_part = {"direct", "shadow maps of direct light
 
 /* Half a GiB at most, of maps of 2048 texels. */
 static int size_of(const struct direct_desc *desc) {
-    const struct shadow_settings *own = settings_of(desc->settings, &shadow_part);
+    const struct shadow_settings *own =
+        settings_of(struct shadow_settings, desc->settings, &shadow_part);
     const int full_views = 32, faces_of_view = 4; /* which are half as large */
     const int *views = desc->lights->views;
     int count = views[LIGHT_MAP_SINGLE] + views[LIGHT_MAP_FACE] / faces_of_view;
@@ -26,7 +27,8 @@ static int size_of(const struct direct_desc *desc) {
 
 bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
                   const struct direct_light_desc *program) {
-    const struct shadow_settings *own = settings_of(desc->settings, &shadow_part);
+    const struct shadow_settings *own =
+        settings_of(struct shadow_settings, desc->settings, &shadow_part);
     struct direct_light_desc light = *program;
     light.width = desc->width;
     light.height = desc->height;

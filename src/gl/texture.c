@@ -162,11 +162,15 @@ bool texture_init_bitmap(struct texture *texture, const char *label, const struc
                                                       .height = bitmap->height,
                                                       .filter = FILTER_LINEAR}))
         return false;
+    texture_write_bitmap(texture, bitmap);
+    return true;
+}
+
+void texture_write_bitmap(struct texture *texture, const struct bitmap *bitmap) {
     for (int y = 0; y < bitmap->height; y++)
         gl.TextureSubImage2D(texture->id, 0, 0, bitmap->height - 1 - y, bitmap->width, 1, GL_RGBA,
                              GL_UNSIGNED_BYTE,
                              bitmap->rgba + (size_t)y * (size_t)bitmap->width * 4);
-    return true;
 }
 
 void texture_read_bitmap(const struct texture *texture, struct bitmap *bitmap) {

@@ -42,6 +42,9 @@ void texture_free(struct texture *texture);
 /* The picture as an RGBA8 texture, filtered linearly, its row 0 the texture's last. Error: as above. */
 bool texture_init_bitmap(struct texture *texture, const char *label, const struct bitmap *bitmap);
 
+/* Fills an RGBA8 texture of the picture's size; the picture's row 0 is the texture's last. */
+void texture_write_bitmap(struct texture *texture, const struct bitmap *bitmap);
+
 /* Copies an RGBA8 texture's first layer, row 0 at the top; bitmap_free it. */
 void texture_read_bitmap(const struct texture *texture, struct bitmap *bitmap);
 

@@ -9,10 +9,10 @@
 #include "gl/pass.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
+#include "lights/starts.h"
+#include "lights/view.h"
 #include "scene/camera_range.h"
 #include "scene/gpu/scene_gpu.h"
-#include "scene/starts.h"
-#include "scene/view.h"
 #include "shared/interleaving.h"
 
 /* What every pass of one frame may use. */

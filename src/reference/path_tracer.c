@@ -6,7 +6,7 @@
 #include "reference/path.h"
 #include "reference/primary.h"
 #include "reference/rows.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include "base/error.h"
 #include "base/memory.h"

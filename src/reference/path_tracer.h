@@ -21,7 +21,7 @@
 
 #include "base/image.h"
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 
 struct path_tracer_progress {

@@ -12,7 +12,7 @@
 #include "base/image.h"
 #include "reference/geometry_term.h"
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 #include "shared/vpl.h"
 

@@ -99,15 +99,14 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
     bool shows_sky = renderer->desc.background.kind == BACKGROUND_SCENE;
     return (struct composite_inputs){
         .gbuffer = &renderer->gbuffer,
-        .direct =
-            skylight_light(&renderer->skylight, renderer->direct->light(renderer->direct_state)),
-        .direct_specular = skylight_specular(&renderer->skylight, direct_specular(renderer)),
+        .direct = renderer->direct->light(renderer->direct_state),
+        .direct_specular = direct_specular(renderer),
         .contribution = last_contribution(renderer),
         .sky = shows_sky ? renderer->desc.emitters.sky : NULL,
         .background = renderer->desc.background,
         .samples = antialias->samples,
         .exposure = renderer_exposure(renderer),
-        .tone_map = (enum tone_map)renderer_picture(renderer)->tone_map,
+        .tone_map = (enum tone_map)renderer_picture(renderer).tone_map,
         .layer = LAYER_BEAUTY,
     };
 }
@@ -123,8 +122,6 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
         struct frame direct = frame_of_direct(renderer, frame);
         renderer->direct->render_lights(renderer->direct_state, &direct);
     }
-    if (!keeps)
-        skylight_render_lights(&renderer->skylight, frame);
     if ((!keeps || renderer->pass > 0) && technique->render_lights)
         technique->render_lights(state, frame);
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
@@ -139,9 +136,6 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     if (renderer->pass == 0)
         antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
-    skylight_render_view(&renderer->skylight, frame, &renderer->gbuffer,
-                         renderer->direct->light(renderer->direct_state),
-                         direct_specular(renderer));
     if (is_refined(renderer))
         refining->technique->render_view(refining->state, frame, &renderer->gbuffer);
     else
@@ -170,7 +164,7 @@ static void show_mean(struct renderer *renderer, const struct frame *frame, int 
     const struct refining *refining = &renderer->refining;
     mean_pass_render_display(&refining->mean, frame, refining->weight, layer,
                              renderer_exposure(renderer),
-                             renderer_picture(renderer)->tone_map == TONE_MAP_FILMIC,
+                             renderer_picture(renderer).tone_map == TONE_MAP_FILMIC,
                              &renderer->desc.background, renderer->composite.framebuffer);
 }
 
@@ -232,12 +226,12 @@ struct contribution renderer_contribution(const struct renderer *renderer) {
     return renderer->technique->contribution(renderer->technique_state);
 }
 
-const struct picture_settings *renderer_picture(const struct renderer *renderer) {
-    return settings_of(&renderer->desc.settings, &picture_part);
+struct picture_settings renderer_picture(const struct renderer *renderer) {
+    return *settings_of(struct picture_settings, &renderer->desc.settings, &picture_part);
 }
 
 float renderer_exposure(const struct renderer *renderer) {
-    return renderer_picture(renderer)->exposure;
+    return renderer_picture(renderer).exposure;
 }
 
 void renderer_outputs(const struct renderer *renderer, struct output_list *outputs) {

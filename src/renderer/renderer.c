@@ -14,21 +14,21 @@
 enum part {
     PART_GBUFFER = 1,    /* size */
     PART_GEOMETRY = 2,   /* nothing but shaders */
-    PART_DIRECT = 4,     /* method, its settings, layout of lights; takes size as it is */
-    PART_TECHNIQUE = 8,  /* the same */
+    PART_DIRECT = 4,     /* method, its settings, layout of lights, lights of the environment */
+    PART_TECHNIQUE = 8,  /* technique, its settings, layout of starts */
     PART_ANTIALIAS = 16, /* size, samples */
     PART_COMPOSITE = 32, /* size, what the technique contributes */
     PART_MEAN = 64,      /* size, whether progressive */
     PART_REFINER = 128,  /* as technique; whether progressive */
-    PART_SKY = 256,      /* settings, how many lights the sky has; takes size as it is */
-    PART_ALL = 511,
+    PART_ALL = 255,
     PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
-    PART_LIGHTS = PART_DIRECT | PART_SKY | PART_TECHNIQUE, /* what render_lights draws with */
+    PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
 /* Whether the G-buffer, and all that reads it, has gloss: else all surfaces are matt. */
 static bool has_gloss(const struct renderer_desc *desc) {
-    const struct material_settings *own = settings_of(&desc->settings, &material_part);
+    const struct material_settings *own =
+        settings_of(struct material_settings, &desc->settings, &material_part);
     return own->materials == MATERIALS_FULL && !materials_are_plain(desc->scene) &&
            desc->direct->specular;
 }
@@ -41,31 +41,23 @@ static bool init_antialias(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return antialias_pass_init(
         &renderer->antialias,
-        &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer)->samples});
+        &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer).samples});
 }
 
+/* With the light of an environment, where there is one. */
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    renderer->direct = desc->direct;
+    renderer->direct = renderer->plan.sky.count > 0 ? &environment_direct : desc->direct;
     return renderer->direct->init(&renderer->direct_state, &(struct direct_desc){
                                                                .settings = &desc->settings,
                                                                .width = desc->width,
                                                                .height = desc->height,
                                                                .lights = &renderer->plan.layout,
                                                                .gloss = has_gloss(desc),
+                                                               .casters = renderer->casters,
+                                                               .lamps = desc->direct,
+                                                               .sky = &renderer->plan.sky,
                                                            });
-}
-
-static bool init_sky(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    return skylight_init(&renderer->skylight,
-                         &(struct skylight_desc){.settings = &desc->settings,
-                                                 .casters = renderer->casters,
-                                                 .width = desc->width,
-                                                 .height = desc->height,
-                                                 .count = renderer->plan.sky.count,
-                                                 .suns = sky_lights_suns(&renderer->plan.sky),
-                                                 .gloss = has_gloss(desc)});
 }
 
 static bool make_technique(const struct renderer *renderer, const struct technique *technique,
@@ -114,9 +106,10 @@ static bool init_refiner(struct renderer *renderer) {
     return make_technique(renderer, refining->technique, &settings, &refining->state);
 }
 
-/* For the technique that is there, or else for another's contribution. */
-static bool init_composite(struct renderer *renderer, unsigned contributes) {
+/* For the technique that is there, or else for what contributed before. */
+static bool init_composite(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
+    unsigned contributes = renderer->composite.desc.contributes;
     if (renderer->technique) {
         struct contribution contribution = renderer_contribution(renderer);
         contributes = composite_kinds(&contribution);
@@ -150,16 +143,50 @@ static bool init_geometry(struct renderer *renderer) {
                                 .has_mappings = materials_have_mappings(desc->scene)});
 }
 
-static bool init_parts(struct renderer *renderer, unsigned parts, unsigned contributes) {
-    return (!(parts & PART_GBUFFER) || init_gbuffer(renderer)) &&
-           (!(parts & PART_GEOMETRY) || init_geometry(renderer)) &&
-           (!(parts & PART_DIRECT) || init_direct(renderer)) &&
-           (!(parts & PART_SKY) || init_sky(renderer)) &&
-           (!(parts & PART_ANTIALIAS) || init_antialias(renderer)) &&
-           (!(parts & PART_TECHNIQUE) || init_technique(renderer)) &&
-           (!(parts & PART_COMPOSITE) || init_composite(renderer, contributes)) &&
-           (!(parts & PART_MEAN) || init_mean(renderer)) &&
-           (!(parts & PART_REFINER) || init_refiner(renderer));
+static bool resize_direct(struct renderer *renderer, int width, int height) {
+    return renderer->direct->resize(renderer->direct_state, width, height);
+}
+
+static bool resize_technique(struct renderer *renderer, int width, int height) {
+    return renderer->technique->resize(renderer->technique_state, width, height);
+}
+
+static bool resize_refiner(struct renderer *renderer, int width, int height) {
+    const struct refining *refining = &renderer->refining;
+    return !refining->technique || refining->technique->resize(refining->state, width, height);
+}
+
+/* From the first of its members up to the last. */
+#define MEMBERS(first, last)                                                                       \
+    offsetof(struct renderer, first), offsetof(struct renderer, last) +                            \
+                                          sizeof((struct renderer *)0)->last -                     \
+                                          offsetof(struct renderer, first)
+
+/* In the order in which they are made. */
+static const struct part_row {
+    enum part part;
+    size_t offset, size; /* in struct renderer */
+    bool (*init)(struct renderer *renderer);
+    /* What stays takes another size as it is: its lights do not depend on it. NULL: is made anew. */
+    bool (*resize)(struct renderer *renderer, int width, int height);
+} rows[] = {
+    {PART_GBUFFER, MEMBERS(gbuffer, gbuffer), init_gbuffer, NULL},
+    {PART_GEOMETRY, MEMBERS(geometry, geometry), init_geometry, NULL},
+    {PART_DIRECT, MEMBERS(direct, direct_state), init_direct, resize_direct},
+    {PART_ANTIALIAS, MEMBERS(antialias, antialias), init_antialias, NULL},
+    {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
+    {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
+    {PART_MEAN, MEMBERS(refining.mean, refining.centers), init_mean, NULL},
+    {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
+};
+
+enum { ROWS = sizeof rows / sizeof *rows };
+
+static bool init_parts(struct renderer *renderer, unsigned parts) {
+    bool ok = true;
+    for (int i = 0; ok && i < ROWS; i++)
+        ok = !(parts & rows[i].part) || rows[i].init(renderer);
+    return ok;
 }
 
 /* Where in its pixel a pass looks, from -1/2 to 1/2: the first in the middle. */
@@ -208,8 +235,6 @@ void renderer_write_views(struct renderer *renderer) {
         view_shift(&renderer->camera_view, place);
     views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);
     place_starts(renderer);
-    sky_block_of(renderer->sky_block, &renderer->plan.sky, desc->emitters.sky, desc->geometry);
-    skylight_write(&renderer->skylight, renderer->sky_block);
     views_of_emitters(renderer->start_block, &renderer->start_emitters, desc->geometry);
     if (renderer->pass > 0)
         shift_starts(renderer);
@@ -232,8 +257,10 @@ static void set_defaults(struct renderer_desc *desc) {
 /* Takes what there was before where that is as wanted: a fit takes a while. */
 static void plan_sky(struct light_plan *plan, const struct light_plan *before,
                      const struct renderer_desc *desc) {
-    const struct skylight_settings *sky = settings_of(&desc->settings, &sky_part);
-    const struct start_settings *start = settings_of(&desc->settings, &start_part);
+    const struct environment_settings *sky =
+        settings_of(struct environment_settings, &desc->settings, &sky_part);
+    const struct start_settings *start =
+        settings_of(struct start_settings, &desc->settings, &start_part);
     const struct environment *environment = desc->emitters.sky;
     int room = LIGHTS_MAX - desc->emitters.count;
     struct sky_wanted *wanted = &plan->wanted;
@@ -245,20 +272,21 @@ static void plan_sky(struct light_plan *plan, const struct light_plan *before,
         plan->sky_starts = before->sky_starts;
         return;
     }
-    sky_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
-    sky_lights_group(&plan->sky_starts, &plan->sky, wanted->starts);
+    environment_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
+    environment_lights_group(&plan->sky_starts, &plan->sky, wanted->starts);
 }
 
 /* Error: more lights than there is room for. */
 static bool plan_lights(struct light_plan *plan, const struct light_plan *before,
                         const struct renderer_desc *desc) {
-    const struct start_settings *own = settings_of(&desc->settings, &start_part);
+    const struct start_settings *own =
+        settings_of(struct start_settings, &desc->settings, &start_part);
     struct light_starts starts;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
-    if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - SKY_LIGHTS_MIN)
+    if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
         return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
-                         desc->emitters.count, LIGHTS_MAX - SKY_LIGHTS_MIN);
+                         desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
     plan_sky(plan, before, desc);
     plan->starts = (struct starts_desc){own->places, own->wide, desc->geometry->radius};
     light_starts_place(&starts, &desc->emitters,
@@ -271,14 +299,13 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     *renderer = (struct renderer){.desc = *desc,
                                   .casters = caster_pool_create(desc->scene, desc->geometry),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
-                                  .start_block = mem_alloc(1, sizeof *renderer->start_block),
-                                  .sky_block = mem_alloc(1, sizeof *renderer->sky_block)};
+                                  .start_block = mem_alloc(1, sizeof *renderer->start_block)};
     renderer->desc.emitters = emitters_copy(&desc->emitters);
     set_defaults(&renderer->desc);
     timers_init(&renderer->timers, desc->timed, gl.software);
     if (plan_lights(&renderer->plan, NULL, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
-        init_parts(renderer, PART_ALL, 0) &&
+        init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
         buffer_init(&renderer->start_buffer, "starts", sizeof *renderer->start_block, NULL)) {
@@ -289,17 +316,8 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     return false;
 }
 
-static void free_mean(struct refining *refining) {
-    mean_pass_free(&refining->mean);
-    antialias_pass_free(&refining->centers);
-}
-
-static void free_refiner(struct refining *refining) {
-    if (refining->technique)
-        refining->technique->free(refining->state);
-}
-
 static void free_parts(struct renderer *renderer) {
+    struct refining *refining = &renderer->refining;
     gbuffer_free(&renderer->gbuffer);
     geometry_pass_free(&renderer->geometry);
     antialias_pass_free(&renderer->antialias);
@@ -308,9 +326,10 @@ static void free_parts(struct renderer *renderer) {
         renderer->technique->free(renderer->technique_state);
     if (renderer->direct)
         renderer->direct->free(renderer->direct_state);
-    skylight_free(&renderer->skylight);
-    free_mean(&renderer->refining);
-    free_refiner(&renderer->refining);
+    mean_pass_free(&refining->mean);
+    antialias_pass_free(&refining->centers);
+    if (refining->technique)
+        refining->technique->free(refining->state);
 }
 
 void renderer_free(struct renderer *renderer) {
@@ -323,91 +342,47 @@ void renderer_free(struct renderer *renderer) {
     buffer_free(&renderer->start_buffer);
     free(renderer->light_block);
     free(renderer->start_block);
-    free(renderer->sky_block);
     emitters_free(&renderer->desc.emitters);
     *renderer = (struct renderer){0};
 }
 
 /* --- changes --- */
 
-static void swap(void *a, void *b, size_t size) {
-    unsigned char *x = a, *y = b;
-    for (size_t i = 0; i < size; i++) {
-        unsigned char byte = x[i];
-        x[i] = y[i];
-        y[i] = byte;
-    }
-}
-
-#define SWAP(field) swap(&a->field, &b->field, sizeof a->field)
-
 static void swap_parts(struct renderer *a, struct renderer *b, unsigned parts) {
-    if (parts & PART_GBUFFER)
-        SWAP(gbuffer);
-    if (parts & PART_GEOMETRY)
-        SWAP(geometry);
-    if (parts & PART_DIRECT) {
-        SWAP(direct);
-        SWAP(direct_state);
-    }
-    if (parts & PART_SKY)
-        SWAP(skylight);
-    if (parts & PART_ANTIALIAS)
-        SWAP(antialias);
-    if (parts & PART_COMPOSITE)
-        SWAP(composite);
-    if (parts & PART_TECHNIQUE) {
-        SWAP(technique);
-        SWAP(technique_state);
-    }
-    if (parts & PART_MEAN) {
-        SWAP(refining.mean);
-        SWAP(refining.centers);
-    }
-    if (parts & PART_REFINER) {
-        SWAP(refining.technique);
-        SWAP(refining.state);
-    }
+    struct renderer before = *a;
+    for (const struct part_row *row = rows; row < rows + ROWS; row++)
+        if (parts & row->part) {
+            memcpy((char *)a + row->offset, (char *)b + row->offset, row->size);
+            memcpy((char *)b + row->offset, (char *)&before + row->offset, row->size);
+        }
 }
 
-/* Those of them that there are and that keep their place, until one cannot: returned are those that
- * could. */
-static unsigned resize_parts(struct renderer *renderer, unsigned parts, int width, int height) {
-    struct refining *refining = &renderer->refining;
-    if ((parts & PART_DIRECT) && !renderer->direct->resize(renderer->direct_state, width, height))
-        return 0;
-    if ((parts & PART_SKY) && !skylight_resize(&renderer->skylight, width, height))
-        return parts & PART_DIRECT;
-    if ((parts & PART_TECHNIQUE) &&
-        !renderer->technique->resize(renderer->technique_state, width, height))
-        return parts & (PART_DIRECT | PART_SKY);
-    if ((parts & PART_REFINER) && refining->technique &&
-        !refining->technique->resize(refining->state, width, height))
-        return parts & (PART_DIRECT | PART_SKY | PART_TECHNIQUE);
-    return parts;
-}
-
-/* What stays takes another size as it is: its lights do not depend on it. Where one of several cannot,
- * those before it go back. */
-static bool resize_kept(struct renderer *renderer, const struct renderer_desc *desc,
-                        unsigned parts) {
+/* Where one of several parts cannot take the size, those before it go back. */
+static bool resize_parts(struct renderer *renderer, const struct renderer_desc *desc,
+                         unsigned parts) {
     const struct renderer_desc *old = &renderer->desc;
-    unsigned kept = (PART_DIRECT | PART_SKY | PART_TECHNIQUE | PART_REFINER) & ~parts;
+    int i = 0;
     if (desc->width == old->width && desc->height == old->height)
         return true;
-    unsigned resized = resize_parts(renderer, kept, desc->width, desc->height);
-    if (resized == kept)
+    while (i < ROWS && (!rows[i].resize || !(parts & rows[i].part) ||
+                        rows[i].resize(renderer, desc->width, desc->height)))
+        i++;
+    if (i == ROWS)
         return true;
-    resize_parts(renderer, resized, old->width, old->height);
+    while (--i >= 0)
+        if (rows[i].resize && parts & rows[i].part)
+            rows[i].resize(renderer, old->width, old->height);
     return false;
 }
 
 /* The new parts are made beside the old ones, which go only when all are there. */
 static bool change(struct renderer *renderer, const struct renderer_desc *desc,
                    const struct light_plan *plan, unsigned parts) {
-    struct renderer fresh = {.desc = *desc, .casters = renderer->casters, .plan = *plan};
-    bool ok = init_parts(&fresh, parts, renderer->composite.desc.contributes) &&
-              resize_kept(renderer, desc, parts);
+    struct renderer fresh = {.desc = *desc,
+                             .casters = renderer->casters,
+                             .plan = *plan,
+                             .composite.desc = renderer->composite.desc};
+    bool ok = init_parts(&fresh, parts) && resize_parts(renderer, desc, ~parts);
     if (ok) {
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
@@ -433,22 +408,21 @@ bool renderer_makes_technique(const struct renderer *renderer, const struct tech
 static unsigned parts_between(const struct renderer *renderer, const struct renderer_desc *desc,
                               const struct light_plan *plan) {
     const struct renderer_desc *old = &renderer->desc;
-    const struct picture_settings *picture = settings_of(&desc->settings, &picture_part);
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, &desc->settings, &picture_part);
     unsigned parts = 0;
     if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
     if (desc->direct != old->direct ||
         !renderer_settings_same(&desc->settings, &old->settings, desc->direct->parts))
         parts |= PART_DIRECT;
-    if (!light_layouts_same(&plan->layout, &renderer->plan.layout))
+    if (!light_layouts_same(&plan->layout, &renderer->plan.layout) ||
+        plan->wanted.environment != renderer->plan.wanted.environment ||
+        (plan->sky.count > 0 && !settings_same(&desc->settings, &old->settings, &sky_part)))
         parts |= PART_DIRECT;
-    if (plan->sky.count != renderer->plan.sky.count ||
-        sky_lights_suns(&plan->sky) != sky_lights_suns(&renderer->plan.sky) ||
-        !settings_same(&desc->settings, &old->settings, &sky_part))
-        parts |= PART_SKY;
     if (!light_layouts_same(&plan->start_layout, &renderer->plan.start_layout))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
-    if (picture->samples != renderer_picture(renderer)->samples)
+    if (picture->samples != renderer_picture(renderer).samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)
         parts |= PART_SIZE;

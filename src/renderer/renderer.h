@@ -8,14 +8,14 @@
 
 #include "base/image.h"
 #include "direct/direct.h"
-#include "direct/skylight.h"
+#include "direct/environment.h"
+#include "lights/starts.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
 #include "passes/picture/mean.h"
 #include "renderer/settings.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/starts.h"
 #include "techniques/technique.h"
 
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
@@ -42,7 +42,7 @@ struct renderer_desc {
 struct light_plan {
     struct light_layout layout, start_layout;
     struct starts_desc starts;
-    struct sky_lights sky;
+    struct environment_lights sky;
     struct sky_groups sky_starts; /* from which its reflected light starts */
     struct sky_wanted {
         const struct environment *environment;
@@ -61,9 +61,8 @@ struct renderer {
     struct composite_pass composite;
     const struct technique *technique; /* as long as there is a state of its; and so below */
     void *technique_state;
-    const struct direct_method *direct;
+    const struct direct_method *direct; /* desc.direct, or with it environment_direct */
     void *direct_state;
-    struct skylight skylight;
     bool lights_drawn; /* what depends on no camera is that of desc */
     int pass;          /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
@@ -88,7 +87,6 @@ struct renderer {
     /* What shines, for direct light; and what techniques are given for it. */
     struct light_block *light_block, *start_block;
     struct buffer light_buffer, start_buffer;
-    struct sky_block *sky_block;
     struct light_starts starts;
     struct emitters start_emitters; /* of the starts: nothing to be freed */
 };

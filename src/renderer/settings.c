@@ -3,10 +3,10 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "direct/direct.h"
-#include "direct/skylight.h"
+#include "direct/environment.h"
+#include "lights/starts.h"
 #include "passes/picture/composite.h"
 #include "scene/material.h"
-#include "scene/starts.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -36,8 +36,8 @@ static const struct option start_table[] = {
     {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
      .help = "width from which a light has several light samples,\n"
              "over the scene's radius; for a sun in radians"},
-    {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12, SKY_LIGHTS_MIN,
-     LIGHTS_MAX,
+    {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12,
+     ENVIRONMENT_LIGHTS_MIN, LIGHTS_MAX,
      .help = "largest number of directions from which an environment's reflected\n"
              "light starts; raise, with lights.vpls, where it comes through windows"},
     {NULL},
@@ -108,17 +108,21 @@ bool renderer_settings_same(const struct settings *a, const struct settings *b,
     return true;
 }
 
+static void set_samples(struct settings *settings, int samples) {
+    struct picture_settings picture =
+        *settings_of(struct picture_settings, settings, &picture_part);
+    picture.samples = samples;
+    settings_set(settings, &picture_part, &picture);
+}
+
 void renderer_settings_roughen(struct settings *settings) {
-    struct picture_settings *picture = settings_edit(settings, &picture_part);
-    picture->samples = 1;
+    set_samples(settings, 1);
 }
 
 void renderer_settings_copy_but_samples(struct settings *to, const struct settings *from) {
-    const struct picture_settings *before = settings_of(to, &picture_part);
-    int samples = before->samples;
+    int samples = settings_of(struct picture_settings, to, &picture_part)->samples;
     *to = *from;
-    struct picture_settings *picture = settings_edit(to, &picture_part);
-    picture->samples = samples;
+    set_samples(to, samples);
 }
 
 /* --- help --- */

@@ -8,7 +8,7 @@
 void renderer_write_views(struct renderer *renderer);
 
 /* How the picture is drawn and shown, as the settings have it. */
-const struct picture_settings *renderer_picture(const struct renderer *renderer);
+struct picture_settings renderer_picture(const struct renderer *renderer);
 
 /* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
  * floats in range whatever the units. */

@@ -3,7 +3,7 @@
 #include "base/halton.h"
 #include "base/memory.h"
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/corners.h"
 #include "scene/mesh/tree_ray.h"
 

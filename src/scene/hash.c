@@ -1,6 +1,6 @@
 #include "scene/hash.h"
 
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 
 #include <stddef.h>
 #include <string.h>

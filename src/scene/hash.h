@@ -4,7 +4,7 @@
 #define SCENE_HASH_H
 
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 
 /* Triangles, materials, textures, camera and lights as they are posed. */

@@ -1,10 +1,10 @@
 #include "scene/open.h"
 
-#include "scene/brightness.h"
 #include "scene/camera_range.h"
 #include "scene/clips.h"
 #include "scene/darkness.h"
 #include "scene/framing.h"
+#include "scene/lights/brightness.h"
 #include "scene/placing.h"
 #include "scene/recentre.h"
 

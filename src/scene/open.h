@@ -2,7 +2,7 @@
 #ifndef SCENE_OPEN_H
 #define SCENE_OPEN_H
 
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "scene/mesh/geometry.h"
 
 struct scene_open_desc {

@@ -21,7 +21,7 @@
 #define SCENE_PLACING_H
 
 #include "scene/camera.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 
 enum { PLACING_TEXT_SIZE = 512 };
 

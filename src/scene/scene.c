@@ -4,9 +4,9 @@
 #include "base/file/output_file.h"
 #include "base/memory.h"
 #include "scene/animation.h"
-#include "scene/emissive.h"
-#include "scene/environment.h"
 #include "scene/gltf/gltf.h"
+#include "scene/lights/emissive.h"
+#include "scene/lights/environment.h"
 #include "scene/mesh/primitive.h"
 #include "scene/node.h"
 

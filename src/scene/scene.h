@@ -1,7 +1,7 @@
 /* What a glTF file holds, on the CPU: a node tree, meshes, materials, lights and cameras.
  *
  * A scene is only a description. scene/mesh/geometry.h turns it into world-space triangles at one
- * time; scene/emitter.h and scene/camera.h place a light and a camera. Metres, +Y up, as glTF has
+ * time; scene/lights/emitter.h and scene/camera.h place a light and a camera. Metres, +Y up, as glTF has
  * it. Everything is an index into an array of the scene; -1 is none. Nodes come parents first.
  */
 #ifndef SCENE_SCENE_H
@@ -120,7 +120,7 @@ struct scene_light {
     bool stands_in; /* it is what they are like from afar, with others */
 };
 
-/* A primitive of a node's mesh that emits light, as part of a lamp: scene/emissive.h. */
+/* A primitive of a node's mesh that emits light, as part of a lamp: scene/lights/emissive.h. */
 struct emissive_surface {
     int node, primitive, lamp;
 };
@@ -187,7 +187,7 @@ struct scene {
     int skin_count, metaballs_count, clip_count, file_count;
     /* Of the file, which are not drawn. */
     int point_primitives, line_primitives;
-    struct environment *environment; /* scene/environment.h; NULL = none */
+    struct environment *environment; /* scene/lights/environment.h; NULL = none */
     int *playing; /* the clips that play, in the order in which they act: scene/clips.h */
     int playing_count;
     bool plays_default; /* they were not chosen */

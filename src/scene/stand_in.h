@@ -7,7 +7,7 @@
 #ifndef SCENE_STAND_IN_H
 #define SCENE_STAND_IN_H
 
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "scene/mesh/geometry.h"
 
 struct stand_in {

@@ -4,7 +4,7 @@
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
     geometry_pass_render_lights(&lights->geometry, frame, lights->rsm);
     vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->vpls);
-    if (lights->has_near_field)
+    if (lights->near_field.program)
         near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares);
     if (lights->bounces == 1)
         return;
@@ -17,9 +17,9 @@ void many_lights_begin(const struct many_lights *lights, const struct frame *fra
     gather_pass_clear(&lights->gather);
     if (lights->bounces > 1)
         bounce_pass_find_kept(&lights->bounce, frame);
-    if (lights->has_gloss)
+    if (lights->gloss_gather.program)
         gather_pass_clear(&lights->gloss_gather);
-    if (!lights->has_detail)
+    if (!lights->detail.program)
         return;
     detail_pass_render(&lights->detail, frame, gbuffer);
     gather_pass_clear(&lights->detail_gather);
@@ -31,9 +31,9 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
     all.lists = &lights->detail.lists;
     all.kept = inputs->further ? &lights->bounce.kept : NULL;
     gather_pass_render(&lights->gather, frame, gbuffer, &all);
-    if (lights->has_detail)
+    if (lights->detail.program)
         gather_pass_render(&lights->detail_gather, frame, gbuffer, &all);
-    if (lights->has_gloss)
+    if (lights->gloss_gather.program)
         gather_pass_render(&lights->gloss_gather, frame, gbuffer, &all);
     if (lights->gloss_rays.program && inputs->first == 0 && !inputs->further)
         gloss_rays_pass_render(
@@ -50,7 +50,7 @@ static void add_near_field(const struct many_lights *lights, const struct frame 
                                        .irradiance = &lights->gather.irradiance,
                                        .lists = &lights->detail.lists};
     near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
-    if (!lights->has_detail)
+    if (!lights->detail.program)
         return;
     inputs.irradiance = &lights->detail_gather.irradiance;
     inputs.of_lists = true;
@@ -59,15 +59,15 @@ static void add_near_field(const struct many_lights *lights, const struct frame 
 
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
-    if (lights->has_near_field)
+    if (lights->near_field.program)
         add_near_field(lights, frame, gbuffer);
-    if (lights->has_gloss)
+    if (lights->gloss_gather.program)
         blur_pass_render(&lights->gloss_blur, frame, gbuffer,
                          &(struct blur_inputs){.source = &lights->gloss_gather.irradiance});
-    if (!lights->has_blur)
+    if (!lights->blur.pack_program)
         return;
     struct blur_inputs inputs = {.source = &lights->gather.irradiance};
-    if (lights->has_detail) {
+    if (lights->detail.program) {
         inputs.lists = &lights->detail.lists;
         inputs.detail = &lights->detail_gather.irradiance;
     }
@@ -76,7 +76,8 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
 
 void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,
                              const struct gbuffer *gbuffer) {
-    struct gather_inputs inputs = {.vpls = &lights->vpls, .visibility.tree = lights->tree};
+    struct gather_inputs inputs = {.vpls = &lights->vpls,
+                                   .visibility.tree = lights->visibility.tree};
     many_lights_begin(lights, frame, gbuffer);
     many_lights_gather(lights, frame, gbuffer, &inputs);
     inputs.vpls = &lights->bounce.vpls;
@@ -89,10 +90,11 @@ void many_lights_render_view(const struct many_lights *lights, const struct fram
 struct contribution many_lights_contribution(const void *state) {
     const struct many_lights *lights = state;
     struct contribution contribution = {
-        .irradiance = lights->has_blur ? &lights->blur.blurred : &lights->gather.irradiance,
-        .radiance = lights->has_gloss ? &lights->gloss_blur.blurred.texture : NULL,
+        .irradiance =
+            lights->blur.pack_program ? &lights->blur.blurred : &lights->gather.irradiance,
+        .radiance = lights->gloss_gather.program ? &lights->gloss_blur.blurred.texture : NULL,
     };
-    if (lights->has_detail && lights->detail_gather.desc.list_slots[LIST_FURTHER] > 0) {
+    if (lights->detail.program && lights->detail_gather.desc.list_slots[LIST_FURTHER] > 0) {
         contribution.further_irradiance = &lights->detail_gather.irradiance;
         contribution.further_texels = &lights->detail.lists.further_texels;
     }

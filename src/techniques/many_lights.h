@@ -81,29 +81,6 @@ extern const struct refinement many_lights_refinement;
 
 /* --- passes --- */
 
-struct many_lights {
-    struct gbuffer rsm[LIGHT_MAP_KINDS];
-    const struct caster_tree *tree; /* which tells what light arrives; NULL: maps, or nothing */
-    struct geometry_pass geometry;
-    struct vpl_pass vpl;
-    struct vpl_buffer vpls;
-    int bounces; /* where more than one: */
-    struct bounce_pass bounce;
-    struct gather_pass gather;
-    bool has_near_field; /* clamp=near */
-    struct near_field_pass near_field;
-    bool has_detail;  /* pixels with few like neighbours gather more */
-    int detail_times; /* as the settings have it: of a picture that is not large */
-    struct detail_pass detail;
-    struct gather_pass detail_gather;
-    bool has_gloss; /* materials are not all plain: what reflects as by a mirror is gathered, too */
-    struct gather_pass gloss_gather;
-    struct gloss_rays_pass gloss_rays; /* gloss=rays */
-    struct blur_pass gloss_blur;
-    bool has_blur; /* what is gathered in tiles is put in order by it, too; else it is the result */
-    struct blur_pass blur;
-};
-
 /* How the gather asks for visibility. */
 struct many_lights_visibility {
     enum visibility_lookup lookup;
@@ -115,6 +92,27 @@ struct many_lights_visibility {
     bool calibrated;  /* as in struct visibility_desc */
     /* Of ..._TRACED at all pixels: it hides near light and further bounces, too. */
     const struct caster_tree *tree;
+};
+
+/* A pass without a program is one that the settings or the scene's materials leave out. */
+struct many_lights {
+    struct settings settings; /* that it was made for */
+    struct many_lights_visibility visibility;
+    struct gbuffer rsm[LIGHT_MAP_KINDS];
+    struct geometry_pass geometry;
+    struct vpl_pass vpl;
+    struct vpl_buffer vpls;
+    int bounces; /* where more than one: */
+    struct bounce_pass bounce;
+    struct near_field_pass near_field; /* clamp=near */
+    struct gloss_rays_pass gloss_rays; /* gloss=rays */
+    /* As large as the picture: */
+    struct gather_pass gather;
+    struct detail_pass detail; /* pixels with few like neighbours gather more */
+    struct gather_pass detail_gather;
+    struct gather_pass gloss_gather; /* what reflects as by a mirror */
+    struct blur_pass gloss_blur;
+    struct blur_pass blur; /* puts tiles in order, too; without it the gather is the result */
 };
 
 /* The settings of a lookup. */

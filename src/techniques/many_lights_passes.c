@@ -15,8 +15,8 @@ enum { GLOSS_RAYS = 4 }; /* specular rays of a pixel */
 
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
-    const struct map_settings *map = settings_of(settings, &map_part);
-    const struct lookup_settings *own = settings_of(settings, &lookup_part);
+    const struct map_settings *map = settings_of(struct map_settings, settings, &map_part);
+    const struct lookup_settings *own = settings_of(struct lookup_settings, settings, &lookup_part);
     return (struct visibility_desc){
         .lookup = lookup,
         .map_size = map->size,
@@ -34,7 +34,7 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
 }
 
 struct caster_desc many_lights_caster(const struct settings *settings) {
-    const struct caster_settings *own = settings_of(settings, &caster_part);
+    const struct caster_settings *own = settings_of(struct caster_settings, settings, &caster_part);
     return (struct caster_desc){.error = own->error, .long_count = own->long_count};
 }
 
@@ -56,8 +56,9 @@ static const float gloss_cosine = .966F;
 static const float sharp_cosine = .99F;
 
 static int blur_radius(const struct settings *settings) {
-    const struct gather_settings *gather = settings_of(settings, &gather_part);
-    const struct blur_settings *blur = settings_of(settings, &blur_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, settings, &gather_part);
+    const struct blur_settings *blur = settings_of(struct blur_settings, settings, &blur_part);
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
@@ -75,9 +76,10 @@ static float share_of_large(int width, int height) {
     return 1 / (growth * growth);
 }
 
-static int detail_slots(const struct gather_desc *listed, int detail_times) {
+static int detail_slots(const struct gather_desc *listed, const struct settings *settings) {
+    const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
     float share = share_of_large(listed->width, listed->height);
-    int times = (int)roundf((float)detail_times * share);
+    int times = (int)roundf((float)own->detail_times * share);
     int all = listed->interleave * listed->interleave;
     return times < 1 ? 1 : times < all ? times : all;
 }
@@ -90,26 +92,9 @@ static int asked_together(const struct gather_desc *desc) {
     return desc->clamp >= GATHER_CLAMP_RECTANGLE ? 4 : (int)(12 * growth);
 }
 
-/* --- what goes by the picture's size, where a pass is made and where it takes another one --- */
-
-static void fit_listed(struct gather_desc *listed, int detail_times) {
-    listed->list_slots[PIXEL_GRADE_DETAIL] = detail_slots(listed, detail_times);
-    listed->together = asked_together(listed);
-}
-
 static void fit_near_field(struct near_field_desc *near_field, const struct gather_desc *listed) {
     memcpy(near_field->list_slots, listed->list_slots, sizeof near_field->list_slots);
     near_field->listed_part = fmaxf(share_of_large(listed->width, listed->height), .5F);
-}
-
-/* The more lights a pixel has, the fewer of its neighbours it needs. n: of the others' pattern. */
-static void fit_blur(struct blur_desc *blur, const struct gather_desc *listed, int n) {
-    for (int grade = 0; blur->detail && grade < PIXEL_GRADES; grade++) {
-        float slots = (float)listed->list_slots[grade],
-              places = sqrtf(slots) / (float)listed->interleave;
-        blur->grade_radius[grade] = .5f / places;
-        blur->grade_weight[grade] = places * places * (float)(n * n);
-    }
 }
 
 /* --- passes --- */
@@ -124,14 +109,23 @@ static int detail_radius(const struct settings *settings) {
     return radius > 0 ? (radius + 1) / 2 : 2;
 }
 
+/* Where each takes all lights, those that are listed ask for their own visibility alone; else, where all
+ * gather as much, or none is blurred, none needs more. */
+static bool has_detail(const struct settings *settings) {
+    const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
+    return own->detail > 0 &&
+           (own->interleave == 1 ? own->detail == 1
+                                 : own->detail < own->interleave && blur_radius(settings) > 0);
+}
+
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
  *
  * What is listed looks itself up: a block of pixels does not speak for it. */
-static bool init_detail(struct many_lights *lights, const struct technique_desc *desc, int block) {
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
-    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
-    if (!lights->has_detail)
-        return true;
+static bool init_detail(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
+    const struct blur_settings *blur =
+        settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather_desc = lights->gather.desc;
     struct detail_desc detail = {
         .width = desc->width,
@@ -142,22 +136,23 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
         .cosine = blur->cosine,
         .sharp_cosine = fminf(blur->cosine, sharp_cosine),
         .share = gather->detail_share,
-        .block = block,
+        .block = block_of_pixel(&gather_desc, lights->visibility.block),
     };
     gather_desc.interleave = gather->detail;
     gather_desc.receivers = RECEIVERS_LISTED;
     gather_desc.share = false;
     gather_desc.list_slots[PIXEL_GRADE_EDGE] = 1;
     gather_desc.list_slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
-    fit_listed(&gather_desc, gather->detail_times);
-    lights->detail_times = gather->detail_times;
-    return detail_pass_init(&lights->detail, &detail) &&
-           gather_pass_init(&lights->detail_gather, &gather_desc);
+    gather_desc.list_slots[PIXEL_GRADE_DETAIL] = detail_slots(&gather_desc, desc->settings);
+    gather_desc.together = asked_together(&gather_desc);
+    return !has_detail(desc->settings) || (detail_pass_init(&lights->detail, &detail) &&
+                                           gather_pass_init(&lights->detail_gather, &gather_desc));
 }
 
-static bool init_gather(struct many_lights *lights, const struct technique_desc *desc,
-                        const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
+static bool init_gather(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct many_lights_visibility *visibility = &lights->visibility;
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     struct gather_desc gather_desc = {
         .width = desc->width,
         .height = desc->height,
@@ -171,25 +166,20 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .sphere = own->sphere,
         .further = lights->bounces > 1,
     };
-    /* Where each takes all lights, those that are listed ask for their own visibility alone; else, where all
-     * gather as much, or none is blurred, none needs more. */
-    lights->has_detail =
-        own->detail > 0 &&
-        (own->interleave == 1 ? own->detail == 1
-                              : own->detail < own->interleave && blur_radius(desc->settings) > 0);
-    gather_desc.receivers = lights->has_detail ? RECEIVERS_OTHERS : RECEIVERS_ALL;
-    if (visibility->tree && !lights->has_detail)
+    bool listed = has_detail(desc->settings);
+    gather_desc.receivers = listed ? RECEIVERS_OTHERS : RECEIVERS_ALL;
+    if (visibility->tree && !listed)
         gather_desc.together = asked_together(&gather_desc);
-    return gather_pass_init(&lights->gather, &gather_desc) &&
-           init_detail(lights, desc, block_of_pixel(&gather_desc, visibility->block));
+    return gather_pass_init(&lights->gather, &gather_desc);
 }
 
 /* Gloss is sharper than what is diffuse: each pixel takes more VPLs, and is blurred less. It is no
  * share of light that the near field could take: near VPLs are bounded as disks. */
-static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc,
-                       const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
-    const struct blur_settings *blur = settings_of(desc->settings, &blur_part);
+static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
+    const struct blur_settings *blur =
+        settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
     int n = own->gloss_interleave < own->interleave ? own->gloss_interleave : own->interleave;
     gather.interleave = n;
@@ -197,15 +187,8 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     gather.cuts = false;
     gather.specular = own->gloss + 1;
     gather.gloss_rays = GLOSS_RAYS;
-    bool rays = gather.specular == SPECULAR_RAYS;
-    const struct gloss_rays_desc of_rays = {
-        .rays = GLOSS_RAYS,
-        .has_maps = !visibility->map_per_vpl && gather.visibility.lookup != VISIBILITY_LOOKUP_NONE,
-        .visibility = gather.visibility,
-        .lights = *desc->lights,
-    };
     /* What rays show of one bounce stays sharp where it is smooth; VPLs of further bounces show their pattern there. */
-    bool sharp = rays && lights->bounces == 1;
+    bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
     const struct blur_desc of_blur = {
         .width = desc->width,
         .height = desc->height,
@@ -217,17 +200,29 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
         .grade_weight = {1, 1},
         .square = true,
     };
-    lights->has_gloss = desc->gloss;
     return !desc->gloss || (gather_pass_init(&lights->gloss_gather, &gather) &&
-                            (!rays || gloss_rays_pass_init(&lights->gloss_rays, &of_rays)) &&
                             blur_pass_init(&lights->gloss_blur, &of_blur));
+}
+
+static bool init_gloss_rays(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct gather_desc *gather = &lights->gloss_gather.desc;
+    return gather->specular != SPECULAR_RAYS ||
+           gloss_rays_pass_init(&lights->gloss_rays,
+                                &(struct gloss_rays_desc){
+                                    .rays = GLOSS_RAYS,
+                                    .has_maps = !gather->map_per_vpl &&
+                                                gather->visibility.lookup != VISIBILITY_LOOKUP_NONE,
+                                    .visibility = gather->visibility,
+                                    .lights = *desc->lights,
+                                });
 }
 
 /* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture, and 64 points no
  * more than 21. */
 static int rsm_size(const struct technique_desc *desc) {
     static const int full_views[LIGHT_MAP_KINDS] = {4, 128};
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     int size = own->rsm_size;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         int shared = light_map_share(own->rsm_size, desc->lights->views[kind], full_views[kind]);
@@ -238,36 +233,34 @@ static int rsm_size(const struct technique_desc *desc) {
 
 /* Rays for gloss need the smooth normals of what they meet. */
 static bool sends_as_facets(const struct technique_desc *desc) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     return own->facets && !desc->gloss;
 }
 
 /* A sky's views, and those of places over a wide lamp, are many, and each sees little of what is within a room: rays tell what
  * is between, where there is a tree for them anyway, of what is on lists. */
-static bool asks_by_rays(const struct many_lights *lights, const struct technique_desc *desc,
-                         const struct many_lights_visibility *visibility) {
-    bool has_groups = desc->lights->lights > desc->lights->groups;
-    return visibility->lookup == VISIBILITY_LOOKUP_TRACED ||
-           (visibility->calibrated && lights->has_detail && has_groups);
+static bool asks_by_rays(const struct many_lights *lights, const struct light_layout *layout) {
+    bool has_groups = layout->lights > layout->groups;
+    return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
+           (lights->visibility.calibrated && lights->detail.program && has_groups);
 }
 
 /* As VPLs are. */
-static int near_occlusion(const struct many_lights *lights, const struct technique_desc *desc,
-                          const struct many_lights_visibility *visibility) {
-    return asks_by_rays(lights, desc, visibility)         ? NEAR_BY_RAYS
-           : visibility->lookup == VISIBILITY_LOOKUP_NONE ? NEAR_UNOCCLUDED
-                                                          : NEAR_BY_VIEWS;
+static int near_occlusion(const struct many_lights *lights, const struct light_layout *layout) {
+    return asks_by_rays(lights, layout)                          ? NEAR_BY_RAYS
+           : lights->visibility.lookup == VISIBILITY_LOOKUP_NONE ? NEAR_UNOCCLUDED
+                                                                 : NEAR_BY_VIEWS;
 }
 
-static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc,
-                            const struct many_lights_visibility *visibility) {
-    const struct gather_settings *own = settings_of(desc->settings, &gather_part);
-    lights->has_near_field =
-        own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
-    int occlusion = near_occlusion(lights, desc, visibility);
+static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct gather_settings *own =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
+    bool wanted = own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
+    int occlusion = near_occlusion(lights, desc->lights);
     struct near_field_desc near_field = {
         .samples = own->near_samples,
-        .listed = lights->has_detail,
+        .listed = lights->detail.program,
         .facets = sends_as_facets(desc),
         .occlusion = occlusion,
         .casters = occlusion == NEAR_BY_RAYS ? desc->casters : NULL,
@@ -275,29 +268,41 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .lights = *desc->lights,
     };
     fit_near_field(&near_field, &lights->detail_gather.desc);
-    return !lights->has_near_field || near_field_pass_init(&lights->near_field, &near_field);
+    return !wanted || near_field_pass_init(&lights->near_field, &near_field);
 }
 
+/* The more lights a pixel has, the fewer of its neighbours it needs. */
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct blur_settings *own = settings_of(desc->settings, &blur_part);
-    int radius = blur_radius(desc->settings);
-    int n = lights->gather.desc.interleave;
+    const struct blur_settings *own = settings_of(struct blur_settings, desc->settings, &blur_part);
+    const struct gather_desc *listed = &lights->detail_gather.desc;
+    int radius = blur_radius(desc->settings), n = lights->gather.desc.interleave;
     struct blur_desc blur = {
         .width = desc->width,
         .height = desc->height,
         .radius = radius,
-        .detail = lights->has_detail,
+        .detail = lights->detail.program,
         .distance = own->distance,
         .cosine = own->cosine,
         .square = !own->separable || radius == 0,
     };
-    fit_blur(&blur, &lights->detail_gather.desc, n);
-    lights->has_blur = n > 1 || radius > 0 || lights->has_detail;
-    return !lights->has_blur || blur_pass_init(&lights->blur, &blur);
+    for (int grade = 0; blur.detail && grade < PIXEL_GRADES; grade++) {
+        float slots = (float)listed->list_slots[grade],
+              places = sqrtf(slots) / (float)listed->interleave;
+        blur.grade_radius[grade] = .5f / places;
+        blur.grade_weight[grade] = places * places * (float)(n * n);
+    }
+    return (n == 1 && radius == 0 && !blur.detail) || blur_pass_init(&lights->blur, &blur);
+}
+
+/* What is as large as the picture. */
+static bool init_sized(struct many_lights *lights, const struct technique_desc *desc) {
+    return init_gather(lights, desc) && init_detail(lights, desc) && init_gloss(lights, desc) &&
+           init_blur(lights, desc);
 }
 
 static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     lights->bounces = own->bounces;
     return lights->bounces == 1 ||
            bounce_pass_init(&lights->bounce,
@@ -313,15 +318,18 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
 }
 
 bool many_lights_check(const struct settings *settings) {
-    const struct lights_settings *lights = settings_of(settings, &lights_part);
-    const struct gather_settings *gather = settings_of(settings, &gather_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, settings, &gather_part);
     int places = gather->interleave * gather->interleave;
     return lights->vpls >= places || error_set("interleave=%d needs at least %d VPLs, and vpls=%d",
                                                gather->interleave, places, lights->vpls);
 }
 
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     const struct light_layout *layout = desc->lights;
     bool ok = true, has_gloss = desc->gloss && gather->gloss + 1 == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
@@ -336,9 +344,11 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
 
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility) {
-    const struct lights_settings *own = settings_of(desc->settings, &lights_part);
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
-    *lights = (struct many_lights){.tree = visibility->tree};
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
+    *lights = (struct many_lights){.settings = *desc->settings, .visibility = *visibility};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
             &lights->geometry,
@@ -347,52 +357,10 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                     .facets = sends_as_facets(desc)}) &&
         vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
-        init_gather(lights, desc, visibility) && init_gloss(lights, desc, visibility) &&
-        init_near_field(lights, desc, visibility) && init_blur(lights, desc))
+        init_sized(lights, desc) && init_gloss_rays(lights, desc) && init_near_field(lights, desc))
         return true;
     many_lights_free(lights);
     return false;
-}
-
-void many_lights_free(struct many_lights *lights) {
-    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
-        gbuffer_free(&lights->rsm[kind]);
-    geometry_pass_free(&lights->geometry);
-    vpl_pass_free(&lights->vpl);
-    vpl_buffer_free(&lights->vpls);
-    bounce_pass_free(&lights->bounce);
-    gather_pass_free(&lights->gather);
-    near_field_pass_free(&lights->near_field);
-    detail_pass_free(&lights->detail);
-    gather_pass_free(&lights->detail_gather);
-    gather_pass_free(&lights->gloss_gather);
-    gloss_rays_pass_free(&lights->gloss_rays);
-    blur_pass_free(&lights->gloss_blur);
-    blur_pass_free(&lights->blur);
-}
-
-/* What is as large as the picture. */
-static bool init_sized(struct many_lights *fresh, const struct many_lights *old, int width,
-                       int height) {
-    struct gather_desc gather = old->gather.desc, listed = old->detail_gather.desc;
-    struct detail_desc detail = old->detail.desc;
-    struct gather_desc gloss_gather = old->gloss_gather.desc;
-    struct blur_desc blur = old->blur.desc, gloss_blur = old->gloss_blur.desc;
-    gather.width = listed.width = detail.width = blur.width = width;
-    gather.height = listed.height = detail.height = blur.height = height;
-    gloss_gather.width = gloss_blur.width = width;
-    gloss_gather.height = gloss_blur.height = height;
-    if (gather.together > 0)
-        gather.together = asked_together(&gather);
-    if (old->has_detail)
-        fit_listed(&listed, old->detail_times);
-    fit_blur(&blur, &listed, gather.interleave);
-    return gather_pass_init(&fresh->gather, &gather) &&
-           (!old->has_gloss || (gather_pass_init(&fresh->gloss_gather, &gloss_gather) &&
-                                blur_pass_init(&fresh->gloss_blur, &gloss_blur))) &&
-           (!old->has_blur || blur_pass_init(&fresh->blur, &blur)) &&
-           (!old->has_detail || (detail_pass_init(&fresh->detail, &detail) &&
-                                 gather_pass_init(&fresh->detail_gather, &listed)));
 }
 
 static void free_sized(struct many_lights *lights) {
@@ -404,20 +372,31 @@ static void free_sized(struct many_lights *lights) {
     blur_pass_free(&lights->blur);
 }
 
-bool many_lights_resize(void *state, int width, int height) {
-    struct many_lights *lights = state;
-    struct many_lights fresh = {0};
-    if (!init_sized(&fresh, lights, width, height)) {
-        free_sized(&fresh);
-        return false;
-    }
+void many_lights_free(struct many_lights *lights) {
+    for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
+        gbuffer_free(&lights->rsm[kind]);
+    geometry_pass_free(&lights->geometry);
+    vpl_pass_free(&lights->vpl);
+    vpl_buffer_free(&lights->vpls);
+    bounce_pass_free(&lights->bounce);
+    near_field_pass_free(&lights->near_field);
+    gloss_rays_pass_free(&lights->gloss_rays);
     free_sized(lights);
-    lights->gather = fresh.gather;
-    lights->detail = fresh.detail;
-    lights->detail_gather = fresh.detail_gather;
-    lights->gloss_gather = fresh.gloss_gather;
-    lights->gloss_blur = fresh.gloss_blur;
-    lights->blur = fresh.blur;
+}
+
+bool many_lights_resize(void *state, int width, int height) {
+    struct many_lights *lights = state, fresh = *lights;
+    const struct technique_desc desc = {.settings = &lights->settings,
+                                        .width = width,
+                                        .height = height,
+                                        .gloss = lights->gloss_gather.program};
+    fresh.gather = fresh.detail_gather = fresh.gloss_gather = (struct gather_pass){0};
+    fresh.gloss_blur = fresh.blur = (struct blur_pass){0};
+    fresh.detail = (struct detail_pass){0};
+    bool ok = init_sized(&fresh, &desc);
+    free_sized(ok ? lights : &fresh);
+    if (ok)
+        *lights = fresh;
     fit_near_field(&lights->near_field.desc, &lights->detail_gather.desc);
-    return true;
+    return ok;
 }

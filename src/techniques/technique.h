@@ -4,9 +4,9 @@
 #define TECHNIQUES_TECHNIQUE_H
 
 #include "base/settings.h"
+#include "lights/view.h"
 #include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/view.h"
 #include "techniques/output.h"
 
 struct technique_desc {

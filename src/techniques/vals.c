@@ -81,8 +81,8 @@ struct set_desc {
 
 static bool init_cluster(struct val_set *set, const struct settings *settings,
                          const struct set_desc *of) {
-    const struct vals_settings *own = settings_of(settings, &vals_part);
-    const struct map_settings *map = settings_of(settings, &map_part);
+    const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
+    const struct map_settings *map = settings_of(struct map_settings, settings, &map_part);
     if (of->by_importance && !vpl_weight_pass_init(&set->weight, of->vpl_count))
         return false;
     return cluster_pass_init(&set->cluster,
@@ -101,8 +101,9 @@ static bool init_cluster(struct val_set *set, const struct settings *settings,
 
 static bool init_maps(struct val_set *set, const struct technique_desc *desc) {
     const struct settings *settings = desc->settings;
-    const struct lookup_settings *lookup = settings_of(settings, &lookup_part);
-    const struct map_settings *map = settings_of(settings, &map_part);
+    const struct lookup_settings *lookup =
+        settings_of(struct lookup_settings, settings, &lookup_part);
+    const struct map_settings *map = settings_of(struct map_settings, settings, &map_part);
     return paraboloid_pass_init(&set->paraboloid,
                                 &(struct paraboloid_desc){
                                     .casters = desc->casters,
@@ -140,8 +141,9 @@ static int clamp_of_tests(int clamp) {
 
 /* What maps have too much of one bounce, further bounces have beside their own, and a frame of them can pay for more. */
 static int tests_of_val(const struct settings *settings) {
-    const struct vals_settings *own = settings_of(settings, &vals_part);
-    const struct lights_settings *lights = settings_of(settings, &lights_part);
+    const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, settings, &lights_part);
     return own->ray_tests * (lights->bounces > 1 ? 4 : 1);
 }
 
@@ -169,7 +171,7 @@ enum visibility_lookup vals_lookup(const struct settings *settings) {
         [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,     [VISIBILITY_RAY] = VISIBILITY_LOOKUP_RAY,
         [VISIBILITY_TRACED] = VISIBILITY_LOOKUP_TRACED,
     };
-    const struct vals_settings *own = settings_of(settings, &vals_part);
+    const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
     return lookups[own->visibility];
 }
 
@@ -180,7 +182,7 @@ static bool has_maps(const struct val_set *set) {
 
 static bool init_set(struct val_set *set, const struct technique_desc *desc,
                      const struct set_desc *of) {
-    const struct vals_settings *own = settings_of(desc->settings, &vals_part);
+    const struct vals_settings *own = settings_of(struct vals_settings, desc->settings, &vals_part);
     enum visibility_lookup lookup = vals_lookup(desc->settings);
     set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
     set->block = own->visibility_block;
@@ -215,17 +217,20 @@ static void find_centers(struct vals *vals) {
 }
 
 static bool is_by_importance(const struct settings *settings) {
-    const struct vals_settings *own = settings_of(settings, &vals_part);
-    const struct lights_settings *lights = settings_of(settings, &lights_part);
+    const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, settings, &lights_part);
     bool asked = own->visibility != VISIBILITY_TRACED || own->visibility_block > 0;
     return asked && (own->importance == IMPORTANCE_ALWAYS ||
                      (own->importance == IMPORTANCE_BOUNCES && lights->bounces > 1));
 }
 
 bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow) {
-    const struct vals_settings *own = settings_of(desc->settings, &vals_part);
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct vals_settings *own = settings_of(struct vals_settings, desc->settings, &vals_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     vals->by_importance = follow && is_by_importance(desc->settings);
     struct set_desc first = {
         .vpl_count = lights->vpls,

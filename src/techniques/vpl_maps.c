@@ -13,7 +13,7 @@ static void render_true(void *state, const struct frame *frame, const struct map
 
 bool vpl_maps_init_true(struct vpl_maps *maps, struct paraboloid_pass *paraboloid,
                         const struct technique_desc *desc, int batch) {
-    const struct map_settings *map = settings_of(desc->settings, &map_part);
+    const struct map_settings *map = settings_of(struct map_settings, desc->settings, &map_part);
     struct caster_desc caster = many_lights_caster(desc->settings);
     caster.error = 0;
     return paraboloid_pass_init(paraboloid,

@@ -1,5 +1,5 @@
 /* What all parts of the viewer ask and tell. */
-#include "viewer/viewer.h"
+#include "viewer/state.h"
 
 #include "base/error.h"
 

@@ -5,6 +5,25 @@
 #include "base/memory.h"
 #include "gl/glsl.h"
 #include "gl/screen.h"
+#include "viewer/files/kept.h"
+#include "viewer/files/opening.h"
+#include "viewer/files/recorder.h"
+#include "viewer/files/screenshot.h"
+#include "viewer/files/start.h"
+#include "viewer/panel/controls.h"
+#include "viewer/panel/inspector.h"
+#include "viewer/panel/overlay.h"
+#include "viewer/panel/panel.h"
+#include "viewer/panel/timeline.h"
+#include "viewer/picture/budget.h"
+#include "viewer/picture/look.h"
+#include "viewer/picture/picture.h"
+#include "viewer/reference/comparing.h"
+#include "viewer/reference/tracing.h"
+#include "viewer/scene/animation.h"
+#include "viewer/scene/exposure.h"
+#include "viewer/scene/sessions.h"
+#include "viewer/scene/sky.h"
 #include "viewer/window/ui.h"
 
 #include <math.h>
@@ -39,24 +58,24 @@ static void lay_out(struct viewer *viewer) {
 /* The timeline takes its room from the screen and gives it back: pictures keep their size from scene to scene. */
 static void make_room_for_timeline(struct viewer *viewer) {
     const struct input *input = viewer->host.input;
-    int bar = (int)timeline_height(viewer), more = bar - viewer->timeline_room;
+    int bar = (int)timeline_height(viewer), more = bar - viewer->host.timeline_room;
     if (!viewer->has_scene || !viewer->panel.is_open || more == 0 || viewer_is_scripted(viewer) ||
         window_is_full_screen(viewer->host.window))
         return;
-    viewer->timeline_room = bar;
+    viewer->host.timeline_room = bar;
     window_set_size(viewer->host.window, input->width, input->height + more);
 }
 
 static void tell_start(struct viewer *viewer) {
-    if (!viewer->window_shown)
+    if (!viewer->host.window_shown)
         log_detail("the window is there after %.2f s", window_time());
-    if (!viewer->coarse_shown && viewer->preview.has_texture)
+    if (!viewer->host.coarse_shown && viewer->opening.preview.has_texture)
         log_detail("a coarse picture is there after %.2f s", window_time());
-    if (!viewer->picture_shown && viewer->shown.frame_count > 0)
+    if (!viewer->host.picture_shown && viewer->shown.frame_count > 0)
         log_detail("the first picture is there after %.2f s", window_time());
-    viewer->window_shown = true;
-    viewer->coarse_shown |= viewer->preview.has_texture;
-    viewer->picture_shown = viewer->shown.frame_count > 0;
+    viewer->host.window_shown = true;
+    viewer->host.coarse_shown |= viewer->opening.preview.has_texture;
+    viewer->host.picture_shown = viewer->shown.frame_count > 0;
 }
 
 /* Whether all that was asked for is shown; what goes on by itself has no end to wait for. */
@@ -65,7 +84,7 @@ static bool is_settled(struct viewer *viewer) {
     if (viewer->wish.play.on || viewer->recorder.on || viewer_is_charting(viewer))
         return true;
     bool pending = shown->dirty || shown->recompose || shown->moving || shown->coarse ||
-                   shown->awaits || viewer_is_refining(viewer);
+                   shown->awaits || viewer_is_accumulating(viewer);
     return !viewer_is_opening(viewer) && !(viewer->has_scene && pending);
 }
 
@@ -90,20 +109,11 @@ static void write_places(struct viewer *viewer) {
     panel->places = places;
 }
 
-/* As large as the area has room for. */
-static struct rectangle fit(const struct texture *picture, const struct rectangle *area) {
-    double across = (double)area->width / picture->desc.width;
-    double scale = fmin(across, (double)area->height / picture->desc.height);
-    int width = (int)(scale * picture->desc.width), height = (int)(scale * picture->desc.height);
-    return (struct rectangle){area->x + (area->width - width) / 2,
-                              area->y + (area->height - height) / 2, width, height};
-}
-
 /* The coarse picture of a scene that arrives stands in for its first one. */
 static const struct texture *coarse_picture(struct viewer *viewer) {
-    if (viewer->is_arriving || !viewer->shown.left)
-        return preview_picture(&viewer->preview);
-    preview_free(&viewer->preview);
+    if (viewer->opening.is_arriving || !viewer->shown.left)
+        return preview_picture(&viewer->opening.preview);
+    preview_free(&viewer->opening.preview);
     return NULL;
 }
 
@@ -115,7 +125,7 @@ static void draw(struct viewer *viewer) {
     const struct texture *coarse = coarse_picture(viewer);
     if (coarse) {
         pictures.left = coarse;
-        place = fit(coarse, &viewer->shown.area);
+        place = screen_fit(viewer->shown.area, coarse->desc.width, coarse->desc.height);
     } else if (viewer->shown.left)
         pictures = viewer_pictures(viewer);
     screen_draw(&viewer->host.screen, input->height, &place, &pictures);
@@ -129,11 +139,11 @@ static void draw(struct viewer *viewer) {
 static bool is_busy(const struct viewer *viewer) {
     return viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
            viewer->shown.coarse || viewer->wish.play.on || viewer->recorder.on ||
-           viewer_is_scripted(viewer) || viewer_is_refining(viewer) || viewer_is_charting(viewer) ||
-           ui_is_opening_field();
+           viewer_is_scripted(viewer) || viewer_is_accumulating(viewer) ||
+           viewer_is_charting(viewer) || ui_is_opening_field();
 }
 
-/* Seconds are told while a scene is opened. */
+/* Seconds are shown while a scene is opened. */
 static bool is_due(struct viewer *viewer) {
     return viewer_is_opening(viewer) && window_time() - viewer->host.last_drawn >= opening_period;
 }
@@ -145,10 +155,10 @@ static bool has_news(struct viewer *viewer) {
     struct message recent[MESSAGES_SHOWN];
     int count = messages_recent(&host->messages, recent);
     double newest = count > 0 ? recent[count - 1].time : 0;
-    int loader = atomic_load(&viewer->loader.state);
+    int loader = atomic_load(&viewer->opening.loader.state);
     bool news = loader == LOADER_DONE || loader == LOADER_FAILED || count != host->message_count ||
-                preview_has_news(&viewer->preview) ||
-                (viewer->is_arriving && viewer->opening.is_announced) ||
+                preview_has_news(&viewer->opening.preview) ||
+                (viewer->opening.is_arriving && viewer->opening.is_announced) ||
                 newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
                 reference_tracer_has_news(&viewer->tracing.tracer) ||
                 measuring_has_news(&viewer->shown.compare.measuring) ||
@@ -201,10 +211,10 @@ static void update(struct viewer *viewer) {
         !viewer->recorder.on && window_time() - viewer->shown.pace.last_motion < rest_after;
     viewer->shown.dirty |= viewer_is_scripted(viewer);
     if (!viewer_update_picture(viewer)) {
-        viewer_tell_error(viewer);
         viewer_close_scene(viewer);
         return;
     }
+    viewer_note_reference_view(viewer);
     recorder_write(viewer);
     viewer_follow_exposure(viewer);
     viewer_follow_reference(viewer);
@@ -221,7 +231,7 @@ bool viewer_turn(struct viewer *viewer) {
     ui_frame_begin(viewer->host.input);
     lay_out(viewer);
     /* The window shows itself before the scene takes its time. */
-    bool ok = !viewer->window_shown || viewer_poll_loader(viewer);
+    bool ok = !viewer->host.window_shown || viewer_poll_loader(viewer);
     make_room_for_timeline(viewer);
     if (!ok && !viewer_is_scripted(viewer)) {
         viewer_tell_error(viewer);
@@ -233,7 +243,7 @@ bool viewer_turn(struct viewer *viewer) {
     overlay_draw(viewer);
     inspector_draw(viewer);
     timeline_draw(viewer);
-    recorder_draw_request(viewer);
+    timeline_draw_request(viewer);
     draw(viewer);
     return ok;
 }
@@ -275,12 +285,12 @@ static bool open_window(struct viewer *viewer) {
 static void close_window(struct viewer *viewer) {
     viewer_forget_reference(viewer);
     gallery_free(&viewer->start.gallery);
-    preview_free(&viewer->preview);
+    preview_free(&viewer->opening.preview);
     compiling_free(&viewer->compiling);
-    document_free(&viewer->leaving);
-    environment_free(viewer->arriving_sky);
-    environment_free(viewer->leaving_sky);
-    document_free(&viewer->arriving);
+    document_free(&viewer->opening.leaving);
+    environment_free(viewer->opening.arriving_sky);
+    environment_free(viewer->opening.leaving_sky);
+    document_free(&viewer->opening.arriving);
     if (viewer->has_scene) {
         renderer_free(&viewer->shown.renderer);
         document_free(&viewer->document);
@@ -313,7 +323,7 @@ static bool begin(struct viewer *viewer) {
 }
 
 /* A command line that says how the scene is to look means that. */
-static bool is_told(const struct viewer_desc *desc) {
+static bool is_given(const struct viewer_desc *desc) {
     return desc->camera || desc->light || desc->clip || desc->session || desc->time != 0 ||
            desc->environment.path || desc->reference || desc->direct || desc->layer ||
            desc->passes > 0 || desc->budget > 0 ||
@@ -324,7 +334,7 @@ static bool is_told(const struct viewer_desc *desc) {
 bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc) {
     *viewer = (struct viewer){
         .desc = *desc,
-        .opening = {.is_told = is_told(desc)},
+        .opening = {.is_given = is_given(desc)},
         .wish = {.technique = desc->technique ? desc->technique : technique_default,
                  .direct = desc->direct,
                  .settings = desc->settings,
@@ -349,7 +359,7 @@ void viewer_end(struct viewer *viewer) {
     window_hide(viewer->host.window);
     kept_save(viewer);
     kept_free(viewer);
-    loader_free(&viewer->loader);
+    loader_free(&viewer->opening.loader);
     recorder_stop(viewer);
     close_window(viewer);
     emitters_free(&viewer->placed.emitters);

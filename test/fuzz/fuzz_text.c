@@ -4,7 +4,7 @@
 #include "renderer/renderer.h"
 #include "scene/open.h"
 #include "scene/placing.h"
-#include "viewer/session.h"
+#include "viewer/scene/session.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -12,9 +12,9 @@
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
 #include "inspect/screen.h"
-#include "measure/stage.h"
+#include "renderer/stage.h"
 #include "scene/material.h"
-#include "viewer/reference.h"
+#include "viewer/picture/reference.h"
 
 #include <math.h>
 #include <stdio.h>

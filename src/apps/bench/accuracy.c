@@ -2,9 +2,9 @@
  * against M, K, N and the size of maps. */
 #include "apps/bench/bench.h"
 
-#include "measure/accuracy.h"
-#include "measure/errors.h"
-#include "measure/rival.h"
+#include "apps/bench/measure/accuracy.h"
+#include "apps/bench/measure/errors.h"
+#include "apps/bench/measure/rival.h"
 
 static bool measure_budget(struct bench *bench, const struct measure_list *subjects) {
     struct truth_desc truth = bench_truth(bench, TRUTH_PATH);

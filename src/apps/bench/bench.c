@@ -2,13 +2,13 @@
 #include "apps/bench/bench.h"
 
 #include "apps/apps.h"
+#include "apps/bench/measure/timing.h"
 #include "apps/bench/run.h"
 #include "base/error.h"
 #include "base/file/folder.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "measure/timing.h"
 
 #include <assert.h>
 #include <stdlib.h>

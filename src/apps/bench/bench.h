@@ -3,11 +3,11 @@
 #define APPS_BENCH_BENCH_H
 
 #include "apps/arguments.h"
+#include "apps/bench/measure/results.h"
+#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/variants.h"
 #include "apps/options.h"
 #include "base/progress.h"
-#include "measure/results.h"
-#include "measure/truth.h"
-#include "measure/variants.h"
 
 /* Of all modes; those that a mode has not are zero. */
 struct bench_values {

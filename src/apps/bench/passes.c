@@ -1,8 +1,8 @@
 /* manylight bench passes: how the mean of passes converges. */
 #include "apps/bench/bench.h"
 
-#include "measure/errors.h"
-#include "measure/passes.h"
+#include "apps/bench/measure/errors.h"
+#include "apps/bench/measure/passes.h"
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     struct truth_desc truth = bench_truth(bench, TRUTH_PATH);

@@ -1,9 +1,9 @@
 /* manylight bench quality: whether --max-error is right, and as cheap as it can be. */
 #include "apps/bench/bench.h"
 
+#include "apps/bench/measure/quality_check.h"
+#include "apps/bench/measure/rival.h"
 #include "base/file/image_file.h"
-#include "measure/quality_check.h"
-#include "measure/rival.h"
 
 static bool check(struct bench *bench, const struct measure_desc *measure) {
     const struct bench_values *values = &bench->values;

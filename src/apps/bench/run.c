@@ -1,13 +1,13 @@
 #include "apps/bench/run.h"
 
+#include "apps/bench/measure/journal.h"
+#include "apps/bench/measure/result_rows.h"
 #include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/text.h"
 #include "gl/screen.h"
-#include "measure/journal.h"
-#include "measure/result_rows.h"
 
 #include "sources.h"
 

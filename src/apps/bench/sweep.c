@@ -1,9 +1,9 @@
 /* manylight bench sweep: times and errors of variants over a grid of settings. */
 #include "apps/bench/bench.h"
 
+#include "apps/bench/measure/errors.h"
+#include "apps/bench/measure/rival.h"
 #include "base/error.h"
-#include "measure/errors.h"
-#include "measure/rival.h"
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     enum truth_kind kind = (enum truth_kind)bench->values.reference;

@@ -1,7 +1,7 @@
 /* manylight bench temporal: how steady moving pictures are. */
 #include "apps/bench/bench.h"
 
-#include "measure/clip.h"
+#include "apps/bench/measure/clip.h"
 
 /* The clustering's starts beside what is compared anyway. */
 static const char *const variants[] = {

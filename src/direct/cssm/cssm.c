@@ -72,7 +72,7 @@ static bool init_bases(struct cssm *cssm, const struct cssm_settings *own, int m
 }
 
 static bool init(void **state, const struct direct_desc *desc) {
-    const struct cssm_settings *own = settings_of(desc->settings, &own_part);
+    const struct cssm_settings *own = settings_of(struct cssm_settings, desc->settings, &own_part);
     struct series_step step = series_step_of(own->terms);
     struct cssm *cssm = *state = mem_alloc(1, sizeof *cssm);
     char *defines =

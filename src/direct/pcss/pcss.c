@@ -33,7 +33,7 @@ static const double nearest = .2;
 static const float plane_bias = 1e-3F;
 
 static bool init(void **state, const struct direct_desc *desc) {
-    const struct pcss_settings *own = settings_of(desc->settings, &own_part);
+    const struct pcss_settings *own = settings_of(struct pcss_settings, desc->settings, &own_part);
     struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
     char *defines =
         mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",

@@ -43,7 +43,8 @@ static void free_state(void *state) {
 }
 
 static bool init(void **state, const struct direct_desc *desc) {
-    const struct samples_settings *own = settings_of(desc->settings, &own_part);
+    const struct samples_settings *own =
+        settings_of(struct samples_settings, desc->settings, &own_part);
     struct samples *samples = *state = mem_alloc(1, sizeof *samples);
     samples->count = own->points;
     samples->block = mem_alloc(1, sizeof *samples->block);

@@ -3,7 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 #include "shared/composite.h"
 
 #include <cglm/util.h>

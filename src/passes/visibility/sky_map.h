@@ -3,9 +3,9 @@
 #ifndef PASSES_SKY_MAP_H
 #define PASSES_SKY_MAP_H
 
+#include "lights/sky.h"
 #include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/sky.h"
 
 struct sky_map_desc {
     struct caster_pool *casters; /* must outlive the pass */

@@ -7,7 +7,7 @@
 #include "reference/scene/ray_scene.h"
 #include "reference/scene/sky.h"
 #include "reference/scene/surfaces.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 
 enum source_kind { SOURCE_LIGHT, SOURCE_SURFACES, SOURCE_SKY };
 

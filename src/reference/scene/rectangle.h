@@ -3,7 +3,7 @@
 #ifndef REFERENCE_SCENE_RECTANGLE_H
 #define REFERENCE_SCENE_RECTANGLE_H
 
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 
 #include <cglm/struct.h>
 

@@ -4,8 +4,8 @@
 #define REFERENCE_SCENE_SKY_H
 
 #include "reference/alias.h"
-#include "scene/emitter.h"
-#include "scene/environment.h"
+#include "scene/lights/emitter.h"
+#include "scene/lights/environment.h"
 
 struct sky {
     const struct environment *environment;

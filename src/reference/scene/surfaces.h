@@ -5,7 +5,7 @@
 
 #include "reference/alias.h"
 #include "reference/scene/hit.h"
-#include "scene/emitter.h"
+#include "scene/lights/emitter.h"
 
 struct surfaces {
     const struct hit_table *table;

@@ -3,7 +3,7 @@
 #include "scene/gltf/model.hpp"
 
 extern "C" {
-#include "scene/environment.h"
+#include "scene/lights/environment.h"
 }
 
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include "gl/buffer.h"
 #include "gl/texture.h"
-#include "scene/emitter.h"
 #include "scene/gpu/culling.h"
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 
 struct scene_gpu {

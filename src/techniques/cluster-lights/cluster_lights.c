@@ -103,7 +103,8 @@ static void free_state(void *state) {
 
 static bool init_set(struct light_set *set, const struct settings *settings, int vpl_count,
                      const struct texture *seeds) {
-    const struct cluster_lights_settings *own = settings_of(settings, &own_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, settings, &own_part);
     return cluster_pass_init(&set->cluster,
                              &(struct cluster_desc){
                                  .vpl_count = vpl_count,
@@ -130,22 +131,28 @@ static int clamp_of(const struct cluster_lights_settings *own) {
 
 /* The gather of many lights, but each pixel takes all of them; those that are listed look themselves up. */
 static struct settings gather_settings(const struct settings *settings) {
-    const struct cluster_lights_settings *own = settings_of(settings, &own_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, settings, &own_part);
     struct settings changed = *settings;
-    struct gather_settings *gather = settings_edit(&changed, &gather_part);
-    gather->interleave = own->interleave;
-    gather->detail = own->interleave == 1 && gather->detail > 0 ? 1 : 0;
-    gather->clamp = clamp_of(own);
-    gather->near_samples = own->near;
-    struct blur_settings *blur = settings_edit(&changed, &blur_part);
-    blur->radius = own->interleave > 1 ? -1 : 0;
+    struct gather_settings gather = *settings_of(struct gather_settings, settings, &gather_part);
+    gather.interleave = own->interleave;
+    gather.detail = own->interleave == 1 && gather.detail > 0 ? 1 : 0;
+    gather.clamp = clamp_of(own);
+    gather.near_samples = own->near;
+    settings_set(&changed, &gather_part, &gather);
+    struct blur_settings blur = *settings_of(struct blur_settings, settings, &blur_part);
+    blur.radius = own->interleave > 1 ? -1 : 0;
+    settings_set(&changed, &blur_part, &blur);
     return changed;
 }
 
 static bool init_first(struct cluster_lights *technique, const struct technique_desc *desc) {
-    const struct cluster_lights_settings *own = settings_of(desc->settings, &own_part);
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, desc->settings, &own_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     technique->by_importance = own->seeds == LIGHT_SEEDS_IMPORTANCE;
     struct importance_desc importance = {.count = own->lights, .clamp_value = gather->clamp_value};
     return (!technique->by_importance ||
@@ -155,8 +162,10 @@ static bool init_first(struct cluster_lights *technique, const struct technique_
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
-    const struct cluster_lights_settings *own = settings_of(desc->settings, &own_part);
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, desc->settings, &own_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     struct cluster_lights *technique = *state = mem_alloc(1, sizeof *technique);
     struct settings settings = gather_settings(desc->settings);
     struct technique_desc with_settings = *desc;
@@ -177,7 +186,8 @@ static bool init(void **state, const struct technique_desc *desc) {
 }
 
 static bool check(const struct settings *settings) {
-    const struct cluster_lights_settings *own = settings_of(settings, &own_part);
+    const struct cluster_lights_settings *own =
+        settings_of(struct cluster_lights_settings, settings, &own_part);
     int places = own->interleave * own->interleave;
     return own->lights >= places ||
            error_set("pattern=%d needs at least %d lights, and area-lights=%d", own->interleave,

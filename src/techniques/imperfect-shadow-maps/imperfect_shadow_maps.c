@@ -77,9 +77,11 @@ static const struct depth_maps *final_maps(const struct imperfect *technique) {
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
-    const struct imperfect_settings *own = settings_of(desc->settings, &own_part);
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
-    const struct map_settings *map = settings_of(desc->settings, &map_part);
+    const struct imperfect_settings *own =
+        settings_of(struct imperfect_settings, desc->settings, &own_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct map_settings *map = settings_of(struct map_settings, desc->settings, &map_part);
     struct imperfect *technique = *state = mem_alloc(1, sizeof *technique);
     int batch = lights->vpls < MAP_VIEWS_MAX ? lights->vpls : MAP_VIEWS_MAX;
     enum visibility_lookup lookup =

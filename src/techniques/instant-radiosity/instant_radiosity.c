@@ -51,8 +51,10 @@ static bool init_traced(struct instant_radiosity *technique, const struct techni
 }
 
 static bool init_maps(struct instant_radiosity *technique, const struct technique_desc *desc) {
-    const struct instant_radiosity_settings *own = settings_of(desc->settings, &own_part);
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct instant_radiosity_settings *own =
+        settings_of(struct instant_radiosity_settings, desc->settings, &own_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     int batch = own->map_batch < lights->vpls ? own->map_batch : lights->vpls;
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){VISIBILITY_LOOKUP_PLANE,
@@ -62,7 +64,8 @@ static bool init_maps(struct instant_radiosity *technique, const struct techniqu
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
-    const struct instant_radiosity_settings *own = settings_of(desc->settings, &own_part);
+    const struct instant_radiosity_settings *own =
+        settings_of(struct instant_radiosity_settings, desc->settings, &own_part);
     struct instant_radiosity *technique = *state = mem_alloc(1, sizeof *technique);
     technique->casters = desc->casters;
     return own->traced ? init_traced(technique, desc) : init_maps(technique, desc);

@@ -50,8 +50,10 @@ static void free_state(void *state) {
 }
 
 static bool init_trees(struct lightcuts *technique, const struct technique_desc *desc) {
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     int sets = gather->interleave * gather->interleave;
     return vpl_tree_pass_init(&technique->first, &(struct vpl_tree_desc){lights->vpls, sets}) &&
            (lights->bounces == 1 ||
@@ -59,9 +61,12 @@ static bool init_trees(struct lightcuts *technique, const struct technique_desc 
 }
 
 static bool init_cut(struct lightcuts *technique, const struct technique_desc *desc) {
-    const struct lightcuts_settings *own = settings_of(desc->settings, &own_part);
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
-    const struct gather_settings *gather = settings_of(desc->settings, &gather_part);
+    const struct lightcuts_settings *own =
+        settings_of(struct lightcuts_settings, desc->settings, &own_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, desc->settings, &gather_part);
     return vpl_cut_pass_init(&technique->cut, &(struct vpl_cut_desc){
                                                   .width = desc->width,
                                                   .height = desc->height,

@@ -83,14 +83,18 @@ static void free_state(void *state) {
 
 /* Of the gather. */
 static int interleave_of(const struct settings *settings) {
-    const struct row_column_settings *own = settings_of(settings, &own_part);
-    const struct gather_settings *gather = settings_of(settings, &gather_part);
+    const struct row_column_settings *own =
+        settings_of(struct row_column_settings, settings, &own_part);
+    const struct gather_settings *gather =
+        settings_of(struct gather_settings, settings, &gather_part);
     return own->interleave < gather->interleave ? own->interleave : gather->interleave;
 }
 
 static bool check(const struct settings *settings) {
-    const struct row_column_settings *own = settings_of(settings, &own_part);
-    const struct lights_settings *lights = settings_of(settings, &lights_part);
+    const struct row_column_settings *own =
+        settings_of(struct row_column_settings, settings, &own_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, settings, &lights_part);
     int n = interleave_of(settings), most = lights->vpls;
     most += lights->bounces > 1 ? lights->paths : 0;
     if (own->columns < n * n || lights->vpls < n * n)
@@ -103,7 +107,8 @@ static bool check(const struct settings *settings) {
 /* --- init ------------------------------------------------------------------------------------- */
 
 static bool init_rows(struct row_column *technique, const struct technique_desc *desc, int lights) {
-    const struct row_column_settings *own = settings_of(desc->settings, &own_part);
+    const struct row_column_settings *own =
+        settings_of(struct row_column_settings, desc->settings, &own_part);
     const struct gather_desc *gather = &technique->lights.gather.desc;
     return rows_pass_init(&technique->rows, &(struct rows_desc){
                                                 .rows = own->rows,
@@ -117,7 +122,8 @@ static bool init_rows(struct row_column *technique, const struct technique_desc 
 
 static bool init_choice(struct row_column *technique, const struct technique_desc *desc,
                         int lights) {
-    const struct row_column_settings *own = settings_of(desc->settings, &own_part);
+    const struct row_column_settings *own =
+        settings_of(struct row_column_settings, desc->settings, &own_part);
     size_t count = (size_t)lights, rows = (size_t)own->rows;
     technique->choice = own->choice;
     technique->matrix = mem_alloc(count * rows, sizeof *technique->matrix);
@@ -132,14 +138,16 @@ static bool init_choice(struct row_column *technique, const struct technique_des
 
 /* As many samples of the near field for each pixel as with the pattern that all have. */
 static bool init(void **state, const struct technique_desc *desc) {
-    const struct lights_settings *lights = settings_of(desc->settings, &lights_part);
+    const struct lights_settings *lights =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     struct row_column *technique = *state = mem_alloc(1, sizeof *technique);
     struct settings settings = *desc->settings;
     struct technique_desc with_own = *desc;
-    struct gather_settings *gather = settings_edit(&settings, &gather_part);
-    int n = interleave_of(&settings), before = gather->interleave;
-    gather->near_samples = (gather->near_samples * n * n + before * before - 1) / (before * before);
-    gather->interleave = n;
+    struct gather_settings gather = *settings_of(struct gather_settings, &settings, &gather_part);
+    int n = interleave_of(&settings), before = gather.interleave;
+    gather.near_samples = (gather.near_samples * n * n + before * before - 1) / (before * before);
+    gather.interleave = n;
+    settings_set(&settings, &gather_part, &gather);
     with_own.settings = &settings;
     int all = lights->vpls + (lights->bounces > 1 ? lights->paths : 0);
     struct many_lights_visibility visibility = {VISIBILITY_LOOKUP_PLANE, .map_per_vpl = true,

@@ -37,7 +37,8 @@ static bool resize(void *state, int width, int height) {
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
-    const struct ambient_settings *own = settings_of(desc->settings, &own_part);
+    const struct ambient_settings *own =
+        settings_of(struct ambient_settings, desc->settings, &own_part);
     struct ambient *ambient = *state = mem_alloc(1, sizeof *ambient);
     ambient->level = own->level;
     return program_init(&ambient->program,

@@ -1,0 +1,121 @@
+// Direct light with that of a sky. Visibility is that of the blocks of pixels around, between which it is
+// interpolated; a pixel on none of their surfaces, or where they disagree about much light, looks itself up.
+#define BLOCK_COSINE 0.9
+#include "shared/environment_lighting.h"
+#include "gather/block.glsl"
+#include "visibility/sky_visibility.glsl"
+
+layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
+layout(binding = UNIT_DIRECT) uniform sampler2D direct; // of all other lights
+
+layout(location = TARGET_RESULT) out vec4 lit;
+#ifdef HAS_GLOSS
+#include "lib/gbuffer_shine.glsl"
+#include "lib/lobe.glsl"
+
+layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_specular; // of all other lights
+
+layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
+
+// Of a light that nothing hides, radiance over radiance; to be multiplied by the lobe's albedo.
+float sky_shine(lobe o, int i) {
+    polygon_sum p = polygon_sum(0.0, vec3(0.0), vec3(0.0));
+    for (int c = 0; c < 4; c++)
+        polygon_edge(p, o.from_world * sky_corner(i, c), o.from_world * sky_corner(i, (c + 1) & 3), vec3(0.0, 0.0, 1.0));
+    return polygon_end(p, vec3(0.0, 0.0, 1.0)) / 3.14159265;
+}
+#endif
+
+const float PI = 3.14159265358979;
+
+// The four blocks around a pixel, and how much each speaks for it.
+struct blocks {
+    ivec2 block[4];
+    vec4 weight;
+};
+
+blocks blocks_of(surface s, ivec2 pixel) {
+    int size = params.block;
+    vec2 place = (vec2(pixel) - float(size / 2)) / float(size);
+    ivec2 base = ivec2(floor(place));
+    vec2 share = place - vec2(base);
+    float plane_apart = BLOCK_APART * view_height(camera, gbuffer_depth(pixel));
+    blocks b;
+    for (int k = 0; k < 4; k++) {
+        b.block[k] = block_around(base, k);
+        vec2 weight = mix(1.0 - share, share, vec2(k & 1, k >> 1));
+        b.weight[k] = is_alike(s, b.block[k], plane_apart) ? weight.x * weight.y + 1e-4 : 0.0;
+    }
+    return b;
+}
+
+// What they say of four lights: the mean, and how far they disagree; those that do not speak might say anything.
+vec4 visibility_of_blocks(blocks b, int layer, out vec4 apart) {
+    vec4 sum = vec4(0.0), least = vec4(1.0), most = vec4(0.0);
+    float weight = 0.0;
+    for (int k = 0; k < 4; k++) {
+        vec4 v = texelFetch(block_visibilities, ivec3(b.block[k], layer), 0);
+        bool speaks = b.weight[k] > 0.0;
+        sum += b.weight[k] * v;
+        weight += b.weight[k];
+        least = speaks ? min(least, v) : least;
+        most = speaks ? max(most, v) : most;
+    }
+    apart = weight > 0.0 ? most - least + max(1.0 - weight, 0.0) : vec4(1.0);
+    return sum / max(weight, 1e-6);
+}
+
+const int LAYERS_TOGETHER = 8; // as many lights as a mask has bits
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    lit = texelFetch(direct, pixel, 0);
+#ifdef HAS_GLOSS
+    specular = texelFetch(direct_specular, pixel, 0);
+#endif
+    surface s = gbuffer_surface(pixel);
+    if (!s.present)
+        return;
+    blocks b = blocks_of(s, pixel);
+    int layers = (params.count + 3) / 4;
+    float all = 0.0;
+    for (int i = 0; i < params.count; i++)
+        all += max(dot(sky_vector(i), s.normal), 0.0) * sky_radiance(i).a;
+    vec3 sum = vec3(0.0);
+#ifdef HAS_GLOSS
+    vec3 shining = vec3(0.0);
+    lobe o = lobe_of(gbuffer_shine(s, pixel));
+#endif
+    for (int first = 0; first < layers; first += LAYERS_TOGETHER) {
+        // A mask and a loop over its bits, no branch in the loop over lights: a software rasteriser runs what a branch
+        // leaves out for all pixels.
+        uint asked = 0u;
+        for (int layer = first; layer < min(first + LAYERS_TOGETHER, layers); layer++) {
+            vec4 shares = sky_shares(s.normal, layer), apart;
+            vec4 visible = visibility_of_blocks(b, layer, apart);
+            for (int k = 0; k < 4; k++) {
+                vec4 radiance = sky_radiance(4 * layer + k);
+                bool ask = shares[k] * radiance.a * apart[k] > params.disagree * all;
+                visible[k] = ask ? 0.0 : visible[k];
+                asked |= ask ? 1u << (4 * (layer - first) + k) : 0u;
+                sum += radiance.rgb * (shares[k] * visible[k]);
+#ifdef HAS_GLOSS
+                if (4 * layer + k < params.count)
+                    shining += radiance.rgb * (sky_shine(o, 4 * layer + k) * visible[k]);
+#endif
+            }
+        }
+        for (; asked != 0u; asked &= asked - 1u) {
+            int i = 4 * first + findLSB(asked);
+            vec3 seen = sky_radiance(i).rgb * sky_visibility(i, s.position, s.normal);
+            sum += seen * sky_shares(s.normal, i / 4)[i % 4];
+#ifdef HAS_GLOSS
+            shining += seen * sky_shine(o, i);
+#endif
+        }
+    }
+    lit.rgb += sum / PI;
+#ifdef HAS_GLOSS
+    specular.rgb += o.albedo * shining;
+#endif
+}

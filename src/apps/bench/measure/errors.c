@@ -1,0 +1,38 @@
+#include "apps/bench/measure/errors.h"
+
+#include "base/error.h"
+#include "metrics/layer.h"
+#include "metrics/metric.h"
+
+static const struct error_row {
+    const char *metric, *layer, *unit;
+    double scale;
+} rows[] = {
+    {"relative-rmse", "indirect", "%", 100}, {"relative-mae", "indirect", "%", 100},
+    {"relative-bias", "indirect", "%", 100}, {"gradient", "indirect", "1", 1},
+    {"ldr-flip", "beauty", "1", 1},
+};
+
+static bool add(struct results *results, const struct error_row *row, const struct image *test,
+                const struct image *truth, const char *against) {
+    struct image layers[2] = {{0}};
+    struct comparison comparison = {.test = &layers[0],
+                                    .reference = &layers[1],
+                                    .pixels_per_degree = DEFAULT_PIXELS_PER_DEGREE};
+    bool ok = (layer_extract(&layers[0], test, row->layer) || error_prefix("frame")) &&
+              (layer_extract(&layers[1], truth, row->layer) || error_prefix("reference"));
+    if (ok)
+        results_add(results, row->metric, against, row->unit,
+                    row->scale * metric_measure(metric_find(row->metric), &comparison, NULL));
+    image_free(&layers[0]);
+    image_free(&layers[1]);
+    return ok;
+}
+
+bool errors_add(struct results *results, const struct image *test, const struct image *truth,
+                const char *against) {
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (!add(results, &rows[i], test, truth, against))
+            return false;
+    return true;
+}

@@ -1,0 +1,89 @@
+#include "apps/bench/measure/passes.h"
+
+#include "apps/bench/measure/errors.h"
+
+#include <math.h>
+#include <stdio.h>
+
+static struct measure_desc point_of(const struct measure_desc *desc, int passes) {
+    struct measure_desc point = *desc;
+    snprintf(point.point, sizeof point.point, "passes=%d", passes);
+    return point;
+}
+
+/* What is shown now: the mean of so many passes. */
+static bool add_mean(struct results *results, const struct measure_desc *point,
+                     struct renderer *renderer, const struct image *truth) {
+    struct image mean;
+    double noise = 100 * truth_noise(truth);
+    if (!renderer_read_layers(renderer, &mean))
+        return false;
+    results_begin(results, point);
+    bool ok = errors_add(results, &mean, truth, truth_names[TRUTH_PATH]);
+    double all = results_value(results, results->subject_count - 1, "relative-rmse", NULL);
+    results_add(results, "noise", "", "%", noise);
+    results_add(results, "error", truth_names[TRUTH_PATH], "%",
+                sqrt(fmax(all * all - noise * noise, 0)));
+    image_free(&mean);
+    return ok && results_commit(results);
+}
+
+int passes_subjects(int count) {
+    int subjects = 0;
+    for (int passes = 1; passes <= count; passes *= 2)
+        subjects++;
+    return subjects;
+}
+
+/* The first number of passes that is not resumed. */
+static bool resume(struct results *results, const struct measure_desc *desc, int count,
+                   int *passes) {
+    bool resumed = true;
+    for (*passes = 1; *passes <= count; *passes *= 2) {
+        struct measure_desc point = point_of(desc, *passes);
+        if (!results_resume(results, &point, &resumed))
+            return false;
+        if (!resumed)
+            break;
+    }
+    return true;
+}
+
+/* All passes are drawn; those before the first number of them make no row. */
+static bool add_means(struct results *results, const struct measure_desc *desc,
+                      struct renderer *renderer, const struct image *truth, int first, int count) {
+    int next = first, subjects = passes_subjects(count), added = passes_subjects(first - 1);
+    for (int pass = 1; next <= count; pass++) {
+        struct measure_desc point = point_of(desc, next);
+        renderer_add_pass(renderer, pass - 1);
+        gl.Finish();
+        results_tell_work(results, &point, (double)pass / count * subjects - added);
+        if (pass < next)
+            continue;
+        if (!add_mean(results, &point, renderer, truth))
+            return false;
+        next *= 2;
+        added++;
+    }
+    return true;
+}
+
+bool passes_measure(struct results *results, const struct measure_desc *desc,
+                    const struct truth_desc *truth, int count) {
+    struct renderer renderer;
+    struct image exact;
+    int first;
+    if (!resume(results, desc, count, &first))
+        return false;
+    if (first > count)
+        return true;
+    if (!truth_get(truth, desc, &exact))
+        return false;
+    bool ok = measure_start_mean(&renderer, desc);
+    if (ok) {
+        ok = add_means(results, desc, &renderer, &exact, first, count);
+        renderer_free(&renderer);
+    }
+    image_free(&exact);
+    return ok;
+}

@@ -1,0 +1,15 @@
+/* How the mean of passes converges. */
+#ifndef APPS_BENCH_MEASURE_PASSES_H
+#define APPS_BENCH_MEASURE_PASSES_H
+
+#include "apps/bench/measure/results.h"
+#include "apps/bench/measure/truth.h"
+
+/* Adds a subject for each power of two up to `count` passes, whose point is "passes=K", with the errors
+ * of the mean of K; "noise", the truth's; and "error", the relative RMSE of the indirect layer without
+ * that noise, as squares. desc: what is drawn. Error: of the truth or the renderer. */
+int passes_subjects(int count); /* how many they are */
+bool passes_measure(struct results *results, const struct measure_desc *desc,
+                    const struct truth_desc *truth, int count);
+
+#endif

@@ -1,0 +1,145 @@
+#include "direct/environment.h"
+
+#include "base/memory.h"
+#include "passes/visibility/environment_lighting.h"
+#include "passes/visibility/sky_map.h"
+
+#include <stdlib.h>
+
+#define ROW(name) offsetof(struct environment_settings, name)
+
+static const char *const fit_names[] = {"rectangles", "even", NULL};
+
+static const struct option table[] = {
+    {"lights", 0, OPTION_INT, ROW(lights), 120, ENVIRONMENT_LIGHTS_MIN, ENVIRONMENT_LIGHTS_MAX,
+     .help = "largest number of area lights that\n"
+             "approximate an environment map; fewer: faster"},
+    {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
+     .help = "fit of the area lights: rectangles grown from the\n"
+             "brightest texel, or cells of nearly even radiance"},
+    {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
+     .help = "texels along each side of the shadow map of an environment light"},
+    {"sun-maps", 0, OPTION_INT, ROW(sun_maps), 4, 1, 8,
+     .help = "shadow maps across a sun, n of n x n; a sun is an environment light below .01 sr\n"
+             "with at least 1/40 of the light; raise against steps along its shadows"},
+    {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
+     .help = "pixels along each side of a block that shares its visibility"},
+    {"sky-ways", 0, OPTION_INT, ROW(ways), 3, 1, 256,
+     .help = "shadow rays per lookup of an environment light; at least 16 for a sun"},
+    {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .1, 0, 100,
+     .help = "height above the receiver's plane up to\n"
+             "which nothing casts a shadow, in map texels"},
+    {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
+     .help = "difference between blocks, as a fraction of the\n"
+             "environment's light, above which pixels between them use\n"
+             "their own lookups; above 60 lights divided by lights / 60"},
+    {NULL},
+};
+
+const struct settings_part sky_part = {"sky", "direct light of an environment", table,
+                                       sizeof(struct environment_settings)};
+
+/* Those that the maps of VALs have, so that both share them. */
+static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
+
+struct lighting {
+    struct sky_map_pass maps;
+    struct environment_lighting_pass light;
+    struct environment_lights lights; /* as the map lies, without its turn and strength */
+    struct sky_block block;           /* as it is turned */
+    struct buffer buffer;             /* the same, for BLOCK_SKY */
+    const struct direct_method *lamps;
+    void *lamps_state;
+};
+
+static void free_state(void *state) {
+    struct lighting *lighting = state;
+    if (lighting) {
+        sky_map_pass_free(&lighting->maps);
+        environment_lighting_pass_free(&lighting->light);
+        buffer_free(&lighting->buffer);
+        lighting->lamps->free(lighting->lamps_state);
+    }
+    free(lighting);
+}
+
+static bool init(void **state, const struct direct_desc *desc) {
+    const struct environment_settings *own =
+        settings_of(struct environment_settings, desc->settings, &sky_part);
+    const struct sky_map_layout layout = {.size = own->map_size,
+                                          .count = desc->sky->count,
+                                          .suns = environment_lights_suns(desc->sky),
+                                          .sun_maps = own->sun_maps};
+    struct lighting *lighting = *state = mem_alloc(1, sizeof *lighting);
+    lighting->lights = *desc->sky;
+    lighting->lamps = desc->lamps;
+    return lighting->lamps->init(&lighting->lamps_state, desc) &&
+           sky_map_pass_init(&lighting->maps, &(struct sky_map_desc){.casters = desc->casters,
+                                                                     .caster = caster,
+                                                                     .layout = layout}) &&
+           environment_lighting_pass_init(
+               &lighting->light, &(struct environment_lighting_desc){.width = desc->width,
+                                                                     .height = desc->height,
+                                                                     .maps = layout,
+                                                                     .block = own->block,
+                                                                     .ways = own->ways,
+                                                                     .bias = own->bias,
+                                                                     .disagree = own->disagree,
+                                                                     .gloss = desc->gloss}) &&
+           buffer_init(&lighting->buffer, "lights of the sky", sizeof lighting->block, NULL);
+}
+
+static bool resize(void *state, int width, int height) {
+    struct lighting *lighting = state;
+    const struct environment_lighting_desc old = lighting->light.desc;
+    if (!environment_lighting_pass_resize(&lighting->light, width, height))
+        return false;
+    if (lighting->lamps->resize(lighting->lamps_state, width, height))
+        return true;
+    environment_lighting_pass_resize(&lighting->light, old.width, old.height);
+    return false;
+}
+
+static void render_lights(void *state, const struct frame *frame) {
+    struct lighting *lighting = state;
+    const int count = lighting->lights.count;
+    if (lighting->lamps->render_lights)
+        lighting->lamps->render_lights(lighting->lamps_state, frame);
+    sky_block_of(&lighting->block, &lighting->lights, frame->emitters->sky, frame->geometry);
+    buffer_write(&lighting->buffer, 0, (size_t)count * sizeof *lighting->block.sources,
+                 lighting->block.sources);
+    sky_map_pass_render(&lighting->maps, frame, &lighting->buffer);
+    environment_lighting_pass_render_lights(&lighting->light, frame, &lighting->buffer);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    struct lighting *lighting = state;
+    const struct direct_method *lamps = lighting->lamps;
+    struct environment_lighting_inputs inputs = {&lighting->buffer, &lighting->maps.maps,
+                                                 lamps->light(lighting->lamps_state), NULL};
+    if (lighting->light.desc.gloss)
+        inputs.specular = lamps->specular(lighting->lamps_state);
+    lamps->render_view(lighting->lamps_state, frame, gbuffer);
+    environment_lighting_pass_render(&lighting->light, frame, gbuffer, &inputs);
+}
+
+static const struct texture *light(const void *state) {
+    const struct lighting *lighting = state;
+    return &lighting->light.light;
+}
+
+static const struct texture *specular(const void *state) {
+    const struct lighting *lighting = state;
+    return &lighting->light.specular;
+}
+
+const struct direct_method environment_direct = {
+    .name = "environment",
+    .init = init,
+    .free = free_state,
+    .resize = resize,
+    .render_lights = render_lights,
+    .render_view = render_view,
+    .light = light,
+    .specular = specular,
+};

@@ -1,0 +1,22 @@
+/* The light of an environment map, added to that of another method, which draws the lamps: by default 120 area lights
+ * with soft shadows [Dong 2011 §5.3.2]. */
+#ifndef DIRECT_ENVIRONMENT_H
+#define DIRECT_ENVIRONMENT_H
+
+#include "direct/direct.h"
+
+struct environment_settings {
+    int lights, fit; /* enum sky_fit */
+    int map_size;    /* texels a side */
+    int sun_maps;    /* of a sun, a side */
+    int block;       /* pixels a side */
+    int ways;
+    float bias, disagree;
+};
+
+extern const struct settings_part sky_part;
+
+/* Not among direct_methods, nor named by users: draws desc.lamps first. desc.sky has one light at least. */
+extern const struct direct_method environment_direct;
+
+#endif

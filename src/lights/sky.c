@@ -1,0 +1,290 @@
+#include "lights/sky.h"
+
+#include "base/memory.h"
+#include "lights/view.h"
+
+#include <cglm/cglm.h>
+
+#include <math.h>
+
+void environment_lights_fit(struct environment_lights *lights, const struct environment *sky,
+                            enum sky_fit fit, int count) {
+    lights->count = sky ? environment_fit(lights->items, sky, fit, count) : 0;
+}
+
+/* --- directional lights ------------------------------------------------------------------------- */
+
+/* What it gives a surface that faces it, the mean of RGB, W/m2. */
+static float power_of(const struct environment_light *light) {
+    vec3 vector;
+    environment_light_vector(light, vector);
+    return (light->radiance[0] + light->radiance[1] + light->radiance[2]) / 3 *
+           glm_vec3_norm(vector);
+}
+
+/* The same as a vector towards it. */
+static void add_power(const struct environment_light *light, float to[3]) {
+    vec3 vector;
+    environment_light_vector(light, vector);
+    float mean = (light->radiance[0] + light->radiance[1] + light->radiance[2]) / 3;
+    glm_vec3_muladds(vector, mean, to);
+}
+
+/* By how far it moves how much. */
+static float cost_of_joining(const float a[4], const float b[4]) {
+    vec3 x, y;
+    glm_vec3_normalize_to((float *)a, x);
+    glm_vec3_normalize_to((float *)b, y);
+    return a[3] * b[3] / (a[3] + b[3]) * glm_vec3_distance2(x, y);
+}
+
+/* Makes one of the groups `from` and `to`. */
+static void join(struct sky_groups *groups, float (*powers)[4], int light_count, int to, int from) {
+    for (int c = 0; c < 4; c++)
+        powers[to][c] += powers[from][c];
+    int last = --groups->count;
+    glm_vec4_copy(powers[last], powers[from]);
+    for (int i = 0; i < light_count; i++) {
+        if (groups->of[i] == from)
+            groups->of[i] = to;
+        if (groups->of[i] == last)
+            groups->of[i] = from;
+    }
+}
+
+void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
+                              int count) {
+    float powers[ENVIRONMENT_LIGHTS_MAX]
+                [4]; /* of each group: the sum of vectors, and of what they are long */
+    groups->count = lights->count;
+    for (int i = 0; i < lights->count; i++) {
+        groups->of[i] = i;
+        glm_vec3_zero(powers[i]);
+        add_power(&lights->items[i], powers[i]);
+        powers[i][3] = power_of(&lights->items[i]);
+    }
+    while (groups->count > count) {
+        float least = INFINITY;
+        int to = 0, from = 1;
+        for (int i = 0; i < groups->count; i++)
+            for (int k = i + 1; k < groups->count; k++) {
+                float cost = cost_of_joining(powers[i], powers[k]);
+                if (cost < least) {
+                    least = cost;
+                    to = i;
+                    from = k;
+                }
+            }
+        join(groups, powers, lights->count, to, from);
+    }
+}
+
+int environment_lights_suns(const struct environment_lights *lights) {
+    static const float widest = .01F, least_share = .025F; /* sr */
+    float all = 0;
+    int suns = 0;
+    for (int i = 0; i < lights->count; i++)
+        all += power_of(&lights->items[i]);
+    while (suns < SKY_SUNS_MAX && suns < lights->count &&
+           lights->items[suns].solid_angle < widest &&
+           power_of(&lights->items[suns]) >= least_share * all)
+        suns++;
+    return suns;
+}
+
+int sky_map_layers(const struct sky_map_layout *layout) {
+    return layout->count + layout->suns * (layout->sun_maps * layout->sun_maps - 1);
+}
+
+char *sky_map_defines(const struct sky_map_layout *layout) {
+    return mem_printf("SUNS %d;SUN_MAPS %d", layout->suns, layout->sun_maps);
+}
+
+static struct emitter towards(const float direction[3]) {
+    struct emitter emitter = {.type = EMITTER_DIRECTIONAL, .number = -1};
+    vec3 away;
+    glm_vec3_negate_to((float *)direction, away);
+    emitter_aim(&emitter, away);
+    return emitter;
+}
+
+static void add_light(const struct environment_light *light, float scale, struct emitter *emitter) {
+    vec3 vector;
+    environment_light_vector(light, vector);
+    glm_vec3_muladds((float *)light->radiance, scale * glm_vec3_norm(vector), emitter->intensity);
+}
+
+struct emitter sky_group_emitter(const struct environment_lights *lights,
+                                 const struct sky_groups *groups, int group,
+                                 const struct environment *sky) {
+    vec3 power = {0, 0, 0};
+    for (int i = 0; i < lights->count; i++)
+        if (groups->of[i] == group) {
+            struct environment_light light = environment_light_turned(&lights->items[i], sky);
+            add_power(&light, power);
+        }
+    struct emitter emitter = towards(power);
+    for (int i = 0; i < lights->count; i++)
+        if (groups->of[i] == group)
+            add_light(&lights->items[i], sky->strength, &emitter);
+    return emitter;
+}
+
+static void direction_in(const struct environment_light *light, const float place[2],
+                         float direction[3]) {
+    vec3 from, to;
+    glm_vec3_lerp((float *)light->corners[0], (float *)light->corners[1], place[0], from);
+    glm_vec3_lerp((float *)light->corners[3], (float *)light->corners[2], place[0], to);
+    glm_vec3_lerp(from, to, place[1], direction);
+}
+
+/* One of its lights, as often as it has power, stands for all. */
+struct emitter sky_group_piece(const struct environment_lights *lights,
+                               const struct sky_groups *groups, int group,
+                               const struct environment *sky, const float place[2]) {
+    float all = 0, before = 0;
+    for (int i = 0; i < lights->count; i++)
+        all += groups->of[i] == group ? power_of(&lights->items[i]) : 0;
+    int chosen = -1;
+    float share = 0, within = 0;
+    for (int i = 0; i < lights->count && (chosen < 0 || before <= place[0] * all); i++)
+        if (groups->of[i] == group) {
+            chosen = i;
+            share = power_of(&lights->items[i]) / all;
+            within = (place[0] * all - before) / (share * all);
+            before += share * all;
+        }
+    struct environment_light light = environment_light_turned(&lights->items[chosen], sky);
+    vec3 direction;
+    direction_in(&light, (float[]){glm_clamp(within, 0, 1), place[1]}, direction);
+    struct emitter emitter = towards(direction);
+    add_light(&light, 1 / share, &emitter);
+    return emitter;
+}
+
+/* --- views ---------------------------------------------------------------------------------------- */
+
+/* Where the light's corners are on a plane across the axis, at distance 1, and their middle. */
+static void project_corners(const struct environment_light *light, const struct emitter *axis,
+                            float places[4][2], float middle[2]) {
+    middle[0] = middle[1] = 0;
+    for (int i = 0; i < 4; i++) {
+        float *corner = (float *)light->corners[i];
+        float along = -glm_vec3_dot(corner, (float *)axis->direction);
+        places[i][0] = glm_vec3_dot(corner, (float *)axis->right) / along;
+        places[i][1] = glm_vec3_dot(corner, (float *)axis->up) / along;
+        middle[0] += places[i][0] / 4;
+        middle[1] += places[i][1] / 4;
+    }
+}
+
+/* Looks along the light so that what its corners are on a plane across has its middle on the axis. */
+static struct emitter axis_of(const struct environment_light *light, float places[4][2]) {
+    vec3 vector;
+    float middle[2];
+    environment_light_vector(light, vector);
+    struct emitter axis = towards(vector);
+    for (int step = 0; step < 4; step++) {
+        vec3 moved;
+        project_corners(light, &axis, places, middle);
+        glm_vec3_copy(axis.direction, moved);
+        glm_vec3_muladds(axis.right, -middle[0], moved);
+        glm_vec3_muladds(axis.up, -middle[1], moved);
+        emitter_aim(&axis, moved);
+    }
+    project_corners(light, &axis, places, middle);
+    return axis;
+}
+
+static struct sky_source source_of(const struct environment_light *light,
+                                   const struct geometry *geometry) {
+    float places[4][2];
+    struct emitter axis = axis_of(light, places);
+    struct view view;
+    view_of_directional(&view, &axis, geometry);
+    struct sky_source source = {
+        .far = view.far,
+        .half_width = glm_vec3_norm(view.right),
+        .half_height = glm_vec3_norm(view.up),
+        .luminance =
+            .2126F * light->radiance[0] + .7152F * light->radiance[1] + .0722F * light->radiance[2],
+    };
+    for (int i = 0; i < 4; i++)
+        glm_vec3_copy((float *)light->corners[i], source.corners[i]);
+    environment_light_vector(light, source.vector);
+    glm_vec3_copy((float *)light->radiance, source.radiance);
+    glm_vec3_copy(axis.right, source.right);
+    glm_vec3_copy(axis.up, source.up);
+    glm_vec3_copy(axis.direction, source.forward);
+    glm_vec3_copy(view.origin, source.origin);
+    for (int c = 0; c < 2; c++) {
+        source.sides[c] = (places[1][c] - places[0][c] + places[2][c] - places[3][c]) / 4;
+        source.sides[2 + c] = (places[3][c] - places[0][c] + places[2][c] - places[1][c]) / 4;
+    }
+    return source;
+}
+
+static void towards_middle(const struct sky_source *source, float direction[3]) {
+    glm_vec3_negate_to((float *)source->forward, direction);
+}
+
+/* Of all lights but the i-th and the k-th the one whose axis is nearest to a direction, where ways to `ways` are
+ * not too far aside in its map, which knows what the i-th's cannot; else the i-th. */
+static int find_nearest(const struct sky_block *block, int count, int i, int k,
+                        const float direction[3], const float ways[3]) {
+    static const float least_cosine = .5F;
+    int found = i;
+    float most = -1;
+    for (int n = 0; n < count; n++) {
+        vec3 axis;
+        towards_middle(&block->sources[n], axis);
+        float cosine = glm_vec3_dot(axis, (float *)direction);
+        if (n != i && n != k && cosine > most && glm_vec3_dot(axis, (float *)ways) > least_cosine) {
+            most = cosine;
+            found = n;
+        }
+    }
+    return found;
+}
+
+/* The corner of the i-th's quarter. */
+static void corner_of(const struct sky_source *own, int quarter, float direction[3]) {
+    float x = quarter & 1 ? 1 : -1, y = quarter & 2 ? 1 : -1;
+    towards_middle(own, direction);
+    glm_vec3_muladds((float *)own->right, own->sides[0] * x + own->sides[2] * y, direction);
+    glm_vec3_muladds((float *)own->up, own->sides[1] * x + own->sides[3] * y, direction);
+    glm_vec3_normalize(direction);
+}
+
+/* What is as far from the one beyond as that is from the i-th. */
+static void mirror(const struct sky_block *block, int i, int beyond, float direction[3]) {
+    vec3 from;
+    towards_middle(&block->sources[i], from);
+    towards_middle(&block->sources[beyond], direction);
+    glm_vec3_scale(direction, 2, direction);
+    glm_vec3_sub(direction, from, direction);
+    glm_vec3_normalize(direction);
+}
+
+static void link_source(struct sky_block *block, int count, int i) {
+    struct sky_source *own = &block->sources[i];
+    for (int quarter = 0; quarter < 4; quarter++) {
+        vec3 corner, far;
+        corner_of(own, quarter, corner);
+        int beyond = find_nearest(block, count, i, i, corner, corner);
+        mirror(block, i, beyond, far);
+        own->beyond[quarter] = (float)beyond;
+        own->further[quarter] =
+            (float)(beyond == i ? i : find_nearest(block, count, i, beyond, far, corner));
+    }
+}
+
+void sky_block_of(struct sky_block *block, const struct environment_lights *lights,
+                  const struct environment *sky, const struct geometry *geometry) {
+    for (int i = 0; i < lights->count; i++) {
+        struct environment_light light = environment_light_turned(&lights->items[i], sky);
+        block->sources[i] = source_of(&light, geometry);
+    }
+    for (int i = 0; i < lights->count; i++)
+        link_source(block, lights->count, i);
+}

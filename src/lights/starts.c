@@ -1,0 +1,89 @@
+#include "lights/starts.h"
+
+#include "base/halton.h"
+
+#include <math.h>
+
+static bool is_wide(const struct emitter *light, const struct starts_desc *desc) {
+    float widest = fmaxf(light->size[0], light->size[1]);
+    switch (emitter_shape(light)) {
+    case EMITTER_IS_RECTANGLE:
+    case EMITTER_IS_DISK:
+        return widest > desc->wide * desc->radius;
+    case EMITTER_IS_CAP:
+        return widest > desc->wide;
+    case EMITTER_IS_POINT:
+    case EMITTER_IS_SPHERE: /* a few bits of its surface do not shine evenly all around */
+        break;
+    }
+    return false;
+}
+
+/* Place k of n: Hammersley's, their mean in the middle, in each pass shifted on the torus. */
+static void choose_place(float place[2], int k, int n, int pass) {
+    double half = .5 / n;
+    double x = half + (double)k / n + radical_inverse(2, (uint32_t)pass);
+    double y = half + radical_inverse(2, (uint32_t)k) + radical_inverse(3, (uint32_t)pass);
+    place[0] = (float)(x - floor(x));
+    place[1] = (float)(y - floor(y));
+    for (int i = 0; i < 2; i++) /* what is next to 1 may be rounded to it */
+        place[i] = fminf(place[i], 1 - 0x1p-24F);
+}
+
+static void add_pieces(struct light_starts *starts, const struct emitter *light, int n, int pass) {
+    starts->groups[starts->group_count++] = (struct light_group){starts->count, n};
+    for (int k = 0; k < n; k++) {
+        struct emitter *piece = &starts->items[starts->count++];
+        float place[2];
+        choose_place(place, k, n, pass);
+        *piece = n > 1 || pass > 0 ? emitter_piece(light, place) : *light;
+        for (int c = 0; n > 1 && c < 3; c++)
+            piece->intensity[c] /= (float)n;
+    }
+}
+
+static void add_sky(struct light_starts *starts, const struct starts_sky *sky,
+                    const struct environment *environment, int pass) {
+    int count = sky->groups->count;
+    float place[2];
+    choose_place(place, 0, 1, pass);
+    if (count)
+        starts->groups[starts->group_count++] = (struct light_group){starts->count, count};
+    for (int i = 0; i < count; i++)
+        starts->items[starts->count++] =
+            pass > 0 ? sky_group_piece(sky->lights, sky->groups, i, environment, place)
+                     : sky_group_emitter(sky->lights, sky->groups, i, environment);
+}
+
+struct emitters light_starts_emitters(struct light_starts *starts) {
+    return (struct emitters){.items = starts->items, .count = starts->count};
+}
+
+struct light_layout light_starts_layout(struct light_starts *starts) {
+    struct emitters emitters = light_starts_emitters(starts);
+    struct light_layout layout;
+    light_layout_count(&layout, &emitters);
+    layout.groups = starts->group_count;
+    layout.sized = false; /* they start from places */
+    return layout;
+}
+
+void light_starts_place(struct light_starts *starts, const struct emitters *emitters,
+                        const struct starts_sky *sky, const struct starts_desc *desc, int pass) {
+    int wide = 0;
+    for (int i = 0; i < emitters->count; i++)
+        wide += is_wide(&emitters->items[i], desc);
+    int each = wide > 0 && desc->places > wide ? desc->places / wide : 1;
+    while (each > 1 && emitters->count + sky->groups->count + wide * (each - 1) > LIGHTS_MAX)
+        each--;
+    for (bool fits = false; !fits; each--) {
+        starts->count = starts->group_count = 0;
+        for (int i = 0; i < emitters->count; i++) {
+            const struct emitter *light = &emitters->items[i];
+            add_pieces(starts, light, is_wide(light, desc) ? each : 1, pass);
+        }
+        add_sky(starts, sky, emitters->sky, pass);
+        struct light_layout layout = light_starts_layout(starts);
+        fits = each == 1 || light_layout_fits(&layout);
+    }
+}

@@ -1,0 +1,188 @@
+#include "passes/visibility/environment_lighting.h"
+
+#include "base/memory.h"
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "shared/environment_lighting.h"
+
+#include <stdlib.h>
+
+/* Of many lights each has so little that no pixel would ask for it: beyond so many the limit falls with what
+ * one of them has. */
+static const int few = 60;
+
+static float disagree_of(const struct environment_lighting_desc *desc) {
+    int count = desc->maps.count;
+    return count > few ? desc->disagree * (float)few / (float)count : desc->disagree;
+}
+
+static bool init_programs(struct environment_lighting_pass *pass) {
+    char *maps = sky_map_defines(&pass->desc.maps);
+    char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
+    char *light_defines = mem_printf("%s%s", defines, pass->desc.gloss ? ";HAS_GLOSS" : "");
+    bool ok =
+        program_init(
+            &pass->share_program,
+            &(struct program_desc){.screen = {"visibility/sky_shares.frag", .layers = true}}) &&
+        program_init(
+            &pass->block_program,
+            &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
+                                   .defines = defines}) &&
+        program_init(&pass->light_program,
+                     &(struct program_desc){.screen = {"visibility/environment_lighting.frag"},
+                                            .defines = light_defines});
+    free(maps);
+    free(defines);
+    free(light_defines);
+    return ok;
+}
+
+/* Each layer has four. */
+static int layers(const struct environment_lighting_desc *desc) {
+    return (desc->maps.count + 3) / 4;
+}
+
+static bool init_shares(struct environment_lighting_pass *pass) {
+    return texture_init(&pass->shares, &(struct texture_desc){.label = "sky shares",
+                                                              .target = GL_TEXTURE_2D_ARRAY,
+                                                              .format = GL_RGBA32F,
+                                                              .width = SKY_SHARES_SIZE,
+                                                              .height = SKY_SHARES_SIZE,
+                                                              .layers = layers(&pass->desc),
+                                                              .filter = FILTER_LINEAR}) &&
+           framebuffer_init(
+               &pass->share_framebuffer,
+               &(struct framebuffer_desc){.label = "sky shares", .colors = {&pass->shares}});
+}
+
+static bool init_light(struct environment_lighting_pass *pass, struct texture *texture,
+                       const char *label) {
+    return texture_init(texture, &(struct texture_desc){.label = label,
+                                                        .format = GL_RGBA32F,
+                                                        .width = pass->desc.width,
+                                                        .height = pass->desc.height});
+}
+
+/* What is as large as the picture. */
+static bool init_targets(struct environment_lighting_pass *pass) {
+    const struct environment_lighting_desc *desc = &pass->desc;
+    struct framebuffer_desc light = {.label = "sky light", .colors = {&pass->light}};
+    if (desc->gloss)
+        light.colors[TARGET_DIRECT_SPECULAR] = &pass->specular;
+    return texture_init(
+               &pass->blocks,
+               &(struct texture_desc){.label = "sky blocks",
+                                      .target = GL_TEXTURE_2D_ARRAY,
+                                      .format = GL_RGBA8,
+                                      .width = (desc->width + desc->block - 1) / desc->block,
+                                      .height = (desc->height + desc->block - 1) / desc->block,
+                                      .layers = layers(desc)}) &&
+           init_light(pass, &pass->light, "sky light") &&
+           (!desc->gloss || init_light(pass, &pass->specular, "specular sky light")) &&
+           framebuffer_init(
+               &pass->block_framebuffer,
+               &(struct framebuffer_desc){.label = "sky blocks", .colors = {&pass->blocks}}) &&
+           framebuffer_init(&pass->light_framebuffer, &light);
+}
+
+static void free_targets(struct environment_lighting_pass *pass) {
+    framebuffer_free(&pass->block_framebuffer);
+    framebuffer_free(&pass->light_framebuffer);
+    texture_free(&pass->blocks);
+    texture_free(&pass->light);
+    texture_free(&pass->specular);
+}
+
+bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
+                                    const struct environment_lighting_desc *desc) {
+    *pass = (struct environment_lighting_pass){.desc = *desc};
+    struct environment_lighting_params params = {.count = desc->maps.count,
+                                                 .block = desc->block,
+                                                 .bias = desc->bias,
+                                                 .disagree = disagree_of(desc)};
+    if (init_programs(pass) && init_shares(pass) && init_targets(pass) &&
+        buffer_init(&pass->params, "sky parameters", sizeof params, &params))
+        return true;
+    environment_lighting_pass_free(pass);
+    return false;
+}
+
+void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
+    program_free(&pass->share_program);
+    program_free(&pass->block_program);
+    program_free(&pass->light_program);
+    free_targets(pass);
+    framebuffer_free(&pass->share_framebuffer);
+    texture_free(&pass->shares);
+    buffer_free(&pass->params);
+    *pass = (struct environment_lighting_pass){0};
+}
+
+bool environment_lighting_pass_resize(struct environment_lighting_pass *pass, int width,
+                                      int height) {
+    struct environment_lighting_pass fresh = *pass;
+    fresh.blocks = fresh.light = fresh.specular = (struct texture){0};
+    fresh.block_framebuffer = fresh.light_framebuffer = 0;
+    fresh.desc.width = width;
+    fresh.desc.height = height;
+    if (!init_targets(&fresh)) {
+        free_targets(&fresh);
+        return false;
+    }
+    free_targets(pass);
+    *pass = fresh;
+    return true;
+}
+
+void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,
+                                             const struct frame *frame,
+                                             const struct buffer *lights) {
+    pass_begin(frame->timers, &(struct pass_state){
+                                  .name = "sky shares",
+                                  .program = pass->share_program,
+                                  .framebuffer = pass->share_framebuffer,
+                                  .width = SKY_SHARES_SIZE,
+                                  .height = SKY_SHARES_SIZE,
+                                  .blocks = {{BLOCK_SKY, lights}, {BLOCK_PASS, &pass->params}},
+                              });
+    pass_draw_fullscreen(layers(&pass->desc));
+    pass_end(frame->timers);
+}
+
+void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
+                                      const struct frame *frame, const struct gbuffer *gbuffer,
+                                      const struct environment_lighting_inputs *inputs) {
+    struct pass_state state = {
+        .name = "sky blocks",
+        .program = pass->block_program,
+        .framebuffer = pass->block_framebuffer,
+        .width = pass->blocks.desc.width,
+        .height = pass->blocks.desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_SKY_MAPS, inputs->maps->id},
+                     {UNIT_SKY_SHARES, pass->shares.id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_SKY, inputs->lights},
+                   {BLOCK_PASS, &pass->params}},
+    };
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(layers(&pass->desc));
+    pass_end(frame->timers);
+    state.name = "sky light";
+    state.program = pass->light_program;
+    state.framebuffer = pass->light_framebuffer;
+    state.width = pass->light.desc.width;
+    state.height = pass->light.desc.height;
+    pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
+    pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
+    if (pass->desc.gloss) {
+        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+        pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
+        pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
+    }
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}

@@ -1,0 +1,57 @@
+/* Adds environment lighting to other direct light: area lights, each with its map [Dong 2011 §5.3.2].
+ *
+ * Unoccluded light is exact. Visibility is looked up once per block of pixels, as that of VALs is
+ * (block_visibility.h). The part of a light below a pixel's horizon does not count. */
+#ifndef PASSES_ENVIRONMENT_LIGHTING_H
+#define PASSES_ENVIRONMENT_LIGHTING_H
+
+#include "lights/sky.h"
+#include "passes/frame.h"
+
+struct environment_lighting_desc {
+    int width, height; /* of the picture */
+    struct sky_map_layout maps;
+    int block;      /* pixels a side of a block that shares its visibility */
+    int ways;       /* to points of a light that a lookup follows */
+    float bias;     /* texels: what is no higher above a receiver's plane hides nothing */
+    float disagree; /* of light, for few lights: where blocks do by more, a pixel looks itself up */
+    bool gloss;     /* the G-buffer has it */
+};
+
+struct environment_lighting_pass {
+    struct environment_lighting_desc desc;
+    GLuint share_program, block_program, light_program;
+    struct texture shares;   /* RGBA32F, a layer four lights; visibility/sky_shares.frag */
+    struct texture blocks;   /* RGBA8, the same */
+    struct texture light;    /* RGBA32F, irradiance over pi, W/(sr m2) */
+    struct texture specular; /* where desc.gloss: radiance towards the eye, RGBA32F */
+    GLuint share_framebuffer, block_framebuffer, light_framebuffer;
+    struct buffer params;
+};
+
+bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
+                                    const struct environment_lighting_desc *desc);
+void environment_lighting_pass_free(struct environment_lighting_pass *pass);
+
+/* Error: out of GPU memory; all is as it was. */
+bool environment_lighting_pass_resize(struct environment_lighting_pass *pass, int width,
+                                      int height);
+
+struct environment_lighting_inputs {
+    const struct buffer *lights;    /* a struct sky_block */
+    const struct texture *maps;     /* passes/visibility/sky_map.h's */
+    const struct texture *direct;   /* of all other lights, as pass->light */
+    const struct texture *specular; /* likewise */
+};
+
+/* What no camera can change, for lights in a struct sky_block. Timer "sky shares". */
+void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,
+                                             const struct frame *frame,
+                                             const struct buffer *lights);
+
+/* Fills pass->light and pass->specular. Timers "sky blocks" and "sky light". */
+void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
+                                      const struct frame *frame, const struct gbuffer *gbuffer,
+                                      const struct environment_lighting_inputs *inputs);
+
+#endif

@@ -1,0 +1,251 @@
+#include "quality/time_budget.h"
+
+#include "base/memory.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* --- levels --- */
+
+/* Between two rows, numbers go from one to the other by ratio; grades are the lower row's. First come frames by maps,
+ * then frames by rays (bench/FRONTS.md). */
+static const struct row {
+    int level;
+    struct {
+        int vpls, vals, map, near_samples, block, rsm;
+    } numbers;
+    struct {
+        int interleave, detail, detail_times, samples;
+        double detail_share;
+        bool by_rays;
+    } grades;
+} rows[TIME_BUDGET_ROWS] = {
+    {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, .5, false}},
+    {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, .5, false}},
+    {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, .5, false}}, /* draft */
+    {36, {768, 20, 192, 512, 7, 512}, {8, 4, 1, 8, .5, false}},
+    {40, {896, 24, 224, 720, 7, 512}, {8, 4, 2, 12, 1, false}},
+    {44, {1024, 30, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}}, /* the defaults */
+    {52, {1024, 60, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}},
+    {53, {512, 60, 256, 1024, 7, 512}, {8, 2, 1, 12, 1, true}}, /* high */
+    {61, {1024, 60, 256, 1024, 7, 512}, {8, 2, 1, 16, 1, true}},
+    {62, {640, 60, 256, 1024, 7, 512}, {4, 2, 1, 16, 1, true}},
+    {66, {1024, 60, 256, 1024, 7, 512}, {4, 2, 1, 16, 1, true}},
+    {67, {512, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, 1, true}},
+    {TIME_BUDGET_LEVELS - 1, {1024, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, 1, true}},
+};
+
+/* The last row that begins at the level or before, but the very last. */
+static const struct row *row_of(int level) {
+    const struct row *row = rows, *last = rows + TIME_BUDGET_ROWS - 2;
+    while (row < last && row[1].level <= level)
+        row++;
+    return row;
+}
+
+void time_budget_allow_rays(struct time_budget *budget, bool allowed) {
+    const struct row *row = rows;
+    while (!row->grades.by_rays)
+        row++;
+    budget->most = allowed ? TIME_BUDGET_LEVELS - 1 : row->level - 1;
+}
+
+int time_budget_level_of_row(int row) {
+    return rows[row].level;
+}
+
+static int between(int low, int high, double share) {
+    return (int)lround(low * pow((double)high / low, share));
+}
+
+char *time_budget_settings(int level) {
+    const struct row *a = row_of(level), *b = a + 1;
+    double share = (double)(level - a->level) / (b->level - a->level);
+    const struct row *grade = level >= b->level ? b : a;
+    int block = between(a->numbers.block, b->numbers.block, share);
+    return mem_printf(
+        "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
+        "clustered.visibility=%s clustered.visibility-block=%d gather.interleave=%d "
+        "gather.detail=%d gather.detail-times=%d picture.samples=%d gather.detail-share=%g",
+        between(a->numbers.vpls, b->numbers.vpls, share),
+        between(a->numbers.rsm, b->numbers.rsm, share),
+        between(a->numbers.vals, b->numbers.vals, share),
+        between(a->numbers.map, b->numbers.map, share),
+        between(a->numbers.near_samples, b->numbers.near_samples, share),
+        grade->grades.by_rays ? "traced" : "ray", grade->grades.by_rays ? 0 : block,
+        grade->grades.interleave, grade->grades.detail, grade->grades.detail_times,
+        grade->grades.samples, grade->grades.detail_share);
+}
+
+/* --- the choice of one --- */
+
+/* A frame may take so much more than the target, and so much less before a dearer level is tried;
+ * logarithms of ratios. */
+static const double above = .05, below = -.09;
+
+/* What is aimed at, likewise. */
+static const double aim = -.02;
+
+/* Beyond that, one frame is enough to tell. */
+static const double clear = .2;
+
+/* By so much frames of a level must become faster before what was too slow is tried again. */
+static const double changed = .15;
+
+/* Of a level, as long as none has been measured; and between which bounds it may lie. */
+static const double growth_usual = .06, growth_least = .02, growth_most = .25;
+
+/* The same over costs that are known. */
+static const double scale_least = .1, scale_most = 10;
+
+/* So far off, what had settled is looked for anew. */
+static const double unsettled = .6;
+
+enum {
+    SEARCH_MOVES = 5,
+    STEP_MOST = 24,
+    STEP_SETTLED = 6,
+    LEVEL_FIRST = 26,
+    PATIENCE_FIRST = 12,
+    PATIENCE_MOST = 400
+};
+
+static double clamped(double value, double least, double most) {
+    return fmin(fmax(value, least), most);
+}
+
+/* Between rows evenly. A row that is cheaper than the one before counts as hardly dearer: levels keep their order. */
+static bool fill_costs(struct time_budget *budget, const struct costs *costs) {
+    double before = 0;
+    for (int row = 0; row < TIME_BUDGET_ROWS; row++) {
+        int level = rows[row].level, apart = row ? level - rows[row - 1].level : 1;
+        char *settings = time_budget_settings(level);
+        double ms = costs_find(costs, NULL, settings);
+        free(settings);
+        if (ms <= 0)
+            return false;
+        double growth = clamped(log(ms / before) / apart, growth_least, growth_most);
+        for (int i = level - apart + 1; row && i <= level; i++)
+            budget->costs[i] = budget->costs[i - 1] + growth;
+        before = ms;
+    }
+    return true;
+}
+
+void time_budget_init(struct time_budget *budget, double target, const struct costs *costs) {
+    *budget = (struct time_budget){.target = target,
+                                   .level = LEVEL_FIRST,
+                                   .most = TIME_BUDGET_LEVELS - 1,
+                                   .before = -1,
+                                   .growth = growth_usual,
+                                   .too_slow = TIME_BUDGET_LEVELS,
+                                   .patience = PATIENCE_FIRST};
+    budget->has_costs = fill_costs(budget, costs);
+    if (budget->has_costs)
+        budget->growth = 1;
+}
+
+/* The middle one of the last three; of fewer the last, as one frame in three may be disturbed. */
+static double typical(const struct time_budget *budget) {
+    const double *s = budget->samples;
+    if (budget->count < TIME_BUDGET_SAMPLES)
+        return s[budget->count - 1];
+    return fmax(fmin(s[0], s[1]), fmin(fmax(s[0], s[1]), s[2]));
+}
+
+static double off_target(const struct time_budget *budget) {
+    return log(typical(budget) / budget->target);
+}
+
+/* By how much the one level should be dearer than the other, over growth. */
+static double apart(const struct time_budget *budget, int level, int other) {
+    return budget->has_costs ? budget->costs[level] - budget->costs[other] : level - other;
+}
+
+/* How dear a level is, from the last two that were measured. */
+static void learn_growth(struct time_budget *budget, double ms) {
+    if (budget->before < 0 || budget->level == budget->before)
+        return;
+    double growth = log(ms / budget->before_ms) / apart(budget, budget->level, budget->before);
+    budget->growth = budget->has_costs ? clamped(growth, scale_least, scale_most)
+                                       : clamped(growth, growth_least, growth_most);
+}
+
+/* What was too slow once need not be so for ever: scenes change. */
+static void note_slow(struct time_budget *budget) {
+    bool again = budget->level == budget->too_slow;
+    int longer = 2 * budget->patience < PATIENCE_MOST ? 2 * budget->patience : PATIENCE_MOST;
+    budget->patience = again ? longer : PATIENCE_FIRST;
+    budget->wait = budget->patience;
+    budget->too_slow = budget->level;
+}
+
+static void wait_for_slow(struct time_budget *budget) {
+    if (budget->count == TIME_BUDGET_SAMPLES)
+        budget->first_ms = typical(budget);
+    bool faster =
+        budget->count > TIME_BUDGET_SAMPLES && log(typical(budget) / budget->first_ms) < -changed;
+    budget->wait = faster || budget->wait == 0 ? 0 : budget->wait - 1;
+}
+
+/* The level that takes what is aimed at, by the growth. */
+static int wanted_level(const struct time_budget *budget) {
+    int most = budget->settled ? STEP_SETTLED : STEP_MOST;
+    double may_grow = (aim - off_target(budget)) / budget->growth;
+    int level = budget->level, last = budget->most;
+    while (level < last && level - budget->level < most &&
+           apart(budget, level + 1, budget->level) <= may_grow)
+        level++;
+    while (level > 0 && budget->level - level < most &&
+           apart(budget, level, budget->level) > may_grow)
+        level--;
+    int top = budget->wait > 0 && budget->too_slow <= last ? budget->too_slow - 1 : last;
+    level = level < top ? level : top;
+    return level > 0 ? level : 0;
+}
+
+static bool is_within(double off) {
+    return off <= above && off >= below;
+}
+
+/* It is looked for anew where all of the last frames were far off on one side. */
+static void settle(struct time_budget *budget, double off) {
+    bool far_above = true, far_below = true;
+    for (int i = 0; i < TIME_BUDGET_SAMPLES; i++) {
+        far_above &= log(budget->samples[i] / budget->target) > unsettled;
+        far_below &= log(budget->samples[i] / budget->target) < -unsettled;
+    }
+    budget->settled = !far_above && !far_below && (budget->settled || is_within(off));
+    if (far_above || far_below)
+        budget->moves = 0;
+}
+
+bool time_budget_add(struct time_budget *budget, double ms) {
+    budget->samples[budget->count++ % TIME_BUDGET_SAMPLES] = ms;
+    if (budget->count == 1)
+        learn_growth(budget, ms);
+    wait_for_slow(budget);
+    double off = off_target(budget);
+    bool all = budget->count >= TIME_BUDGET_SAMPLES;
+    bool told = all || (!budget->settled && fabs(off) > clear);
+    if (all)
+        settle(budget, off);
+    if (is_within(off) || !told)
+        return false;
+    if (off > above)
+        note_slow(budget);
+    int level = wanted_level(budget);
+    if (level == budget->level)
+        return false;
+    budget->before = budget->level;
+    budget->before_ms = typical(budget);
+    budget->level = level;
+    budget->count = 0;
+    budget->settled |= ++budget->moves >= SEARCH_MOVES;
+    return true;
+}
+
+bool time_budget_holds(const struct time_budget *budget) {
+    return budget->count > 0 &&
+           (is_within(off_target(budget)) || wanted_level(budget) == budget->level);
+}

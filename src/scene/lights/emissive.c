@@ -1,0 +1,310 @@
+#include "scene/lights/emissive.h"
+
+#include "base/deal.h"
+#include "base/log.h"
+#include "base/memory.h"
+#include "base/names.h"
+#include "scene/lights/flat_shape.h"
+#include "scene/lights/lamp_parts.h"
+#include "scene/lights/lamp_triangles.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* An emissive surface of the scene, and how it becomes lights. */
+struct finding {
+    int node;
+    const struct primitive *primitive;
+    int number; /* of the primitive in its mesh */
+    const struct material *material;
+    bool is_flat; /* a rectangle or a disk of one colour */
+    struct flat_shape shape;
+    double power; /* of all sides, over pi, the sum of RGB, W */
+    int lights;   /* that it gets; 0: it is of the rest */
+};
+
+struct findings {
+    struct scene *scene;
+    float (*worlds)[16]; /* at time 0 */
+    struct finding *items;
+    int count, room;
+    bool *told;     /* each material: it is among the names */
+    uint32_t looks; /* left, as struct lamp_triangles has them */
+    struct names dark;
+};
+
+/* --- surfaces --------------------------------------------------------------------------------- */
+
+static int sides_of(const struct finding *finding) {
+    return finding->material->double_sided ? 2 : 1;
+}
+
+static bool is_uniform(const struct material *material) {
+    return material->emission_texture < 0 && !material->alpha_mask;
+}
+
+static double power_of(struct findings *findings, const struct finding *finding) {
+    struct lamp_triangles triangles = {.looks = findings->looks};
+    lamp_triangles_add(&triangles, findings->scene, finding->primitive,
+                       findings->worlds[finding->node]);
+    double power = lamp_triangles_power(&triangles);
+    findings->looks = triangles.looks;
+    lamp_triangles_free(&triangles);
+    return power;
+}
+
+static void find_surface(struct findings *findings, int node, int mesh, int number) {
+    const struct scene *scene = findings->scene;
+    const struct primitive *primitive = &scene->meshes[mesh].primitives[number];
+    const struct material *material = &scene->materials[primitive->material];
+    struct finding finding = {
+        .node = node, .primitive = primitive, .number = number, .material = material};
+    if (glm_vec3_max((float *)material->emission) <= 0)
+        return;
+    if (primitive->joints || primitive->targets || scene->nodes[node].metaballs >= 0) {
+        if (!findings->told[primitive->material])
+            names_add(&findings->dark, ", ", *material->name ? material->name : "without a name");
+        findings->told[primitive->material] = true;
+        return;
+    }
+    finding.power = power_of(findings, &finding);
+    if (!(finding.power > 0))
+        return;
+    finding.is_flat = is_uniform(material) && flat_shape_of(&finding.shape, primitive);
+    if (findings->count == findings->room) {
+        findings->room = 2 * findings->room + 16;
+        findings->items =
+            mem_resize(findings->items, (size_t)findings->room, sizeof *findings->items);
+    }
+    findings->items[findings->count++] = finding;
+}
+
+static void find_surfaces(struct findings *findings) {
+    const struct scene *scene = findings->scene;
+    for (int n = 0; n < scene->node_count; n++) {
+        int mesh = scene->nodes[n].mesh;
+        for (int p = 0; mesh >= 0 && p < scene->meshes[mesh].primitive_count; p++)
+            find_surface(findings, n, mesh, p);
+    }
+}
+
+/* --- shares ----------------------------------------------------------------------------------- */
+
+static int least_lights(const struct finding *finding) {
+    return finding->is_flat ? sides_of(finding) : 1;
+}
+
+static int by_power(const void *a, const void *b) {
+    const struct finding *const *x = a, *const *y = b;
+    double p = (*x)->power, q = (*y)->power;
+    return p != q ? (p < q) - (p > q) : (*x > *y) - (*x < *y); /* the same whatever qsort does */
+}
+
+/* Gives the most powerful what they need at least; returns how many lights are left. */
+static int give_least(struct findings *findings) {
+    struct finding **order = mem_alloc((size_t)findings->count, sizeof *order);
+    int needed = 0, left = EMISSIVE_LIGHTS_MAX;
+    for (int i = 0; i < findings->count; i++) {
+        order[i] = &findings->items[i];
+        needed += least_lights(order[i]);
+    }
+    qsort(order, (size_t)findings->count, sizeof *order, by_power);
+    if (needed > EMISSIVE_LIGHTS_MAX)
+        left -= STAND_INS_OF_REST;
+    for (int i = 0; i < findings->count && left >= least_lights(order[i]); i++) {
+        order[i]->lights = least_lights(order[i]);
+        left -= order[i]->lights;
+    }
+    free(order);
+    return needed > EMISSIVE_LIGHTS_MAX ? 0 : left;
+}
+
+/* Deals what is left to those that are no flat shape, by power. */
+static void give_more(struct findings *findings, int left) {
+    double *powers = mem_alloc((size_t)findings->count, sizeof *powers), sum = 0;
+    int *counts = mem_alloc((size_t)findings->count, sizeof *counts), shaped = 0;
+    for (int i = 0; i < findings->count; i++) {
+        const struct finding *finding = &findings->items[i];
+        bool shares = !finding->is_flat && finding->lights > 0;
+        powers[i] = shares ? finding->power : 0;
+        sum += powers[i];
+        shaped += shares;
+    }
+    int count = shaped * STAND_INS_MAX < left + shaped ? shaped * STAND_INS_MAX : left + shaped;
+    struct dealt *dealt = mem_alloc((size_t)count, sizeof *dealt);
+    if (sum > 0)
+        deal(powers, findings->count, dealt, count, counts);
+    for (int i = 0; i < findings->count; i++)
+        if (counts[i] > 0)
+            findings->items[i].lights = counts[i] < STAND_INS_MAX ? counts[i] : STAND_INS_MAX;
+    free(dealt);
+    free(powers);
+    free(counts);
+}
+
+/* --- lights ----------------------------------------------------------------------------------- */
+
+/* The frame of a light that shines along a normal from a place: along its node's -Z. */
+static void set_frame(mat4 matrix, const float center[3], const float right[3], const float up[3],
+                      const float normal[3]) {
+    glm_mat4_identity(matrix);
+    for (int c = 0; c < 3; c++) {
+        matrix[0][c] = -right[c];
+        matrix[1][c] = up[c];
+        matrix[2][c] = -normal[c];
+        matrix[3][c] = center[c];
+    }
+}
+
+/* Below a node; parent -1: the root. */
+static void add_light(struct scene *scene, int parent, const char *name,
+                      const struct scene_light *source, mat4 matrix) {
+    struct scene_light *light = &scene->lights[scene->light_count];
+    struct node *node = &scene->nodes[scene->node_count++];
+    *light = *source;
+    snprintf(light->name, sizeof light->name, "%s", name);
+    *node = (struct node){.parent = parent,
+                          .mesh = -1,
+                          .light = scene->light_count++,
+                          .camera = -1,
+                          .skin = -1,
+                          .metaballs = -1,
+                          .has_matrix = true};
+    if (parent >= 0)
+        memcpy(node->name, scene->nodes[parent].name, sizeof node->name);
+    memcpy(node->matrix, matrix, sizeof node->matrix);
+}
+
+static struct scene_light area_light(const float radiance[3], const float size[2], int lamp) {
+    return (struct scene_light){.type = EMITTER_AREA,
+                                .outer = GLM_PI_2f,
+                                .range = INFINITY,
+                                .intensity = {radiance[0], radiance[1], radiance[2]},
+                                .size = {size[0], size[1]},
+                                .scaling = LIGHT_SCALED_EACH_WAY,
+                                .lamp = lamp};
+}
+
+/* It lies a little above the surface, which would hide it. */
+static void add_flat_lights(struct scene *scene, const struct finding *finding, int lamp) {
+    const struct flat_shape *shape = &finding->shape;
+    const struct material *material = finding->material;
+    struct scene_light light = area_light(material->emission, shape->size, lamp);
+    for (int i = 0; i < sides_of(finding); i++) {
+        float side = i ? -1 : 1;
+        vec3 center, right, normal;
+        mat4 matrix;
+        glm_vec3_scale((float *)shape->right, side, right);
+        glm_vec3_scale((float *)shape->normal, side, normal);
+        glm_vec3_copy((float *)shape->center, center);
+        glm_vec3_muladds(normal, 1e-4F * shape->size[0], center);
+        set_frame(matrix, center, right, shape->up, normal);
+        add_light(scene, finding->node, material->name, &light, matrix);
+    }
+}
+
+/* Where a node has no inverse, the light hangs on none. */
+static bool find_inverse(const float world[16], mat4 inverse) {
+    mat4 matrix;
+    memcpy(matrix, world, sizeof matrix);
+    float scale = glm_vec3_norm(matrix[0]) * glm_vec3_norm(matrix[1]) * glm_vec3_norm(matrix[2]);
+    if (!(fabsf(glm_mat4_det(matrix)) > 1e-6F * scale))
+        return false;
+    glm_mat4_inv(matrix, inverse);
+    return true;
+}
+
+static void add_stand_ins(struct findings *findings, const struct lamp_triangles *triangles,
+                          int node, const char *name, int lamp, int most) {
+    struct lamp_part parts[STAND_INS_OF_REST];
+    int count = lamp_parts_make(triangles->items, triangles->count, parts, most);
+    mat4 inverse = GLM_MAT4_IDENTITY_INIT;
+    if (node >= 0 && !find_inverse(findings->worlds[node], inverse))
+        node = -1;
+    for (int i = 0; i < count; i++) {
+        const struct lamp_part *part = &parts[i];
+        struct scene_light light = area_light(part->radiance, part->size, lamp);
+        light.stands_in = true;
+        mat4 matrix;
+        set_frame(matrix, part->center, part->right, part->up, part->normal);
+        glm_mat4_mul(inverse, matrix, matrix);
+        add_light(findings->scene, node, name, &light, matrix);
+    }
+}
+
+/* --- all together ----------------------------------------------------------------------------- */
+
+static void add_lamp(struct findings *findings, const struct finding *finding, int lamp) {
+    if (finding->is_flat) {
+        add_flat_lights(findings->scene, finding, lamp);
+        return;
+    }
+    struct lamp_triangles triangles = {.looks = LAMP_LOOKS};
+    lamp_triangles_add(&triangles, findings->scene, finding->primitive,
+                       findings->worlds[finding->node]);
+    add_stand_ins(findings, &triangles, finding->node, finding->material->name, lamp,
+                  finding->lights);
+    lamp_triangles_free(&triangles);
+}
+
+/* Those that got no lights of their own, as one lamp that does not move. */
+static void add_rest(struct findings *findings, int lamp) {
+    struct lamp_triangles triangles = {.looks = LAMP_LOOKS};
+    int rest = 0;
+    for (int i = 0; i < findings->count; i++) {
+        const struct finding *finding = &findings->items[i];
+        if (finding->lights > 0)
+            continue;
+        lamp_triangles_add(&triangles, findings->scene, finding->primitive,
+                           findings->worlds[finding->node]);
+        rest++;
+    }
+    if (rest > 0) {
+        log_note("%s: of %d emissive surfaces the %d least powerful share %d lights, which stay "
+                 "where they are",
+                 findings->scene->path, findings->count, rest, STAND_INS_OF_REST);
+        add_stand_ins(findings, &triangles, -1, "other lamps", lamp, STAND_INS_OF_REST);
+    }
+    lamp_triangles_free(&triangles);
+}
+
+static void add_lamps(struct findings *findings) {
+    struct scene *scene = findings->scene;
+    int count = findings->count, rest = count + 1; /* the number of their lamp */
+    scene->surfaces = mem_alloc((size_t)count, sizeof *scene->surfaces);
+    scene->surface_count = count;
+    for (int i = 0; i < count; i++) {
+        const struct finding *finding = &findings->items[i];
+        int lamp = finding->lights > 0 ? i + 1 : rest;
+        scene->surfaces[i] = (struct emissive_surface){finding->node, finding->number, lamp};
+        if (finding->lights > 0)
+            add_lamp(findings, finding, lamp);
+    }
+    add_rest(findings, rest);
+}
+
+void emissive_add_lights(struct scene *scene) {
+    struct findings findings = {.scene = scene, .looks = LAMP_LOOKS};
+    findings.worlds = mem_alloc((size_t)scene->node_count, sizeof *findings.worlds);
+    findings.told = mem_alloc((size_t)scene->material_count, sizeof *findings.told);
+    scene_node_worlds(scene, 0, findings.worlds);
+    find_surfaces(&findings);
+    if (findings.dark.length)
+        log_note("%s: emissive, but it deforms, so it lights nothing: %s", scene->path,
+                 findings.dark.text);
+    if (findings.count > 0) {
+        size_t most = EMISSIVE_LIGHTS_MAX;
+        scene->nodes =
+            mem_resize(scene->nodes, (size_t)scene->node_count + most, sizeof *scene->nodes);
+        scene->lights =
+            mem_resize(scene->lights, (size_t)scene->light_count + most, sizeof *scene->lights);
+        give_more(&findings, give_least(&findings));
+        add_lamps(&findings);
+    }
+    free(findings.items);
+    free(findings.worlds);
+    free(findings.told);
+}

@@ -1,0 +1,10 @@
+/* Keys and mouse. The table of keys is also the help that is shown. */
+#ifndef VIEWER_CONTROLS_H
+#define VIEWER_CONTROLS_H
+
+#include "viewer/state.h"
+
+void controls_update(struct viewer *viewer, double seconds);
+void controls_draw_help(void);
+
+#endif

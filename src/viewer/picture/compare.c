@@ -1,0 +1,211 @@
+#include "viewer/picture/compare.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "metrics/layer.h"
+#include "shared/composite.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+void compare_forget(struct compare *compare) {
+    if (compare->has_other)
+        renderer_free(&compare->other);
+    compare->has_other = false;
+}
+
+void compare_free(struct compare *compare) {
+    compare_forget(compare);
+    measuring_stop(&compare->measuring);
+    reference_free(&compare->reference);
+    texture_free(&compare->heat_map);
+}
+
+/* --- the right picture --- */
+
+static bool give_up(struct compare *compare) {
+    compare_forget(compare);
+    compare->mode = COMPARE_OFF;
+    return error_prefix("the right picture");
+}
+
+bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse,
+                    bool waits) {
+    struct renderer_desc desc = renderer->desc;
+    if (compare->mode != COMPARE_TECHNIQUE)
+        compare_forget(compare);
+    if (compare->mode != COMPARE_TECHNIQUE || (waits && !compare->has_other))
+        return true;
+    desc.technique = waits ? compare->other.desc.technique : compare->technique;
+    desc.settings = waits ? compare->other.desc.settings : compare->settings;
+    desc.timed = false;
+    if (coarse)
+        renderer_settings_roughen(&desc.settings);
+    if (!compare->has_other)
+        compare->has_other = renderer_init(&compare->other, &desc);
+    if (!compare->has_other)
+        return give_up(compare);
+    if (renderer_follow(&compare->other, &desc))
+        return true;
+    compare->technique = compare->other.desc.technique;
+    renderer_settings_copy_but_samples(&compare->settings, &compare->other.desc.settings);
+    return error_prefix("the right picture");
+}
+
+bool compare_render(struct compare *compare) {
+    compare->measured = false;
+    if (compare->mode != COMPARE_TECHNIQUE || !compare->has_other)
+        return true;
+    if (!renderer_update(&compare->other))
+        return give_up(compare);
+    renderer_render(&compare->other);
+    return true;
+}
+
+const char *compare_layer_name(int layer) {
+    return layer == LAYER_DIRECT ? "direct" : layer == LAYER_INDIRECT ? "indirect" : "";
+}
+
+const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,
+                                      int layer) {
+    switch (compare->mode) {
+    case COMPARE_TECHNIQUE:
+        if (!compare->has_other)
+            return NULL;
+        renderer_compose(&compare->other, layer);
+        return &compare->other.composite.display;
+    case COMPARE_REFERENCE:
+        if (!compare->reference.framebuffer ||
+            !reference_show(&compare->reference, compare_layer_name(layer),
+                            &renderer->desc.settings))
+            return NULL;
+        return &compare->reference.display;
+    case COMPARE_OFF:
+    case COMPARE_MODES:
+        break;
+    }
+    return NULL;
+}
+
+/* --- errors --- */
+
+static bool read_layer(struct renderer *renderer, int layer, struct image *rgb) {
+    struct image all = {0};
+    *rgb = (struct image){0};
+    bool ok =
+        renderer_read_layers(renderer, &all) && layer_extract(rgb, &all, compare_layer_name(layer));
+    image_free(&all);
+    return ok;
+}
+
+/* By the errors of each pixel. */
+static bool draw_heat_map(struct compare *compare, int width, int height, const float *values) {
+    const struct metric *metric = &metrics[compare->heat_metric];
+    struct bitmap picture;
+    struct heat_map map = {
+        .title = metric->name,
+        .width = width,
+        .height = height,
+        .values = values,
+        .top = metric->range == RANGE_UNIT
+                   ? 1
+                   : heat_map_fit_top(values, (size_t)width * (size_t)height),
+        .is_signed = metric->range == RANGE_SIGNED,
+    };
+    heat_map_draw_values(&map, &picture);
+    map.values = NULL;
+    compare->heat_scale = map;
+    texture_free(&compare->heat_map);
+    bool ok = texture_init(&compare->heat_map, &(struct texture_desc){.label = "heat map",
+                                                                      .format = GL_RGBA8,
+                                                                      .width = width,
+                                                                      .height = height});
+    if (ok)
+        texture_write_bitmap(&compare->heat_map, &picture);
+    bitmap_free(&picture);
+    return ok;
+}
+
+/* Where the metric looks at neighbourhoods there is no map until it has been measured. */
+static bool draw_heat(struct compare *compare, const struct comparison *comparison) {
+    int width = comparison->reference->width, height = comparison->reference->height;
+    compare->heat_drawn = true;
+    texture_free(&compare->heat_map);
+    if (!compare->heat || measuring_is_slow(compare->heat_metric))
+        return true;
+    float *values = mem_alloc((size_t)width * (size_t)height, sizeof *values);
+    metric_measure(&metrics[compare->heat_metric], comparison, values);
+    bool ok = draw_heat_map(compare, width, height, values);
+    free(values);
+    return ok;
+}
+
+static void forget_slow(struct compare *compare) {
+    for (int i = 0; i < METRIC_COUNT; i++)
+        compare->is_known[i] &= !measuring_is_slow(i);
+}
+
+static bool measure(struct compare *compare, const struct comparison *comparison,
+                    void (*wake)(void)) {
+    const struct image *test = comparison->test, *reference = comparison->reference;
+    bool wants_map = compare->heat && measuring_is_slow(compare->heat_metric);
+    if (test->width != reference->width || test->height != reference->height)
+        return error_set("the reference is %dx%d, the picture %dx%d", reference->width,
+                         reference->height, test->width, test->height);
+    if (!compare->measured)
+        forget_slow(compare);
+    for (int i = 0; i < METRIC_COUNT && !compare->measured; i++)
+        if (!measuring_is_slow(i)) {
+            compare->is_known[i] = true;
+            compare->values[i] = metric_measure(&metrics[i], comparison, NULL);
+        }
+    bool wants_slow = wants_map || (compare->flip && !compare->measured);
+    if (!draw_heat(compare, comparison))
+        return false;
+    compare->measures_again =
+        (wants_slow || !compare->measured) && measuring_cancel(&compare->measuring);
+    return !wants_slow || compare->measures_again ||
+           measuring_start(&compare->measuring, comparison, wants_map ? compare->heat_metric : -1,
+                           wake);
+}
+
+bool compare_measure(struct compare *compare, struct renderer *renderer, int layer,
+                     void (*wake)(void)) {
+    struct image left, right = {0};
+    bool ok = read_layer(renderer, layer, &left);
+    if (ok && compare->mode == COMPARE_TECHNIQUE)
+        ok = read_layer(&compare->other, layer, &right);
+    const struct comparison comparison = {
+        .test = &left,
+        .reference = compare->mode == COMPARE_TECHNIQUE ? &right : &compare->reference.layer,
+        .pixels_per_degree = (float)DEFAULT_PIXELS_PER_DEGREE,
+    };
+    ok = ok && measure(compare, &comparison, wake);
+    compare->measured = compare->heat_drawn = true;
+    if (!ok) {
+        memset(compare->is_known, 0, sizeof compare->is_known);
+        compare->heat = false;
+    }
+    image_free(&left);
+    image_free(&right);
+    return ok;
+}
+
+/* Of a picture that is not shown any more it is dropped. */
+bool compare_follow_measuring(struct compare *compare) {
+    struct measuring *measuring = &compare->measuring;
+    if (!measuring_has_news(measuring))
+        return false;
+    bool is_shown = compare->measured && compare->mode != COMPARE_OFF && !compare->measures_again;
+    for (int i = 0; i < METRIC_COUNT && is_shown; i++)
+        if (measuring_is_slow(i)) {
+            compare->is_known[i] = true;
+            compare->values[i] = measuring->values[i];
+        }
+    if (is_shown && measuring->map && compare->heat && compare->heat_metric == measuring->map_of)
+        draw_heat_map(compare, measuring->test.width, measuring->test.height, measuring->map);
+    measuring_stop(measuring);
+    compare->measured &= !compare->measures_again;
+    compare->measures_again = false;
+    return is_shown;
+}

@@ -1,0 +1,122 @@
+#include "viewer/reference/chart.h"
+
+#include "base/clock.h"
+#include "metrics/layer.h"
+#include "metrics/summary.h"
+#include "viewer/picture/preset.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* --- what is measured --- */
+
+static void add(struct chart *chart, const char *name, const struct technique *technique,
+                const struct settings *settings) {
+    if (chart->count == CHART_MAX)
+        return;
+    struct chart_dot *dot = &chart->dots[chart->count++];
+    *dot = (struct chart_dot){.technique = technique, .settings = *settings};
+    snprintf(dot->name, sizeof dot->name, "%s", name);
+}
+
+static bool has(const struct chart *chart, const struct technique *technique,
+                const struct settings *settings) {
+    for (int i = 0; i < chart->count; i++)
+        if (chart->dots[i].technique == technique &&
+            renderer_settings_same(&chart->dots[i].settings, settings, technique->parts))
+            return true;
+    return false;
+}
+
+void chart_plan(struct chart *chart, const struct technique *technique,
+                const struct settings *settings) {
+    chart_free(chart);
+    for (const struct preset *p = technique_default->presets; p && p->name; p++) {
+        struct settings with = preset_settings(p, settings);
+        char title[PRESET_TITLE_SIZE];
+        preset_title(p, title);
+        add(chart, title, technique_default, &with);
+    }
+    struct settings usual = preset_settings(NULL, settings);
+    for (const struct technique *const *t = techniques; *t; t++)
+        if (*t != technique_default)
+            add(chart, (*t)->name, *t, &usual);
+    if (!has(chart, technique, settings))
+        add(chart, "as it is", technique, settings);
+}
+
+void chart_free(struct chart *chart) {
+    for (int i = 0; i < chart->count; i++)
+        image_free(&chart->dots[i].indirect);
+    *chart = (struct chart){0};
+}
+
+/* --- measuring --- */
+
+/* Triangles drawn into maps of single lights: software OpenGL draws some millions a second. */
+static bool takes_minutes(const struct chart_dot *dot, const struct renderer_desc *shown) {
+    static const double triangles_at_most = 6e7;
+    bool map_per_light = strcmp(dot->technique->name, "instant-radiosity") == 0;
+    return gl.software && map_per_light &&
+           settings_number(&dot->settings, "lights.vpls") *
+                   (double)geometry_triangle_count(shown->geometry) >
+               triangles_at_most;
+}
+
+/* The median of a few frames, after one that warms up; of one, where it is slow. */
+static double time_frames(struct renderer *renderer) {
+    enum { FRAMES = 5 };
+    static const double enough_ms = 1500;
+    float ms[FRAMES];
+    double all = 0;
+    int count = 0;
+    renderer_render(renderer);
+    gl.Finish();
+    while (count < FRAMES && (count == 0 || all < enough_ms)) {
+        double start = clock_ms();
+        renderer_render(renderer);
+        gl.Finish();
+        ms[count] = (float)(clock_ms() - start);
+        all += (double)ms[count++];
+    }
+    return summary_of(ms, count).value;
+}
+
+static bool measure(struct chart_dot *dot, const struct renderer_desc *shown) {
+    struct renderer renderer;
+    struct image all = {0};
+    struct renderer_desc desc = *shown;
+    desc.technique = dot->technique;
+    desc.settings = dot->settings;
+    desc.progressive = desc.timed = desc.keep_lights = false;
+    if (!renderer_init(&renderer, &desc))
+        return false;
+    dot->ms = time_frames(&renderer);
+    bool ok =
+        renderer_read_layers(&renderer, &all) && layer_extract(&dot->indirect, &all, "indirect");
+    image_free(&all);
+    renderer_free(&renderer);
+    return ok;
+}
+
+bool chart_measure_next(struct chart *chart, const struct renderer_desc *shown) {
+    struct chart_dot *dot = &chart->dots[chart->next++];
+    chart->is_announced = false;
+    dot->state = DOT_LEFT_OUT;
+    if (takes_minutes(dot, shown))
+        return true;
+    bool ok = measure(dot, shown);
+    if (ok)
+        dot->state = DOT_MEASURED;
+    return ok;
+}
+
+int chart_cheapest(const struct chart *chart, double error) {
+    int best = -1;
+    for (int i = 0; i < chart->count; i++) {
+        const struct chart_dot *dot = &chart->dots[i];
+        if (dot->has_error && dot->error < error && (best < 0 || dot->ms < chart->dots[best].ms))
+            best = i;
+    }
+    return best;
+}

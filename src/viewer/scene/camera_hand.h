@@ -1,0 +1,19 @@
+/* The camera follows mouse and keys. It circles, zooms to and frames what is under the mouse. */
+#ifndef VIEWER_CAMERA_HAND_H
+#define VIEWER_CAMERA_HAND_H
+
+#include "viewer/state.h"
+
+enum { CAMERA_FIELD_LEAST = 2, CAMERA_FIELD_MOST = 150 }; /* degrees, vertical */
+
+/* It was moved by hand. */
+void camera_hand_touch(struct viewer *viewer);
+
+/* m/s. */
+float camera_hand_speed(const struct viewer *viewer);
+void camera_hand_fly(struct viewer *viewer, double seconds);
+void camera_hand_drag(struct viewer *viewer);
+void camera_hand_scroll(struct viewer *viewer);
+void camera_hand_frame(struct viewer *viewer);
+
+#endif
