@@ -129,6 +129,9 @@ void many_lights_free(struct many_lights *lights);
 /* As technique->resize; as technique->contribution, below: of a state that begins with its many_lights. */
 bool many_lights_resize(void *state, int width, int height);
 
+/* Pixels to each side; 0: no blur. */
+int many_lights_blur_radius(const struct settings *settings);
+
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
 

@@ -134,12 +134,12 @@ bool vals_may_trace(const struct scene *scene, const struct geometry *geometry) 
     return geometry_triangle_count(geometry) <= (moves ? most_that_move : most);
 }
 
-/* What bounds light by parameters counts as disks do: this says no more than how much a test counts. */
+/* Clamps with parameters count as disks: the light only weighs tests. */
 static int clamp_of_tests(int clamp) {
     return clamp == GATHER_CLAMP_NEAR || clamp == GATHER_CLAMP_PATCH ? clamp : GATHER_CLAMP_DISK;
 }
 
-/* What maps have too much of one bounce, further bounces have beside their own, and a frame of them can pay for more. */
+/* Errors of the first bounce add to those of later bounces, whose frames take longer anyway: four times as many. */
 static int tests_of_val(const struct settings *settings) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
     const struct lights_settings *lights =
