@@ -235,7 +235,7 @@ static void test_same_bounds(void **state) {
     (void)state;
     static const struct {
         const char *name;
-        enum gather_clamp clamp;
+        int clamp;
         struct geometry_term term;
     } rows[] = {{"value", GATHER_CLAMP_VALUE, {GEOMETRY_CLAMPED, 3}},
                 {"disk", GATHER_CLAMP_DISK, {.bound = GEOMETRY_DISK}}};

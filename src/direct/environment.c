@@ -32,8 +32,9 @@ const struct settings_part sky_part = {"sky", "direct light of an environment", 
                                        sizeof(struct environment_settings)};
 
 enum {
-    SUN_MAPS = 4, /* along each side of a sun: a light below .01 sr with at least 1/40 of the light */
-    BLOCK = 7,    /* pixels along each side of a block that shares its visibility */
+    SUN_MAPS =
+        4,     /* along each side of a sun: a light below .01 sr with at least 1/40 of the light */
+    BLOCK = 7, /* pixels along each side of a block that shares its visibility */
 };
 
 /* Height above the receiver's plane up to which nothing casts a shadow, in texels of a map. */

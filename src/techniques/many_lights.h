@@ -37,7 +37,7 @@ struct lookup_settings {
 };
 
 struct gather_settings {
-    int interleave, clamp; /* enum gather_clamp */
+    int interleave, clamp; /* GATHER_CLAMP_... */
     int near_samples;
     int adaptive; /* n of pixels with few like neighbours; 0: as all others */
     int adaptive_factor;
@@ -133,6 +133,9 @@ void many_lights_free(struct many_lights *lights);
 
 /* As technique->resize; as technique->contribution, below: of a state that begins with its many_lights. */
 bool many_lights_resize(void *state, int width, int height);
+
+/* Pixels to each side; 0: no blur. */
+int many_lights_blur_radius(const struct settings *settings);
 
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);

@@ -80,7 +80,7 @@ static void free_set(struct val_set *set) {
 /* What the first bounce's set and that of further ones differ in. */
 struct set_desc {
     int vpl_count, val_count;
-    enum gather_clamp clamp;
+    int clamp;
     bool follow, by_importance;
 };
 
@@ -138,12 +138,12 @@ bool vals_may_trace(const struct scene *scene, const struct geometry *geometry) 
     return geometry_triangle_count(geometry) <= (moves ? most_that_move : most);
 }
 
-/* What bounds light by parameters counts as disks do: this says no more than how much a test counts. */
-static enum gather_clamp clamp_of_tests(enum gather_clamp clamp) {
+/* Clamps with parameters count as disks: the light only weighs tests. */
+static int clamp_of_tests(int clamp) {
     return clamp == GATHER_CLAMP_NEAR || clamp == GATHER_CLAMP_PATCH ? clamp : GATHER_CLAMP_DISK;
 }
 
-/* What maps have too much of one bounce, further bounces have beside their own, and a frame of them can pay for more. */
+/* Errors of the first bounce add to those of later bounces, whose frames take longer anyway: four times as many. */
 static int tests_of_val(const struct settings *settings) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
     const struct lights_settings *lights =
@@ -239,7 +239,7 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
     struct set_desc first = {
         .vpl_count = lights->vpls,
         .val_count = own->vals,
-        .clamp = (enum gather_clamp)gather->clamp,
+        .clamp = gather->clamp,
         .follow = follow,
         .by_importance = vals->by_importance,
     };

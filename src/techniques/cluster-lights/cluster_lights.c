@@ -113,7 +113,7 @@ static bool init_set(struct light_set *set, const struct settings *settings, int
            vpl_buffer_init(&set->lights, "lights of clusters", own->lights);
 }
 
-static enum gather_clamp clamp_of(const struct cluster_lights_settings *own) {
+static int clamp_of(const struct cluster_lights_settings *own) {
     if (own->form == LIGHT_FORM_DISK)
         return GATHER_CLAMP_DISK;
     return own->near > 0 ? GATHER_CLAMP_RECTANGLE_NEAR : GATHER_CLAMP_RECTANGLE;
