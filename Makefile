@@ -316,10 +316,10 @@ methods: all
 # The two frames of clustered, by maps and by rays, with few and many VPLs, and with and without adaptive pixels; then the
 # default without one of its parts at a time, beside the denoised tracer.
 FRONTS_GRID := --vary N=128,256,512,1024 --variant maps:technique=clustered,path=fast --variant rays:technique=clustered,path=traced \
-    --variant maps-even:technique=clustered,gather.detail=0 --variant rays-even:technique=clustered,path=traced,gather.detail=0
+    --variant maps-even:technique=clustered,gather.adaptive=0 --variant rays-even:technique=clustered,path=traced,gather.adaptive=0
 FRONTS_WITHOUT := --vary N=1024 $(addprefix --variant ,maps:technique=clustered,path=fast \
     no-correction:technique=clustered,clustered.ray-tests=0 no-arcs:technique=clustered,caster.long=0 \
-    no-edge-samples:technique=clustered,gather.further-points=off no-blocks:technique=clustered,clustered.visibility-block=0 \
+    no-edge-samples:technique=clustered,gather.edge-samples=off no-blocks:technique=clustered,clustered.visibility-block=0 \
     cluster-lights) --tracer
 FRONTS_SMALL := $(CHART_SMALL) --frames 5
 FRONTS_LARGE := $(CHART_LARGE) --frames 2

@@ -8,10 +8,29 @@
 #include <math.h>
 #include <string.h>
 
-/* B of contact sharpening [Dong 2011, eq. 5.9]. */
-static const float sharpen_b = 10;
+enum {
+    GLOSS_RAYS = 4,       /* specular rays of a pixel */
+    GLOSS_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
+    FILTER_TAPS =
+        16, /* texels of a percentage-closer filter; the blocker search takes half as many */
+};
 
-enum { GLOSS_RAYS = 4 }; /* specular rays of a pixel */
+/* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the
+ * receiver's distance. */
+static const float lookup_bias = .25F, lookup_map_bias = .005F;
+
+/* Ringing suppression [Dong 2011, Fig. 5.2]: shift of the receiver's depth in units of 1/(2K), and scale of the blocked
+ * fraction about one half. */
+static const float ringing_shift = .25F, ringing_gain = 2;
+
+/* Radius of the near field in VPL spacings: less for flat triangles, whose pictures are the mean of many passes. */
+static const float near_reach = 5, near_reach_of_facets = 4;
+
+/* Radius of virtual spherical lights, over the distance within which 10 VPLs lie. */
+static const float sphere_radius = .25F;
+
+/* A pixel is adaptive unless all four neighbours half a blur's radius away are on its surface. */
+static const float adaptive_share = 1;
 
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
@@ -22,14 +41,11 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
         .map_size = map->size,
         .map_count = map_count,
         .basis_terms = own->terms,
-        .bias = own->bias,
-        .map_bias = own->map_bias,
-        .shift = own->shift,
-        .gain = own->gain,
-        .sharpen_a = own->sharpen_a,
-        .sharpen_b = sharpen_b,
-        .taps = own->taps,
-        .filter_jacobian = own->filter_jacobian,
+        .bias = lookup_bias,
+        .map_bias = lookup_map_bias,
+        .shift = ringing_shift,
+        .gain = ringing_gain,
+        .taps = FILTER_TAPS,
     };
 }
 
@@ -79,7 +95,7 @@ static float share_of_large(int width, int height) {
 static int detail_slots(const struct gather_desc *listed, const struct settings *settings) {
     const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
     float share = share_of_large(listed->width, listed->height);
-    int times = (int)roundf((float)own->detail_times * share);
+    int times = (int)roundf((float)own->adaptive_factor * share);
     int all = listed->interleave * listed->interleave;
     return times < 1 ? 1 : times < all ? times : all;
 }
@@ -113,9 +129,9 @@ static int detail_radius(const struct settings *settings) {
  * gather as much, or none is blurred, none needs more. */
 static bool has_detail(const struct settings *settings) {
     const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
-    return own->detail > 0 &&
-           (own->interleave == 1 ? own->detail == 1
-                                 : own->detail < own->interleave && blur_radius(settings) > 0);
+    return own->adaptive > 0 &&
+           (own->interleave == 1 ? own->adaptive == 1
+                                 : own->adaptive < own->interleave && blur_radius(settings) > 0);
 }
 
 /* Half the blur's radius away: farther off an edge it finds enough on one side.
@@ -130,19 +146,19 @@ static bool init_detail(struct many_lights *lights, const struct technique_desc 
     struct detail_desc detail = {
         .width = desc->width,
         .height = desc->height,
-        .interleave = gather->detail,
+        .interleave = gather->adaptive,
         .radius = detail_radius(desc->settings),
         .distance = blur->distance,
         .cosine = blur->cosine,
         .sharp_cosine = fminf(blur->cosine, sharp_cosine),
-        .share = gather->detail_share,
+        .share = adaptive_share,
         .block = block_of_pixel(&gather_desc, lights->visibility.block),
     };
-    gather_desc.interleave = gather->detail;
+    gather_desc.interleave = gather->adaptive;
     gather_desc.receivers = RECEIVERS_LISTED;
     gather_desc.share = false;
     gather_desc.list_slots[PIXEL_GRADE_EDGE] = 1;
-    gather_desc.list_slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
+    gather_desc.list_slots[LIST_FURTHER] = gather->edge_samples ? 1 : 0;
     gather_desc.list_slots[PIXEL_GRADE_DETAIL] = detail_slots(&gather_desc, desc->settings);
     gather_desc.together = asked_together(&gather_desc);
     return !has_detail(desc->settings) || (detail_pass_init(&lights->detail, &detail) &&
@@ -162,8 +178,8 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .cuts = visibility->cuts,
         .visibility = lookup_of(desc->settings, visibility->lookup, visibility),
         .clamp = (enum gather_clamp)own->clamp,
-        .clamp_value = own->clamp_value,
-        .sphere = own->sphere,
+        .clamp_value = many_lights_clamp_value,
+        .sphere = sphere_radius,
         .further = lights->bounces > 1,
     };
     bool listed = has_detail(desc->settings);
@@ -181,11 +197,11 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     const struct blur_settings *blur =
         settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
-    int n = own->gloss_interleave < own->interleave ? own->gloss_interleave : own->interleave;
+    int n = GLOSS_INTERLEAVE < own->interleave ? GLOSS_INTERLEAVE : own->interleave;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
     gather.cuts = false;
-    gather.specular = own->gloss + 1;
+    gather.specular = own->specular + 1;
     gather.gloss_rays = GLOSS_RAYS;
     /* What rays show of one bounce stays sharp where it is smooth; VPLs of further bounces show their pattern there. */
     bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
@@ -331,7 +347,7 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
     const struct gather_settings *gather =
         settings_of(struct gather_settings, desc->settings, &gather_part);
     const struct light_layout *layout = desc->lights;
-    bool ok = true, has_gloss = desc->gloss && gather->gloss + 1 == SPECULAR_RAYS;
+    bool ok = true, has_gloss = desc->gloss && gather->specular + 1 == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
@@ -346,8 +362,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                       const struct many_lights_visibility *visibility) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
-    const struct gather_settings *gather =
-        settings_of(struct gather_settings, desc->settings, &gather_part);
+    const float reach = own->facets ? near_reach_of_facets : near_reach;
     *lights = (struct many_lights){.settings = *desc->settings, .visibility = *visibility};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
@@ -355,7 +370,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
             &(struct geometry_desc){.has_gloss = desc->gloss,
                                     .has_mappings = materials_have_mappings(desc->scene),
                                     .facets = sends_as_facets(desc)}) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
         init_sized(lights, desc) && init_gloss_rays(lights, desc) && init_near_field(lights, desc))
         return true;

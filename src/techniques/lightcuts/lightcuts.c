@@ -74,7 +74,7 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
                                                   .nodes = own->nodes,
                                                   .tolerance = own->tolerance,
                                                   .clamp = gather->clamp,
-                                                  .clamp_value = gather->clamp_value,
+                                                  .clamp_value = many_lights_clamp_value,
                                                   .further = lights->bounces > 1,
                                                   .further_clamp = GATHER_CLAMP_PATCH,
                                               });
@@ -158,7 +158,6 @@ const struct technique lightcuts_technique = {
     .name = "lightcuts",
     .help = "a cut through a tree of VPLs for each block of pixels",
     .parts = parts,
-    .unused = "clustered.importance clustered.ray-tests",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
