@@ -4,6 +4,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
+#include "passes/frame.h"
 
 #include <cglm/cglm.h>
 

@@ -2,6 +2,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
+#include "passes/frame.h"
 #include "passes/gather/blur.h"
 
 #include <math.h>

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "gl/memory.h"
 #include "scene/gpu/caster_pool.h"
+#include "scene/shapes/metaballs.h"
 
 #include <stdlib.h>
 #include <string.h>

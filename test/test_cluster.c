@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "base/halton.h"
 #include "gl/framebuffer.h"
+#include "passes/frame.h"
 #include "passes/lights/cluster.h"
 #include "shared/cluster.h"
 #include "shared/map_view.h"

@@ -7,6 +7,7 @@
 #include "gl/framebuffer.h"
 #include "gl/glsl.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "passes/lights/cluster.h"
 #include "passes/lights/cluster_light.h"
 #include "shared/cluster.h"

@@ -101,18 +101,24 @@ static void check_messages(const struct context_desc *desc) {
     context_free(context);
 }
 
-static GLuint make_reader(void) {
-    static const char *const text =
+/* Reads units 3 and 4, an array, and the other one. */
+static GLuint make_reader(const char *other) {
+    const char *const texts[] = {
         "#version 450\n"
         "layout(local_size_x = 1) in;\n"
-        "layout(binding = 3) uniform sampler2D read;\n"
+        "layout(binding = 3) uniform sampler2D read[2];\n"
+        "layout(binding = ",
+        other,
+        ") uniform sampler2D other;\n"
         "layout(rgba8, binding = 0) writeonly uniform image2D written;\n"
         "void main() {\n"
-        "    imageStore(written, ivec2(0), texture(read, vec2(.5)));\n"
-        "}\n";
+        "    vec2 at = vec2(.5);\n"
+        "    vec4 sum = texture(read[0], at) + texture(read[1], at) + texture(other, at);\n"
+        "    imageStore(written, ivec2(0), sum / 3.0);\n"
+        "}\n"};
     GLuint program = gl.CreateProgram(), shader = gl.CreateShader(GL_COMPUTE_SHADER);
     GLint linked = 0;
-    gl.ShaderSource(shader, 1, &text, NULL);
+    gl.ShaderSource(shader, 3, texts, NULL);
     gl.CompileShader(shader);
     gl.AttachShader(program, shader);
     gl.LinkProgram(program);
@@ -122,20 +128,27 @@ static GLuint make_reader(void) {
     return program;
 }
 
-/* What a sampler without a texture reads is each driver's choice: a draw or dispatch with one counts as a fault. */
+/* What a sampler without a texture reads is each driver's choice: each one counts as a fault of a draw or dispatch. */
 static void test_samplers(void **state) {
     (void)state;
     struct context *context = open_context(&(struct context_desc){.debug = true});
-    GLuint program = make_reader(), read = make_texel(orange), written = make_texel(teal);
+    GLuint program = make_reader("5"), read = make_texel(orange), written = make_texel(teal);
     gl.UseProgram(program);
     gl.BindImageTexture(0, written, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA8);
-    gl.DispatchCompute(1, 1, 1);
-    assert_int_equal(context_message_count(context), 1);
     gl.BindTextureUnit(3, read);
+    gl.DispatchCompute(1, 1, 1);
+    assert_int_equal(context_message_count(context), 2);
+    gl.BindTextureUnit(4, read);
+    gl.BindTextureUnit(5, read);
     gl.DispatchCompute(1, 1, 1);
     gl.MemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     check_texel(written, orange);
-    assert_int_equal(context_message_count(context), 1);
+    assert_int_equal(context_message_count(context), 2);
+    gl.DeleteProgram(program);
+    program = make_reader("4"); /* of the array's second element */
+    gl.UseProgram(program);
+    gl.DispatchCompute(1, 1, 1);
+    assert_int_equal(context_message_count(context), 3);
     gl.DeleteProgram(program);
     gl.DeleteTextures(1, &read);
     gl.DeleteTextures(1, &written);

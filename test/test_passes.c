@@ -3,6 +3,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
+#include "passes/maps.h"
 #include "shared/map_view.h"
 #include "shared/series_range.h"
 #include "shared/vpl.h"

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "gl/glsl.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "passes/visibility/basis.h"
 #include "passes/visibility/depth_bounds.h"
 #include "passes/visibility/sums.h"

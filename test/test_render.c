@@ -6,7 +6,9 @@
 #include "base/file/image_file.h"
 #include "base/memory.h"
 #include "gl/memory.h"
+#include "passes/frame.h"
 #include "passes/gather/gather.h"
+#include "passes/vpls.h"
 #include "shared/vpl.h"
 
 #include <math.h>

@@ -3,6 +3,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
+#include "passes/frame.h"
 #include "passes/visibility/vpl_views.h"
 #include "shared/gather.h"
 #include "techniques/row-column/columns.h"

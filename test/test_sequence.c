@@ -7,6 +7,7 @@
 #include "base/file/image_file.h"
 #include "base/memory.h"
 #include "gl/memory.h"
+#include "scene/shapes/metaballs.h"
 #include "shared/vpl.h"
 
 #include <stdio.h>

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "gl/glsl.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "passes/gather/gather.h"
 #include "passes/gather/vpl_cut.h"
 #include "passes/lights/vpl_tree.h"

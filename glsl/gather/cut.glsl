@@ -3,6 +3,7 @@
 #include "lib/divide.glsl"
 #include "lib/vpl_texels.glsl"
 #include "lib/vpl_tree_nodes.glsl"
+#include "shared/gather.h"
 
 layout(binding = UNIT_CUTS) uniform usampler2DArray cuts;
 layout(binding = UNIT_TREE_PICKS) uniform usampler2DArray tree_picks;

@@ -1,5 +1,7 @@
 // The area that VPL i stands for, of those around it that face alike: of random points P / A to an area the nearest of a
 // share s lies within pi d^2 = A / (s P) on the mean.
+#include "shared/bounce.h"
+
 layout(binding = UNIT_PATH_AREAS) uniform sampler2D path_areas; // a row's sum of such d^2
 
 float path_area(int i) {

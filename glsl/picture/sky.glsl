@@ -1,5 +1,7 @@
 // What is seen of the scene's environment, a panorama whose texels are even patches: the same as
 // scene/lights/environment.c.
+#include "shared/composite.h"
+
 layout(binding = UNIT_SKY) uniform sampler2D sky;
 
 vec3 sky_radiance(ivec2 pixel) {

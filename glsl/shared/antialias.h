@@ -4,6 +4,9 @@
 
 #include "shared/types.h"
 
+#define UNIT_SAMPLE_DEPTH (UNIT_OWN + 0)
+#define UNIT_SAMPLE_NORMAL (UNIT_OWN + 1)
+
 #define SAMPLES_MAX 16
 #define SAMPLES_PER_LAYER 4
 

@@ -1,5 +1,4 @@
-/* Where C and GLSL meet: the numbers of uniform blocks, texture units, attributes, targets and
- * uniforms. Each thing that is bound has its own, so that no unit means two things. */
+/* Where C and GLSL meet: the numbers of uniform blocks, texture units, attributes, targets and uniforms. */
 #ifndef SHARED_BINDINGS_H
 #define SHARED_BINDINGS_H
 
@@ -33,92 +32,55 @@
 #define IMAGE_TREE_NODES 6
 #define IMAGE_CUTS 7
 
-/* Texture units. GL promises 96, and 16 to a stage. Maps of lights' views have LIGHT_MAP_KINDS each
- * (shared/light.h). */
-#define UNIT_BASE_COLOR 0
-#define UNIT_GBUFFER_DEPTH 1
-#define UNIT_GBUFFER_NORMAL 2
-#define UNIT_GBUFFER_ALBEDO 3
-#define UNIT_RSM_DEPTH 4
-#define UNIT_CALIBRATION_TESTS 5
-#define UNIT_RSM_NORMAL 6
-#define UNIT_CALIBRATION_SUMS 7
-#define UNIT_RSM_ALBEDO 8
-#define UNIT_CALIBRATION_SQUARES 9
-#define UNIT_VPLS 10
-#define UNIT_VAL_POSITION 11
-#define UNIT_VAL_NORMAL 12
-#define UNIT_VAL_FLUX 13
-#define UNIT_VAL_EXTREMES 14
-#define UNIT_SUM_POSITION 15
-#define UNIT_SUM_NORMAL 16
-#define UNIT_SUM_FLUX 17
-#define UNIT_MAP_DEPTH 18
-#define UNIT_BASIS_COS 19
-#define UNIT_BASIS_SIN 20
-#define UNIT_BASIS_Z_COS 21
-#define UNIT_BASIS_Z_SIN 22
-#define UNIT_BASIS_Z 23
-#define UNIT_BLOCK_VISIBILITY 24
-#define UNIT_NEAR_LIGHT 25
-#define UNIT_CALIBRATION 26
-#define UNIT_DIRECT 27
-#define UNIT_IRRADIANCE 28
-#define UNIT_BLUR_TAPS 29
-#define UNIT_SAMPLE_DEPTH 30
-#define UNIT_SAMPLE_PICKS 31
-#define UNIT_INSPECTED_LAYERS 32
-#define UNIT_INSPECTED_PLANE 33
-#define UNIT_LEFT_PICTURE 34
-#define UNIT_RIGHT_PICTURE 35
-#define UNIT_RADIANCE 36
-#define UNIT_IN_SCATTER 37
-#define UNIT_TRANSMITTANCE 38
-#define UNIT_LISTED_PIXELS 39
-#define UNIT_LIST_TEXELS 40
-#define UNIT_DETAIL_IRRADIANCE 41
-#define UNIT_VPL_SUMS 42
-#define UNIT_PATH_AREAS 43
-#define UNIT_PATHS_KEPT 44
-#define UNIT_VPL_VALUES 46
-#define UNIT_VPL_VALUE_SUM 47
-#define UNIT_PATH_RESULTS 48 /* what the pass before has of each path */
-#define UNIT_SKY 49
-#define UNIT_EMISSION 50 /* a material's texture */
-#define UNIT_GBUFFER_EMISSION 51
-#define UNIT_SUMS 52
-#define UNIT_DEPTH_BOUNDS 53
-#define UNIT_MAP_NORMAL 54
-#define UNIT_SKY_MAPS 55
-#define UNIT_SKY_SHARES 56
-#define UNIT_METAL_ROUGHNESS 57 /* a material's textures */
-#define UNIT_NORMAL_MAP 58
-#define UNIT_GBUFFER_GLOSS 59
-#define UNIT_LOBES 60
-#define UNIT_DIRECT_SPECULAR 61
-#define UNIT_LAYER_SUMS 62 /* LAYERS of them: shared/composite.h */
-#define UNIT_SAMPLE_NORMAL 71
-#define UNIT_FURTHER_POINTS 72
-#define UNIT_FURTHER_TEXELS 73
-#define UNIT_FURTHER_IRRADIANCE 74
-#define UNIT_TREE_NODES 75
-#define UNIT_TREE_PICKS 76
-#define UNIT_CUTS 77
-#define UNIT_CASTER_POINTS 78
-#define UNIT_COARSE_DEPTH 79
-#define UNIT_SUM_SQUARES 80
-#define UNIT_SUM_PRODUCTS 81
-#define UNIT_RSM_GLOSS 82
-#define UNIT_PATH_NEXT 83
-#define UNIT_IMPORTANCE 84
-#define UNIT_VPL_NUMBERS 85
-#define UNIT_SEEDS 86
-#define UNIT_TRIANGLE_TREE 90
-#define UNIT_TRIANGLE_ALBEDOS 91
-#define UNIT_PATH_NUMBERS 92
-#define UNIT_PATH_POSITIONS 93
-#define UNIT_PATH_NORMALS 94
-#define UNIT_PATH_FLUXES 95
+/* Texture units. GL promises 96, and 16 samplers to a stage. What several passes sample has a number of its own here.
+ * What one pass alone samples is numbered from UNIT_OWN on in that pass's header, shared/PASS.h: the passes share these
+ * numbers, for a program includes own units of one header. An array takes a number for each element. test/shaders/check
+ * and debug contexts (gl/context/samplers.c) check that no two samplers of a program share a unit. */
+#define UNIT_SCREEN_MASK 0 /* gl/screen.h */
+#define UNIT_BASE_COLOR 1  /* of a material, with the next three */
+#define UNIT_EMISSION 2
+#define UNIT_METAL_ROUGHNESS 3
+#define UNIT_NORMAL_MAP 4
+#define UNIT_GBUFFER_DEPTH 5
+#define UNIT_GBUFFER_NORMAL 6
+#define UNIT_GBUFFER_ALBEDO 7
+#define UNIT_GBUFFER_EMISSION 8
+#define UNIT_GBUFFER_GLOSS 9
+#define UNIT_RSM_DEPTH 10 /* LIGHT_MAP_KINDS of each: shared/light.h */
+#define UNIT_RSM_NORMAL 12
+#define UNIT_RSM_ALBEDO 14
+#define UNIT_LOBES 16
+#define UNIT_TRIANGLE_TREE 17
+#define UNIT_VPLS 18
+#define UNIT_VPL_SUMS 19
+#define UNIT_VPL_VALUES 20
+#define UNIT_VPL_VALUE_SUM 21
+#define UNIT_TREE_NODES 22
+#define UNIT_TREE_PICKS 23
+#define UNIT_VAL_POSITION 24
+#define UNIT_VAL_NORMAL 25
+#define UNIT_VAL_FLUX 26
+#define UNIT_VAL_EXTREMES 27
+#define UNIT_MAP_DEPTH 28
+#define UNIT_MAP_NORMAL 29
+#define UNIT_BASIS_COS 30
+#define UNIT_BASIS_SIN 31
+#define UNIT_BASIS_Z_COS 32
+#define UNIT_BASIS_Z_SIN 33
+#define UNIT_BASIS_Z 34
+#define UNIT_SUMS 35
+#define UNIT_DEPTH_BOUNDS 36
+#define UNIT_BLOCK_VISIBILITY 37
+#define UNIT_CALIBRATION 38
+#define UNIT_DIRECT 39
+#define UNIT_DIRECT_SPECULAR 40
+#define UNIT_IRRADIANCE 41
+#define UNIT_RADIANCE 42
+#define UNIT_SAMPLE_PICKS 43
+#define UNIT_FURTHER_POINTS 44
+#define UNIT_LISTED_PIXELS 45
+#define UNIT_LIST_TEXELS 46
+#define UNIT_OWN 64
 
 /* Attributes of the scene's vertices. UV is of a material's first mapping, the others of the further ones. */
 #define ATTRIBUTE_POSITION 0

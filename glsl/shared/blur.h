@@ -4,6 +4,9 @@
 
 #include "shared/interleaving.h"
 
+#define UNIT_BLUR_TAPS (UNIT_OWN + 0)
+#define UNIT_DETAIL_IRRADIANCE (UNIT_OWN + 1)
+
 /* Grades of taps: pixels that no list has; those of lists' grades; and edges where light is steep. */
 #define BLUR_GRADE_PLAIN 0
 #define BLUR_GRADE_OF_LIST(grade) (1 + (grade))

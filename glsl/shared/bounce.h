@@ -4,6 +4,15 @@
 
 #include "shared/types.h"
 
+#define UNIT_PATH_POSITIONS (UNIT_OWN + 0)
+#define UNIT_PATH_NORMALS (UNIT_OWN + 1)
+#define UNIT_PATH_FLUXES (UNIT_OWN + 2)
+#define UNIT_PATH_NEXT (UNIT_OWN + 3)
+#define UNIT_PATH_AREAS (UNIT_OWN + 4)
+#define UNIT_PATH_NUMBERS (UNIT_OWN + 5)
+#define UNIT_PATH_RESULTS (UNIT_OWN + 6) /* what the pass before has of each path */
+#define UNIT_TRIANGLE_ALBEDOS (UNIT_OWN + 7)
+
 /* So many paths share their light out to each VPL: path (i, 0) leaves VPL i, and those of the other rows only light. Textures
  * of paths have a row for each. */
 #define BOUNCE_ROWS 4

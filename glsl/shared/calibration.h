@@ -4,6 +4,10 @@
 
 #include "shared/types.h"
 
+#define UNIT_CALIBRATION_TESTS (UNIT_OWN + 0)
+#define UNIT_CALIBRATION_SUMS (UNIT_OWN + 1)
+#define UNIT_CALIBRATION_SQUARES (UNIT_OWN + 2)
+
 #define CALIBRATION_SIDE 8      /* cells of the picture, along either side */
 #define CALIBRATION_TOGETHER 16 /* VPLs, of which one is asked for all */
 

@@ -4,6 +4,11 @@
 
 #include "shared/types.h"
 
+#define UNIT_SUM_POSITION (UNIT_OWN + 0)
+#define UNIT_SUM_NORMAL (UNIT_OWN + 1)
+#define UNIT_SUM_FLUX (UNIT_OWN + 2)
+#define UNIT_SEEDS (UNIT_OWN + 3)
+
 /* The criterion, METRIC: lengths and angles [Dong 2009 §5.1], or squares of them and of hues, with means
  * weighted by flux [Prutkin 2012, eq. 1]. */
 #define CLUSTER_METRIC_LENGTHS 0

@@ -4,6 +4,13 @@
 
 #include "shared/types.h"
 
+#define UNIT_SKY (UNIT_OWN + 0)
+#define UNIT_IN_SCATTER (UNIT_OWN + 1)
+#define UNIT_TRANSMITTANCE (UNIT_OWN + 2)
+#define UNIT_FURTHER_TEXELS (UNIT_OWN + 3)
+#define UNIT_FURTHER_IRRADIANCE (UNIT_OWN + 4)
+#define UNIT_LAYER_SUMS (UNIT_OWN + 5) /* LAYERS of them */
+
 struct composite_params {
     int layer;      /* what to write, LAYER_... */
     int samples;    /* of a pixel */

@@ -4,6 +4,9 @@
 
 #include "shared/types.h"
 
+#define UNIT_SKY_MAPS (UNIT_OWN + 0)
+#define UNIT_SKY_SHARES (UNIT_OWN + 1)
+
 /* Of the table of what lights give by a surface's normal, texels a side. */
 #define SKY_SHARES_SIZE 65
 

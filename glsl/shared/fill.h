@@ -4,6 +4,8 @@
 
 #include "shared/types.h"
 
+#define UNIT_COARSE_DEPTH (UNIT_OWN + 0)
+
 /* Texels twice as wide at each; what is farther from a point than the last one's is a hole for good. */
 #define FILL_LEVELS 3
 

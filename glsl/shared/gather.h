@@ -4,6 +4,9 @@
 
 #include "shared/interleaving.h"
 
+#define UNIT_PATHS_KEPT (UNIT_OWN + 0)
+#define UNIT_CUTS (UNIT_OWN + 1)
+
 /* What is gathered: irradiance, or what reflects as by a mirror, of VPLs as points, as balls, or as points as
  * far as rays do not find the same light better. */
 #define SPECULAR_NONE 0

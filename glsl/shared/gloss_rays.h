@@ -4,6 +4,8 @@
 
 #include "shared/interleaving.h"
 
+#define UNIT_RSM_GLOSS (UNIT_OWN + 0) /* LIGHT_MAP_KINDS of them: shared/light.h */
+
 /* From one ray's place in the lobe's square to the next one's. */
 #define GLOSS_STEP_X 0.7548776662
 #define GLOSS_STEP_Y 0.5698402910

@@ -4,6 +4,9 @@
 
 #include "shared/types.h"
 
+#define UNIT_IMPORTANCE (UNIT_OWN + 0)
+#define UNIT_VPL_NUMBERS (UNIT_OWN + 1)
+
 #define IMPORTANCE_SIDE 64    /* cells of the light's domain, along either side */
 #define IMPORTANCE_LEVELS 7   /* down from all of it to a cell */
 #define IMPORTANCE_PIXELS 256 /* of the picture, that a VPL is asked about */

@@ -4,6 +4,9 @@
 
 #include "shared/types.h"
 
+#define UNIT_INSPECTED_LAYERS (UNIT_OWN + 0)
+#define UNIT_INSPECTED_PLANE (UNIT_OWN + 1)
+
 #define INSPECT_NORMAL 0
 #define INSPECT_ALBEDO 1
 #define INSPECT_DEPTH 2

@@ -6,6 +6,9 @@
 
 #include "shared/types.h"
 
+#define UNIT_SUM_SQUARES (UNIT_OWN + 0)
+#define UNIT_SUM_PRODUCTS (UNIT_OWN + 1)
+
 #define LIGHT_RECTANGLE_ROWS 2
 
 /* What a cluster's light is. A disk has the area of its VPLs, and no more of a shape. */

@@ -4,6 +4,8 @@
 
 #include "shared/interleaving.h"
 
+#define UNIT_NEAR_LIGHT (UNIT_OWN + 0) /* LIGHT_MAP_KINDS of them: shared/light.h */
+
 /* What hides near light: nothing; what the light sees; all triangles. */
 #define NEAR_UNOCCLUDED 0
 #define NEAR_BY_VIEWS 1

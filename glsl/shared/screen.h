@@ -4,6 +4,9 @@
 
 #include "shared/types.h"
 
+#define UNIT_LEFT_PICTURE (UNIT_OWN + 0)
+#define UNIT_RIGHT_PICTURE (UNIT_OWN + 1)
+
 struct screen_params {
     vec2 corner, size; /* of the picture in the window, pixels */
     float split;       /* where the right picture begins, over the width */

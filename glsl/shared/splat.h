@@ -4,6 +4,8 @@
 
 #include "shared/types.h"
 
+#define UNIT_CASTER_POINTS (UNIT_OWN + 0)
+
 #define CASTER_POINT_ROWS 2
 
 /* Stands for a disk. */

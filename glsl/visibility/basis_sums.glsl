@@ -1,7 +1,5 @@
 // Fourier bases filtered by summed area tables: an area is a box, of whole texels and shares of those at its rim.
-#include "shared/sums.h"
-
-layout(binding = UNIT_SUMS) uniform usampler2DArray basis_sums;
+#include "visibility/sums.glsl"
 
 struct basis_area {
     ivec4 x, y; // edges of three cells a side
@@ -15,7 +13,7 @@ vec4 mean_of_table(basis_area area, int map, int table) {
     for (int j = 0; j < 4; j++) {
         uvec4 left = uvec4(0u), below_left = uvec4(0u);
         for (int i = 0; i < 4; i++) {
-            uvec4 corner = texelFetch(basis_sums, ivec3(area.x[i], area.y[j], table * MAP_COUNT + map), 0);
+            uvec4 corner = texelFetch(sums, ivec3(area.x[i], area.y[j], table * MAP_COUNT + map), 0);
             if (i > 0 && j > 0)
                 sum += vec4(corner - left - below[i] + below_left) * (area.width[i - 1] * area.height[j - 1]);
             below_left = below[i];

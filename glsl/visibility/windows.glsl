@@ -7,10 +7,9 @@
 //     blocked cells_blocked(cells c)
 // before it includes filter_window.glsl.
 #include "shared/depth_bounds.h"
-#include "shared/sums.h"
 #include "visibility/depth_maps.glsl"
+#include "visibility/sums.glsl"
 
-layout(binding = UNIT_SUMS) uniform usampler2DArray sums;
 layout(binding = UNIT_DEPTH_BOUNDS) uniform sampler2DArray depth_bounds;
 
 const int SQUARES = 4;

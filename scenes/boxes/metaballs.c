@@ -5,6 +5,7 @@
  */
 #include "scenes.h"
 
+#include "scene/shapes/marching_cubes.h"
 #include "scene/shapes/metaballs.h"
 
 #include <stdio.h>

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "metrics/colour.h"
+#include "passes/targets.h"
 #include "shared/composite.h"
 
 #include <ctype.h>

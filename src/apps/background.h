@@ -2,9 +2,9 @@
 #ifndef APPS_BACKGROUND_H
 #define APPS_BACKGROUND_H
 
-#include "passes/frame.h"
-
 #include <stdbool.h>
+
+struct background;
 
 /* "none"; "#rrggbb" with or without #, as a display shows it; or "r,g,b" from 0 to 1, the display's light. NULL is
  * the scene's own. Error: names the text and the right ones. */

@@ -6,8 +6,10 @@
 #include "base/settings.h"
 #include "lights/sky.h"
 #include "lights/view.h"
-#include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
+
+struct frame;
+struct gbuffer;
 
 struct direct_desc {
     const struct settings *settings;

@@ -1,6 +1,7 @@
 #include "direct/environment.h"
 
 #include "base/memory.h"
+#include "passes/frame.h"
 #include "passes/visibility/environment_lighting.h"
 #include "passes/visibility/sky_map.h"
 

@@ -33,7 +33,7 @@ enum { PASS_RED = 1, PASS_GREEN = 2, PASS_BLUE = 4, PASS_ALPHA = 8 };
 
 enum { PASS_TEXTURES_MAX = 16, PASS_BLOCKS_MAX = 8, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
 
-/* Numbers are those of shared/bindings.h. Lists end with the first empty row. */
+/* Numbers are those of shared/bindings.h and of the pass's own header there. Lists end with the first empty row. */
 struct pass_texture {
     GLuint unit, texture;
 };

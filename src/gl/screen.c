@@ -4,6 +4,7 @@
 #include "gl/program.h"
 #include "gl/screen_glsl.h"
 #include "gl/screen_rows.h"
+#include "shared/bindings.h"
 
 #include <assert.h>
 
@@ -50,7 +51,7 @@ void screen_begin(const struct pass_state *state) {
     assert(!state->window && !state->kept_colors);
     bind_targets(targets, desc);
     if (desc->masked)
-        pass_bind_texture(SCREEN_MASK_UNIT, targets->depth);
+        pass_bind_texture(UNIT_SCREEN_MASK, targets->depth);
     assert(state->depth == (desc->masked ? PASS_DEPTH_EQUAL : PASS_DEPTH_OFF));
     if (desc->blended)
         gl.ProgramUniform1i(state->program, LOCATION_SCREEN_ADDS, state->blend == PASS_BLEND_ADD);

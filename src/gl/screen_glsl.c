@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "base/text.h"
+#include "shared/bindings.h"
 
 #include <assert.h>
 #include <stdbool.h>
@@ -56,7 +57,7 @@ static void write_header(struct rewriting *to) {
     else
         text_print(&to->text, area_header, LOCATION_SCREEN_AREA);
     if (to->desc->masked)
-        text_print(&to->text, mask_header, SCREEN_MASK_UNIT);
+        text_print(&to->text, mask_header, UNIT_SCREEN_MASK);
     if (to->desc->blended)
         text_print(&to->text, blend_header, LOCATION_SCREEN_ADDS);
     if (to->desc->layers)

@@ -3,12 +3,8 @@
 #define GL_SCREEN_GLSL_H
 
 #include "gl/program.h"
-#include "shared/bindings.h"
 
-enum {
-    SCREEN_GROUP = 8,                  /* pixels a side of a workgroup */
-    SCREEN_MASK_UNIT = UNIT_BASE_COLOR /* of the depth texture: no screen pass has a material */
-};
+enum { SCREEN_GROUP = 8 }; /* pixels a side of a workgroup */
 
 /* From the fragment shader's full text, as glsl_load has it; places in messages stay right. For free(). */
 char *screen_glsl(const char *text, const struct screen_desc *desc);

@@ -4,6 +4,9 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/maps.h"
+#include "passes/vpls.h"
 #include "shared/inspect.h"
 
 #include <cglm/util.h>

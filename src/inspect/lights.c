@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "passes/vpls.h"
 #include "shared/vpl.h"
 
 #include <stdlib.h>

@@ -2,6 +2,10 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/maps.h"
+#include "passes/targets.h"
+#include "passes/vpls.h"
 #include "shared/cluster_color.h"
 #include "shared/marks.h"
 

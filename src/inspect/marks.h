@@ -5,6 +5,9 @@
 
 #include "techniques/output.h"
 
+struct frame;
+struct gbuffer;
+
 struct marks {
     GLuint point_program, val_program;
     struct buffer params;

@@ -4,6 +4,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "inspect/lights.h"
+#include "passes/maps.h"
 #include "shared/probe.h"
 #include "shared/vpl.h"
 

@@ -1,4 +1,5 @@
 /* One frame after another, and the mean of passes. */
+#include "passes/frame.h"
 #include "renderer/renderer.h"
 
 #include "renderer/views.h"

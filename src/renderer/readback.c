@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "gl/context/context.h"
+#include "passes/frame.h"
 #include "renderer/layer_target.h"
 #include "shared/composite.h"
 

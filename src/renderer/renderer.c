@@ -206,10 +206,10 @@ static void shift_starts(struct renderer *renderer) {
 
 static void place_starts(struct renderer *renderer) {
     const struct light_plan *plan = &renderer->plan;
-    light_starts_place(&renderer->starts, &renderer->desc.emitters,
-                       &(struct starts_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
-                       renderer->pass);
-    renderer->start_emitters = light_starts_emitters(&renderer->starts);
+    light_samples_place(&renderer->starts, &renderer->desc.emitters,
+                        &(struct light_samples_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
+                        renderer->pass);
+    renderer->start_emitters = light_samples_emitters(&renderer->starts);
 }
 
 /* Looks at triangles, so only where another view may cut others. */
@@ -281,17 +281,18 @@ static bool plan_lights(struct light_plan *plan, const struct light_plan *before
                         const struct renderer_desc *desc) {
     const struct start_settings *own =
         settings_of(struct start_settings, &desc->settings, &start_part);
-    struct light_starts starts;
+    struct light_samples starts;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
     if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
         return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
                          desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
     plan_sky(plan, before, desc);
-    plan->starts = (struct starts_desc){own->places, own->wide, desc->geometry->radius};
-    light_starts_place(&starts, &desc->emitters,
-                       &(struct starts_sky){&plan->sky, &plan->sky_starts}, &plan->starts, 0);
-    plan->start_layout = light_starts_layout(&starts);
+    plan->starts = (struct light_samples_desc){own->places, own->wide, desc->geometry->radius};
+    light_samples_place(&starts, &desc->emitters,
+                        &(struct light_samples_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
+                        0);
+    plan->start_layout = light_samples_layout(&starts);
     return true;
 }
 

@@ -1,5 +1,7 @@
 #include "scene/animation.h"
 
+#include "scene/shapes/metaballs.h"
+
 #include <cglm/cglm.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -8,7 +8,6 @@
 #define SCENE_SCENE_H
 
 #include "base/image.h"
-#include "scene/shapes/metaballs.h"
 
 #include <stdbool.h>
 #include <stdint.h>

@@ -5,9 +5,11 @@
 
 #include "base/settings.h"
 #include "lights/view.h"
-#include "passes/frame.h"
+#include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
 #include "techniques/output.h"
+
+struct frame;
 
 struct technique_desc {
     const struct settings *settings;

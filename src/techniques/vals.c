@@ -1,5 +1,6 @@
 #include "techniques/vals.h"
 
+#include "passes/frame.h"
 #include "scene/animation.h"
 
 enum visibility_kind {

@@ -12,6 +12,7 @@ enum { SHADERS_MAX = 8192 };
 static struct kept_shader {
     const char *extension;
     char *text;
+    int file;
 } shaders[SHADERS_MAX];
 static int shader_count, kept_count;
 static const char *kept_folder;
@@ -46,33 +47,46 @@ static GLuint create_shader(GLenum type) {
     return (GLuint)++shader_count;
 }
 
-static bool is_new(const struct kept_shader *shader) {
-    for (const struct kept_shader *s = shaders; s < shader; s++)
-        if (s->extension == shader->extension && strcmp(s->text, shader->text) == 0)
-            return false;
-    return true;
+/* The one with the same text; else the shader. */
+static const struct kept_shader *first_of(const struct kept_shader *shader) {
+    const struct kept_shader *s = shaders;
+    while (s < shader && (s->extension != shader->extension || strcmp(s->text, shader->text) != 0))
+        s++;
+    return s;
 }
 
 static void write_file(const struct kept_shader *shader) {
-    char *path = mem_printf("%s/%04d.%s", kept_folder, kept_count++, shader->extension);
+    char *path = mem_printf("%s/%04d.%s", kept_folder, shader->file, shader->extension);
     FILE *file = fopen(path, "wb");
     if (!file || fputs(shader->text, file) < 0 || fclose(file) != 0)
         abort();
     free(path);
 }
 
-/* One that is there already has its number back. */
+/* One that is there already gives its number back, and its file's name to the next program. */
 static void shader_source(GLuint number, GLsizei count, const GLchar *const *texts,
                           const GLint *lengths) {
     (void)count, (void)lengths;
     struct kept_shader *shader = &shaders[number - 1];
     shader->text = mem_strdup(texts[0]);
-    if (is_new(shader)) {
+    const struct kept_shader *first = first_of(shader);
+    shader->file = first == shader ? kept_count++ : first->file;
+    if (first == shader) {
         write_file(shader);
         return;
     }
     free(shader->text);
     shader_count--;
+}
+
+static void attach_shader(GLuint program, GLuint number) {
+    const struct kept_shader *shader = &shaders[number - 1];
+    char *path = mem_printf("%s/programs", kept_folder);
+    FILE *file = fopen(path, "ab");
+    if (!file || fprintf(file, "%u %04d.%s\n", program, shader->file, shader->extension) < 0 ||
+        fclose(file) != 0)
+        abort();
+    free(path);
 }
 
 static GLuint create_program(void) {
@@ -151,6 +165,7 @@ static const struct {
 } table[] = {
     {"glCreateShader", (void *)create_shader},
     {"glShaderSource", (void *)shader_source},
+    {"glAttachShader", (void *)attach_shader},
     {"glGetShaderiv", (void *)get_status},
     {"glGetProgramiv", (void *)get_status},
     {"glCreateProgram", (void *)create_program},

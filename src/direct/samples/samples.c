@@ -3,6 +3,7 @@
 #include "base/halton.h"
 #include "base/memory.h"
 #include "direct/shadow.h"
+#include "passes/frame.h"
 #include "shared/lookup.h"
 
 #include <cglm/cglm.h>

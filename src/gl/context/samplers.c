@@ -4,6 +4,8 @@
 
 #include <stddef.h>
 
+enum { UNITS = 96 };
+
 static const struct {
     GLenum type, binding;
 } kinds[] = {
@@ -28,19 +30,28 @@ static GLenum binding_of(GLenum type) {
     return 0;
 }
 
-/* All textures are made whole (gl/texture.c): one that is there has its levels. */
-static void check_sampler(GLuint program, const char *name, GLenum binding) {
+static void complain(const char *name, GLint unit, const char *what) {
+    ++*gl.watched.faults;
+    log_warning("OpenGL: sampler '%s' of unit %d %s", name, unit, what);
+}
+
+/* All textures are made whole (gl/texture.c): one that is there has its levels. An array has a location and a unit for
+ * each element. */
+static void check_sampler(GLuint program, const char *name, GLint element, GLenum binding,
+                          bool taken[UNITS]) {
     GLint unit = 0, texture = 0;
-    gl.GetUniformiv(program, gl.GetUniformLocation(program, name), &unit);
+    gl.GetUniformiv(program, gl.GetUniformLocation(program, name) + element, &unit);
     gl.ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
     gl.GetIntegerv(binding, &texture);
-    if (texture)
-        return;
-    ++*gl.watched.faults;
-    log_warning("OpenGL: sampler '%s' of unit %d has no texture of its kind", name, unit);
+    if (!texture)
+        complain(name, unit, "has no texture of its kind");
+    if (taken[unit])
+        complain(name, unit, "shares it with another");
+    taken[unit] = true;
 }
 
 static void check_program(void) {
+    bool taken[UNITS] = {false};
     GLint program = 0, count = 0;
     gl.GetIntegerv(GL_CURRENT_PROGRAM, &program);
     gl.GetProgramiv((GLuint)program, GL_ACTIVE_UNIFORMS, &count);
@@ -50,8 +61,8 @@ static void check_program(void) {
         GLenum type;
         gl.GetActiveUniform((GLuint)program, i, sizeof name, NULL, &size, &type, name);
         GLenum binding = binding_of(type);
-        if (binding)
-            check_sampler((GLuint)program, name, binding);
+        for (GLint element = 0; binding && element < size; element++)
+            check_sampler((GLuint)program, name, element, binding, taken);
     }
 }
 

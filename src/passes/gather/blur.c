@@ -3,6 +3,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/lists.h"
 #include "shared/blur.h"
 
 #include <math.h>

@@ -8,7 +8,10 @@
 #ifndef PASSES_BLUR_H
 #define PASSES_BLUR_H
 
-#include "passes/frame.h"
+#include "passes/targets.h"
+
+struct frame;
+struct pixel_lists;
 
 struct blur_desc {
     int width, height;

@@ -3,6 +3,10 @@
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/maps.h"
+#include "passes/targets.h"
+#include "passes/vpls.h"
 #include "shared/calibration.h"
 
 #include <stdlib.h>

@@ -15,6 +15,11 @@
 
 #include "passes/visibility/visibility.h"
 
+struct block_visibilities;
+struct frame;
+struct gbuffer;
+struct vpl_buffer;
+
 struct calibration_desc {
     int vpl_count, tests;
     int clamp; /* CLAMP of gather/geometry_term.glsl: one without parameters */

@@ -7,7 +7,10 @@
 #ifndef PASSES_DETAIL_H
 #define PASSES_DETAIL_H
 
-#include "passes/frame.h"
+#include "passes/lists.h"
+
+struct frame;
+struct gbuffer;
 
 struct detail_desc {
     int width, height;

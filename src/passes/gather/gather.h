@@ -9,7 +9,12 @@
 #ifndef PASSES_GATHER_H
 #define PASSES_GATHER_H
 
+#include "passes/targets.h"
 #include "passes/visibility/visibility.h"
+#include "shared/interleaving.h"
+
+struct frame;
+struct gbuffer;
 
 /* How cos cos / d^2 is bounded near a VPL. The disk form factor is that of a disk of the VPL's
  * area. GATHER_CLAMP_NEAR leaves the near field to passes/gather/near_field.h. GATHER_CLAMP_SPHERE spreads

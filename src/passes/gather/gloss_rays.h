@@ -11,7 +11,11 @@
 #ifndef PASSES_GLOSS_RAYS_H
 #define PASSES_GLOSS_RAYS_H
 
+#include "lights/view.h"
+#include "passes/light_picks.h"
 #include "passes/visibility/visibility.h"
+
+struct frame;
 
 struct gloss_rays_desc {
     int rays;      /* of a pixel */

@@ -5,6 +5,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/lists.h"
 
 #include <math.h>
 #include <stdlib.h>

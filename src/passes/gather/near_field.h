@@ -13,9 +13,14 @@
 #ifndef PASSES_NEAR_FIELD_H
 #define PASSES_NEAR_FIELD_H
 
-#include "passes/frame.h"
+#include "lights/view.h"
+#include "passes/light_picks.h"
+#include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
 #include "shared/near_field.h"
+
+struct frame;
+struct pixel_lists;
 
 struct near_field_desc {
     int samples; /* that the n x n pixels of a pattern share out */

@@ -7,7 +7,10 @@
 #ifndef PASSES_VPL_CUT_H
 #define PASSES_VPL_CUT_H
 
-#include "passes/frame.h"
+#include "passes/vpls.h"
+
+struct frame;
+struct gbuffer;
 
 struct vpl_cut_desc {
     int width, height; /* of the picture */

@@ -5,6 +5,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "scene/mesh/triangle_albedos.h"
 #include "shared/bounce.h"
 

@@ -21,9 +21,11 @@
 #ifndef PASSES_BOUNCE_H
 #define PASSES_BOUNCE_H
 
-#include "passes/frame.h"
+#include "passes/vpls.h"
 #include "scene/gpu/caster_pool.h"
 #include "scene/material.h"
+
+struct frame;
 
 struct bounce_desc {
     const struct scene *scene;

@@ -3,6 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "shared/cluster.h"
 #include "shared/map_view.h"
 #include "shared/vpl.h"

@@ -10,7 +10,10 @@
 #ifndef PASSES_CLUSTER_H
 #define PASSES_CLUSTER_H
 
-#include "passes/frame.h"
+#include "passes/maps.h"
+#include "passes/vpls.h"
+
+struct frame;
 
 enum cluster_start {
     CLUSTER_START_SEEDS,  /* from the same VPLs every frame */

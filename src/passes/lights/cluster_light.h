@@ -7,7 +7,9 @@
 #ifndef PASSES_CLUSTER_LIGHT_H
 #define PASSES_CLUSTER_LIGHT_H
 
-#include "passes/frame.h"
+#include "passes/vpls.h"
+
+struct frame;
 
 struct cluster_light_desc {
     int count; /* J */

@@ -2,6 +2,9 @@
 
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
+#include "passes/vpls.h"
 #include "shared/importance.h"
 
 static_assert(IMPORTANCE_SIDE == 1 << (IMPORTANCE_LEVELS - 1), "levels down to one cell");

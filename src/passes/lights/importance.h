@@ -7,7 +7,12 @@
 #ifndef PASSES_IMPORTANCE_H
 #define PASSES_IMPORTANCE_H
 
-#include "passes/frame.h"
+#include "gl/buffer.h"
+#include "gl/texture.h"
+
+struct frame;
+struct gbuffer;
+struct vpl_buffer;
 
 struct importance_desc {
     int count;         /* of clusters */

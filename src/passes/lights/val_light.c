@@ -2,6 +2,8 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
 #include "shared/lookup.h"
 
 #include <stdlib.h>

@@ -5,6 +5,9 @@
 
 #include "passes/visibility/visibility.h"
 
+struct frame;
+struct gbuffer;
+
 struct val_light_pass {
     struct visibility_desc desc;
     GLuint program;

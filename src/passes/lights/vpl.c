@@ -7,6 +7,9 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "gl/vertex_array.h"
+#include "lights/starts.h"
+#include "passes/frame.h"
+#include "passes/vpls.h"
 #include "shared/vpl.h"
 #include "shared/vpl_share.h"
 

@@ -13,7 +13,10 @@
 #ifndef PASSES_VPL_H
 #define PASSES_VPL_H
 
-#include "passes/frame.h"
+#include "passes/targets.h"
+
+struct frame;
+struct vpl_buffer;
 
 /* How many VPLs all others are measured from: as many as say what all would. */
 enum { VPL_PARTNERS_MAX = 256 };

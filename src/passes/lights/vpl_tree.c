@@ -3,6 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "shared/vpl_tree.h"
 
 #include <string.h>

@@ -8,7 +8,9 @@
 #ifndef PASSES_VPL_TREE_H
 #define PASSES_VPL_TREE_H
 
-#include "passes/frame.h"
+#include "passes/vpls.h"
+
+struct frame;
 
 struct vpl_tree_desc {
     int vpl_count, sets;

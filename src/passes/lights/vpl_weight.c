@@ -2,6 +2,8 @@
 
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
 
 static bool init_programs(struct vpl_weight_pass *pass) {
     const struct {

@@ -6,7 +6,10 @@
 #ifndef PASSES_VPL_WEIGHT_H
 #define PASSES_VPL_WEIGHT_H
 
-#include "passes/frame.h"
+#include "passes/vpls.h"
+
+struct frame;
+struct gbuffer;
 
 struct vpl_weight_pass {
     GLuint program, sum_program;

@@ -9,7 +9,11 @@
 #ifndef PASSES_ANTIALIAS_H
 #define PASSES_ANTIALIAS_H
 
-#include "passes/frame.h"
+#include "gl/buffer.h"
+#include "gl/texture.h"
+
+struct frame;
+struct gbuffer;
 
 struct antialias_desc {
     int width, height;

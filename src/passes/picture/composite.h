@@ -3,7 +3,9 @@
 #ifndef PASSES_COMPOSITE_H
 #define PASSES_COMPOSITE_H
 
-#include "passes/frame.h"
+#include "passes/targets.h"
+
+struct frame;
 
 enum tone_map { TONE_MAP_CLAMP, TONE_MAP_FILMIC };
 

@@ -7,7 +7,9 @@
 #ifndef PASSES_GEOMETRY_H
 #define PASSES_GEOMETRY_H
 
-#include "passes/frame.h"
+#include "passes/targets.h"
+
+struct frame;
 
 struct geometry_pass {
     GLuint camera_program, light_program;

@@ -8,8 +8,12 @@
 #ifndef PASSES_MEAN_H
 #define PASSES_MEAN_H
 
-#include "passes/frame.h"
+#include "gl/buffer.h"
+#include "gl/texture.h"
 #include "shared/composite.h"
+
+struct background;
+struct frame;
 
 struct mean_desc {
     int width, height;

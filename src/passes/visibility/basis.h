@@ -3,7 +3,9 @@
 #ifndef PASSES_BASIS_H
 #define PASSES_BASIS_H
 
-#include "passes/frame.h"
+#include "passes/maps.h"
+
+struct frame;
 
 struct basis_desc {
     int size, count;

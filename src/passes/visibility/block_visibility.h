@@ -5,7 +5,11 @@
 #ifndef PASSES_BLOCK_VISIBILITY_H
 #define PASSES_BLOCK_VISIBILITY_H
 
+#include "passes/maps.h"
 #include "passes/visibility/visibility.h"
+
+struct frame;
+struct gbuffer;
 
 struct block_visibility_desc {
     int width, height; /* of the picture */

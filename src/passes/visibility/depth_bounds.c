@@ -2,6 +2,7 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "shared/depth_bounds.h"
 
 static bool init_params(struct depth_bounds_pass *pass) {

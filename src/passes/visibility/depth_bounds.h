@@ -3,7 +3,9 @@
 #ifndef PASSES_DEPTH_BOUNDS_H
 #define PASSES_DEPTH_BOUNDS_H
 
-#include "passes/frame.h"
+#include "passes/maps.h"
+
+struct frame;
 
 enum { DEPTH_BOUNDS_LEVELS_MAX = 16 };
 

@@ -3,6 +3,8 @@
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
 #include "shared/lookup.h"
 
 #include <stdlib.h>

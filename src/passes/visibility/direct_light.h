@@ -3,7 +3,11 @@
 #ifndef PASSES_DIRECT_LIGHT_H
 #define PASSES_DIRECT_LIGHT_H
 
-#include "passes/frame.h"
+#include "gl/pass.h"
+#include "shared/light.h"
+
+struct frame;
+struct gbuffer;
 
 struct direct_light_desc {
     int width, height;

@@ -4,6 +4,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
 #include "shared/environment_lighting.h"
 
 #include <stdlib.h>

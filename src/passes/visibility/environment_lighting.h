@@ -5,8 +5,12 @@
 #ifndef PASSES_ENVIRONMENT_LIGHTING_H
 #define PASSES_ENVIRONMENT_LIGHTING_H
 
+#include "gl/buffer.h"
+#include "gl/texture.h"
 #include "lights/sky.h"
-#include "passes/frame.h"
+
+struct frame;
+struct gbuffer;
 
 struct environment_lighting_desc {
     int width, height; /* of the picture */

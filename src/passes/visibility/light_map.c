@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 
 #include <stdlib.h>
 

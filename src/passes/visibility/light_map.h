@@ -3,7 +3,11 @@
 #ifndef PASSES_LIGHT_MAP_H
 #define PASSES_LIGHT_MAP_H
 
-#include "passes/frame.h"
+#include "passes/maps.h"
+#include "shared/light.h"
+
+struct frame;
+struct light_layout;
 
 struct light_map_pass {
     GLuint program, framebuffer;

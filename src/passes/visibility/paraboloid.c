@@ -4,6 +4,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "shared/paraboloid.h"
 
 #include <stdlib.h>

@@ -3,8 +3,10 @@
 #ifndef PASSES_PARABOLOID_H
 #define PASSES_PARABOLOID_H
 
-#include "passes/frame.h"
+#include "passes/maps.h"
 #include "scene/gpu/caster_pool.h"
+
+struct frame;
 
 struct paraboloid_desc {
     struct caster_pool *casters; /* must outlive the pass */

@@ -3,6 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "shared/bindings.h"
 
 static bool init_maps(struct shadow_map_pass *pass, int kind, int size, int layers) {

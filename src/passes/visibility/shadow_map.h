@@ -3,7 +3,11 @@
 #ifndef PASSES_SHADOW_MAP_H
 #define PASSES_SHADOW_MAP_H
 
-#include "passes/frame.h"
+#include "gl/texture.h"
+#include "lights/view.h"
+#include "shared/light.h"
+
+struct frame;
 
 struct shadow_map_desc {
     int size; /* of a single view's map, texels a side */

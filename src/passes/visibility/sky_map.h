@@ -4,8 +4,9 @@
 #define PASSES_SKY_MAP_H
 
 #include "lights/sky.h"
-#include "passes/frame.h"
 #include "scene/gpu/caster_pool.h"
+
+struct frame;
 
 struct sky_map_desc {
     struct caster_pool *casters; /* must outlive the pass */

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
 #include "shared/sums.h"
 
 #include <assert.h>

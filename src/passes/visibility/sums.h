@@ -3,7 +3,9 @@
 #ifndef PASSES_SUMS_H
 #define PASSES_SUMS_H
 
-#include "passes/frame.h"
+#include "passes/maps.h"
+
+struct frame;
 
 struct sums_desc {
     int size, count; /* of the maps */

@@ -1,6 +1,7 @@
 #include "passes/visibility/visibility.h"
 
 #include "base/memory.h"
+#include "passes/maps.h"
 #include "shared/lookup.h"
 
 #include <math.h>

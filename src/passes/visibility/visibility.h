@@ -3,9 +3,12 @@
 #define PASSES_VISIBILITY_H
 
 #include "gl/pass.h"
-#include "passes/frame.h"
 #include "scene/gpu/caster_tree.h"
 #include "shared/lookup.h"
+
+struct basis_maps;
+struct depth_maps;
+struct map_views;
 
 enum visibility_lookup {
     VISIBILITY_LOOKUP_NONE = FILTER_NONE,

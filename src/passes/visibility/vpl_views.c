@@ -2,6 +2,8 @@
 
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/vpls.h"
 #include "shared/map_view.h"
 #include "shared/vpl_views.h"
 

@@ -2,7 +2,10 @@
 #ifndef PASSES_VPL_VIEWS_H
 #define PASSES_VPL_VIEWS_H
 
-#include "passes/frame.h"
+#include "passes/maps.h"
+
+struct frame;
+struct vpl_buffer;
 
 struct vpl_views_pass {
     float near_clip; /* over the spread of VPLs */

@@ -17,6 +17,7 @@ extern "C" {
 #include "scene/material.h"
 #include "scene/mesh/primitive.h"
 #include "scene/read_rules.h"
+#include "scene/shapes/metaballs.h"
 #include "scene/texture.h"
 }
 

@@ -5,6 +5,8 @@
 #include "base/memory.h"
 #include "scene/animation.h"
 #include "scene/mesh/primitive.h"
+#include "scene/shapes/marching_cubes.h"
+#include "scene/shapes/metaballs.h"
 
 #include <cglm/cglm.h>
 #include <float.h>
@@ -13,6 +15,12 @@
 
 /* So many vertices take 3 GiB; a scene of instances grows beyond it only by mistake or malice. */
 static const uint64_t max_vertices = 1 << 26, max_indices = 3u << 26;
+
+/* The polygoniser of a node's metaballs, and what it made last. */
+struct geometry_balls {
+    struct marching_cubes cubes;
+    struct surface surface;
+};
 
 static const struct primitive *part_primitive(const struct scene *scene,
                                               const struct geometry_part *part) {

@@ -30,12 +30,6 @@ struct geometry_part {
     float farthest; /* vertex from the geometry's centre, metres */
 };
 
-/* The polygoniser of a node's metaballs, and what it made last. */
-struct geometry_balls {
-    struct marching_cubes cubes;
-    struct surface surface;
-};
-
 /* What poses throughout a clip take up; empty where nothing moves. */
 struct geometry_span {
     int clip_choice; /* the scene's; -1 = none was looked at */
@@ -68,7 +62,7 @@ struct geometry {
     struct geometry_span span;
     bool still; /* the bounds are those of the pose alone */
     struct pose pose, next;
-    struct geometry_balls *balls; /* of each of the scene's metaballs */
+    struct geometry_balls *balls; /* geometry.c: of each of the scene's metaballs */
     int balls_count;
 };
 

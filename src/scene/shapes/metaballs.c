@@ -1,6 +1,7 @@
 #include "scene/shapes/metaballs.h"
 
 #include "base/halton.h"
+#include "scene/shapes/marching_cubes.h"
 
 #include <assert.h>
 #include <cglm/cglm.h>

@@ -7,7 +7,10 @@
 #ifndef SCENE_SHAPES_METABALLS_H
 #define SCENE_SHAPES_METABALLS_H
 
-#include "scene/shapes/marching_cubes.h"
+#include <stdbool.h>
+
+struct marching_cubes;
+struct surface;
 
 enum { METABALLS_MAX = 64, METABALLS_MAX_CELLS = 1 << 22 };
 

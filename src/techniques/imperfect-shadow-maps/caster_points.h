@@ -3,7 +3,7 @@
 #ifndef TECHNIQUES_CASTER_POINTS_H
 #define TECHNIQUES_CASTER_POINTS_H
 
-#include "passes/frame.h"
+#include "gl/buffer.h"
 #include "techniques/imperfect-shadow-maps/surface_points.h"
 
 struct caster_points_desc {

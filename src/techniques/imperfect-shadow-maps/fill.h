@@ -3,8 +3,10 @@
 #ifndef TECHNIQUES_FILL_H
 #define TECHNIQUES_FILL_H
 
-#include "passes/frame.h"
+#include "passes/maps.h"
 #include "shared/fill.h"
+
+struct frame;
 
 struct fill_pass {
     GLuint pull_program, push_program, map_program;

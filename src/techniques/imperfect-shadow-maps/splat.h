@@ -8,7 +8,11 @@
 #ifndef TECHNIQUES_SPLAT_H
 #define TECHNIQUES_SPLAT_H
 
+#include "passes/maps.h"
 #include "techniques/imperfect-shadow-maps/caster_points.h"
+
+struct frame;
+struct map_views;
 
 struct splat_desc {
     struct caster_points_desc points;

@@ -5,6 +5,7 @@
  * each frame, so that a frame depends on its time alone. */
 #include "base/error.h"
 #include "base/memory.h"
+#include "passes/frame.h"
 #include "shared/vpl.h"
 #include "techniques/row-column/columns.h"
 #include "techniques/row-column/rows.h"

@@ -4,6 +4,8 @@
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/vertex_array.h"
+#include "passes/frame.h"
+#include "passes/maps.h"
 #include "shared/lookup.h"
 
 #include <math.h>

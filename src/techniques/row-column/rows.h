@@ -4,6 +4,7 @@
 #define TECHNIQUES_ROWS_H
 
 #include "passes/gather/gather.h"
+#include "passes/vpls.h"
 
 struct rows_desc {
     int rows;                         /* r, at most */

@@ -3,6 +3,8 @@
 #include "base/file/folder.h"
 #include "gl/memory.h"
 #include "inspect/marks.h"
+#include "passes/maps.h"
+#include "passes/vpls.h"
 #include "viewer/files/start.h"
 #include "viewer/panel/controls.h"
 #include "viewer/panel/timeline.h"

@@ -1,5 +1,6 @@
 #include "viewer/scene/exposure.h"
 
+#include "passes/frame.h"
 #include "scene/animation.h"
 #include "viewer/picture/picture.h"
 #include "viewer/scene/animation.h"

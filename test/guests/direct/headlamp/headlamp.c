@@ -5,6 +5,8 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
 
 #include <stdlib.h>
 

@@ -1,0 +1,31 @@
+/* Some pixels of a picture and further points of some, as a list for each grade (PIXEL_GRADE_...) or of points
+ * (LIST_FURTHER) and place of the n x n pattern. */
+#ifndef PASSES_LISTS_H
+#define PASSES_LISTS_H
+
+#include "gl/buffer.h"
+#include "gl/pass.h"
+#include "gl/texture.h"
+
+struct pixel_lists {
+    struct texture
+        pixels; /* R32UI, x | y << 16, in tiles, twice as large as a picture's; a list fills its tile
+                              row by row: of one grade from its begin, of the other from the end of its first
+                              half, of points from there on */
+    struct texture texels;         /* R32UI, of each pixel of the picture its texel in the lists
+                              (gather/list_texel.glsl); 0 where it is not listed */
+    struct texture further_texels; /* likewise of its further point */
+    struct buffer counts;          /* of the lists: uint */
+    int interleave, tile_width, tile_height;
+};
+
+/* From a picture's size to that of the tiles of its lists, all of them: along its shorter side twice as large, as
+ * textures have a limit. */
+void pixel_lists_size(int size[2], int interleave);
+
+/* What a pass over such RECEIVERS_ binds, for gather/receiver.glsl; lists are not read for all. And the draw
+ * of one place's list of a kind, after LOCATION_SLOT is set. */
+void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers);
+void pixel_lists_draw(const struct pixel_lists *lists, int list);
+
+#endif

@@ -1,0 +1,84 @@
+/* What a frame is drawn into: surfaces, irradiance, and what a technique makes of them. All pictures have row 0 at the
+ * bottom, as GL has it. */
+#ifndef PASSES_TARGETS_H
+#define PASSES_TARGETS_H
+
+#include "gl/pass.h"
+#include "gl/texture.h"
+#include "shared/interleaving.h"
+#include "shared/light.h"
+
+/* Surfaces seen from the camera (one layer) or from the lights (the reflective shadow map: one of
+ * LIGHT_MAP_KINDS, a layer each view; without textures where there are none of the kind). Arrays of
+ * layers:
+ *   normal  RG16      world normal, octahedral
+ *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is. RGBA16F of facets: of what a
+ *                     triangle receives, over what meets its plane, times the albedo; normal is the triangle's
+ *   depth   D32F      reversed (shared/view.h); 0 where nothing is
+ *   emission RGBA16F  radiance times irradiance_scale; the camera's, of a scene with emissive materials
+ *                     or such as are not plain
+ *   gloss   RGBA8     what is reflected as by a mirror (lib/gloss.glsl), of a scene whose materials are not
+ *                     plain (scene/material.h): the camera's, and the lights' where rays ask for it. The
+ *                     normal is then the bent one; albedo the diffuse part's, of lights' views with
+ *                     what the rest reflects, as if evenly
+ */
+struct gbuffer {
+    struct texture normal, albedo, depth, emission, gloss;
+    GLuint framebuffer;
+    int width, height, layers;
+};
+
+/* Irradiance times irradiance_scale; in tiles of equal place in the n x n pattern, or plain where
+ * interleave is 1. RGBA32F where many draws add up: halves would lose some of each. RGBA16F where
+ * one draw writes. */
+struct irradiance {
+    struct texture texture;
+    GLuint framebuffer;
+    int width, height; /* of the picture that it stands for */
+    int interleave, tile_width, tile_height;
+};
+
+/* What a technique makes, each NULL where it does not; composite adds what is there:
+ *
+ *     L = transmittance (albedo (direct + irradiance / pi) + radiance) + in_scatter
+ *
+ * Light of surfaces: irradiance, not yet times albedo, or radiance towards the camera. Light of
+ * what lies before them: in_scatter, with the share of the surfaces' light that passes. Textures
+ * are of the picture's size; radiance and in_scatter times irradiance_scale. */
+struct contribution {
+    const struct irradiance *irradiance;
+    const struct irradiance
+        *further_irradiance; /* likewise at pixels' further points, and the texel of each in */
+    const struct texture *further_texels; /* it, gather/list_texel.glsl; both or none */
+    const struct texture *radiance;
+    const struct texture *in_scatter, *transmittance; /* both or none */
+};
+
+/* What a display shows behind all surfaces. */
+struct background {
+    int kind;        /* BACKGROUND_..., shared/composite.h */
+    float colour[3]; /* light of the display, from 0 to 1 */
+};
+
+struct gbuffer_desc {
+    const char *label;
+    int width, height, layers;
+    bool has_emission, has_gloss;
+    bool facets; /* as geometry_desc's */
+};
+
+bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
+void gbuffer_free(struct gbuffer *gbuffer);
+
+/* Binds what lib/rsm.glsl reads. For a kind that is not there, and is not read, the other stands in:
+ * drivers warn of empty units. */
+void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]);
+
+bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum format, int width,
+                     int height, int interleave);
+void irradiance_free(struct irradiance *irradiance);
+
+/* For shaders. */
+struct interleaving irradiance_pattern(const struct irradiance *irradiance);
+
+#endif

@@ -1,0 +1,53 @@
+#include "passes/vpls.h"
+
+#include "gl/framebuffer.h"
+#include "gl/vertex_array.h"
+#include "shared/vpl.h"
+
+/* Four floats of each VPL. */
+static void add_attribute(const struct vpl_buffer *vpls, GLuint location, size_t offset) {
+    vertex_array_attribute(
+        vpls->vertices, location,
+        &(struct vertex_attribute){&vpls->buffer, 4, GL_FLOAT, sizeof(struct vpl), offset});
+}
+
+static bool init_sums(struct vpl_buffer *vpls) {
+    return texture_init(&vpls->sums, &(struct texture_desc){.label = "sums of VPLs",
+                                                            .format = GL_RGBA32F,
+                                                            .width = 1,
+                                                            .height = 1}) &&
+           framebuffer_init(
+               &vpls->sums_framebuffer,
+               &(struct framebuffer_desc){.label = "sums of VPLs", .colors = {&vpls->sums}});
+}
+
+bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
+    *vpls = (struct vpl_buffer){.count = count};
+    size_t size = (size_t)(count > VPLS_PER_BLOCK ? count : VPLS_PER_BLOCK) * sizeof(struct vpl);
+    if (!buffer_init(&vpls->buffer, label, size, NULL) || !init_sums(vpls)) {
+        vpl_buffer_free(vpls);
+        return false;
+    }
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &vpls->texels);
+    gl.TextureBuffer(vpls->texels, GL_RGBA32F, vpls->buffer.id);
+    gl.CreateVertexArrays(1, &vpls->vertices);
+    add_attribute(vpls, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
+    add_attribute(vpls, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));
+    add_attribute(vpls, ATTRIBUTE_VPL_FLUX, offsetof(struct vpl, flux));
+    return true;
+}
+
+void vpl_buffer_take_sums(const struct vpl_buffer *vpls, const struct vpl_buffer *from) {
+    gl.CopyImageSubData(from->sums.id, GL_TEXTURE_2D, 0, 0, 0, 0, vpls->sums.id, GL_TEXTURE_2D, 0,
+                        0, 0, 0, 1, 1, 1);
+}
+
+void vpl_buffer_free(struct vpl_buffer *vpls) {
+    framebuffer_free(&vpls->sums_framebuffer);
+    texture_free(&vpls->sums);
+    vertex_array_free(&vpls->vertices);
+    if (vpls->texels)
+        gl.DeleteTextures(1, &vpls->texels);
+    buffer_free(&vpls->buffer);
+    *vpls = (struct vpl_buffer){0};
+}

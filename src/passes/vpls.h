@@ -1,0 +1,53 @@
+/* VPLs, and what clusters and trees make of them. */
+#ifndef PASSES_VPLS_H
+#define PASSES_VPLS_H
+
+#include "gl/buffer.h"
+#include "gl/texture.h"
+
+/* N virtual point lights: struct vpl (shared/vpl.h), at least as many as a uniform block has room for; and sums
+ * over them, which tell how far they are apart, the scale of what is lit, and their hue. */
+struct vpl_buffer {
+    struct buffer buffer;
+    GLuint vertices; /* vertex array: position 0, normal 1, flux 2 */
+    GLuint texels;   /* buffer texture: lib/vpl_texels.glsl */
+    int count;
+    struct texture sums; /* a pixel, RGBA32F: lib/vpl_sums.glsl */
+    GLuint sums_framebuffer;
+};
+
+/* How much VPLs count where they are clustered (lights/vpl_weight.glsl): what each would give to the picture, R32F, a texel
+ * a VPL; and a pixel of what all would, and of how many there are, RGBA32F. */
+struct vpl_weights {
+    struct texture values, sum;
+};
+
+/* A binary tree over VPLs (shared/vpl_tree.h), and the VPL that stands for each node, as many times as there are sets
+ * of pixels: R32UI, a layer a set. */
+struct vpl_tree {
+    struct texture nodes, picks;
+    GLuint vpls; /* buffer texture over the VPLs */
+    int leaves, sets;
+};
+
+/* Of each block of block x block pixels two cuts through a tree, the second for pixels of lists: R32UI, of each cut a
+ * layer with the counts of nodes, and a layer for each node. */
+struct vpl_cuts {
+    struct texture texture;
+    const struct vpl_tree *tree;
+    int block, detail_layer; /* where the second begins */
+};
+
+/* Of clusters of VPLs, M x 1 RGBA32F: position and count, normal, flux (W). */
+struct val_targets {
+    struct texture position, normal, flux;
+    GLuint framebuffer;
+};
+
+bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);
+void vpl_buffer_free(struct vpl_buffer *vpls);
+
+/* The sums of what the VPLs stand for. */
+void vpl_buffer_take_sums(const struct vpl_buffer *vpls, const struct vpl_buffer *from);
+
+#endif
