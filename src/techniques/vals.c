@@ -264,23 +264,18 @@ void vals_free(struct vals *vals) {
     free_set(&vals->further);
 }
 
-static void replace_blocks(struct val_set *set, const struct block_visibility_pass *fresh) {
-    block_visibility_pass_free(&set->blocks);
-    set->blocks = *fresh;
-}
-
 bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int height) {
     struct block_visibility_pass first = {0}, further = {0};
-    if (!init_blocks(&first, &vals->first, width, height) ||
-        !init_blocks(&further, &vals->further, width, height) ||
-        !many_lights_resize(lights, width, height)) {
-        block_visibility_pass_free(&first);
-        block_visibility_pass_free(&further);
-        return false;
+    bool ok = init_blocks(&first, &vals->first, width, height) &&
+              init_blocks(&further, &vals->further, width, height) &&
+              many_lights_resize(lights, width, height);
+    block_visibility_pass_free(ok ? &vals->first.blocks : &first);
+    block_visibility_pass_free(ok ? &vals->further.blocks : &further);
+    if (ok) {
+        vals->first.blocks = first;
+        vals->further.blocks = further;
     }
-    replace_blocks(&vals->first, &first);
-    replace_blocks(&vals->further, &further);
-    return true;
+    return ok;
 }
 
 static void render_set(struct val_set *set, const struct frame *frame,

@@ -100,15 +100,12 @@ static bool resize(void *state, int width, int height) {
     struct vpl_cut_pass fresh;
     desc.width = width;
     desc.height = height;
-    if (!vpl_cut_pass_init(&fresh, &desc))
-        return false;
-    if (!vals_resize(&technique->vals, &technique->lights, width, height)) {
-        vpl_cut_pass_free(&fresh);
-        return false;
-    }
-    vpl_cut_pass_free(&technique->cut);
-    technique->cut = fresh;
-    return true;
+    bool ok = vpl_cut_pass_init(&fresh, &desc) &&
+              vals_resize(&technique->vals, &technique->lights, width, height);
+    vpl_cut_pass_free(ok ? &technique->cut : &fresh);
+    if (ok)
+        technique->cut = fresh;
+    return ok;
 }
 
 static void render_lights(void *state, const struct frame *frame) {
