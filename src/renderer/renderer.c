@@ -176,7 +176,7 @@ static const struct part_row {
     {PART_ANTIALIAS, MEMBERS(antialias, antialias), init_antialias, NULL},
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
     {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
-    {PART_MEAN, MEMBERS(refining.mean, refining.centers), init_mean, NULL},
+    {PART_MEAN, MEMBERS(refining.centers, refining.mean), init_mean, NULL},
     {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
 };
 
