@@ -2,7 +2,7 @@
  * message, and never crash, hang or leak. The last also hold what is told beside them, and abort where it
  * does not hold.
  *
- * `make fuzz` makes up bytes (driver.c); test/test_seeds.c runs those that are kept, below seeds/.
+ * `make fuzz` makes up bytes (driver.c); test/scene/test_seeds.c runs those that are kept, below seeds/.
  */
 #ifndef TEST_FUZZ_FUZZ_H
 #define TEST_FUZZ_FUZZ_H

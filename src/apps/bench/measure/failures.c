@@ -134,6 +134,10 @@ static bool draw(const struct run *run) {
     return ok;
 }
 
+static bool is_asked(const struct run *run, int column) {
+    return !run->desc->columns || run->desc->columns >> column & 1;
+}
+
 /* All columns, or none. */
 static bool resume(struct results *results, const struct run *run, bool *resumed) {
     struct bound bound;
@@ -141,8 +145,9 @@ static bool resume(struct results *results, const struct run *run, bool *resumed
     *resumed = true;
     for (int i = 0; ok && *resumed && i < FAILURE_COLUMNS; i++) {
         struct measure_desc subject;
-        ok = prepare(run, failure_columns[i], &subject, &bound) &&
-             results_resume(results, &subject, resumed);
+        if (is_asked(run, i))
+            ok = prepare(run, failure_columns[i], &subject, &bound) &&
+                 results_resume(results, &subject, resumed);
     }
     return ok;
 }
@@ -150,7 +155,7 @@ static bool resume(struct results *results, const struct run *run, bool *resumed
 static bool measure_all(struct results *results, struct run *run) {
     bool ok = true;
     for (int i = 0; ok && i < FAILURE_COLUMNS; i++)
-        ok = measure(results, run, i) ||
+        ok = !is_asked(run, i) || measure(results, run, i) ||
              error_prefix("%.*s", (int)strcspn(failure_columns[i], ":"), failure_columns[i]);
     return ok && draw(run) && results_commit(results);
 }

@@ -38,10 +38,11 @@ struct failure_desc {
     struct truth_desc truth;          /* TRUTH_CENTERS: without the error of edges */
     const struct context *context;    /* its messages count */
     bool small;                       /* hold results to the bounds of small pictures */
+    unsigned columns;                 /* bits of failure_columns; 0 = all, as pictures need */
     const char *pictures;             /* folder; NULL = no pictures */
 };
 
-/* Adds a subject for each column, whose point is the row's name:
+/* Adds a subject for each of these columns, whose point is the row's name:
  *     what errors_add adds, worst (pixel: |v - r| over the reference's mean) in %, non-finite
  *     (values), messages (of OpenGL), rmse-bound, bias-bound, and holds: 1 where it is finite,
  *     silent and within bounds

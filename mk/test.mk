@@ -1,0 +1,193 @@
+# Tests, sanitizers, fuzzers, coverage, mutants, static checks, and the bundle.
+
+.PHONY: test test-long tests asan tsan fuzz fuzzers test-all coverage mutants lint analyze bundle bundle-parts
+
+# --- tests ----------------------------------------------------------------------------------------
+
+TEST_SOURCES := $(sort $(shell find test -name 'test_*.c'))
+TESTS_OF_VIEWER := $(filter-out %/test_output_file.c,$(shell grep -l '"view_[a-z]*.h"\|"desktop.h"\|"viewer/' $(TEST_SOURCES)))
+TEST_PROGRAMS := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(filter-out $(if $(VIEWER),,$(TESTS_OF_VIEWER)),$(TEST_SOURCES))))
+TESTS := $(TEST_PROGRAMS)
+
+# What test programs share.
+TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(if $(VIEWER),,%/desktop.c %/view_stage.c),$(sort $(wildcard test/support/*.c))))
+$(BUILD)/test/%.o: INCLUDES += -Itest/support
+# All test programs share one library in the bundle.
+TEST_LIBRARY := $(LIBRARY)
+
+# Sources lie in a folder for each layer, all programs in one.
+$(foreach source,$(TEST_SOURCES),$(eval $(BUILD)/test/$(basename $(notdir $(source))): $(source:%.c=$(BUILD)/%.o)))
+
+$(TEST_PROGRAMS): $(TEST_SUPPORT) $(TEST_LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(TEST_LIBRARY) $(LIBS) -lcmocka $(if $(VIEWER),-lX11)
+
+# What is fed to the fuzzers and kept, read again.
+FUZZ_OBJECTS := $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/driver.c,$(sort $(wildcard test/fuzz/*.c))))
+$(BUILD)/test/test_seeds: $(FUZZ_OBJECTS)
+$(BUILD)/test/fuzz/%.o $(BUILD)/test/scene/test_seeds.o: INCLUDES += -Itest
+
+# The sources of all programs, as drivers get them, for another compiler of GLSL to read.
+SHADER_DUMP := $(BUILD)/test/shaders/dump
+$(SHADER_DUMP): $(patsubst %.c,$(BUILD)/%.o,$(wildcard test/shaders/*.c)) $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+# What makes calls of the program fail, for test_faults.
+FAULTS := $(BUILD)/test/faults.so
+$(BUILD)/test/test_faults: | $(FAULTS)
+
+$(FAULTS): test/faults/faults.cpp
+	@mkdir -p $(@D)
+	$(say) CXX $@
+	$(Q)$(CXX) -std=c++17 -O1 $(WARNINGS) -fPIC -shared -o $@ $<
+
+# The program with a technique and a direct method more, which only tests have: what a newcomer to the
+# house adds is a folder and a line of a registry, here told by a macro.
+GUEST_SOURCES := $(sort $(shell find test/guests -name '*.c'))
+GUEST_SHADERS := $(sort $(shell find test/guests -name '*.frag' -o -name '*.comp'))
+GUEST_OBJECTS := $(GUEST_SOURCES:%.c=$(BUILD)/%.o) $(GUESTS)/techniques.o $(GUESTS)/direct.o \
+    $(GUESTS)/glsl_embedded.o
+
+$(GUESTS)/glsl_embedded.c: $(SHADERS) $(GUEST_SHADERS)
+
+$(GUESTS)/%.o: src/%/registry.c
+	@mkdir -p $(@D)
+	$(say) CC $@
+	$(Q)$(CC) $(C_FLAGS) '-DMORE_TECHNIQUES(X)=X(ambient)' '-DMORE_METHODS(X)=X(headlamp)' \
+	    -MMD -MP -c -o $@ $<
+
+$(GUESTS)/manylight: $(MAIN_OBJECT) $(GUEST_OBJECTS) $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
+
+# LONG=1: all rows of each test, not a few of each kind.
+LONG :=
+test: deps
+	@$(MAKE) --no-print-directory tests
+
+test-long: deps
+	@$(MAKE) --no-print-directory tests LONG=1
+
+tests: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
+	@MANYLIGHT_LONG=$(LONG) MANYLIGHT_BUILD=$(BUILD) MANYLIGHT_BINARY=$(if $(findstring /,$(BINARY)),,./)$(BINARY) test/run $(TESTS)
+
+# --- bundle ---------------------------------------------------------------------------------------
+
+# A folder, and an archive of it, that runs on a bare Linux machine with a driver of OpenGL: program, test programs, scenes
+# and libraries, without the viewer (bundle/README). It is built apart, in BUNDLE_BUILD.
+BUNDLE_PACKAGES := $(filter-out libopenimageio-dev libglfw3-dev libimgui-dev libx11-dev gnuplot-nox xvfb xdotool,$(PACKAGES)) \
+    libopenexr-dev libpng-dev libjpeg-dev libwebp-dev patchelf
+BUNDLE := build/bundle
+BUNDLE_BUILD := build/bundle-parts
+
+bundle:
+	@test/install-packages $(BUNDLE_PACKAGES)
+	@$(MAKE) --no-print-directory bundle-parts PICTURES=small VIEWER= BUILD=$(BUNDLE_BUILD) \
+	    BINARY=$(BUNDLE_BUILD)/manylight SCENE_FOLDER=$(BUNDLE_BUILD)/scenes/all \
+	    TEST_LIBRARY=$(BUNDLE_BUILD)/libmanylight.so CFLAGS="$(CFLAGS) -fPIC -fno-semantic-interposition"
+	@bundle/pack $(BUNDLE_BUILD) $(BUNDLE)
+
+bundle-parts: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
+	@printf '%s\n' $(TESTS) > $(BUILD)/tests.list
+
+$(BUILD)/libmanylight.so: $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(@F) -o $@ -Wl,--whole-archive $< -Wl,--no-whole-archive $(LIBS)
+
+# --- other builds ---------------------------------------------------------------------------------
+
+# Tests of a build of its own kind, in its own folder.
+tests_of = $(MAKE) --no-print-directory tests BUILD=build/$(1) BINARY=build/$(1)/manylight-$(1)
+
+SANITIZE := -fsanitize=address,undefined -fno-omit-frame-pointer -fno-sanitize-recover=undefined
+# Without the interception, whose list of threads' memory is wrong now and then, the search for leaks itself crashes.
+asan: deps
+	@+ASAN_OPTIONS=intercept_tls_get_addr=0 \
+	    LSAN_OPTIONS=suppressions=$(CURDIR)/test/leaks-of-others:print_suppressions=0 \
+	    $(call tests_of,asan) CFLAGS="-O1 -g $(SANITIZE)" LDFLAGS="$(SANITIZE)"
+
+# What has threads of its own: the path tracer, the metrics, the loader, and the viewer, which loads, compiles, traces
+# and measures in the background.
+TSAN_TESTS := $(patsubst %,build/tsan/test/test_%,reference denoise sky metrics gltf view_compiling view_reference)
+tsan: deps
+	@+TSAN_OPTIONS="suppressions=$(CURDIR)/test/races-of-others exitcode=66" \
+	    $(call tests_of,tsan) TESTS="$(TSAN_TESTS)" \
+	    CFLAGS="-O1 -g -fsanitize=thread" LDFLAGS="-fsanitize=thread"
+
+# Made-up files and texts for so many seconds each, with clang's libFuzzer; what it finds is left in
+# build/fuzz.
+SECONDS := 60
+FUZZ := scene picture text
+FUZZERS := $(FUZZ:%=$(BUILD)/fuzz_%)
+FUZZ_FLAGS := -O1 -g $(SANITIZE) -fsanitize=fuzzer-no-link -Wno-missing-field-initializers
+
+fuzz: deps
+	@test/install-packages clang
+	@$(MAKE) --no-print-directory fuzzers BUILD=build/fuzz CC=clang CXX=clang++ \
+	    CFLAGS="$(FUZZ_FLAGS)" LDFLAGS="$(SANITIZE)"
+
+fuzzers: $(FUZZERS)
+	@$(foreach name,$(FUZZ),test/fuzz/run $(BUILD)/fuzz_$(name) test/fuzz/seeds/$(name) $(SECONDS) &&) true
+
+$(FUZZERS): $(BUILD)/fuzz_%: $(BUILD)/test/fuzz/driver_%.o $(FUZZ_OBJECTS) $(LIBRARY)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ $(LIBS)
+
+$(FUZZ:%=$(BUILD)/test/fuzz/driver_%.o): $(BUILD)/test/fuzz/driver_%.o: test/fuzz/driver.c
+	@mkdir -p $(@D)
+	$(say) CC $@
+	$(Q)$(CC) $(C_FLAGS) -DFUZZ=fuzz_$* -MMD -MP -c -o $@ $<
+
+# Everything built by two compilers without and with optimisation, with a few tests of each floor; then what
+# reads the code alone.
+COMPILERS := gcc-O0 gcc-O3 clang-O0 clang-O3
+SOME_TESTS := base exr scene gltf metrics emitters compare passes render
+
+test-all: deps
+	@test/install-packages clang
+	@+$(foreach c,$(COMPILERS),$(call tests_of,$(c)) \
+	    CC=$(word 1,$(subst -, ,$(c))) CXX=$(subst gcc,g++,$(subst clang,clang++,$(word 1,$(subst -, ,$(c))))) \
+	    CFLAGS="-$(word 2,$(subst -, ,$(c))) -g $(if $(findstring clang,$(c)),-Wno-missing-field-initializers)" \
+	    TESTS="$(SOME_TESTS:%=build/$(c)/test/test_%)" &&) true
+	@$(MAKE) --no-print-directory lint analyze
+
+# How much of the lower floors their tests reach, and the programs that those start, as gcovr tells it; of branches
+# without those that exceptions take. C++ is compiled with -O1: without it GCC gives the destructors of temporaries
+# in a short circuit branches of their own, a quarter of all. Without test_full_disk, whose limits cut gcov's files too.
+COVERED := base scene lights metrics
+COVERING := base options exr gltf gltf_refusals packed scene scene_parts animation framing metrics heat_map compare output_file info emissive emitters \
+    environment environment_fit memory seeds light starts robust failures reference_app several_lights bench sky \
+    marching_cubes caster caster_pool sequence hostile reference imperfect area_lights faults machine
+COVERAGE := --coverage -fprofile-update=atomic
+
+coverage: deps
+	@test/install-packages gcovr
+	@find build/coverage -name '*.gcda' -delete 2>/dev/null || true
+	@+$(call tests_of,coverage) \
+	    CFLAGS="-O0 -g $(COVERAGE)" CXXFLAGS="-O1 -g $(COVERAGE)" LDFLAGS="$(COVERAGE)" TESTS="$(COVERING:%=build/coverage/test/test_%)"
+	@for what in "" --branches; do gcovr -r . --object-directory build/coverage $(COVERED:%=--filter src/%/) \
+	    --exclude src/scene/gpu/ --exclude-throw-branches --exclude-unreachable-branches \
+	    --exclude-lines-by-pattern '.*assert\(.*' $$what; done
+
+# How many small faults in the code the tests notice: so many, of all that test/mutate can make; SEED=2 ... picks others.
+MUTANTS := 50
+mutants: all $(patsubst %,$(BUILD)/test/test_%,metrics heat_map options cluster passes cluster_lights)
+	@test/mutate $(BUILD) $(MUTANTS) "test_metrics test_heat_map" src/metrics/*.c src/metrics/flip/*.c
+	@test/mutate $(BUILD) $(MUTANTS) test_options src/base/option.c src/base/settings.c
+	@test/mutate $(BUILD) $(MUTANTS) "test_cluster test_passes test_cluster_lights" src/passes/lights/cluster.c \
+	    $(wildcard glsl/lights/cluster_* glsl/lights/val_distance.glsl glsl/lights/val_seed.glsl)
+
+lint: $(BUILD)/shaders.checked
+	@test/install-packages clang-format
+	@test/lint
+
+$(BUILD)/shaders.checked: $(SHADER_DUMP) $(SHADERS) test/shaders/check | $(SCENES)
+	@test/install-packages glslang-tools
+	$(say) LINT shaders
+	$(Q)test/shaders/check $(SHADER_DUMP) $(SHADERS)
+	@touch $@
+
+analyze: all
+	@test/install-packages cppcheck clang-tidy
+	@test/analyze

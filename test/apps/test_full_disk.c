@@ -1,0 +1,218 @@
+/* What the programs say, and leave, when a disk or stdout takes no more: exit 1, one message, no
+ * file that is not whole. */
+#include "command_support.h"
+
+#include "base/error.h"
+#include "base/file/image_file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Small enough for a frame in no time. */
+#define QUICK                                                                                      \
+    "--size 24x16 --set vpls=64 --set vals=4 --set map-size=32 --set rsm-size=64 "                 \
+    "--set shadow-size=128 "
+#define BOX "scenes/cornell-box.glb "
+
+static const char *folder;
+
+static void make_folder(void) {
+    char command[600];
+    folder = scratch("full-disk");
+    snprintf(command, sizeof command, "rm -rf '%s' && mkdir '%s'", folder, folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+}
+
+/* Two pictures to compare. */
+static void write_pictures(void) {
+    struct image image;
+    image_init(&image, 64, 64, "R G B");
+    for (int i = 0; i < 2; i++) {
+        check_ok("picture", image_write(&image, scratch(i ? "b.exr" : "a.exr")));
+        for (int k = 0; k < 64 * 64 * 3; k++)
+            image.pixels[k] = (float)(k * 7919 % 101) / 100;
+    }
+    image_free(&image);
+}
+
+/* Runs `BINARY ARGUMENTS` behind a shell's preamble; @ is the scratch folder. */
+static int run(const char *before, const char *arguments, const char *after) {
+    char filled[1024], command[2048];
+    in_scratch(filled, sizeof filled, arguments);
+    snprintf(command, sizeof command, "(%s %s %s %s)", before, binary_path(), filled, after);
+    int status = run_command(command, output, sizeof output);
+    printf("    %s %s -> %d %.300s\n", filled, after, status, output);
+    return status;
+}
+
+/* One line says so, beside notes and warnings. */
+static void expect_message(const char *what, const char *reason) {
+    int count = 0;
+    for (char *line = strtok(output, "\n"); line; line = strtok(NULL, "\n")) {
+        if (strstr(line, "manylight: note: ") || strstr(line, "manylight: warning: "))
+            continue;
+        count++;
+        assert_non_null(strstr(line, what));
+        assert_non_null(strstr(line, reason));
+    }
+    assert_int_equal(count, 1);
+}
+
+static void test_stdout(void **state) {
+    (void)state;
+    static const char *const cases[] = {
+        "--help",
+        "--version",
+        "render --help",
+        "info " BOX,
+        "info --gl",
+        "compare @/a.exr @/b.exr",
+        "compare @/a.exr @/b.exr --json",
+        "render " BOX QUICK "-o @/full-disk/stats.png --stats",
+        "bench times " BOX "--size 24x16 --frames 1",
+        "bench budget " BOX "--size 24x16 --set vpls=64 --noise 1 --cache @/cache",
+    };
+    write_pictures();
+    make_folder();
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        if (run("", cases[i], ">/dev/null") != 0)
+            continue; /* no OpenGL here */
+        assert_int_equal(run("", cases[i], ">/dev/full"), 1);
+        expect_message("cannot write standard output", "No space left on device");
+        assert_int_equal(run("", cases[i], ">&-"), 1);
+        expect_message("cannot write standard output", "Bad file descriptor");
+    }
+}
+
+/* A picture does not get the number of a stream that is closed, nor need one. */
+static void test_closed_streams(void **state) {
+    (void)state;
+    make_folder();
+    write_pictures();
+    const char *arguments = "render " BOX QUICK "-o @/full-disk/closed.exr --quiet";
+    if (run("", arguments, ">/dev/null") != 0)
+        skip();
+    assert_int_equal(run("", arguments, "<&- >&- 2>&-"), 0);
+    char path[512];
+    snprintf(path, sizeof path, "%s/closed.exr", folder);
+    check_ok("whole", image_is_whole(path));
+}
+
+/* Programs that write files. */
+static const char *const writers[] = {
+    "compare @/a.exr @/b.exr -o @/full-disk/heat.png",
+    "compare @/a.exr @/b.exr -o @/full-disk/heat.jpg",
+    "compare @/a.exr @/b.exr -o @/full-disk/heat.exr",
+    "render " BOX QUICK "-o @/full-disk/a.png",
+    "render " BOX QUICK "-o @/full-disk/a.jpg",
+    "render " BOX QUICK "-o @/full-disk/a.exr",
+    "render " BOX QUICK "-o @/full-disk/a.##.tga --frames 0..3",
+    "reference " BOX "--size 24x16 --spp 4 -o @/full-disk/truth.exr",
+    "bench times " BOX "--size 24x16 --frames 1 --csv @/full-disk/times.csv",
+    "bench budget " BOX "--size 24x16 --set vpls=64 --noise 1 --csv @/full-disk/budget.csv "
+    "--cache @/cache",
+    "bench sweep " BOX "--size 24x16 --reference path --noise 1 --frames 1 --cache @/full-disk",
+    "bench temporal scenes/moving-spot.glb --size 16x16 --frames 2 --set vpls=64 "
+    "--set map-size=32 --variant instant-radiosity --csv @/full-disk/temporal.csv",
+    "bench failures room --size 16x16 --noise 1 --cache @/cache "
+    "--csv @/full-disk/failures.csv",
+    "bench failures room --size 16x16 --noise 1 --cache @/cache -o @/full-disk",
+    "bench chart @/sweep.csv -o @/full-disk",
+};
+
+static void test_writers(void **state) {
+    (void)state;
+    write_pictures();
+    make_folder();
+    run("",
+        "bench sweep " BOX "--size 24x16 --frames 1 --reference path --noise 1 --vary vals=2,4 "
+        "--cache @/cache --csv @/sweep.csv",
+        ">/dev/null");
+    for (size_t i = 0; i < sizeof writers / sizeof *writers; i++) {
+        if (!knows_format("jpg") && (strstr(writers[i], ".jpg") || strstr(writers[i], ".tga")))
+            continue;
+        make_folder();
+        int status = run("", writers[i], ">/dev/null");
+        if (strstr(output, "cannot run gnuplot") || strstr(output, "gnuplot is missing") ||
+            strstr(output, "no context"))
+            continue;
+        assert_true(status == 0 || strstr(output, "not what is promised"));
+        assert_true(count_files(folder) > 0);
+        make_folder();
+        assert_int_equal(run("ulimit -f 0;", writers[i], ">/dev/null"), 1);
+        bool draws = strstr(writers[i], "chart"); /* gnuplot loses the drawing before we have it */
+        expect_message("cannot write ", draws ? "has no end" : ": File too large");
+        assert_int_equal(count_files(folder), 0);
+    }
+}
+
+/* Every format onto a disk of four pages that another file has filled. */
+static void check_real_disk(const char *before) {
+    static const char *const formats[] = {"exr", "tif", "pfm", "hdr", "png", "jpg", "webp",
+                                          "bmp", "tga", "gif", "jp2", "ppm", "dpx"};
+    char command[2048], known[128] = "";
+    int count = 0;
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (knows_format(formats[i])) {
+            strcat(strcat(known, " "), formats[i]);
+            count++;
+        }
+    snprintf(command, sizeof command,
+             "unshare -rm sh -c 'mount -t tmpfs -o size=16k none %s || "
+             "exit 1; "
+             "head -c 1M /dev/zero >%s/other; %s "
+             "for e in %s; do "
+             "%s compare %s %s -o %s/heat.$e >/dev/null; echo $?; done; ls -A %s'",
+             folder, folder, before, known, binary_path(), scratch("a.exr"), scratch("b.exr"),
+             folder, folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    printf("%s", output);
+    int refused = 0;
+    for (const char *at = output; (at = strstr(at, ": No space left on device\n1\n")); at++)
+        refused++;
+    assert_int_equal(refused, count);
+    assert_null(strstr(output, "\n0\n"));
+    expect_text("\n1\nother\n");
+}
+
+/* Without /proc a file must have a name from the start, as on file systems that know no other. */
+static void test_real_disk(void **state) {
+    (void)state;
+    char command[1024];
+    make_folder();
+    write_pictures();
+    snprintf(command, sizeof command, "unshare -rm mount -t tmpfs none %s", folder);
+    if (run_command(command, output, sizeof output) != 0) {
+        printf("    skipped: no disk can be mounted here: %s", output);
+        skip();
+    }
+    check_real_disk("");
+#ifndef __SANITIZE_ADDRESS__ /* which wants a /proc */
+    check_real_disk("mount -t tmpfs none /proc;");
+#endif
+}
+
+/* The tool that makes our scenes. */
+static void test_scenes(void **state) {
+    (void)state;
+    char command[1024];
+    const char *build = getenv("MANYLIGHT_BUILD");
+    make_folder();
+    snprintf(command, sizeof command, "ulimit -f 0; trap '' XFSZ; exec %s/scenes/make_scenes %s",
+             build ? build : "build", folder);
+    assert_int_not_equal(run_command(command, output, sizeof output), 0);
+    printf("    %s", output);
+    snprintf(command, sizeof command, "find %s -type f", folder);
+    assert_int_equal(run_command(command, output, sizeof output), 0);
+    assert_string_equal(output, "");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_stdout),  cmocka_unit_test(test_closed_streams),
+        cmocka_unit_test(test_writers), cmocka_unit_test(test_real_disk),
+        cmocka_unit_test(test_scenes),
+    };
+    return cmocka_run_group_tests_name("full disk", tests, NULL, NULL);
+}

@@ -1,0 +1,147 @@
+/* A technique and a direct method that only tests have go through every subcommand: nothing in the
+ * program knows VPLs, maps or a blur to be there. */
+#include "base/file/image_file.h"
+#include "base/memory.h"
+#include "command_support.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Runs the guests' program and looks for the words in what it says. */
+static void expect_words(int status, const char *words, const char *format, const char *argument) {
+    char command[1024], arguments[768];
+    const char *build = getenv("MANYLIGHT_BUILD");
+    snprintf(arguments, sizeof arguments, format, argument);
+    snprintf(command, sizeof command, "%s/test/guests/manylight %s", build ? build : "build",
+             arguments);
+    int actual = run_command(command, output, sizeof output);
+    if (actual != status || !strstr(output, words))
+        fail_msg("%s: status %d, expected %d with '%s':\n%s", arguments, actual, status, words,
+                 output);
+}
+
+static void test_render(void **state) {
+    (void)state;
+    const char *path = scratch("guests.exr");
+    expect_words(
+        0, "ambient  ",
+        "render scenes/cornell-box.glb -o %s --size 64x48 --technique ambient --direct headlamp "
+        "--set level=.5 --stats --gl-debug",
+        path);
+    assert_null(strstr(output, "VPLs"));
+    struct image image;
+    check_ok("read", image_read(&image, path));
+    int alpha = image_find_channel(&image, "A"),
+        indirect = image_find_channel(&image, "indirect.R"),
+        direct = image_find_channel(&image, "direct.G");
+    float level = 0, nearest = 0;
+    for (int y = 0; y < image.height; y++)
+        for (int x = 0; x < image.width; x++) {
+            const float *pixel = image_at(&image, x, y);
+            if (pixel[alpha] < 1)
+                continue;
+            level = level > 0 ? level : pixel[indirect];
+            assert_true(fabsf(pixel[indirect] - level) <= 1e-6F * level);
+            nearest = fmaxf(nearest, pixel[direct]);
+        }
+    printf("    indirect %g everywhere, direct at most %g\n", (double)level, (double)nearest);
+    assert_true(level > 0);
+    check_near("a surface that faces the lamp, times pi", (double)nearest * 3.14159265, 1, .02);
+    image_free(&image);
+}
+
+static void test_lists(void **state) {
+    (void)state;
+    expect_words(0, "ambient.level", "render --help --technique %s", "ambient");
+    expect_text("headlamp");
+    assert_null(strstr(output, "clustered.vals"));
+    expect_words(0, "clustered.vals", "render --help%s", "");
+    assert_null(strstr(output, "ambient.level"));
+    expect_words(2, "level: '-1' is not a number from 0 to 100",
+                 "render a.glb -o a.png --technique ambient --set %s", "level=-1");
+}
+
+/* What it makes can be had as a layer; what it lacks is refused by name. */
+static void test_outputs(void **state) {
+    (void)state;
+    const char *path = scratch("guests-aov.exr");
+    char arguments[640];
+    static const char *const lacking[] = {"val", "vpl", "visibility", "gathered", "val-depth"};
+    snprintf(arguments, sizeof arguments,
+             "render scenes/cornell-box.glb -o %s --size 32x24 --technique ambient --aov", path);
+    for (size_t i = 0; i < sizeof lacking / sizeof *lacking; i++) {
+        char all[700], words[128];
+        snprintf(all, sizeof all, "%s %s", arguments, lacking[i]);
+        snprintf(words, sizeof words, "technique 'ambient' has no layer '%s'", lacking[i]);
+        expect_words(1, words, "%s", all);
+    }
+    char all[700];
+    snprintf(all, sizeof all, "%s irradiance", arguments);
+    expect_words(0, "", "%s", all);
+}
+
+/* In a window, against a technique that has all, stepping through what there is. */
+static void test_view(void **state) {
+    (void)state;
+    char command[900];
+    need_command("command -v xvfb-run");
+    snprintf(command, sizeof command, "%s view --help", binary_path());
+    need_command(command);
+    const char *build = getenv("MANYLIGHT_BUILD"), *picture = scratch("guests-view.png");
+    /* What the driver loses when GLFW unloads it is not ours to find. */
+    snprintf(command, sizeof command,
+             "ASAN_OPTIONS=detect_leaks=0 timeout -k 5 60 xvfb-run -a %s/test/guests/manylight "
+             "view scenes/cornell-box.glb "
+             "--technique ambient --direct headlamp --size 120x100 --frames 2 --screenshot %s "
+             "</dev/null",
+             build ? build : "build", picture);
+    int status = run_command(command, output, sizeof output);
+    if (status != 0)
+        fail_msg("view: status %d:\n%s", status, output);
+    struct image image;
+    check_ok("screenshot", image_read(&image, picture));
+    assert_true(image.width == 120 && image.height == 100);
+    image_free(&image);
+}
+
+static void test_compare(void **state) {
+    (void)state;
+    char other[512], arguments[1100];
+    snprintf(other, sizeof other, "%s", scratch("guests-other.exr"));
+    expect_words(
+        0, "",
+        "render scenes/cornell-box.glb -o %s --size 64x48 --technique ambient --direct headlamp "
+        "--set ambient.level=1 --quiet",
+        other);
+    snprintf(arguments, sizeof arguments, "compare %s %s -l indirect", scratch("guests.exr"),
+             other);
+    expect_words(0, "relative-bias", "%s", arguments);
+    const char *bias = strstr(output, "relative-bias");
+    check_near("half the level: relative bias", atof(bias + 13), -.5, 1e-4);
+}
+
+static void test_bench(void **state) {
+    (void)state;
+    const char *csv = scratch("guests.csv");
+    static const char small[] = "--size 32x24 --frames 2 --variant ambient -q --csv";
+    char arguments[512];
+    snprintf(arguments, sizeof arguments, "bench times scenes/cornell-box.glb %s %%s", small);
+    expect_words(0, "  frame/ambient ", arguments, csv);
+    assert_null(strstr(output, "and VPL "));
+    snprintf(arguments, sizeof arguments,
+             "bench sweep scenes/cornell-box.glb --vary level=.5,1 --reference vpls %s %%s", small);
+    expect_words(0, "level=.5 ", arguments, csv);
+    snprintf(arguments, sizeof arguments, "bench temporal scenes/moving-spot.glb %s %%s", small);
+    expect_words(0, "  ambient ", arguments, csv);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_render),  cmocka_unit_test(test_lists),
+        cmocka_unit_test(test_outputs), cmocka_unit_test(test_view),
+        cmocka_unit_test(test_compare), cmocka_unit_test(test_bench),
+    };
+    return cmocka_run_group_tests_name("guests", tests, NULL, NULL);
+}

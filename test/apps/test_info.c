@@ -1,0 +1,139 @@
+/* manylight info. */
+#include "command_support.h"
+#include "gltf_parts.h"
+
+#include "base/file/image_file.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define EYE(more)                                                                                  \
+    "{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1, \"znear\": 1" more "}}"
+
+static int info(const char *arguments) {
+    return run_program("info %s", arguments);
+}
+
+static void test_gl(void **state) {
+    (void)state;
+    if (info("") != 0) {
+        printf("    skipped: %s\n", output);
+        skip();
+    }
+    expect_text("context   ");
+    expect_text("renderer  ");
+    expect_text("uniform block bytes");
+}
+
+static void test_scene(void **state) {
+    (void)state;
+    assert_int_equal(info("scenes/cornell-box.glb"), 0);
+    expect_text("72 vertices, 36 triangles (36 without alpha mask)");
+    expect_text("(-2.78, 0, -2.796) to (2.78, 5.488, 2.796) m");
+    expect_text(
+        "  0  white                base colour (0.725, 0.71, 0.68), metalness 0, roughness 1");
+    expect_text("lights     1\n");
+    expect_text("spot (500, 500, 500) W/sr at (1.1, 2.3, 1.9)");
+    expect_text("cameras    1\n");
+    expect_text("perspective, 39.31 degrees high, at (0, 2.73, 10.8) towards (0, 0, -1)");
+    assert_null(strstr(output, "renderer"));
+}
+
+static void test_point_light(void **state) {
+    (void)state;
+    assert_int_equal(info("scenes/sphere.glb"), 0);
+    expect_text("point (3.142, 3.142, 3.142) W/sr at (0, 0, 0)\n");
+}
+
+/* Names are those of nodes, as in messages; of what a node without a name carries. */
+static void test_names(void **state) {
+    (void)state;
+    const char *path = write_parts(
+        "names.glb",
+        &(struct gltf_parts){
+            .nodes = "[{\"mesh\": 0}, {\"name\": \"Eye node\", \"camera\": 0}, {\"camera\": 0},"
+                     " {\"name\": \"Lamp node\", \"extensions\": {\"KHR_lights_punctual\":"
+                     " {\"light\": 0}}}, {\"extensions\": {\"KHR_lights_punctual\":"
+                     " {\"light\": 0}}}]",
+            .more = "\"cameras\": [{\"name\": \"Eye data\", \"type\": \"perspective\","
+                    " \"perspective\": {\"yfov\": 1, \"znear\": 1}}], \"extensions\":"
+                    " {\"KHR_lights_punctual\": {\"lights\": [{\"name\": \"Lamp data\","
+                    " \"type\": \"point\"}]}},"});
+    assert_int_equal(info(path), 0);
+    expect_text("  0  Eye node             perspective");
+    expect_text("  1  Eye data             perspective");
+    expect_text("  0  Lamp node            point");
+    expect_text("  1  Lamp data            point");
+    assert_int_equal(run_program("reference %s -o %s --camera none", path, scratch("none.exr")), 1);
+    expect_text("(there is: 0=Eye node 1=Eye data)");
+    assert_int_equal(run_program("reference %s -o %s --light none", path, scratch("none.exr")), 1);
+    expect_text("(there is: 0=Lamp node 1=Lamp data)");
+}
+
+/* Without --size a picture has the aspect ratio of its camera. */
+static void test_aspect(void **state) {
+    (void)state;
+    static const struct {
+        const char *camera, *size, *says;
+    } rows[] = {
+        {"--camera 0", "800x800", "57.3 degrees high, at"},
+        {"--camera 1", "800x50", "57.3 degrees high, aspect ratio 16, at"},
+        {"--camera 2", "80x800", "57.3 degrees high, aspect ratio 0.1, at"},
+        {"--camera 3", "800x100", "2 m high, aspect ratio 8, at"},
+        {"--camera '1 eye=0,0,3'", "800x50", ""},
+        {"--camera 1 --size 16x8", "16x8", ""},
+    };
+    char path[512];
+    snprintf(path, sizeof path, "%s",
+             write_parts(
+                 "aspect.glb",
+                 &(struct gltf_parts){
+                     .nodes = "[{\"mesh\": 0}, {\"camera\": 0}, {\"camera\": 1}, {\"camera\": 2},"
+                              " {\"camera\": 3}, {\"camera\": 4}, {\"camera\": 5}]",
+                     .more = "\"cameras\": [" EYE("") "," EYE(", \"aspectRatio\": 16") "," EYE(
+                         ", \"aspectRatio\": 0.1") ",{\"type\": \"orthographic\","
+                                                   " \"orthographic\": {\"xmag\": -8, \"ymag\": 1, "
+                                                   "\"znear\": 0, \"zfar\": 9}}," EYE(
+                                                       ", "
+                                                       "\"aspectRatio\": "
+                                                       "0") "," EYE(", \"aspectRatio\": "
+                                                                    "1e9") "],"}));
+    assert_int_equal(info(path), 0);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        expect_text(rows[i].says);
+    expect_text("  4                       perspective, 57.3 degrees high, at");
+    expect_text("  5                       perspective, 57.3 degrees high, at");
+    for (size_t i = 0; i < 2 * sizeof rows / sizeof *rows; i++) {
+        char command[1024], size[32];
+        int pixels[2];
+        if (run_program("%s %s -q -o %s %s",
+                        i % 2 ? "reference --spp 1" : "render --set vpls=16,vals=2,interleave=1",
+                        path, scratch("aspect.exr"), rows[i / 2].camera) != 0)
+            fail_msg("%s: %s", command, output);
+        check_ok("aspect.exr", image_size(scratch("aspect.exr"), pixels));
+        snprintf(size, sizeof size, "%dx%d", pixels[0], pixels[1]);
+        printf("    %-9s %-24s %s\n", i % 2 ? "reference" : "render", rows[i / 2].camera, size);
+        assert_string_equal(size, rows[i / 2].size);
+    }
+}
+
+static void test_refusals(void **state) {
+    (void)state;
+    assert_int_equal(info("no-such-scene.glb"), 1);
+    assert_string_equal(
+        output, "manylight info: cannot open no-such-scene.glb: No such file or directory\n");
+    assert_int_equal(info("one.glb two.glb"), 2);
+    assert_int_equal(info("--context glx"), 2);
+    expect_text("one of auto, egl, osmesa");
+    assert_int_equal(info("--context osmesa --device 0"), 1);
+    expect_text("no EGL device 0 (there are 0, counted from 0)");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_gl),          cmocka_unit_test(test_scene),
+        cmocka_unit_test(test_point_light), cmocka_unit_test(test_names),
+        cmocka_unit_test(test_aspect),      cmocka_unit_test(test_refusals),
+    };
+    return cmocka_run_group_tests_name("info", tests, NULL, NULL);
+}

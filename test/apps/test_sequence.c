@@ -1,0 +1,277 @@
+/* Sequences: every frame depends on its time alone, is written whole, and costs no memory. */
+#define _POSIX_C_SOURCE 200809L
+#include "command_support.h"
+#include "render_support.h"
+
+#include "apps/frames.h"
+#include "base/error.h"
+#include "base/file/image_file.h"
+#include "base/memory.h"
+#include "gl/memory.h"
+#include "scene/shapes/metaballs.h"
+#include "shared/vpl.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char scene_path[] = "scenes/metaballs.glb";
+static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=128 iterations=2";
+
+/* --- which frames ----------------------------------------------------------------------------- */
+
+static void test_ranges(void **state) {
+    (void)state;
+    struct frames frames;
+    check_ok("mixed", frames_parse(&frames, "3..5,9,0..1"));
+    static const int expected[] = {3, 4, 5, 9, 0, 1};
+    assert_int_equal(frames.count, 6);
+    assert_memory_equal(frames.numbers, expected, sizeof expected);
+    frames_free(&frames);
+    static const char *const wrong[] = {"",      "a",   "1,",  "1..",         "5..4",      "-1",
+                                        "1...2", "1 2", "1;2", "0..99999999", "0..9999999"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        assert_false(frames_parse(&frames, wrong[i]));
+        printf("    %s\n", error_get());
+    }
+}
+
+static void test_names(void **state) {
+    (void)state;
+    static const struct {
+        const char *name, *expected;
+    } cases[] = {{"out.####.exr", "out.0042.exr"},
+                 {"a#/b##.png", "a#/b42.png"},
+                 {"#.png", "42.png"},
+                 {"still.png", "still.png"}};
+    for (int i = 0; i < 4; i++) {
+        char *name = frame_name(cases[i].name, 42);
+        assert_string_equal(name, cases[i].expected);
+        free(name);
+    }
+}
+
+/* --- the program ------------------------------------------------------------------------------ */
+
+static int render(const char *more) {
+    return run_program("render %s --size 24x16 --set vpls=64 --set map-size=32 --set rsm-size=64 "
+                       "--set shadow-size=128 %s",
+                       scene_path, more);
+}
+
+/* The program's pictures of some frames as scratch files PREFIX.N.exr; true where GL is there. */
+static bool render_frames(const char *prefix, const char *frames) {
+    char more[512], name[64];
+    snprintf(name, sizeof name, "%s.##.exr", prefix);
+    snprintf(more, sizeof more, "--frames %s --fps 2 -o %s", frames, scratch(name));
+    if (render(more) == 0)
+        return true;
+    printf("    %s\n", output);
+    return false;
+}
+
+static size_t read_frame(const char *prefix, int frame, char *bytes, size_t size) {
+    char name[64];
+    snprintf(name, sizeof name, "%s.%02d.exr", prefix, frame);
+    FILE *file = fopen(scratch(name), "rb");
+    assert_non_null(file);
+    size_t got = fread(bytes, 1, size, file);
+    assert_true(got > 1000 && got < size);
+    fclose(file);
+    return got;
+}
+
+/* One run forwards, against two runs that begin elsewhere and go backwards. */
+static void test_split(void **state) {
+    (void)state;
+    static char bytes[2][65536];
+    if (!render_frames("whole", "0..5"))
+        skip();
+    assert_true(render_frames("split", "5,4,3"));
+    assert_true(render_frames("split", "2,0,1"));
+    for (int frame = 0; frame < 6; frame++) {
+        size_t size = read_frame("whole", frame, bytes[0], sizeof bytes[0]);
+        assert_int_equal(read_frame("split", frame, bytes[1], sizeof bytes[1]), size);
+        if (memcmp(bytes[0], bytes[1], size) != 0)
+            fail_msg("frame %d: the files differ", frame);
+    }
+    read_frame("whole", 0, bytes[0], sizeof bytes[0]);
+    read_frame("whole", 5, bytes[1], sizeof bytes[1]);
+    assert_true(memcmp(bytes[0], bytes[1], 4096) != 0);
+}
+
+/* The size of a file, -1 where there is none. */
+static long size_of(const char *path) {
+    struct stat found;
+    return stat(path, &found) == 0 ? (long)found.st_size : -1;
+}
+
+/* A frame that is there and whole is left alone; one that is cut, or of another size, is not. */
+static void test_resume(void **state) {
+    (void)state;
+    char more[512];
+    snprintf(more, sizeof more, "--frames 0..2 --skip-existing -o %s", scratch("resumed.#.png"));
+    for (int frame = 0; frame < 3; frame++) {
+        char name[64];
+        snprintf(name, sizeof name, "resumed.%d.png", frame);
+        remove(scratch(name));
+    }
+    unsigned char grey[24 * 16 * 4];
+    memset(grey, 128, sizeof grey);
+    check_ok("another picture",
+             bitmap_write(&(struct bitmap){24, 16, grey}, scratch("resumed.1.png")));
+    check_ok("another size",
+             bitmap_write(&(struct bitmap){16, 24, grey}, scratch("resumed.0.png")));
+    long kept = size_of(scratch("resumed.1.png"));
+    if (render(more) != 0)
+        skip();
+    printf("    %s", output);
+    expect_text("2 frames in");
+    expect_text("resumed.0.png is 16x24, not 24x16; it is rendered again");
+    assert_int_equal(size_of(scratch("resumed.1.png")), kept);
+    long whole = size_of(scratch("resumed.2.png"));
+    assert_true(whole > 100);
+    assert_int_equal(truncate(scratch("resumed.2.png"), whole - 1), 0);
+    assert_int_equal(render(more), 0);
+    printf("    %s", output);
+    expect_text("resumed.2.png: ends too soon; it is rendered again");
+    expect_text("1 frames in");
+    assert_int_equal(size_of(scratch("resumed.2.png")), whole);
+    assert_int_equal(size_of(scratch("resumed.1.png")), kept);
+}
+
+static void test_misuse(void **state) {
+    (void)state;
+    static const struct {
+        const char *arguments, *message;
+        int status;
+    } cases[] = {
+        {"-o a.png --frames 0..4", "a.png: 5 frames need #### in the file's name", 2},
+        {"-o a.##.png", "'#' stands for the number of a frame, and there is no --frames", 2},
+        {"-o a.##.png --frames 4..1", "frames: '4..1' is not like 0..249 or 1,5,9", 2},
+        {"-o a.png --fps 0", "fps", 2},
+        {"-o a.png --clip walk", "no clip 'walk' (there is: none)", 1},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        assert_int_equal(render(cases[i].arguments), cases[i].status);
+        printf("    %s", output);
+        expect_text(cases[i].message);
+    }
+}
+
+/* --- the renderer ----------------------------------------------------------------------------- */
+
+static void pose(struct stage *stage, struct renderer *renderer, double time) {
+    check_ok("pose", stage_pose(stage, time));
+    check_ok("update", stage_show(stage, renderer));
+    renderer_render(renderer);
+}
+
+/* A frame after others, whose metaballs outgrew their room, equals the one of a fresh renderer. */
+static void test_any_start(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    struct image image[2];
+    open_stage(&stage, scene_path);
+    float cell = stage.scene.metaballs[0].cell;
+    stage.scene.metaballs[0].cell = .5f;
+    pose_stage(&stage);
+    struct renderer_desc desc = desc_of(&stage, "clustered", small, 32, 32);
+    open_renderer(&renderer, &desc);
+    stage.scene.metaballs[0].cell = cell;
+    for (double time = 2.5; time < 20; time += 2.5)
+        pose(&stage, &renderer, time);
+    assert_true(stage.geometry.laid_out > 1);
+    pose(&stage, &renderer, 6);
+    check_ok("layers", renderer_read_layers(&renderer, &image[0]));
+    renderer_free(&renderer);
+    pose_stage(&stage);
+    desc.emitters = stage.emitters; /* those before are gone */
+    open_renderer(&renderer, &desc);
+    pose(&stage, &renderer, 6);
+    check_ok("layers", renderer_read_layers(&renderer, &image[1]));
+    renderer_free(&renderer);
+    assert_true(same_pixels(&image[0], &image[1]));
+    image_free(&image[0]);
+    image_free(&image[1]);
+    stage_free(&stage);
+}
+
+/* After one period of the metaballs all room has been made: nothing grows any more. */
+static void test_memory(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, scene_path);
+    struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
+    open_renderer(&renderer, &desc);
+    size_t bytes = 0;
+    int objects = 0;
+    for (int frame = 0; frame < 250; frame++) {
+        pose(&stage, &renderer, frame * .16);
+        if (frame == 125) {
+            bytes = gpu_memory_total();
+            objects = gpu_memory_object_count();
+        }
+        if (frame > 125)
+            assert_int_equal(gpu_memory_total(), bytes);
+    }
+    assert_int_equal(gpu_memory_object_count(), objects);
+    printf("    %zu bytes in %d objects\n", bytes, objects);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* VALs in use while a spot walks from the wall to the ceiling [Dong 2009, Fig. 8]. */
+static int least_vals(const char *start) {
+    struct stage stage;
+    struct renderer renderer;
+    char settings[128];
+    snprintf(settings, sizeof settings, "%s vpls=256 vals=13 iterations=5 start=%s", small, start);
+    open_stage(&stage, "scenes/moving-spot.glb");
+    struct renderer_desc desc = desc_of(&stage, "clustered", settings, 16, 16);
+    open_renderer(&renderer, &desc);
+    int least = 13;
+    for (int frame = 0; frame < 40; frame++) {
+        pose(&stage, &renderer, frame * .25);
+        struct vpl *vpls = read_vpls(&renderer);
+        bool used[13] = {false};
+        int count = 0;
+        for (int i = 0; i < 256; i++) {
+            bool *val = &used[(int)vpls[i].val];
+            count += vpls[i].reach > 0 && !*val;
+            *val |= vpls[i].reach > 0;
+        }
+        least = count < least ? count : least;
+        free(vpls);
+    }
+    printf("    start=%s: at least %d of 13 VALs in use\n", start, least);
+    renderer_free(&renderer);
+    stage_free(&stage);
+    return least;
+}
+
+static void test_starts(void **state) {
+    (void)state;
+    assert_true(least_vals("seeds") >= 12);
+    assert_true(least_vals("reseed") >= 12);
+    assert_true(least_vals("warm") <= 6);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_ranges), cmocka_unit_test(test_names),  cmocka_unit_test(test_split),
+        cmocka_unit_test(test_resume), cmocka_unit_test(test_misuse),
+    };
+    const struct CMUnitTest rendering[] = {
+        cmocka_unit_test(test_any_start),
+        cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_starts),
+    };
+    return cmocka_run_group_tests_name("sequence", tests, NULL, NULL) +
+           cmocka_run_group_tests_name("moving", rendering, open_group_context,
+                                       close_group_context);
+}

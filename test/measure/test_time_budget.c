@@ -1,0 +1,287 @@
+/* Frames in the time that they may take: the choice of levels by simulated machines, which is a pure function of
+ * frames' times, and what the levels are. */
+#include "command_support.h"
+#include "render_support.h"
+
+#include "base/option.h"
+#include "quality/time_budget.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LAST = TIME_BUDGET_LEVELS - 1, SEARCH = 10, FRAMES = 200 };
+
+/* What a frame of a level takes on a machine, ms; in a clip at that frame. */
+typedef double machine(int level, int frame);
+
+static double even(int level, int frame) {
+    (void)frame;
+    return 2 * exp(.06 * level);
+}
+
+static double steep(int level, int frame) {
+    (void)frame;
+    return .2 * exp(.12 * level);
+}
+
+static double linear(int level, int frame) {
+    (void)frame;
+    return 5 + .6 * level;
+}
+
+/* A grade among even numbers. */
+static double stepped(int level, int frame) {
+    return even(level, frame) * (level >= 40 ? 1.35 : 1) * (level >= 30 ? 1.3 : 1);
+}
+
+/* Cheap levels cost all alike, dear ones soar. */
+static double bent(int level, int frame) {
+    (void)frame;
+    return 8 + exp(.09 * (level - 20));
+}
+
+/* The scene fills up, and empties again. */
+static double growing(int level, int frame) {
+    return even(level, frame) * (1.5 - .5 * cos(6.283 * frame / FRAMES));
+}
+
+/* A second scene, twice as dear. */
+static double cut(int level, int frame) {
+    return even(level, frame) * (frame < FRAMES / 2 ? 1 : 2);
+}
+
+/* A table of a machine's costs. */
+static struct costs costs_of(machine *takes) {
+    struct costs costs = {0};
+    for (int row = 0; row < TIME_BUDGET_ROWS; row++) {
+        int level = time_budget_level_of_row(row);
+        char *settings = time_budget_settings(level), *choice = costs_choice(NULL, settings);
+        costs_add(&costs, choice, takes(level, 0));
+        free(settings);
+        free(choice);
+    }
+    return costs;
+}
+
+/* What time_budget_init gets; NULL: nothing is known. */
+static const struct costs *known;
+
+struct run {
+    int found;          /* after so many frames none of the search was off by more than a tenth */
+    double mean, worst; /* of time over target, and furthest off it, after the search */
+    int levels, last;   /* how often the level changed after the search, and the last one */
+    double within, longer; /* shares of frames within a tenth, and of those a tenth above */
+};
+
+/* Uniform in [0, 1), the same each time. */
+static double chance(unsigned *state) {
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) / 16777216.0;
+}
+
+static struct run play(machine *takes, double target, double noise, int search, bool print) {
+    struct time_budget budget;
+    struct run run = {0};
+    unsigned state = 1;
+    int frames = 0;
+    time_budget_init(&budget, target, known);
+    for (int i = 0; i < FRAMES; i++) {
+        double other = chance(&state) < .04 && noise > 0 ? 1.8 : 1; /* something else ran */
+        double ms = takes(budget.level, i) * (1 + noise * (2 * chance(&state) - 1)) * other;
+        double of_target = ms / target;
+        if (print && i < search)
+            printf(" %d:%.2f", budget.level, of_target);
+        if (i < search && fabs(of_target - 1) > .1)
+            run.found = i + 1;
+        bool changed = time_budget_add(&budget, ms);
+        if (i < search)
+            continue;
+        frames++;
+        run.levels += changed;
+        run.mean += of_target;
+        run.worst = fmax(run.worst, fabs(of_target - 1));
+        run.within += fabs(of_target - 1) <= .1;
+        run.longer += of_target > 1.1;
+    }
+    run.last = budget.level;
+    run.mean /= frames;
+    run.within /= frames;
+    run.longer /= frames;
+    if (print)
+        printf(" -> level %d, mean %.3f, within a tenth %.2f, %d changes\n", run.last, run.mean,
+               run.within, run.levels);
+    return run;
+}
+
+/* Machines that do not err are met within ten frames, and stay. */
+static void test_search(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        machine *takes;
+    } machines[] = {{"even", even}, {"steep", steep}, {"linear", linear}, {"bent", bent}};
+    for (size_t m = 0; m < sizeof machines / sizeof *machines; m++)
+        for (int level = 2; level < LAST; level += 9) {
+            double target = machines[m].takes(level, 0) * 1.03;
+            printf("    %s, %.1f ms:", machines[m].name, target);
+            struct run run = play(machines[m].takes, target, 0, SEARCH, true);
+            assert_int_equal(run.levels, 0);
+            check_at_most("off the target", run.worst, .1);
+        }
+}
+
+/* With its own costs a machine is met in fewer frames; with those of another it is met as well. */
+static void test_costs(void **state) {
+    (void)state;
+    machine *const machines[] = {even, steep, linear, bent};
+    enum { COUNT = sizeof machines / sizeof *machines };
+    int frames[3] = {0}; /* nothing known, its own, another's */
+    for (int m = 0; m < COUNT; m++) {
+        struct costs own = costs_of(machines[m]), other = costs_of(machines[(m + 1) % COUNT]);
+        const struct costs *const tables[] = {NULL, &own, &other};
+        for (int level = 2; level < LAST; level += 9)
+            for (int t = 0; t < 3; t++) {
+                known = tables[t];
+                struct run run = play(machines[m], machines[m](level, 0) * 1.03, 0,
+                                      t == 2 ? 2 * SEARCH : SEARCH, t == 2);
+                frames[t] += run.found;
+                assert_int_equal(run.levels, 0);
+                check_at_most("off the target", run.worst, .1);
+            }
+        costs_free(&own);
+        costs_free(&other);
+    }
+    known = NULL;
+    printf("    frames until found: %d with nothing known, %d with own costs, %d with another's\n",
+           frames[0], frames[1], frames[2]);
+    check_at_most("with own costs over nothing known", (double)frames[1] / frames[0], .8);
+}
+
+/* A table that lacks a row is none. */
+static void test_part_of_costs(void **state) {
+    (void)state;
+    struct costs costs = costs_of(even);
+    struct time_budget budget;
+    time_budget_init(&budget, 16, &costs);
+    assert_true(budget.has_costs);
+    free(costs.items[--costs.count].choice);
+    time_budget_init(&budget, 16, &costs);
+    assert_false(budget.has_costs);
+    costs_free(&costs);
+}
+
+/* What is out of reach takes the last level there is; a gap is stayed below, but for a look now and then. */
+static void test_ends(void **state) {
+    (void)state;
+    assert_int_equal(play(even, 1, 0, SEARCH, true).last, 0);
+    assert_int_equal(play(even, 1e4, 0, SEARCH, true).last, LAST);
+    double low = stepped(39, 0), high = stepped(40, 0);
+    struct run run = play(stepped, sqrt(low * high), 0, SEARCH, true);
+    assert_int_equal(run.last, 39);
+    check_at_most("frames above a gap", run.longer, .06);
+}
+
+/* Frames' times err, and some are disturbed: the mean holds. */
+static void test_noise(void **state) {
+    (void)state;
+    for (int level = 8; level < LAST; level += 20) {
+        struct run calm = play(even, even(level, 0), .05, SEARCH, true);
+        check_near("mean, times within 5 %", calm.mean, 1, .07);
+        check_at_most("frames off by more than a tenth", 1 - calm.within, .15);
+        struct run rough = play(even, even(level, 0), .15, SEARCH, true);
+        check_near("mean, times within 15 %", rough.mean, 1, .1);
+    }
+}
+
+/* The time goes with the scene, and the level follows. */
+static void test_clip(void **state) {
+    (void)state;
+    struct run slow = play(growing, 20, .03, SEARCH, true);
+    check_at_most("a scene that fills: frames off by more than a tenth", 1 - slow.within, .25);
+    struct run sudden = play(cut, 20, 0, SEARCH, true);
+    check_at_most("another scene: frames off by more than a tenth", 1 - sudden.within, .08);
+}
+
+/* However fast the machine is, without rays the last level is one by maps; a level above it is left. */
+static void test_without_rays(void **state) {
+    (void)state;
+    struct time_budget budget;
+    time_budget_init(&budget, 1000, NULL);
+    for (int i = 0; i < 60; i++)
+        time_budget_add(&budget, 1);
+    printf("    with rays level %d, ", budget.level);
+    assert_int_equal(budget.level, LAST);
+    time_budget_allow_rays(&budget, false);
+    for (int i = 0; i < 3; i++)
+        time_budget_add(&budget, 1);
+    char *text = time_budget_settings(budget.level);
+    printf("without %d: %s\n", budget.level, text);
+    assert_int_equal(budget.level, 52);
+    assert_non_null(strstr(text, "clustered.visibility=ray "));
+    free(text);
+}
+
+/* Dearer levels have no less of anything that is a number of things, as VPLs of a pixel; frames by rays, which come
+ * last, begin anew. */
+static void test_levels(void **state) {
+    (void)state;
+    double before[3] = {0};
+    int by_maps = 0;
+    for (int level = 0; level <= LAST; level++) {
+        static const char *const names[] = {"vpls", "vals", "map.size"};
+        char *text = time_budget_settings(level);
+        const char *given = text;
+        struct settings settings;
+        renderer_settings_init(&settings);
+        check_ok(text, renderer_settings_assign(&settings, technique_default, &given, 1) &&
+                           technique_check(technique_default, &settings));
+        bool by_rays = settings_number(&settings, "visibility-block") == 0;
+        assert_true(by_rays || by_maps == level);
+        if (by_maps == level && by_rays)
+            memset(before, 0, sizeof before);
+        by_maps += !by_rays;
+        for (int i = 0; i < 3; i++) {
+            double now = settings_number(&settings, names[i]);
+            if (i == 0)
+                now /= pow(settings_number(&settings, "interleave"), 2);
+            check_at_most(names[i], before[i], now);
+            before[i] = now;
+        }
+        free(text);
+    }
+    printf("    %d levels by maps, %d by rays\n", by_maps, TIME_BUDGET_LEVELS - by_maps);
+    assert_in_range(by_maps, 30, 60);
+}
+
+static void run_box(int status, const char *arguments, const char *says) {
+    int got = run_program("render scenes/cornell-box.glb -o %s --size 40x40 %s 2>&1",
+                          scratch("budget-##.png"), arguments);
+    printf("    %s\n    -> %d %s", arguments, got, output);
+    assert_int_equal(got, status);
+    expect_text(says);
+}
+
+/* In a shell. Nobody's frames take a minute at the last level, or nothing at the first. */
+static void test_program(void **state) {
+    (void)state;
+    run_box(0, "--frames 0..1 --budget 60000ms --stats --set vpls=64,vals=3,adaptive=0,samples=1",
+            "chosen by --budget 60000ms: level 72 of 72");
+    run_box(0, "--frames 0 --budget .001 --stats --set vals=3",
+            "chosen by --budget 0.001ms: level 0 of 72");
+    run_box(2, "--frames 0 --budget 16s", "budget: '16s' is not a number from 0 to 1e+06");
+    run_box(2, "--frames 0 --budget 16 --quality draft", "--budget excludes --quality");
+    run_box(2, "--frames 0 --budget 16 --set vals=3,path=traced", "--budget excludes path=");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_search),        cmocka_unit_test(test_costs),
+        cmocka_unit_test(test_part_of_costs), cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_noise),         cmocka_unit_test(test_clip),
+        cmocka_unit_test(test_without_rays),  cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_program),
+    };
+    return cmocka_run_group_tests_name("time budget", tests, NULL, NULL);
+}

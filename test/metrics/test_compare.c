@@ -1,0 +1,278 @@
+/* manylight compare: exit statuses, messages and outputs, as a shell sees them. */
+#include "command_support.h"
+
+#include "base/file/image_file.h"
+#include "base/image.h"
+#include "metrics/panels.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* The value that the table or the JSON has after the name. */
+static double value_of(const char *name) {
+    const char *at = strstr(output, name);
+    if (!at)
+        fail_msg("no '%s' in: %s", name, output);
+    at += strlen(name);
+    return strtod(at + strspn(at, "\": "), NULL);
+}
+
+static const char *test_exr, *reference_exr;
+
+/* A grey reference and a test that is brighter by 1/8, with a layer that is brighter by 1/4. */
+static int make_pictures(void **state) {
+    (void)state;
+    static char paths[2][512];
+    struct image image;
+    image_init(&image, 16, 8, "R G B indirect.R indirect.G indirect.B");
+    for (int brighter = 0; brighter < 2; brighter++) {
+        for (int i = 0; i < 16 * 8 * 6; i++)
+            image.pixels[i] = .5f + (i % 6 < 3 ? .125f : .25f) * (float)brighter;
+        snprintf(paths[brighter], sizeof paths[0], "%s",
+                 scratch(brighter ? "compare-test.exr" : "compare-reference.exr"));
+        if (!image_write(&image, paths[brighter]))
+            return -1;
+    }
+    image_free(&image);
+    reference_exr = paths[0];
+    test_exr = paths[1];
+    return 0;
+}
+
+static const char *with_pictures(const char *more) {
+    static char arguments[2048];
+    snprintf(arguments, sizeof arguments, "%s %s %s", test_exr, reference_exr, more);
+    return arguments;
+}
+
+static void test_help(void **state) {
+    (void)state;
+    expect_command(0, "compare", "--help");
+    expect_text("usage: manylight compare TEST REFERENCE");
+    expect_text("--max METRIC=VALUE");
+    expect_text("hdr-flip");
+    expect_command(0, "compare", "--nonsense --help");
+}
+
+static void test_usage_errors(void **state) {
+    (void)state;
+    static const struct {
+        const char *arguments, *message;
+    } cases[] = {
+        {"", "manylight compare: arguments are missing: TEST REFERENCE"},
+        {"a.exr b.exr c.exr", "one argument too many: 'c.exr'"},
+        {"a.exr b.exr --metric ssim", "metric: no metric is called 'ssim' (there is: rmse"},
+        {"a.exr b.exr --max rmse", "max: 'rmse' is not METRIC=VALUE"},
+        {"a.exr b.exr --max rmse=nan", "max: 'nan' is not a number"},
+        {"a.exr b.exr --max rmse=10%%", "max: '10%%' is not a number"},
+        {"a.exr b.exr --max rmse=%", "max: '%' is not a number"},
+        {"a.exr b.exr --max psnr=30", "psnr has no upper bound"},
+        {"a.exr b.exr -o heat", "heat: no extension"},
+        {"a.exr b.exr -m psnr -o heat.png", "psnr has no picture"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        expect_command(2, "compare", cases[i].arguments);
+        expect_text(cases[i].message);
+    }
+}
+
+static void test_table(void **state) {
+    (void)state;
+    expect_command(0, "compare", with_pictures(""));
+    check_near("rmse", value_of("rmse"), .125, 1e-6);
+    check_near("relative-bias", value_of("relative-bias"), .25, 1e-6);
+    check_near("gradient", value_of("gradient"), 0, 1e-6);
+    check_at_most("some hdr-flip", .05, value_of("hdr-flip"));
+    check_near("relative-mae", value_of("relative-mae"), .25, 1e-6);
+    check_near("smape", value_of("smape"), .125 / 1.135, 1e-6);
+    check_near("box16-rmse", value_of("box16-rmse"), .25, 1e-6);
+    check_near("worst-share", value_of("worst-share"), 2. / 128, 1e-6);
+    check_at_most("some psnr", value_of("psnr"), 30);
+    assert_null(strstr(output, "ldr-flip"));
+    expect_command(0, "compare", with_pictures("--layer indirect --metric bias"));
+    check_near("bias of a layer", value_of("bias"), .25, 1e-6);
+    assert_null(strstr(output, "rmse"));
+    expect_command(0, "compare", with_pictures("--metric all"));
+    expect_text("ldr-flip");
+}
+
+static void test_json(void **state) {
+    (void)state;
+    expect_command(0, "compare", with_pictures("--json -m mae -m rmse"));
+    assert_int_equal(output[0], '{');
+    expect_text("\"layer\": \"beauty\", \"width\": 16, \"height\": 8");
+    check_near("mae", value_of("mae"), .125, 1e-6);
+    char same[1200];
+    snprintf(same, sizeof same, "%s %s --json -m psnr", test_exr, test_exr);
+    expect_command(0, "compare", same);
+    expect_text("\"psnr\": null}}\n");
+}
+
+static void test_bounds(void **state) {
+    (void)state;
+    expect_command(0, "compare", with_pictures("-m rmse --max rmse=0.13"));
+    expect_command(1, "compare", with_pictures("-m rmse --max rmse=0.12 --max mae=1"));
+    expect_text("manylight compare: rmse is 0.125, above 0.12");
+    assert_null(strstr(output, "mae is"));
+    expect_command(0, "compare", with_pictures("--max rmse=13%"));
+    expect_text("(at most 0.13)");
+    expect_command(1, "compare", with_pictures("--max relative-rmse=24%")); /* it is a quarter */
+    expect_command(0, "compare", with_pictures("--max relative-rmse=25.1%"));
+    /* The bound of a signed metric holds on both sides. */
+    char swapped[1200];
+    snprintf(swapped, sizeof swapped, "%s %s -m bias --max bias=0.1", reference_exr, test_exr);
+    expect_command(1, "compare", swapped);
+    expect_text("bias is -0.125, above 0.1");
+}
+
+/* The same picture beside channels that other programs made. */
+static void test_foreign_channels(void **state) {
+    (void)state;
+    static const char *const names[] = {"R", "G", "B", "A mask", "my mask", " z"};
+    char arguments[1200];
+    struct image image;
+    image_init_named(&image, 16, 8, names, 6);
+    for (int i = 0; i < 16 * 8 * 6; i++)
+        image.pixels[i] = i % 6 < 3 ? .5f : (float)i;
+    check_ok("write", image_write(&image, scratch("compare-masked.exr")));
+    image_free(&image);
+    snprintf(arguments, sizeof arguments, "%s %s -m mae --max mae=0 -m rmse",
+             scratch("compare-masked.exr"), reference_exr);
+    expect_command(0, "compare", arguments);
+    check_near("mae", value_of("mae"), 0, 0);
+    check_near("rmse", value_of("rmse"), 0, 0);
+}
+
+static void test_pictures_of_the_error(void **state) {
+    (void)state;
+    char more[600];
+    const char *path = scratch("heat.png");
+    snprintf(more, sizeof more, "-m rmse -o %s", path);
+    expect_command(0, "compare", with_pictures(more));
+    struct image heat;
+    check_ok("read", image_read(&heat, path));
+    assert_int_equal(heat.width, 256);
+    image_free(&heat);
+    path = scratch("heat.exr");
+    snprintf(more, sizeof more, "-m bias -o %s", path);
+    expect_command(0, "compare", with_pictures(more));
+    check_ok("read", image_read(&heat, path));
+    assert_int_equal(heat.width, 16);
+    check_near("a bare value", (double)heat.pixels[0], .125, 1e-6);
+    image_free(&heat);
+    snprintf(more, sizeof more, "-m rmse -o %s", reference_exr);
+    expect_command(1, "compare", with_pictures(more));
+    expect_text("it is the input");
+    expect_command(0, "compare", with_pictures("-m rmse"));
+    expect_command(1, "compare", with_pictures("-m rmse -o no/such/folder/heat.png"));
+    expect_text("manylight compare: cannot write no/such/folder/heat.png: No such file");
+}
+
+static void test_encoded_files(void **state) {
+    (void)state;
+    unsigned char pixels[2][16] = {{188, 188, 188, 255, 188, 188, 188, 255},
+                                   {255, 255, 255, 255, 255, 255, 255, 255}};
+    char arguments[1200], paths[2][512];
+    for (int i = 0; i < 2; i++) {
+        struct bitmap bitmap = {.width = 2, .height = 1, .rgba = pixels[i]};
+        snprintf(paths[i], sizeof paths[0], "%s", scratch(i ? "white.png" : "grey.png"));
+        check_ok("write", bitmap_write(&bitmap, paths[i]));
+    }
+    snprintf(arguments, sizeof arguments, "%s %s", paths[0], paths[1]);
+    expect_command(0, "compare", arguments);
+    check_near("rmse in linear light", value_of("rmse"), 1 - .502886, 1e-5);
+    check_near("psnr as encoded", value_of("psnr"), -20 * log10((255 - 188) / 255.), 1e-3);
+    expect_text("ldr-flip");
+    assert_null(strstr(output, "hdr-flip"));
+}
+
+static void test_files_that_do_not_compare(void **state) {
+    (void)state;
+    expect_command(1, "compare", with_pictures("--layer albedo"));
+    expect_text("compare-test.exr: no layer 'albedo' (there is: beauty, indirect)");
+
+    char arguments[1200];
+    snprintf(arguments, sizeof arguments, "%s no-such-file.exr", test_exr);
+    expect_command(1, "compare", arguments);
+    expect_text("manylight compare: cannot open no-such-file.exr: No such file or directory");
+    snprintf(arguments, sizeof arguments, "%s /dev/zero", test_exr);
+    expect_command(1, "compare", arguments);
+    expect_text("manylight compare: cannot read /dev/zero: not a file"); /* and without an end */
+
+    struct image image;
+    const char *path = scratch("compare-odd.exr");
+    snprintf(arguments, sizeof arguments, "%s %s", path, reference_exr);
+    for (int narrow = 0; narrow < 2; narrow++) {
+        image_init(&image, narrow ? 15 : 16, narrow ? 8 : 9, "R G B");
+        check_ok("write", image_write(&image, path));
+        expect_command(1, "compare", arguments);
+        expect_text(narrow ? "compare-odd.exr is 15x8, but " : "compare-odd.exr is 16x9, but ");
+        expect_text("compare-reference.exr is 16x8");
+        image_free(&image);
+    }
+
+    image_init(&image, 16, 8, "R G B");
+    image_at(&image, 5, 3)[2] = NAN;
+    check_ok("write", image_write(&image, path));
+    expect_command(1, "compare", arguments);
+    expect_text("compare-odd.exr: B is nan at pixel 5,3");
+    image_free(&image);
+}
+
+static void test_shared_references(void **state) {
+    (void)state;
+    if (!shared_path() || access("../shared/reference/cornell-box.exr", R_OK) != 0)
+        skip();
+    const char *box = "../shared/reference/cornell-box.exr";
+    char arguments[1200];
+    snprintf(arguments, sizeof arguments, "%s %s --ppd 10 --max hdr-flip=0 --max mae=0", box, box);
+    expect_command(0, "compare", arguments);
+    snprintf(arguments, sizeof arguments,
+             "../shared/reference/cornell-horse.exr %s -l indirect -m rmse -m bias", box);
+    expect_command(0, "compare", arguments);
+    check_at_most("the horse shows", .1, value_of("rmse"));
+}
+
+/* The truth and two tests, of which one is left empty, above their differences. */
+static void test_panels(void **state) {
+    (void)state;
+    struct image truth, tests[2] = {{0}}, read;
+    const char *path = scratch("panels.png");
+    image_init(&truth, 40, 30, "R G B");
+    image_init(&tests[1], 40, 30, "R G B");
+    for (int i = 0; i < 40 * 30 * 3; i++)
+        truth.pixels[i] = 1, tests[1].pixels[i] = i % 2 ? 2 : INFINITY;
+    check_ok(path, panels_write(path, "PANELS", &truth, tests, 2));
+    check_ok(path, image_read(&read, path));
+    int zoom = read.width / (3 * 40 + 2 * 2), row = zoom * 15;
+    const float *left = image_at(&read, zoom * 20, row);
+    printf("    %d x %d, truth %.3f, empty %.3f\n", read.width, read.height, (double)left[0],
+           (double)image_at(&read, zoom * 60, row)[0]);
+    assert_true(zoom > 0 && read.height > 2 * 30 * zoom);
+    check_near("the truth is a middle grey", (double)left[0], .537, .01);
+    assert_true(image_at(&read, zoom * 60, row)[0] == 0);
+    assert_true(image_at(&read, zoom * 104, row)[1] > left[1]);
+    image_free(&truth);
+    image_free(&tests[1]);
+    image_free(&read);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_panels),
+        cmocka_unit_test(test_help),
+        cmocka_unit_test(test_usage_errors),
+        cmocka_unit_test(test_table),
+        cmocka_unit_test(test_json),
+        cmocka_unit_test(test_bounds),
+        cmocka_unit_test(test_foreign_channels),
+        cmocka_unit_test(test_pictures_of_the_error),
+        cmocka_unit_test(test_encoded_files),
+        cmocka_unit_test(test_files_that_do_not_compare),
+        cmocka_unit_test(test_shared_references),
+    };
+    return cmocka_run_group_tests_name("compare", tests, make_pictures, NULL);
+}

@@ -1,0 +1,323 @@
+/* Pictures of several passes: what they are made of, that they converge, and that they may be split. */
+#include "render_support.h"
+
+#include "base/file/image_file.h"
+#include "gl/pass.h"
+#include "quality/picture.h"
+#include "reference/path_tracer.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIZE = 48 };
+
+static const char *const box = "scenes/cornell-box.glb";
+
+/* The mean of passes first .. first + count. */
+static struct image render_mean(const struct renderer_desc *desc, int first, int count) {
+    struct renderer renderer;
+    struct renderer_desc progressive = *desc;
+    struct image image;
+    progressive.progressive = true;
+    check_ok("renderer", renderer_init(&renderer, &progressive));
+    for (int i = 0; i < count; i++)
+        renderer_add_pass(&renderer, first + i);
+    assert_int_equal(renderer_pass_count(&renderer), count);
+    check_ok("layers", renderer_read_layers(&renderer, &image));
+    renderer_free(&renderer);
+    return image;
+}
+
+/* The worst difference of a layer, over its mean. */
+static double worst_difference(const struct image *a, const struct image *b, const char *layer) {
+    int channels[3];
+    double worst = 0;
+    assert_true(image_find_layer(a, layer, channels));
+    for (int i = 0; i < a->width * a->height; i++)
+        for (int c = 0; c < 3; c++)
+            worst = fmax(worst, fabs((double)(a->pixels[i * a->channel_count + channels[c]] -
+                                              b->pixels[i * b->channel_count + channels[c]])));
+    return worst / image_mean(b, channels);
+}
+
+static void check_alike(const struct image *a, const struct image *b, double bound) {
+    static const char *const layers[] = {"beauty", "direct", "indirect", "albedo"};
+    for (size_t i = 0; i < sizeof layers / sizeof *layers; i++)
+        check_at_most(layers[i], worst_difference(a, b, layers[i]), bound);
+}
+
+/* --- the mean --------------------------------------------------------------------------------- */
+
+/* The first pass is the frame; the next are others, and the same each time. */
+static void test_passes(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, box);
+    struct renderer_desc desc = desc_of(&stage, NULL, "vpls=256 vals=8 samples=8", SIZE, SIZE);
+    struct image frame = render_layers(&desc), first = render_mean(&desc, 0, 1);
+    struct image second = render_mean(&desc, 1, 1), third = render_mean(&desc, 2, 1);
+    struct image again = render_mean(&desc, 2, 1);
+    check_alike(&first, &frame, 1e-4); /* of a frame, light at edges is a quotient of sums */
+    assert_true(worst_difference(&second, &frame, "indirect") > .05);
+    assert_true(worst_difference(&second, &third, "indirect") > .05);
+    assert_true(same_pixels(&third, &again));
+    struct image *all[] = {&frame, &first, &second, &third, &again};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        image_free(all[i]);
+    stage_free(&stage);
+}
+
+static void check_mean(const char *what, struct renderer *renderer, const struct image *expected) {
+    struct image image;
+    check_ok("layers", renderer_read_layers(renderer, &image));
+    printf("    %s: indirect differs by %g\n", what,
+           worst_difference(&image, expected, "indirect"));
+    assert_true(same_pixels(expected, &image));
+    image_free(&image);
+}
+
+/* Renders a pass, changes the renderer, and says whether the mean is kept. */
+static bool keeps(struct renderer *renderer, const struct renderer_desc *changed) {
+    renderer_add_pass(renderer, 5);
+    assert_int_equal(renderer_pass_count(renderer), 1);
+    check_ok("change", renderer_follow(renderer, changed));
+    return renderer_pass_count(renderer) == 1;
+}
+
+/* What changes a picture begins another mean; exposure does not. Passes depend on their number alone:
+ * not on those before, nor on the picture before that. */
+static void test_beginning_anew(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/moving-spot.glb");
+    struct renderer_desc desc =
+        desc_of(&stage, NULL, "vpls=128 vals=8 map-size=64 shadow-size=256", SIZE, SIZE);
+    desc.progressive = desc.keep_lights = true;
+    struct image fresh = render_mean(&desc, 0, 3);
+    struct renderer renderer;
+    check_ok("renderer", renderer_init(&renderer, &desc));
+    for (int i = 0; i < 3; i++)
+        renderer_add_pass(&renderer, i);
+    check_mean("the mean", &renderer, &fresh);
+    struct renderer_desc changed = renderer.desc;
+    assert_true(keeps(&renderer, &changed));
+    check_ok("settings", settings_assign(&changed.settings, "exposure=1"));
+    assert_true(keeps(&renderer, &changed));
+    check_ok("settings", settings_assign(&changed.settings, "vals=4"));
+    assert_false(keeps(&renderer, &changed));
+    changed.camera.eye[0] += .1F;
+    assert_false(keeps(&renderer, &changed));
+    changed.width /= 2;
+    assert_false(keeps(&renderer, &changed));
+    renderer_add_pass(&renderer, 5);
+    check_ok("pose", stage_pose(&stage, .5) && stage_show(&stage, &renderer));
+    assert_int_equal(renderer_pass_count(&renderer), 0);
+
+    renderer_add_pass(&renderer, 5);
+    check_ok("back", stage_pose(&stage, 0) && stage_show(&stage, &renderer));
+    desc.emitters = stage.emitters;
+    check_ok("back", renderer_follow(&renderer, &desc));
+    for (int i = 0; i < 3; i++)
+        renderer_add_pass(&renderer, i);
+    check_mean("back again", &renderer, &fresh);
+    for (int i = 0; i < 3; i++) /* of the same picture once more */
+        renderer_add_pass(&renderer, i);
+    check_mean("once more", &renderer, &fresh);
+    image_free(&fresh);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* --- where it goes ---------------------------------------------------------------------------- */
+
+static struct image trace(const struct stage *stage, double noise) {
+    struct path_tracer_progress reached;
+    struct image truth;
+    check_ok("tracer",
+             picture_trace_paths(stage,
+                                 &(struct path_tracer_desc){
+                                     .width = SIZE, .height = SIZE, .bounces = 1, .noise = noise},
+                                 &truth, &reached));
+    return truth;
+}
+
+/* RMS of the difference of the indirect layers over the mean, where the layers beside them differ. */
+static double error(const struct image *test, const struct image *truth) {
+    int a[3], b[3];
+    double sum = 0;
+    assert_true(image_find_layer(test, "indirect", a) && image_find_layer(truth, "indirect", b));
+    for (int i = 0; i < SIZE * SIZE; i++)
+        for (int c = 0; c < 3; c++)
+            sum += pow((double)(image_at(test, i % SIZE, i / SIZE)[a[c]] -
+                                image_at(truth, i % SIZE, i / SIZE)[b[c]]),
+                       2);
+    return sqrt(sum / (3. * SIZE * SIZE)) / image_mean(truth, b);
+}
+
+static double bias(const struct image *test, const struct image *truth) {
+    return layer_mean(test, "indirect") / layer_mean(truth, "indirect") - 1;
+}
+
+/* Towards the path tracer's picture: both are the mean over pixels' areas. */
+static void test_convergence(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/cornell-box.glb", "scenes/metaballs.glb"};
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        struct stage stage;
+        open_stage(&stage, scenes[i]);
+        struct renderer_desc desc = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
+        struct image truth = trace(&stage, .006), frame = render_layers(&desc);
+        struct image few = render_mean(&desc, 0, 8), many = render_mean(&desc, 0, 32);
+        double first = error(&frame, &truth);
+        double after_few = error(&few, &truth);
+        double after_many = error(&many, &truth);
+        printf("    %s: error %.4f, of 8 passes %.4f, of 32 %.4f\n", scenes[i], first, after_few,
+               after_many);
+        check_at_most("8 passes over one", after_few / first, .8);
+        check_at_most("32 passes over one", after_many / first, .4);
+        check_at_most("32 passes over 8", after_many / after_few, .7); /* K^-.26 */
+        check_near("bias of 32", bias(&many, &truth), 0, .01);
+        struct image *all[] = {&truth, &frame, &few, &many};
+        for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+            image_free(all[k]);
+        stage_free(&stage);
+    }
+}
+
+/* --- split ------------------------------------------------------------------------------------ */
+
+static int manylight(const char *arguments, char *output, size_t output_size) {
+    char command[2048], placed[1500];
+    in_scratch(placed, sizeof placed, arguments);
+    snprintf(command, sizeof command, "%s %s", binary_path(), placed);
+    int status = run_command(command, output, output_size);
+    printf("    %.60s ... -> %d: %.120s\n", arguments, status, output);
+    return status;
+}
+
+static void read_scratch(struct image *image, const char *name) {
+    check_ok(name, image_read(image, scratch(name)));
+}
+
+/* 4 + 4 passes, averaged, are 8 but for the rounding of sums; so are 2 + 6 in other order. */
+static void test_split(void **state) {
+    (void)state;
+#define RENDER "render scenes/cornell-box.glb -q --size 48x40 --set \"vpls=256 vals=8\" "
+    char output[2048];
+    static const char *const commands[] = {
+        RENDER "--passes 8 -o @/whole.exr",
+        RENDER "--passes 4 -o @/a.exr",
+        RENDER "--passes 4 --first-pass 4 -o @/b.exr",
+        RENDER "--passes 2 --first-pass 6 -o @/c.exr",
+        RENDER "--passes 2 --first-pass 4 -o @/d.exr",
+        "average @/a.exr @/b.exr -o @/ab.exr",
+        "average @/c.exr @/a.exr @/d.exr -o @/cad.exr",
+        "average @/c.exr @/a.exr -o @/ca.exr",
+        "average @/d.exr @/ca.exr -o @/dca.exr",
+    };
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+        assert_int_equal(manylight(commands[i], output, sizeof output), 0);
+    struct image whole, part;
+    read_scratch(&whole, "whole.exr");
+    assert_string_equal(whole.passes, "0..7");
+    static const char *const parts[] = {"ab.exr", "cad.exr", "dca.exr"};
+    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
+        read_scratch(&part, parts[i]);
+        check_alike(&part, &whole, 1e-5); /* of the mean: some pixels are ten times as bright */
+        assert_string_equal(part.passes, "0..7");
+        check_near("weight", part.weight, whole.weight, 1e-6);
+        image_free(&part);
+    }
+    read_scratch(&part, "ca.exr");
+    assert_string_equal(part.passes, "0..3,6..7");
+    image_free(&part);
+    image_free(&whole);
+}
+
+/* The frame alone is a part, too, of its own weight: 1 + 7 passes are 8. */
+static void test_one_pass(void **state) {
+    (void)state;
+    char output[2048];
+    struct image whole, part;
+    static const char *const commands[] = {
+        RENDER "--passes 1 --first-pass 0 -o @/one.exr",
+        RENDER "--passes 7 --first-pass 1 -o @/seven.exr",
+        "average @/one.exr @/seven.exr -o @/eight.exr",
+    };
+    for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+        assert_int_equal(manylight(commands[i], output, sizeof output), 0);
+    read_scratch(&whole, "whole.exr");
+    read_scratch(&part, "eight.exr");
+    check_alike(&part, &whole, 1e-5);
+    assert_string_equal(part.passes, "0..7");
+    check_near("weight", part.weight, whole.weight, 1e-6);
+    image_free(&part);
+    image_free(&whole);
+}
+
+/* What is set by the user holds for all passes, where they have settings of their own, too; what a preset sets does
+ * not, nor what nobody set. */
+static void test_given(void **state) {
+    (void)state;
+    static const struct {
+        const char *given;
+        bool differs;
+    } rows[] = {{"vpls=64", false}, {"vpls=128", true}, {"path=draft", false}};
+    struct stage stage;
+    open_stage(&stage, box);
+    struct renderer_desc plain = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
+    struct image second = render_mean(&plain, 1, 1);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct renderer_desc desc = desc_of(&stage, NULL, rows[i].given, SIZE, SIZE);
+        struct image other = render_mean(&desc, 1, 1);
+        double worst = worst_difference(&other, &second, "indirect");
+        printf("    second pass with %s: differs by %g\n", rows[i].given, worst);
+        assert_true(rows[i].differs == (worst > 0));
+        image_free(&other);
+    }
+    image_free(&second);
+    stage_free(&stage);
+}
+
+/* What cannot be averaged, and what cannot be a mean. */
+static void test_refusals(void **state) {
+    (void)state;
+    static const struct {
+        const char *arguments, *says;
+        int status;
+    } rows[] = {
+        {"average --help", "weight", 0},
+        {"average", "arguments are missing", 2},
+        {"average @/a.exr", "no output", 2},
+        {"average @/a.exr -o x.png", "only EXR", 2},
+        {"average @/a.exr @/a.exr -o @/x.exr", "pass 0 is in it and in one before", 1},
+        {"average @/whole.exr @/b.exr -o @/x.exr", "pass 4", 1},
+        {"average @/a.exr @/b.exr -o @/b.exr", "b.exr", 1},
+        {"average @/a.exr @/plain.exr -o @/x.exr", "does not tell its passes", 1},
+        {"average @/a.exr @/small.exr -o @/x.exr", "pixels", 1},
+        {RENDER "--passes 2 --aov val -o @/x.exr", "aov", 2},
+        {RENDER "--passes -1 -o @/x.exr", "passes", 2},
+    };
+    char output[8192];
+    manylight(RENDER "-o @/plain.exr", output, sizeof output);
+    manylight("render scenes/cornell-box.glb -q --size 8x8 --first-pass 9 -o @/small.exr", output,
+              sizeof output);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        assert_int_equal(manylight(rows[i].arguments, output, sizeof output), rows[i].status);
+        assert_non_null(strstr(output, rows[i].says));
+        struct image none;
+        assert_false(image_read(&none, scratch("x.exr")));
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_passes),      cmocka_unit_test(test_beginning_anew),
+        cmocka_unit_test(test_convergence), cmocka_unit_test(test_split),
+        cmocka_unit_test(test_one_pass),    cmocka_unit_test(test_given),
+        cmocka_unit_test(test_refusals),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}

@@ -1,0 +1,468 @@
+/* What may change without changing the picture: the context, the frame, the neighbours,
+ * the threads, the order of VPLs, the place of the scene, how meshes are cut. */
+#define _POSIX_C_SOURCE 200809L
+#include "command_support.h"
+#include "render_support.h"
+
+#include "base/file/image_file.h"
+#include "base/memory.h"
+#include "gl/memory.h"
+#include "passes/frame.h"
+#include "passes/gather/gather.h"
+#include "passes/vpls.h"
+#include "shared/vpl.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const cornell_animal = "scenes/cornell-animal.glb";
+
+/* Techniques with settings that keep a frame cheap. */
+static const struct recipe {
+    const char *technique, *settings;
+} recipes[] = {
+    {"clustered", "vpls=256 vals=12 map-size=128 interleave=4"},
+    {"clustered", "path=paper vpls=256 vals=12 map-size=128 interleave=4"},
+    {"instant-radiosity", "vpls=32 map-size=128 interleave=4"},
+    {"unshadowed", "vpls=256 interleave=4"},
+};
+enum { RECIPES = sizeof recipes / sizeof *recipes, SIZE = 96 };
+
+static struct image render_recipe(const struct stage *stage, const struct recipe *recipe) {
+    return render_stage(stage, recipe->technique, recipe->settings, SIZE);
+}
+
+/* --- the same bits ---------------------------------------------------------------------------- */
+
+/* Frame after frame, renderer after renderer. */
+static void test_twice(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, cornell_animal);
+    for (int i = 0; i < RECIPES; i++) {
+        struct image images[3];
+        struct renderer renderer;
+        struct renderer_desc desc =
+            desc_of(&stage, recipes[i].technique, recipes[i].settings, SIZE, SIZE);
+        open_renderer(&renderer, &desc);
+        check_ok("layers", renderer_read_layers(&renderer, &images[0]));
+        renderer_render(&renderer);
+        check_ok("layers", renderer_read_layers(&renderer, &images[1]));
+        renderer_free(&renderer);
+        images[2] = render_recipe(&stage, &recipes[i]);
+        assert_true(same_pixels(&images[0], &images[1]));
+        assert_true(same_pixels(&images[0], &images[2]));
+        for (int k = 0; k < 3; k++)
+            image_free(&images[k]);
+    }
+    stage_free(&stage);
+}
+
+/* Three renderers in one context take turns; each draws what it draws alone. */
+static void test_neighbours(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderers[RECIPES];
+    struct image alone[RECIPES];
+    open_stage(&stage, cornell_animal);
+    for (int i = 0; i < RECIPES; i++)
+        alone[i] = render_recipe(&stage, &recipes[i]);
+    for (int i = 0; i < RECIPES; i++) {
+        struct renderer_desc desc =
+            desc_of(&stage, recipes[i].technique, recipes[i].settings, SIZE, SIZE);
+        open_renderer(&renderers[i], &desc);
+    }
+    for (int i = 0; i < RECIPES; i++)
+        renderer_render(&renderers[i]);
+    for (int i = 0; i < RECIPES; i++) {
+        struct image image;
+        check_ok("layers", renderer_read_layers(&renderers[i], &image));
+        assert_true(same_pixels(&image, &alone[i]));
+        image_free(&image);
+    }
+    for (int i = 0; i < RECIPES; i++) {
+        renderer_free(&renderers[i]);
+        image_free(&alone[i]);
+    }
+    stage_free(&stage);
+}
+
+/* Two libraries of one Mesa. */
+static void test_contexts(void **state) {
+    struct stage stage;
+    struct image images[2][RECIPES];
+    open_stage(&stage, cornell_animal);
+    for (int k = 0; k < 2; k++) {
+        struct context *context = context_create(
+            &(struct context_desc){.kind = k ? CONTEXT_OSMESA : CONTEXT_EGL, .debug = true});
+        if (!context || !gl.software) {
+            printf("    skipped: EGL and OSMesa in software are not both there\n");
+            context_free(context);
+            context_make_current(*state);
+            skip();
+        }
+        printf("    %s\n", context_description(context));
+        for (int i = 0; i < RECIPES; i++)
+            images[k][i] = render_recipe(&stage, &recipes[i]);
+        assert_int_equal(context_message_count(context), 0);
+        context_free(context);
+    }
+    context_make_current(*state);
+    for (int i = 0; i < RECIPES; i++) {
+        assert_true(same_pixels(&images[0][i], &images[1][i]));
+        image_free(&images[0][i]);
+        image_free(&images[1][i]);
+    }
+    stage_free(&stage);
+}
+
+static struct image run_binary(const char *environment, const struct recipe *recipe,
+                               const char *more) {
+    char command[1024], output[4096], set[256] = "";
+    const char *path = scratch("render.exr");
+    char *settings = mem_strdup(recipe->settings), *rest = NULL;
+    for (char *item = strtok_r(settings, " ", &rest); item; item = strtok_r(NULL, " ", &rest))
+        snprintf(set + strlen(set), sizeof set - strlen(set), " --set %s", item);
+    free(settings);
+    snprintf(command, sizeof command, "%s %s render %s --technique %s%s %s --size %dx%d -o %s",
+             environment, binary_path(), cornell_animal, recipe->technique, set, more, SIZE, SIZE,
+             path);
+    if (run_command(command, output, sizeof output) != 0)
+        fail_msg("%s: %s", command, output);
+    struct image image;
+    check_ok(path, image_read(&image, path));
+    remove(path);
+    return image;
+}
+
+/* One thread of llvmpipe, or several, or another library: the same file. */
+static void test_threads(void **state) {
+    (void)state;
+    for (int i = 0; i < RECIPES; i++) {
+        struct image one = run_binary("LP_NUM_THREADS=0", &recipes[i], "");
+        struct image four = run_binary("LP_NUM_THREADS=4", &recipes[i], "");
+        assert_true(same_pixels(&one, &four));
+        image_free(&one);
+        image_free(&four);
+    }
+}
+
+static void test_contexts_of_binary(void **state) {
+    (void)state;
+    for (int k = 0; k < 2; k++) {
+        if (run_program("info --context %s", k ? "osmesa" : "egl") != 0 ||
+            !strstr(output, "llvmpipe"))
+            skip();
+    }
+    struct image egl = run_binary("", &recipes[0], "--context egl --gl-debug");
+    struct image osmesa = run_binary("", &recipes[0], "--context osmesa --gl-debug");
+    assert_true(same_pixels(&egl, &osmesa));
+    image_free(&egl);
+    image_free(&osmesa);
+}
+
+/* --- scenes that are the same ----------------------------------------------------------------- */
+
+/* Every primitive's triangles in two primitives, of which the second is a mesh of its own on a node
+ * of its own. */
+static void split_meshes(struct scene *scene) {
+    int nodes = scene->node_count, meshes = scene->mesh_count;
+    scene->nodes = mem_resize(scene->nodes, 2 * (size_t)nodes, sizeof *scene->nodes);
+    scene->meshes = mem_resize(scene->meshes, 2 * (size_t)meshes, sizeof *scene->meshes);
+    for (int m = 0; m < meshes; m++) {
+        struct mesh *mesh = &scene->meshes[m], *rest = &scene->meshes[meshes + m];
+        *rest = *mesh;
+        rest->primitives = mem_alloc((size_t)mesh->primitive_count, sizeof *rest->primitives);
+        for (int p = 0; p < mesh->primitive_count; p++) {
+            struct primitive *first = &mesh->primitives[p], *second = &rest->primitives[p];
+            int cut = first->index_count / 6 * 3;
+            size_t vertices = (size_t)first->vertex_count;
+            *second = *first;
+            second->index_count = first->index_count - cut;
+            first->index_count = cut;
+            second->position = mem_alloc(vertices, sizeof *second->position);
+            second->normal = mem_alloc(vertices, sizeof *second->normal);
+            second->indices = mem_alloc((size_t)second->index_count, sizeof *second->indices);
+            memcpy(second->position, first->position, vertices * sizeof *first->position);
+            memcpy(second->normal, first->normal, vertices * sizeof *first->normal);
+            memcpy(second->indices, first->indices + cut,
+                   (size_t)second->index_count * sizeof *second->indices);
+            memset(second->uv, 0, sizeof second->uv);
+            second->color = NULL;
+        }
+    }
+    for (int n = 0; n < nodes; n++) {
+        struct node *copy = &scene->nodes[nodes + n];
+        *copy = scene->nodes[n];
+        copy->light = copy->camera = -1;
+        copy->mesh = copy->mesh < 0 ? -1 : copy->mesh + meshes;
+    }
+    scene->node_count = 2 * nodes;
+    scene->mesh_count = 2 * meshes;
+}
+
+/* With all triangles as casters: where parts meet simplified ones keep vertices. */
+static struct image render_exact(const struct stage *stage, const struct recipe *recipe) {
+    char *settings = mem_printf("%s caster-error=0", recipe->settings);
+    struct image image = render_stage(stage, recipe->technique, settings, SIZE);
+    free(settings);
+    return image;
+}
+
+/* The same triangles in another order: only what is equally deep could differ. */
+static void test_split_meshes(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, cornell_animal);
+    struct image whole[RECIPES];
+    for (int i = 0; i < RECIPES; i++)
+        whole[i] = render_exact(&stage, &recipes[i]);
+    uint32_t triangles = stage.geometry.index_count;
+    split_meshes(&stage.scene);
+    pose_stage(&stage);
+    assert_int_equal(stage.geometry.index_count, triangles);
+    for (int i = 0; i < RECIPES; i++) {
+        struct image split = render_exact(&stage, &recipes[i]);
+        check_at_most("a scene of meshes in two, relative RMSE",
+                      relative_rmse(&split, &whole[i], ""), 1e-3);
+        image_free(&split);
+        image_free(&whole[i]);
+    }
+    stage_free(&stage);
+}
+
+/* Everything turned together. What is rounded, and along which axes boxes are measured, changes:
+ * bounds, and with them the lengths that are fractions of the radius; maps' texels fall otherwise,
+ * and the outlines of hard shadows with them. By a right angle bounds stay. */
+static void test_turns(void **state) {
+    (void)state;
+    static const struct { double degrees, bound; } turns[] = {{90, .01}, {180, .01}, {37, .06}};
+    struct stage stage;
+    open_stage(&stage, cornell_animal);
+    struct image straight[RECIPES];
+    for (int i = 0; i < RECIPES; i++)
+        straight[i] = render_recipe(&stage, &recipes[i]);
+    stage_free(&stage);
+    for (int t = 0; t < 3; t++) {
+        printf("  %g degrees\n", turns[t].degrees);
+        open_stage(&stage, cornell_animal);
+        turn_stage(&stage, turns[t].degrees);
+        for (int i = 0; i < RECIPES; i++) {
+            struct image turned = render_recipe(&stage, &recipes[i]);
+            check_at_most(recipes[i].technique, relative_rmse(&turned, &straight[i], "indirect"),
+                          turns[t].bound);
+            image_free(&turned);
+        }
+        stage_free(&stage);
+    }
+    for (int i = 0; i < RECIPES; i++)
+        image_free(&straight[i]);
+}
+
+/* --- VPLs ------------------------------------------------------------------------------------- */
+
+/* The irradiance of a gather of its own, red of all texels. */
+static float *gather(struct renderer *renderer, const struct vpl_buffer *vpls, int interleave,
+                     size_t *count) {
+    struct gather_pass pass;
+    check_ok("gather", gather_pass_init(&pass, &(struct gather_desc){.width = SIZE,
+                                                                     .height = SIZE,
+                                                                     .interleave = interleave,
+                                                                     .clamp = GATHER_CLAMP_DISK}));
+    struct frame frame = renderer_frame(renderer);
+    gather_pass_clear(&pass);
+    gather_pass_render(&pass, &frame, &renderer->gbuffer, &(struct gather_inputs){.vpls = vpls});
+    const struct texture_desc *desc = &pass.irradiance.texture.desc;
+    *count = (size_t)desc->width * (size_t)desc->height;
+    float *texels = mem_alloc(*count, sizeof *texels);
+    gl.GetTextureImage(pass.irradiance.texture.id, 0, GL_RED, GL_FLOAT,
+                       (GLsizei)(*count * sizeof *texels), texels);
+    gather_pass_free(&pass);
+    return texels;
+}
+
+/* Turns the order of every `run` VPLs around. */
+static void reverse_runs(const struct vpl_buffer *vpls, int run) {
+    size_t bytes = (size_t)vpls->count * sizeof(struct vpl);
+    struct vpl *old = mem_alloc(bytes, 1), *turned = mem_alloc(bytes, 1);
+    buffer_read(&vpls->buffer, 0, bytes, old);
+    for (int i = 0; i < vpls->count; i++)
+        turned[i] = old[i / run * run + run - 1 - i % run];
+    buffer_write(&vpls->buffer, 0, bytes, turned);
+    free(old);
+    free(turned);
+}
+
+/* Sums in another order: half floats round in the last bit. */
+static void check_order(struct renderer *renderer, int interleave, int run) {
+    struct output_list outputs;
+    renderer_outputs(renderer, &outputs);
+    const struct vpl_buffer *vpls = output_vpls(&outputs);
+    size_t count;
+    float *before = gather(renderer, vpls, interleave, &count);
+    reverse_runs(vpls, run);
+    float *after = gather(renderer, vpls, interleave, &count);
+    reverse_runs(vpls, run);
+    double worst = 0, sum = 0;
+    for (size_t i = 0; i < count; i++) {
+        worst =
+            fmax(worst, fabs((double)(after[i] - before[i])) / (fabs((double)before[i]) + 1e-6));
+        sum += (double)before[i];
+    }
+    assert_true(sum > 0);
+    printf("  interleave %d, runs of %d\n", interleave, run);
+    check_at_most("VPLs in another order, worst pixel, relative", worst, 2. / 1024);
+    free(before);
+    free(after);
+}
+
+/* VPLs with their clusters have the sums of those that they were made of. */
+static void test_hue(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, cornell_animal);
+    struct renderer_desc desc = desc_of(&stage, "clustered", "vpls=1024", SIZE, SIZE);
+    open_renderer(&renderer, &desc);
+    struct output_list outputs;
+    renderer_outputs(&renderer, &outputs);
+    float sums[4];
+    gl.GetTextureImage(output_vpls(&outputs)->sums.id, 0, GL_RGBA, GL_FLOAT, sizeof sums, sums);
+    struct vpl *vpls = read_vpls(&renderer);
+    double light[2] = {0};
+    for (int i = 0; i < 1024; i++)
+        for (int c = 0; c < 2; c++)
+            light[c] += vpls[i].reach > 0 ? (double)vpls[i].flux[c] : 0;
+    free(vpls);
+    check_near("sum of red light", (double)sums[2] / light[0], 1, 1e-4);
+    check_near("sum of green light", (double)sums[3] / light[1], 1, 1e-4);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+static void test_order(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, cornell_animal);
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=1024", SIZE, SIZE);
+    open_renderer(&renderer, &desc);
+    check_order(&renderer, 1, 1024);
+    check_order(&renderer, 8, 16);
+    check_order(&renderer, 4, 64);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* Another set of VPLs is another sample of the same light. */
+static void test_seeds(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, cornell_animal);
+    for (int i = 0; i < RECIPES; i++) {
+        bool map_per_vpl = strcmp(recipes[i].technique, "instant-radiosity") == 0;
+        struct image images[2];
+        for (int k = 0; k < 2; k++) {
+            char text[192];
+            snprintf(text, sizeof text, "%s vpls=%d interleave=1 seed=%d", recipes[i].settings,
+                     map_per_vpl ? 256 : 1024, 7 * k);
+            images[k] = render_stage(&stage, recipes[i].technique, text, 48);
+        }
+        double mean = layer_mean(&images[1], "indirect") / layer_mean(&images[0], "indirect");
+        printf("  %s %s\n", recipes[i].technique, recipes[i].settings);
+        check_near("mean of another seed", mean, 1, .02);
+        check_at_most("another seed, relative RMSE",
+                      relative_rmse(&images[1], &images[0], "indirect"), .1);
+        assert_false(same_pixels(&images[0], &images[1]));
+        image_free(&images[0]);
+        image_free(&images[1]);
+    }
+    stage_free(&stage);
+}
+
+/* Twice the VPLs at half the flux: the picture stays and its error falls. */
+static void test_more_vpls(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, cornell_animal);
+    struct image many =
+        render_stage(&stage, "unshadowed", "vpls=16384 interleave=1 near-samples=100", 48);
+    double first = 0, last = 0;
+    for (int n = 128; n <= 2048; n *= 2) {
+        char settings[64];
+        snprintf(settings, sizeof settings, "vpls=%d interleave=1 near-samples=100", n);
+        struct image image = render_stage(&stage, "unshadowed", settings, 48);
+        last = relative_rmse(&image, &many, "indirect");
+        first = n == 128 ? last : first;
+        printf("    N = %4d: relative RMSE %.4f, mean %.4f\n", n, last,
+               layer_mean(&image, "indirect") / layer_mean(&many, "indirect"));
+        image_free(&image);
+    }
+    /* Random points would give a quarter, give or take. */
+    check_at_most("error of 2048 over that of 128", last / first, .35);
+    image_free(&many);
+    stage_free(&stage);
+}
+
+/* --- memory ----------------------------------------------------------------------------------- */
+
+/* Of the bounds 15 MiB are for what detail gathers, 3 for planes of blocks and what is plain, 34 for further points with the normals of samples, and 20 for planes in
+ * a map per VPL. */
+static void test_memory(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    for (int i = 0; i < RECIPES; i++) {
+        struct renderer renderer;
+        size_t before = gpu_memory_total();
+        int objects = gpu_memory_object_count();
+        const char *settings = strstr(recipes[i].settings, "path=paper") ? "path=paper" : "";
+        struct renderer_desc desc = desc_of(&stage, recipes[i].technique, settings, 800, 800);
+        check_ok("renderer", renderer_init(&renderer, &desc));
+        printf("  %s %s\n", recipes[i].technique, settings);
+        bool maps_have_planes = strcmp(recipes[i].technique, "instant-radiosity") == 0;
+        check_at_most("MiB at 800x800", (double)(gpu_memory_total() - before) / (1 << 20),
+                      *settings ? 139 : (maps_have_planes ? 135 : 115));
+        renderer_free(&renderer);
+        assert_int_equal(gpu_memory_total(), before);
+        assert_int_equal(gpu_memory_object_count(), objects);
+    }
+    stage_free(&stage);
+}
+
+/* A renderer that cannot be made leaves nothing behind. */
+static void test_half_built(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    for (int i = 0; i < RECIPES; i++) {
+        struct renderer renderer;
+        int objects = gpu_memory_object_count();
+        struct renderer_desc desc = desc_of(&stage, recipes[i].technique, "", 1 << 20, 8);
+        assert_false(renderer_init(&renderer, &desc));
+        assert_int_equal(gpu_memory_object_count(), objects);
+        renderer_free(&renderer);
+    }
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_twice),
+        cmocka_unit_test(test_neighbours),
+        cmocka_unit_test(test_contexts),
+        cmocka_unit_test(test_threads),
+        cmocka_unit_test(test_contexts_of_binary),
+        cmocka_unit_test(test_split_meshes),
+        cmocka_unit_test(test_turns),
+        cmocka_unit_test(test_hue),
+        cmocka_unit_test(test_order),
+        cmocka_unit_test(test_seeds),
+        cmocka_unit_test(test_more_vpls),
+        cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_half_built),
+    };
+    return cmocka_run_group_tests_name("render", tests, open_group_context, close_group_context);
+}

@@ -1,0 +1,169 @@
+/* Where such methods break: far from the origin, at other scales, behind a closed door. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "scene/recentre.h"
+
+#include <cglm/cglm.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* All columns: which of them stand for others turns on rounding, as other random numbers would. */
+static const char small[] = "vpls=256 vals=16 columns=256 map-size=64 rsm-size=128 shadow-size=256";
+/* Without detail, where rounding lets another light answer for others: another noise, of the same mean. */
+static const char plain_settings[] = "vpls=1024 map-size=128 rsm-size=256 adaptive=0";
+static const char *const shadowing[] = {"clustered", "instant-radiosity"};
+
+/* --- far from the origin ---------------------------------------------------------------------- */
+
+/* Hangs all roots on a new one that stands elsewhere. */
+static void move_away(struct scene *scene, const float translation[3]) {
+    scene->nodes = mem_resize(scene->nodes, (size_t)scene->node_count + 1, sizeof *scene->nodes);
+    memmove(scene->nodes + 1, scene->nodes, (size_t)scene->node_count++ * sizeof *scene->nodes);
+    for (int i = 1; i < scene->node_count; i++)
+        scene->nodes[i].parent++;
+    scene->nodes[0] = (struct node){.parent = -1,
+                                    .mesh = -1,
+                                    .light = -1,
+                                    .camera = -1,
+                                    .skin = -1,
+                                    .metaballs = -1,
+                                    .rotation = {0, 0, 0, 1},
+                                    .scale = {1, 1, 1}};
+    memcpy(scene->nodes[0].translation, translation, sizeof scene->nodes[0].translation);
+}
+
+static void check_far(const char *path) {
+    static const float away[3] = {10000, -10000, 10000};
+    for (int i = 0; i < 2; i++) {
+        struct stage stage;
+        open_stage(&stage, path);
+        assert_true(stage.scene.origin[0] == 0);
+        struct image near = render_stage(&stage, shadowing[i], small, 48);
+        move_away(&stage.scene, away);
+        pose_stage(&stage);
+        assert_true(scene_recentre(&stage.scene, &stage.geometry));
+        check_near("origin", stage.scene.origin[0], 10000, 8);
+        pose_stage(&stage);
+        struct image far = render_stage(&stage, shadowing[i], small, 48);
+        check_at_most("17 km away", relative_rmse(&far, &near, "indirect"), .005);
+        image_free(&near);
+        image_free(&far);
+        stage_free(&stage);
+    }
+}
+
+static void test_far(void **state) {
+    (void)state;
+    check_far("scenes/cornell-box.glb");
+    check_far("scenes/sphere.glb");
+}
+
+/* --- scale ------------------------------------------------------------------------------------ */
+
+/* The inside of a sphere, a millimetre to a kilometre wide: the closed form (test_light.c) has no
+ * length in it but the radius. */
+static void test_scales(void **state) {
+    (void)state;
+    static const float scales[] = {1e-3F, 1e-2F, .1F, 10, 100, 1000};
+    for (const struct technique *const *t = techniques; *t; t++) {
+        struct stage stage;
+        open_stage(&stage, "scenes/sphere.glb");
+        struct image plain = render_stage(&stage, (*t)->name, small, 48);
+        stage_free(&stage);
+        for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
+            if (!is_tried_here(i, 5)) /* the ends */
+                continue;
+            open_stage(&stage, "scenes/sphere.glb");
+            scale_scene(&stage.scene, scales[i]);
+            pose_stage(&stage);
+            struct image scaled = render_stage(&stage, (*t)->name, small, 48);
+            printf("  %s, radius %g m\n", (*t)->name, (double)scales[i]);
+            check_at_most("indirect light", relative_rmse(&scaled, &plain, "indirect"), .005);
+            check_at_most("picture", relative_rmse(&scaled, &plain, ""), .005);
+            image_free(&scaled);
+            stage_free(&stage);
+        }
+        image_free(&plain);
+    }
+}
+
+/* --- the closed door -------------------------------------------------------------------------- */
+
+/* The mean of the indirect light that a camera sees. */
+static double mean_from(struct stage *stage, const char *technique, const char *settings,
+                        const float eye[3], const float direction[3]) {
+    struct camera *camera = &stage->camera;
+    glm_vec3_copy((float *)eye, camera->eye);
+    glm_vec3_normalize_to((float *)direction, camera->forward);
+    glm_vec3_crossn(camera->forward, (vec3){0, 1, 0}, camera->right);
+    glm_vec3_cross(camera->right, camera->forward, camera->up);
+    struct image image = render_stage(stage, technique, settings, 64);
+    double mean = layer_mean(&image, "indirect");
+    image_free(&image);
+    return mean;
+}
+
+static double leak(const char *technique, const char *settings) {
+    struct stage stage;
+    open_stage(&stage, "scenes/door.glb");
+    double lit = mean_from(&stage, technique, settings, (const float[]){-.4F, 1.6F, 1.6F},
+                           (const float[]){-1, -.1F, -.6F});
+    double dark = mean_from(&stage, technique, settings, (const float[]){3.9F, 1.6F, 1.2F},
+                            (const float[]){-1, -.1F, -.3F});
+    assert_true(lit > 0);
+    stage_free(&stage);
+    printf("    %-20s lit %.4g, behind the door %.4g\n", technique, lit, dark);
+    return dark / lit;
+}
+
+static void test_closed_door(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; i++)
+        check_at_most("light behind a closed door", leak(shadowing[i], "vpls=512"), .01);
+}
+
+/* --- a plain around a room -------------------------------------------------------------------- */
+
+static struct node *find_node(struct scene *scene, const char *name) {
+    for (int i = 0; i < scene->node_count; i++)
+        if (strcmp(scene->nodes[i].name, name) == 0)
+            return &scene->nodes[i];
+    fail_msg("no node is called %s", name);
+    return NULL;
+}
+
+/* What no light reaches changes nothing, however large it is: neither what lies near a light's
+ * centre, nor clusters, casters, blocks and the blur's reach. */
+static void test_plain(void **state) {
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        struct stage stage;
+        open_stage(&stage, "scenes/failures/plain.glb");
+        double large = (double)stage.geometry.radius;
+        struct image with = render_stage(&stage, shadowing[i], plain_settings, 96);
+        find_node(&stage.scene, "plain")->mesh = -1;
+        pose_stage(&stage);
+        struct image without = render_stage(&stage, shadowing[i], plain_settings, 96);
+        printf("    %s: radius %.4g m, without the plain %.4g m\n", shadowing[i], large,
+               (double)stage.geometry.radius);
+        assert_true(large > 30 * (double)stage.geometry.radius);
+        check_at_most("a plain around a room, relative RMSE",
+                      relative_rmse(&with, &without, "indirect"), .01);
+        image_free(&with);
+        image_free(&without);
+        stage_free(&stage);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_far),
+        cmocka_unit_test(test_scales),
+        cmocka_unit_test(test_closed_door),
+        cmocka_unit_test(test_plain),
+    };
+    return cmocka_run_group_tests_name("stability", tests, open_group_context, close_group_context);
+}

@@ -1,0 +1,305 @@
+/* Environments: where their texels lie, which files are refused, how a scene gets one, and that it is seen
+ * where no surface is. */
+#include "render_support.h"
+
+#include "gltf_parts.h"
+
+#include "base/error.h"
+#include "base/file/image_file.h"
+#include "base/log.h"
+#include "reference/channels.h"
+#include "quality/picture.h"
+#include "reference/path_tracer.h"
+#include "scene/lights/environment.h"
+#include "scene/open.h"
+#include "scene/placing.h"
+#include "scene/read_rules.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A panorama whose texels tell where they are: R = column + 1, G = row + 1, B = 1. */
+static struct image numbered_picture(int width, int height) {
+    struct image image;
+    image_init(&image, width, height, "R G B");
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            float *at = image_at(&image, x, y);
+            at[0] = (float)(x + 1), at[1] = (float)(y + 1), at[2] = 1;
+        }
+    return image;
+}
+
+static const char *write_picture(const char *name, struct image *image) {
+    const char *path = scratch(name);
+    remove(path);
+    check_ok(name, image_write(image, path));
+    image_free(image);
+    return path;
+}
+
+static const char *write_numbered(const char *name, int width, int height) {
+    struct image image = numbered_picture(width, height);
+    return write_picture(name, &image);
+}
+
+/* --- directions ------------------------------------------------------------------------------- */
+
+static void check_texel(const struct environment *environment, vec3 direction, int x, int y) {
+    float radiance[3];
+    environment_radiance(environment, direction, radiance);
+    printf("    (%g, %g, %g) leads to column %g, row %g\n", (double)direction[0],
+           (double)direction[1], (double)direction[2], (double)radiance[0] - 1,
+           (double)radiance[1] - 1);
+    check_near("column", (double)radiance[0], x + 1, 0);
+    check_near("row", (double)radiance[1], y + 1, 0);
+}
+
+/* Of 16 columns: -X at the left edge, +X in the middle, +Y at the top. Directions lie just right of and
+ * below the corners of texels. */
+static void test_directions(void **state) {
+    (void)state;
+    struct environment sky;
+    check_ok("load", environment_load(&sky, write_numbered("sky.exr", 16, 8)));
+    check_texel(&sky, (vec3){-1, -.01F, -.01F}, 0, 4);
+    check_texel(&sky, (vec3){-1, .01F, .01F}, 15, 3);
+    check_texel(&sky, (vec3){.01F, .01F, -1}, 4, 3);
+    check_texel(&sky, (vec3){100, .01F, .01F}, 8, 3);
+    check_texel(&sky, (vec3){-.01F, .01F, 1}, 12, 3);
+    check_texel(&sky, (vec3){-.01F, 1, -.001F}, 0, 0);
+    check_texel(&sky, (vec3){1e-20F, -1, 1e-22F}, 8, 7);
+    check_texel(&sky, (vec3){-1, 0, -0.F}, 0, 4);
+    sky.turn = 90; /* what was at +Z is now at +X */
+    check_texel(&sky, (vec3){1, .01F, .01F}, 12, 3);
+    sky.turn = -270;
+    check_texel(&sky, (vec3){1, .01F, .01F}, 12, 3);
+    sky.turn = 0;
+    sky.strength = 2;
+    float radiance[3];
+    environment_radiance(&sky, (vec3){1, .01F, .01F}, radiance);
+    check_near("twice as strong", (double)radiance[2], 2, 0);
+    free(sky.texels);
+    free(sky.path);
+}
+
+/* The way back, at any turn; and all texels together are the whole sphere. */
+static void test_texels(void **state) {
+    (void)state;
+    struct environment sky;
+    check_ok("load", environment_load(&sky, write_numbered("sky.exr", 64, 32)));
+    double sum = 0;
+    int wrong = 0;
+    sky.turn = 33;
+    for (int y = 0; y < sky.height; y++)
+        for (int x = 0; x < sky.width; x++) {
+            float direction[3];
+            int column, row;
+            environment_direction(&sky, x + .01, y + .99, direction);
+            environment_texel(&sky, direction, &column, &row);
+            wrong += column != x || row != y;
+            sum += environment_solid_angle(&sky, y);
+        }
+    check_near("texels that lead elsewhere", wrong, 0, 0);
+    check_near("solid angle of all over 4 pi", sum / (4 * GLM_PI), 1, 1e-12);
+    free(sky.texels);
+    free(sky.path);
+}
+
+/* --- files ------------------------------------------------------------------------------------ */
+
+static void check_sky_refused(const char *path, const char *message) {
+    struct environment sky;
+    assert_false(environment_load(&sky, path));
+    printf("    %s\n", error_get());
+    if (!strstr(error_get(), path) || !strstr(error_get(), message) || strchr(error_get(), '\n'))
+        fail_msg("expected '%s'", message);
+}
+
+/* A number that is no radiance is replaced with a note, and refused under --strict. */
+static void check_texel_replaced(float value, float expected, const char *note) {
+    struct environment sky;
+    struct image image = numbered_picture(8, 4);
+    image_at(&image, 5, 2)[1] = value;
+    const char *path = write_picture("odd.exr", &image);
+    hear_notes();
+    check_ok(path, environment_load(&sky, path));
+    end_notes();
+    check_near("instead", (double)sky.texels[2 * 8 + 5][1], (double)expected, 0);
+    check_near("beside it", (double)sky.texels[2 * 8 + 5][0], 6, 0);
+    if (!strstr(notes, path) || !strstr(notes, note))
+        fail_msg("'%s' is not in '%s'", note, notes);
+    free(sky.texels);
+    free(sky.path);
+    check_ok("strict", read_rules_set(true, NULL));
+    check_sky_refused(path, note);
+    check_ok("not strict", read_rules_set(false, NULL));
+}
+
+static void test_refusals(void **state) {
+    (void)state;
+    remove(scratch("none.exr"));
+    check_sky_refused(scratch("none.exr"), "");
+    check_sky_refused(write_numbered("square.exr", 8, 8),
+                      "8 x 8 pixels are no panorama, which is twice as wide as high");
+    check_texel_replaced(NAN, 0, "1 no numbers (0 instead); first in column 5, row 2");
+    check_texel_replaced(-.5F, 0, "1 negative (0 instead); first in column 5, row 2");
+    check_texel_replaced(-INFINITY, 0, "1 negative (0 instead); first in column 5, row 2");
+    check_texel_replaced(INFINITY, 65504, "1 infinite (65504 instead); first in column 5, row 2");
+    struct bitmap bitmap = {2, 1, (unsigned char[8]){0}};
+    check_ok("png", bitmap_write(&bitmap, scratch("sky.png")));
+    check_sky_refused(scratch("sky.png"), "its format is for displays");
+    write_bytes(scratch("cut.hdr"), "#?RADIANCE\n", 11);
+    check_sky_refused(scratch("cut.hdr"), "");
+}
+
+/* --- scenes ----------------------------------------------------------------------------------- */
+
+static void open_with(struct scene *scene, const struct gltf_parts *parts,
+                      const struct environment_desc *environment) {
+    struct geometry geometry;
+    const struct scene_open_desc desc = {.environment = *environment};
+    check_ok("open", scene_open(scene, &geometry, write_parts("scene.glb", parts), &desc));
+    geometry_free(&geometry);
+}
+
+/* A name in the file, one in its place, and changes of it. */
+static void test_scenes(void **state) {
+    (void)state;
+    const struct gltf_parts named = {
+        .asset = "{\"version\": \"2.0\", \"extras\": {\"environment\": \"sky.hdr\"}}"};
+    const struct gltf_parts strong = {
+        .more = "\"scene\": 0, \"scenes\": [{\"nodes\": [0], \"extras\": {\"environment\":"
+                " \"sky.hdr\", \"environmentTurn\": 90, \"environmentStrength\": 3}}],"};
+    const char *other = write_numbered("other.exr", 4, 2);
+    struct scene scene;
+    write_numbered("sky.hdr", 16, 8);
+    open_with(&scene, &named, &(struct environment_desc){0});
+    assert_int_equal(scene.environment->width, 16);
+    assert_int_equal(scene.light_count, 0); /* no spot stands in */
+    assert_false(scene_check_output(&scene, scratch("sky.hdr")));
+    scene_free(&scene);
+    open_with(&scene, &strong, &(struct environment_desc){.turn = 5, .strength = .5F});
+    check_near("turn", (double)scene.environment->turn, 95, 0);
+    check_near("strength", (double)scene.environment->strength, 1.5, 0);
+    scene_free(&scene);
+    open_with(&scene, &strong, &(struct environment_desc){.path = other});
+    assert_int_equal(scene.environment->width, 4);
+    check_near("turn", (double)scene.environment->turn, 0, 0);
+    scene_free(&scene);
+}
+
+static void check_scene_refused(const struct gltf_parts *parts, const struct environment_desc *desc,
+                                const char *message) {
+    struct scene scene;
+    struct geometry geometry;
+    const struct scene_open_desc open = {.environment = *desc};
+    assert_false(scene_open(&scene, &geometry, write_parts("scene.glb", parts), &open));
+    printf("    %s\n", error_get());
+    assert_non_null(strstr(error_get(), message));
+}
+
+static void test_scene_refusals(void **state) {
+    (void)state;
+    static const char *const rows[][2] = {
+        {"{\"environment\": \"../../sky.hdr\"}",
+         "extras: environment: '../../sky.hdr' leads out of the folder "},
+        {"{\"environment\": \"nowhere.hdr\"}", "extras: environment: cannot open"},
+        {"{\"environment\": 3}", "extras: environment: it is no file's name"},
+        {"{\"environment\": \"sky.hdr\", \"environmentTurn\": \"east\"}",
+         "extras: environmentTurn: it is no number"},
+        {"{\"environment\": \"sky.hdr\", \"environmentStrength\": -1}",
+         "extras: environmentStrength: it is not above 0"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char asset[256];
+        snprintf(asset, sizeof asset, "{\"version\": \"2.0\", \"extras\": %s}", rows[i][0]);
+        check_scene_refused(&(struct gltf_parts){.asset = asset}, &(struct environment_desc){0},
+                            rows[i][1]);
+    }
+    check_scene_refused(&(struct gltf_parts){0}, &(struct environment_desc){.turn = 1},
+                        "there is no environment to be turned");
+    check_scene_refused(&(struct gltf_parts){0},
+                        &(struct environment_desc){.path = scratch("none.exr")}, "none.exr");
+}
+
+static void check_lights(const struct scene *scene, const char *text, int count, bool sky) {
+    struct emitters emitters = {0}, again = {0};
+    check_ok(text, emitters_from_text(&emitters, scene, text, 0));
+    char *written = emitters_to_text(&emitters, scene, 0);
+    printf("    %-24s %s\n", text, written);
+    assert_int_equal(emitters.count, count);
+    assert_ptr_equal(emitters.sky, sky ? scene->environment : NULL);
+    check_ok(written, emitters_from_text(&again, scene, written, 0));
+    assert_true(emitters_same(&again, &emitters));
+    free(written);
+    emitters_free(&emitters);
+    emitters_free(&again);
+}
+
+static void test_choice(void **state) {
+    (void)state;
+    struct scene scene;
+    struct geometry geometry;
+    struct emitters emitters = {0};
+    const struct scene_open_desc desc = {.environment = {.path = write_numbered("s.exr", 4, 2)}};
+    check_ok("open", scene_open(&scene, &geometry, "scenes/three-lights.glb", &desc));
+    check_lights(&scene, "", 3, true);
+    check_lights(&scene, "sky", 0, true);
+    check_lights(&scene, "1,sky", 1, true);
+    check_lights(&scene, "1", 1, false);
+    check_lights(&scene, "sky; 2 intensity=1,2,3", 1, true);
+    geometry_free(&geometry);
+    scene_free(&scene);
+    check_ok("open", scene_open(&scene, &geometry, "scenes/three-lights.glb", NULL));
+    assert_false(emitters_from_text(&emitters, &scene, "sky", 0));
+    geometry_free(&geometry);
+    scene_free(&scene);
+}
+
+/* --- pictures --------------------------------------------------------------------------------- */
+
+/* Looks past a quad at a sky of many texels: GL and rays see the same one in every pixel. */
+static void test_background(void **state) {
+    (void)state;
+    enum { SIZE = 48 };
+    struct stage stage;
+    struct image traced;
+    const struct stage_desc desc = {
+        .path = write_parts("scene.glb", &(struct gltf_parts){0}),
+        .light = "sky",
+        .camera = "eye=.5,.5,3 forward=.1,.2,-1 fov=1.5",
+        .environment = {.path = write_numbered("sky.exr", 16, 8), .turn = 20, .strength = .5F},
+    };
+    check_ok("stage", stage_init(&stage, &desc));
+    struct image shown = render_stage(&stage, "unshadowed", "", SIZE);
+    const struct path_tracer_desc tracer = {
+        .width = SIZE, .height = SIZE, .samples = 1, .centers = true};
+    check_ok("trace", picture_trace_paths(&stage, &tracer, &traced, NULL));
+    int sky = 0, other = 0;
+    for (int y = 0; y < SIZE; y++)
+        for (int x = 0; x < SIZE; x++) {
+            const float *at = image_at(&traced, x, y), *in_gl = image_at(&shown, x, y);
+            bool is_sky = at[CHANNEL_ALPHA] == 0;
+            sky += is_sky;
+            other += is_sky && (at[0] != in_gl[0] || at[1] != in_gl[1] || at[2] != in_gl[2] ||
+                                at[0] != at[CHANNEL_EMITTED] || in_gl[CHANNEL_ALPHA] != 0);
+        }
+    check_near("pixels of sky, of 2304", sky, 2230, 30);
+    check_at_most("of them with another radiance in GL", other, 4);
+    image_free(&shown);
+    image_free(&traced);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_directions),     cmocka_unit_test(test_texels),
+        cmocka_unit_test(test_refusals),       cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_scene_refusals), cmocka_unit_test(test_choice),
+        cmocka_unit_test(test_background),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}

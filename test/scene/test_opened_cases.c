@@ -1,0 +1,140 @@
+/* Files of public reports that other readers open: the picture that is right, where they are there. */
+#include "command_support.h"
+
+#include "base/error.h"
+#include "base/image.h"
+#include "base/file/image_file.h"
+#include "base/log.h"
+
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+/* Whether the case is there; its path. */
+static bool find_case(const char *name, char path[512]) {
+    snprintf(path, 512, "../shared/cases/%s", name);
+    return access(path, R_OK) == 0;
+}
+
+static void render(const char *path, const char *options, struct image *image) {
+    const char *picture = scratch("case.exr");
+    remove(picture);
+    if (run_program("render %s %s --size 32x32 -o %s", path, options, picture) != 0)
+        fail_msg("%s: %s", path, output);
+    check_ok(picture, image_read(image, picture));
+}
+
+/* The middle of the layer. */
+static void check_layer(const struct image *image, const char *layer, const float expected[3],
+                        double tolerance) {
+    int channels[3];
+    check_ok(layer, image_find_layer(image, layer, channels));
+    for (int c = 0; c < 3; c++)
+        check_near(*layer ? layer : "beauty", (double)image_at(image, 16, 16)[channels[c]],
+                   (double)expected[c], tolerance);
+}
+
+/* A plane of base colour .5 under a sun of pi lux. */
+static void test_planes(void **state) {
+    (void)state;
+    static const char *const cases[] = {
+        "bad-clip/equal-times.gltf",   "bad-clip/negative-time.gltf",
+        "buffer-longer/bin.gltf",      "data-uri-type/buffer-charset.gltf",
+        "glb-tail/tail.glb",           "loose-numbers/count-4.0.gltf",
+        "loose-numbers/stride-0.gltf", "loose-numbers/roughness-1.0000001.gltf",
+        "matrix-row/m44.gltf",         "part-of-primitive/no-position.gltf",
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char path[512];
+        struct image image;
+        if (!find_case(cases[i], path))
+            continue;
+        printf("  %s\n", cases[i]);
+        render(path, "", &image);
+        check_layer(&image, "", (float[]){.5F, .5F, .5F}, .01);
+        check_layer(&image, "direct", (float[]){1, 1, 1}, .01);
+        image_free(&image);
+    }
+}
+
+/* The colour of a picture. */
+static void test_pictures(void **state) {
+    (void)state;
+    static const char *const cases[] = {
+        "data-uri-type/jpg.gltf",
+        "data-uri-type/empty.gltf",
+        "data-uri-type/webp.gltf",
+        "parent-folder/model/parent.gltf",
+        "parent-folder/model/backslash.gltf",
+        "parent-folder/model/dots-inside.gltf",
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char path[512];
+        struct image image;
+        if (!find_case(cases[i], path))
+            continue;
+        printf("  %s\n", cases[i]);
+        render(path, "", &image);
+        check_layer(&image, "albedo", (float[]){.5776F, .1274F, .0319F}, .02);
+        image_free(&image);
+    }
+}
+
+static void test_skies(void **state) {
+    (void)state;
+    static const char *const skies[] = {"negative", "inf", "odd"};
+    char plane[512], sky[512], options[1024];
+    if (!find_case("sky-values/plane.gltf", plane))
+        skip();
+    for (int i = 0; i < 3; i++) {
+        char name[64];
+        struct image image;
+        snprintf(name, sizeof name, "sky-values/%s.exr", skies[i]);
+        if (!find_case(name, sky))
+            continue;
+        printf("  %s\n", name);
+        snprintf(options, sizeof options, "--light sky --environment %s", sky);
+        render(plane, options, &image);
+        if (strcmp(skies[i], "negative") == 0)
+            check_layer(&image, "direct", (float[]){1, 1, 1}, .05);
+        image_free(&image);
+    }
+}
+
+/* What info says of each, and its status. */
+static void test_messages(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        int status;
+        const char *text;
+    } cases[] = {
+        {"draco-count/count.gltf", 0, "2 triangles (2 without"},
+        {"meshopt-unmarked/unmarked.gltf", 0, "2 triangles (2 without"},
+        {"meshopt-unmarked/khr.gltf", 1, "'KHR_meshopt_compression', which is not read"},
+        {"messages/gltf1.gltf", 1, "glTF version 1.0; 2.0 is read"},
+        {"messages/pointer.glb", 1, "a Git LFS pointer"},
+        {"messages/comment.gltf", 1, "parse error at line 1, column 1"},
+        {"messages/points.gltf", 0, "points     primitives 1"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char path[512];
+        if (!find_case(cases[i].name, path))
+            continue;
+        int status = run_program("info %s", path);
+        printf("    %-36s %d %s\n", cases[i].name, status, cases[i].text);
+        if (status != cases[i].status || !strstr(output, cases[i].text))
+            fail_msg("%s: %d, %s", cases[i].name, status, output);
+    }
+}
+
+int main(void) {
+    log_set_level(LOG_QUIET);
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_planes),
+        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_skies),
+        cmocka_unit_test(test_messages),
+    };
+    return cmocka_run_group_tests_name("opened cases", tests, NULL, NULL);
+}

@@ -1,0 +1,63 @@
+#define _XOPEN_SOURCE 700
+#include "command_support.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+char output[1 << 16];
+
+int run_program(const char *format, ...) {
+    char command[8192];
+    int used = snprintf(command, sizeof command, "%s ", binary_path());
+    va_list more;
+    va_start(more, format);
+    vsnprintf(command + used, sizeof command - (size_t)used, format, more);
+    va_end(more);
+    return run_command(command, output, sizeof output);
+}
+
+/* Whether the % at that place of the line is a word, and no part of a number or a name. */
+static bool is_word(const char *line, const char *at) {
+    return (at == line || strchr(" (\"'", at[-1])) && at[1] == ' ';
+}
+
+int run_line(const char *line) {
+    char command[8192] = "(";
+    char *folder = realpath(scratch(""), NULL), *binary = realpath(binary_path(), NULL);
+    size_t used = 1;
+    assert_true(folder && binary);
+    for (const char *at = line; *at && used + 1 < sizeof command; at++) {
+        const char *put = *at == '@' ? folder : *at == '%' && is_word(line, at) ? binary : NULL;
+        used += (size_t)snprintf(command + used, sizeof command - used, put ? "%s" : "%.1s",
+                                 put ? put : at);
+    }
+    assert_true(used + 1 < sizeof command);
+    command[used] = ')';
+    free(folder);
+    free(binary);
+    int status = run_command(command, output, sizeof output);
+    printf("    %s\n    -> %d %.300s\n", line, status, output);
+    return status;
+}
+
+void expect(int status, const char *line) {
+    int actual = run_line(line);
+    if (actual != status)
+        fail_msg("exit status %d, expected %d: %s", actual, status, output);
+}
+
+void expect_command(int status, const char *command, const char *arguments) {
+    char line[4096];
+    snprintf(line, sizeof line, "%% %s %s", command, arguments);
+    expect(status, line);
+}
+
+void expect_text(const char *text) {
+    expect_in(output, text);
+}
+
+void expect_in(const char *where, const char *text) {
+    if (!strstr(where, text))
+        fail_msg("'%s' is not in: %s", text, where);
+}

@@ -1,0 +1,97 @@
+/* What the tests of the renderer share: a scene that a test may change, and pictures of it. */
+#ifndef TEST_RENDER_SUPPORT_H
+#define TEST_RENDER_SUPPORT_H
+
+#include "support.h"
+
+#include "gl/context/context.h"
+#include "reference/scene/ray_scene.h"
+#include "renderer/renderer.h"
+#include "renderer/stage.h"
+
+/* A debug context of that kind that is current; the test is skipped where there is none. */
+struct context *open_context(enum context_kind kind);
+
+/* For cmocka_run_group_tests: one context for all tests of the group; the program fails where OpenGL had
+ * something to say, or an object or a byte of GPU memory is left at its end. */
+int open_group_context(void **state);
+int close_group_context(void **state);
+
+/* The same for groups whose own shaders lie beside the tests. */
+int open_group_shaders(void **state);
+int close_group_shaders(void **state);
+
+/* A stage that the test may change; fails the test on an error. */
+void open_stage(struct stage *stage, const char *path);
+
+/* Geometry, camera and light anew from a scene that the test has changed. */
+void pose_stage(struct stage *stage);
+
+/* Makes the scene s times as large with s^2 times the intensity, or the same radiance, which is the same
+ * picture: no length and no light is absolute. pose_stage follows. */
+void scale_scene(struct scene *scene, float s);
+
+/* Turns everything, camera and light too, about the y axis. */
+void turn_stage(struct stage *stage, double degrees);
+
+static inline vec3s to_vec3s(const float v[3]) {
+    return (vec3s){{v[0], v[1], v[2]}};
+}
+
+/* The same scene for rays: the second opinion on what a rasteriser saw. */
+struct rays {
+    struct hit_table table;
+    struct ray_scene scene;
+};
+
+void open_rays(struct rays *rays, const struct stage *stage);
+void close_rays(struct rays *rays);
+
+/* The desc of a renderer: settings as "vpls=64 vals=8", in order; the technique by name. A pixel is
+ * its centre, which other ways to a pixel's value have too, unless the settings say samples=8. */
+struct renderer_desc desc_of(const struct stage *stage, const char *technique, const char *settings,
+                             int width, int height);
+
+/* A renderer that has rendered one frame. */
+void open_renderer(struct renderer *renderer, const struct renderer_desc *desc);
+
+/* All layers of the frame that a renderer of this desc renders. */
+struct image render_layers(const struct renderer_desc *desc);
+
+/* The same by one renderer, which follows from desc to desc of one scene in one pose; the first of a zeroed one
+ * makes it. renderer_free frees it. */
+struct image follow_layers(struct renderer *renderer, const struct renderer_desc *desc);
+
+/* The same with the desc of desc_of. */
+struct image render_stage(const struct stage *stage, const char *technique, const char *settings,
+                          int size);
+
+/* The VPLs of the last frame, as the gather reads them; vpl_count of them, for free(). */
+struct vpl *read_vpls(const struct renderer *renderer);
+
+/* Where the surface is that a pixel of the layers sees, by its Z. */
+void pixel_position(const struct renderer *renderer, const struct image *layers, int x, int y,
+                    float position[3]);
+
+/* Whether all values are the same bits. */
+bool same_pixels(const struct image *a, const struct image *b);
+
+/* RMS of the difference of a layer over the mean of the reference's, over what both see. */
+double relative_rmse(const struct image *test, const struct image *reference, const char *layer);
+
+/* RMS of the gradient of the difference over the mean of the reference: banding. */
+double gradient_error(const struct image *test, const struct image *reference, const char *layer);
+
+/* The mean of a layer's channels over the pixels that see something. */
+double layer_mean(const struct image *image, const char *layer);
+
+/* One bounce by the path tracer, through the pixels' centres: the layers that a frame has too. */
+struct image trace_stage(const struct stage *stage, int size, int samples);
+
+/* Of a picture of the path tracer the layers that a frame has too. */
+struct image common_layers(const struct image *traced);
+
+/* Fails where a value of any channel is NaN or infinite. */
+void check_finite(const char *what, const struct image *image);
+
+#endif

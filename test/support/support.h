@@ -1,0 +1,78 @@
+/* What every test program uses: cmocka, and checks that print their values. */
+#ifndef TEST_SUPPORT_H
+#define TEST_SUPPORT_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <setjmp.h>
+#include <cmocka.h>
+
+/* Fails with both values when |value - expected| > tolerance; prints them either way. */
+void check_near(const char *what, double value, double expected, double tolerance);
+
+/* Fails unless value <= bound; prints both either way. NaN fails. */
+void check_at_most(const char *what, double value, double bound);
+
+/* Fails unless call returned true; prints the error message. */
+void check_ok(const char *what, bool ok);
+
+/* Fails unless all three coordinates are near; prints them. */
+void check_vector(const char *what, const float value[3], double x, double y, double z,
+                  double tolerance);
+
+/* Fails where it was done, or the error message has not that text; prints the message. */
+void check_refused(bool done, const char *message);
+
+/* Whether `make test-long` runs, which tries all rows of each test; `make test` tries a few of each kind. */
+bool is_long_run(void);
+
+/* Whether this run tries the row of that index: one in step of them, or all. */
+bool is_tried_here(size_t index, size_t step);
+
+/* Runs these tests, in a short run the first few alone. */
+#define run_some_tests(tests, few, setup, teardown)                                                \
+    _cmocka_run_group_tests(                                                                       \
+        #tests, tests, is_long_run() ? sizeof(tests) / sizeof(tests)[0] : (few), setup, teardown)
+
+/* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
+int run_command(const char *command, char *output, size_t output_size);
+
+/* Notes and warnings of the program between the two calls, a line each. */
+extern char notes[4096];
+void hear_notes(void);
+void end_notes(void);
+
+/* A file of the test's own folder below the build folder; the folder is made. Static buffer ring
+ * of 8. */
+const char *scratch(const char *file_name);
+
+void write_text(const char *path, const char *text);
+
+/* Files and folders in it. */
+int count_files(const char *folder);
+
+/* Copies text, with the test's own folder for each @. */
+void in_scratch(char *to, size_t size, const char *text);
+
+/* Whether this build writes pictures of that extension, and reads all that OpenImageIO does: `make bundle` builds with
+ * smaller libraries, which know few formats. */
+bool knows_format(const char *extension);
+
+/* Skips the test, with the reason, where this build has the smaller libraries; where a command fails; where a file or a
+ * folder is not there. */
+void need_all_formats(void);
+void need_command(const char *command);
+void need_file(const char *path);
+
+/* The manylight binary under test. */
+const char *binary_path(void);
+
+/* ../shared when it is there, else NULL: such tests are skipped. */
+const char *shared_path(void);
+
+/* A file of ../shared/cases when it is there, else NULL. Static buffer. */
+const char *shared_case(const char *file);
+
+#endif

@@ -1,0 +1,315 @@
+/* How files come into the viewer, by real input events: the list of files takes the keyboard, a sky is
+ * dropped, turned and removed, and what cannot be opened leaves a window that goes on. */
+#define _XOPEN_SOURCE 700
+#include "view_stage.h"
+
+#include "desktop.h"
+
+#include "base/file/image_file.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define BOX "scenes/cornell-box.glb"
+#define SPHERE "scenes/sphere.glb"
+
+static void copy(const char *from, const char *name) {
+    assert_int_equal(
+        shell("mkdir -p %s/sub && cp %s/%s %s", stage.folder, stage.here, from, in_stage(name)), 0);
+}
+
+static bool log_has(const char *text) {
+    for (int i = 0; i < 100; i++) {
+        if (shell(": search; grep -q -- '%s' %s/viewer.log", text, stage.folder) == 0)
+            return true;
+        pause_ms(50);
+    }
+    return false;
+}
+
+static void check_setting(const char *key, const char *expected) {
+    char value[600];
+    read_setting(key, value, sizeof value);
+    printf("    %s = %s\n", key, value);
+    assert_string_equal(value, expected);
+}
+
+/* --- the list of files ------------------------------------------------------------------------ */
+
+/* Keys that move the camera, change the layer and compare, and a drag beside the list. */
+static void test_dialog_is_modal(void **state) {
+    (void)state;
+    char before[600];
+    start_viewer(BOX, "");
+    save_settings();
+    read_setting("camera", before, sizeof before);
+    xdo("key F1"); /* the help gives way */
+    sync_viewer();
+    xdo("key ctrl+o");
+    sync_viewer();
+    xdo("type --delay 40 wasdqe2rcv");
+    xdo("mousemove 12 700 mousedown 1 mousemove 60 650 mouseup 1 mousemove 12 600 click 4");
+    sync_viewer();
+    assert_true(is_on_screen("Home"));
+    xdo("key Escape");
+    assert_false(is_on_screen("Home"));
+    save_settings();
+    check_setting("camera", before);
+    check_setting("layer", "full");
+    check_same("nothing has changed behind the list", BOX);
+    xdo("key 2"); /* and keys are the picture's again */
+    check_same("afterwards", BOX " --layer indirect");
+    xdo("key 1");
+}
+
+/* It begins beside the scene that is open; letters, arrows, Enter and Backspace go through it. */
+static void test_dialog_keys(void **state) {
+    (void)state;
+    need_viewer();
+    copy(SPHERE, "sub/one.glb");
+    copy(BOX, "sub/Two.glb");
+    copy("scenes/overcast.hdr", "sub/sky.hdr");
+    assert_int_equal(shell("touch %s/sub/note.txt %s/sub/a.settings %s/sub/a.exr", stage.folder,
+                           stage.folder, stage.folder),
+                     0);
+    xdo("key ctrl+o");
+    assert_true(is_on_screen("cornell-box.glb"));
+    xdo("type --delay 20 %s", in_stage("sub/one.glb"));
+    xdo("key Return");
+    wait_for_scene("one.glb");
+    xdo("key ctrl+o");
+    assert_true(is_on_screen("Two.glb") && is_on_screen("sky.hdr") && is_on_screen("a.exr") &&
+                is_on_screen("a.settings"));
+    assert_false(is_on_screen("note.txt"));
+    xdo("type --delay 20 tw");
+    xdo("key Return");
+    wait_for_scene("Two.glb");
+    xdo("key ctrl+o"); /* Two.glb is chosen; upper case comes first: ../, Two.glb, a.exr, ... one.glb */
+    sync_viewer();
+    xdo("key Down key Down key Down");
+    xdo("key Return");
+    wait_for_scene("one.glb");
+    xdo("key ctrl+o");
+    sync_viewer();
+    xdo("key x key BackSpace key BackSpace");
+    assert_true(is_on_screen("sub/"));
+    xdo("key Return"); /* the folder that was left is chosen */
+    assert_true(is_on_screen("Two.glb"));
+    press("one.glb"); /* by the mouse, too; and a button */
+    wait_for_scene("one.glb");
+    xdo("key ctrl+o");
+    press("Up");
+    assert_true(is_on_screen("sub/"));
+    press("sub/");
+    assert_true(is_on_screen("Two.glb"));
+    xdo("type --delay 20 nosuch");
+    xdo("key Return");
+    assert_true(is_on_screen("Two.glb"));
+    xdo("key Escape");
+    assert_false(is_on_screen("Two.glb"));
+    wait_for_scene("one.glb");
+}
+
+/* --- what cannot be opened -------------------------------------------------------------------- */
+
+static void test_broken_keeps_scene(void **state) {
+    (void)state;
+    need_viewer();
+    write_in_stage("broken.glb", "glTF and then nothing");
+    drop(in_stage("broken.glb"));
+    assert_true(log_has("broken.glb"));
+    wait_for_scene("one.glb");
+    check_same("the scene before", SPHERE);
+    end_viewer();
+}
+
+/* A file that is not there, a folder and a broken file: the start page, and the reason on stderr. */
+static void test_start_page(void **state) {
+    (void)state;
+    static const char *const names[] = {"nosuch.glb", "sub", "broken.glb"};
+    for (int i = 0; i < 3; i++) {
+        start_empty_viewer(names[i]);
+        assert_true(log_has(names[i]));
+        printf("    %s: the start page\n", names[i]);
+        if (i < 2)
+            end_viewer();
+    }
+    press("cornell-box");
+    wait_for_scene("cornell-box.glb");
+    end_viewer();
+    assert_int_equal(shell(": search; cd %s && %s view nosuch.glb --frames 1 >script.log 2>&1",
+                           stage.folder, stage.binary),
+                     1);
+    assert_int_equal(shell("test $(grep -c nosuch.glb %s) = 1", in_stage("script.log")), 0);
+}
+
+/* --- a sky ------------------------------------------------------------------------------------ */
+
+#define SKY "--environment scenes/overcast.hdr"
+
+static void test_sky_dropped(void **state) {
+    (void)state;
+    start_viewer("scenes/three-lights.glb", "");
+    drop("scenes/overcast.hdr");
+    check_same("a sky that was dropped", "scenes/three-lights.glb " SKY);
+    xdo("key ctrl+z");
+    check_same("and taken back", "scenes/three-lights.glb");
+    xdo("key ctrl+y");
+    check_same("and again", "scenes/three-lights.glb " SKY);
+}
+
+static void test_sky_turned(void **state) {
+    (void)state;
+    need_viewer();
+    press("Light");
+    type_into("turn, \xc2\xb0", "90");
+    check_same("turned", "scenes/three-lights.glb " SKY " --environment-turn 90");
+    type_into("strength", "2.5");
+    check_same("stronger",
+               "scenes/three-lights.glb " SKY " --environment-turn 90 --environment-strength 2.5");
+    press("sky shines");
+    rest_mouse();
+    check_same("off", "scenes/three-lights.glb --light 0,1,2");
+    press("sky shines");
+    save_settings();
+    check_setting("environment-turn", "90");
+    check_setting("environment-strength", "2.5");
+    press("Remove the sky");
+    rest_mouse();
+    check_same("removed", "scenes/three-lights.glb");
+    press("Load");
+    rest_mouse();
+    check_same("settings bring it back",
+               "scenes/three-lights.glb " SKY " --environment-turn 90 --environment-strength 2.5");
+}
+
+/* A square without lights and camera; what the scene's arguments are. */
+static const char *write_unlit(void) {
+    static const char text[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],"
+        "\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0},"
+        "\"indices\":1}]}],\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":4,"
+        "\"type\":\"VEC3\",\"min\":[-1,0,-1],\"max\":[1,0,1]},"
+        "{\"bufferView\":1,\"componentType\":5123,\"count\":6,\"type\":\"SCALAR\"}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":48},"
+        "{\"buffer\":0,\"byteOffset\":48,\"byteLength\":12}],\"buffers\":[{\"byteLength\":60,"
+        "\"uri\":\"data:application/octet-stream;base64,AACAvwAAAAAAAIC/AACAPwAAAAAAAIC/"
+        "AACAvwAAAAAAAIA/AACAPwAAAAAAAIA/AAACAAEAAQACAAMA\"}]}";
+    write_in_stage("unlit.gltf", text);
+    return in_stage("unlit.gltf");
+}
+
+static void empty_sky_field(void) {
+    int x, y;
+    find_place("sky", &x, &y);
+    click(x, y);
+    sync_viewer();
+    xdo("key ctrl+a key BackSpace key Return");
+    rest_mouse();
+    sync_viewer();
+}
+
+/* Lights that stand in for missing ones go, as they do with --environment, and come again when the sky is
+ * removed; the copied line says it all. */
+static void test_sky_of_unlit_scene(void **state) {
+    (void)state;
+    need_viewer();
+    char unlit[700], under_sky[800], command[3000];
+    snprintf(unlit, sizeof unlit, "%s", write_unlit());
+    snprintf(under_sky, sizeof under_sky, "%s --environment scenes/day.hdr", unlit);
+    drop(unlit);
+    wait_for_scene("unlit.gltf");
+    drop("scenes/day.hdr");
+    check_same("a sky where no light was", under_sky);
+    press("Copy command line");
+    rest_mouse();
+    sync_viewer();
+    assert_true(desktop_read_clipboard(command, sizeof command));
+    printf("    %s\n", command);
+    assert_non_null(strstr(command, "/scenes/day.hdr"));
+    assert_non_null(strstr(command, "--light sky "));
+    xdo("key ctrl+z");
+    check_same("and taken back", unlit);
+    xdo("key ctrl+y");
+    check_same("and again", under_sky);
+    press("Remove the sky");
+    rest_mouse();
+    check_same("removed: the lights that stood in shine again", unlit);
+    xdo("key ctrl+z");
+    check_same("taken back", under_sky);
+    empty_sky_field();
+    check_same("removed by its field", unlit);
+    end_viewer();
+}
+
+/* The casters of its renderer are those of time 0, as offscreen. */
+static void test_sky_of_moving_scene(void **state) {
+    (void)state;
+    start_viewer("scenes/metaballs.glb", "--time 1.5");
+    check_same("without a sky", "scenes/metaballs.glb --time 1.5");
+    drop("scenes/overcast.hdr");
+    check_same("with a sky", "scenes/metaballs.glb --time 1.5 " SKY);
+    end_viewer();
+}
+
+/* A grey picture of that size. */
+static const char *write_picture(const char *name, const char *channels, int width, int height) {
+    struct image image;
+    const char *path = in_stage(name);
+    image_init(&image, width, height, channels);
+    for (int i = 0; i < width * height * image.channel_count; i++)
+        image.pixels[i] = .5F;
+    check_ok(name, image_write(&image, path));
+    image_free(&image);
+    return path;
+}
+
+static void check_sky(const char *name, bool is_sky) {
+    char value[600];
+    save_settings();
+    read_setting("environment", value, sizeof value);
+    struct bitmap shown = screenshot();
+    const char *slash = strrchr(value, '/');
+    printf("    %-12s environment %s, the picture %d x %d\n", name, slash ? slash + 1 : value,
+           shown.width, shown.height);
+    assert_true(is_sky == (strstr(value, name) != NULL));
+    assert_true(is_sky == (shown.width == WIDTH && shown.height == HEIGHT));
+    bitmap_free(&shown);
+}
+
+/* A picture is a reference where it has layers or depth, or is no panorama; else it is a sky. */
+static void test_pictures(void **state) {
+    (void)state;
+    static const struct {
+        const char *name, *channels;
+        int width, height;
+        bool is_sky;
+    } pictures[] = {
+        {"plain.exr", "R G B", 64, 32, true},
+        {"layers.exr", "R G B direct.R direct.G direct.B", 64, 32, false},
+        {"alpha.exr", "R G B A", 16, 8, true},
+        {"depth.exr", "R G B Z", 64, 32, false},
+        {"sky.HDR", "R G B", 32, 16, true},
+        {"square.exr", "R G B", 40, 40, false},
+    };
+    for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++) {
+        start_viewer(BOX, "");
+        drop(write_picture(pictures[i].name, pictures[i].channels, pictures[i].width,
+                           pictures[i].height));
+        check_sky(pictures[i].name, pictures[i].is_sky);
+        end_viewer();
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_dialog_is_modal),    cmocka_unit_test(test_dialog_keys),
+        cmocka_unit_test(test_broken_keeps_scene), cmocka_unit_test(test_start_page),
+        cmocka_unit_test(test_sky_dropped),        cmocka_unit_test(test_sky_turned),
+        cmocka_unit_test(test_sky_of_unlit_scene), cmocka_unit_test(test_sky_of_moving_scene),
+        cmocka_unit_test(test_pictures),
+    };
+    return run_some_tests(tests, 7, open_view_stage, close_view_stage);
+}
