@@ -1,25 +1,10 @@
 #include "techniques/adaptive_pixels.h"
 
-#include "passes/lists.h"
-
-#include "passes/lists.h"
-
-#include "passes/lists.h"
-
 #include <math.h>
 #include <string.h>
 
 /* 8 degrees: neighbours within them are gentle relief, which needs no more VPLs than an edge. */
 static const float sharp_cosine = .99F;
-
-/* A pixel is adaptive unless all four neighbours half a blur's radius away are on its surface. */
-static const float adaptive_share = 1;
-
-/* A pixel is adaptive unless all four neighbours half a blur's radius away are on its surface. */
-static const float adaptive_share = 1;
-
-/* A pixel is adaptive unless all four neighbours half a blur's radius away are on its surface. */
-static const float adaptive_share = 1;
 
 /* A pixel is adaptive unless all four neighbours half a blur's radius away are on its surface. */
 static const float adaptive_share = 1;
