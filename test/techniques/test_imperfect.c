@@ -4,6 +4,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
+#include "passes/frame.h"
 #include "passes/visibility/vpl_views.h"
 #include "scene/open.h"
 #include "shared/map_view.h"
