@@ -2,6 +2,7 @@
 // VAL's map, by the block, and by a ray through the scene's triangles. That one is asked for all.
 #include "gather/geometry_term.glsl"
 #include "gather/receiver_facet.glsl"
+#include "gather/representative.glsl"
 #include "lib/vpl_texels.glsl"
 #include "gather/calibration_test.glsl"
 #include "visibility/triangle_tree.glsl"
@@ -11,9 +12,9 @@ layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilitie
 
 layout(location = TARGET_RESULT) out vec4 light_map_block_val; // the VAL's number and one, less than 0 where no ray arrives
 
-float strength_of(vpl v, surface s, vec3 facet) {
+float strength_of(int i, vpl v, surface s, vec3 facet) {
     vec3 to_vpl = v.position - s.position;
-    float light = dot(v.flux, vec3(1.0)) * geometry_term(to_vpl, s.normal, v);
+    float light = dot(v.flux, vec3(1.0)) * light_term(i, to_vpl, s.normal, v);
     return s.present && v.reach > 0.0 && !is_behind_horizon(facet, to_vpl) ? light : 0.0;
 }
 
@@ -30,11 +31,9 @@ void main() {
     float light = 0.0, val = 0.0, random = fract(dot(vec2(test), vec2(0.6180339887, 0.7320508076)));
     for (int i = first; i < min(first + CALIBRATION_TOGETHER, params.vpl_count); i++) {
         vpl v = vpl_at(i);
-        float strength = strength_of(v, s, facet);
+        float strength = strength_of(i, v, s, facet);
         light += strength;
-        float share = strength / max(light, 1e-30);
-        bool taken = random < share;
-        random = (taken ? random : random - share) / max(taken ? share : 1.0 - share, 1e-6);
+        bool taken = group_takes(strength, light, random);
         place = taken ? v.position : place;
         val = taken ? v.val : val;
     }

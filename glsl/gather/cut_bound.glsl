@@ -3,6 +3,7 @@
 #include "gather/patch.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_tree.glsl"
+#include "shared/gather.h"
 
 const float CUT_INVERSE_PI = 0.31830988618;
 
@@ -39,11 +40,11 @@ float greatest_cosine(vec3 axis, float cosine, vec3 low, vec3 high) {
 
 // Of the squared distance, the area of a VPL and the squared reach of its near field.
 float greatest_share(float distance2, float area, float near2) {
-#if CLAMP == 0 || CLAMP == 1
+#if CLAMP == GATHER_CLAMP_NONE || CLAMP == GATHER_CLAMP_VALUE
     return 1.0 / max(distance2, 1e-30);
-#elif CLAMP == 2 || CLAMP == 4
+#elif CLAMP == GATHER_CLAMP_DISK || CLAMP == GATHER_CLAMP_SPHERE
     return 1.0 / max(distance2 + area * CUT_INVERSE_PI, 1e-30);
-#elif CLAMP == 5
+#elif CLAMP == GATHER_CLAMP_PATCH
     return patch_most(distance2, area);
 #else
     // What the near field leaves is (2 - q) / near2 with q = d^2 / near2.
@@ -57,7 +58,7 @@ float cut_bound(tree_extent receiver, tree_node node, float clamp_at) {
     float cosines = greatest_cosine(receiver.axis, receiver.cosine, low, high) *
                     greatest_cosine(node.extent.axis, node.extent.cosine, -high, -low);
     float most = cosines * greatest_share(dot(nearest, nearest), node.area, node.near2);
-#if CLAMP == 1
+#if CLAMP == GATHER_CLAMP_VALUE
     most = min(most, clamp_at);
 #endif
     return most;

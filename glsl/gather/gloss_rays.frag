@@ -2,8 +2,7 @@
 //     L = 1/n sum_j  f_r cos_x / p(l_j)  rho I cos_y / (pi d^2)  share_j
 // A draw fills one tile, whose pixels take the same lights, as in the near field.
 #include "lib/gbuffer_shine.glsl"
-#include "gather/receiver.glsl"
-#include "gather/receiver_facet.glsl"
+#include "gather/receiver_all.glsl"
 #include "gather/gloss_share.glsl"
 #include "gather/light_march.glsl"
 #include "gather/near_field.glsl"
@@ -119,7 +118,7 @@ void main() {
         return;
     bool all_lights = is_smooth(seen.alpha);
     int count = all_lights ? light_count : pick_count;
-    vec3 facet = facet_of(s, pixel);
+    vec3 facet = receiver_triangle(s, pixel);
     for (int ray = 0; ray < params.rays; ray++) {
         vec2 place = sample_of(pixel, ray);
         vec3 direction = lobe_sample(seen, place);

@@ -1,6 +1,6 @@
 // Where the lists have a pixel, in one number, whose lowest bit is 0 where they do not: then it has the block that speaks
 // for the pixel's visibility, by how far it is from that which the pixel lies in, and the normal of the triangle that the
-// pixel sees. 0, as of plain pixels: its own block, and its own normal.
+// pixel sees.
 #include "shared/interleaving.h"
 #include "lib/octahedral.glsl"
 
@@ -33,11 +33,9 @@ const float FACET_CODES = 8191.0;
 
 uint facet_code(vec3 facet) {
     uvec2 code = uvec2(octahedral_encode(facet) * FACET_CODES + 0.5);
-    return 1u << 5 | code.x << 6 | code.y << 19;
+    return code.x << 6 | code.y << 19;
 }
 
-// `normal` where the code has none.
-vec3 facet_of_code(uint code, vec3 normal) {
-    vec3 facet = octahedral_decode(vec2(code >> 6 & 0x1fffu, code >> 19) / FACET_CODES);
-    return (code & 1u << 5) != 0u ? facet : normal;
+vec3 facet_of_code(uint code) {
+    return octahedral_decode(vec2(code >> 6 & 0x1fffu, code >> 19) / FACET_CODES);
 }

@@ -1,21 +1,18 @@
 // The near field of the lit surfaces: what VPLs, a spacing apart, cannot resolve. Each pixel gathers from
 // the reflective shadow map around its own place in each light's view [Dachsbacher and Stamminger 2005],
-// log-polar, so that a corner is resolved at every distance. OCCLUSION: of some samples one asks whether something is
-// between, by what the light sees or by a ray; else nothing is.
+// log-polar, so that a corner is resolved at every distance. NEAR_VISIBILITY, a file, says whether something is between:
+//     bool is_between(s, sample, any)
+//     const bool NEAR_IS_TESTED        else nothing is
 //     E = 1/n sum_j  rho I / pi  cos cos / d^2  near(d)  dw_j
 // A draw fills one tile, whose pixels share their samples, as in the gather.
 #include "lib/gbuffer.glsl"
 #include "gather/near_field.glsl"
 #include "gather/near_lights.glsl"
 #include "gather/receiver.glsl"
+#include "gather/representative.glsl"
 #include "lib/vpl_shares.glsl"
 #include "shared/near_field.h"
 #include "shared/vpl.h"
-#if OCCLUSION == NEAR_BY_VIEWS
-#include "gather/near_occlusion.glsl"
-#elif OCCLUSION == NEAR_BY_RAYS
-#include "visibility/triangle_tree.glsl"
-#endif
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // samples, in its second; the tile's place in the pattern
 // What the tile's first sample is turned by, cosine and sine; what numbers have more than integers; one over the count.
@@ -30,11 +27,7 @@ layout(location = TARGET_RESULT) out vec4 irradiance;
 const float PI = 3.14159265358979;
 // Places are known to a texel's middle, and other passes have others: what is nearer than this, over a texel's width,
 // would shine without a bound, and light from there is lost.
-#if FACETS
-const float NEAREST = 0.25;
-#else
-const float NEAREST = 1.0;
-#endif
+const float NEAREST = FACETS == 1 ? 0.25 : 1.0;
 
 // What reaches the receiver from a sample where nothing is between, per unit of ndc area and spread of the view.
 struct near_arrival {
@@ -42,25 +35,27 @@ struct near_arrival {
     int view_index;       // of the view that has it
 };
 
+#include NEAR_VISIBILITY
+
 // Where the light's view of that number has the point `ndc`.
 near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float reach) {
     light_view seen = light_view_at(index);
     view v = seen.view;
     float measure = 1.0;
-#if MAP_KINDS & (1 << LIGHT_MAP_FACE)
-    // The point may lie beyond the edge of a cube's face: another face has it, and its own solid angle per unit of its ndc area.
-    // Both are the cube of the ray's cosine.
-    vec3 ray = v.forward + ndc.x * v.right + ndc.y * v.up;
-    int other = light_view_index(l, ray);
-    seen = light_view_at(other);
-    v = seen.view;
-    if (other != index) {
-        vec4 clip = v.world_to_clip * vec4(ray, 0.0);
-        ndc = clip.xy / clip.w;
-        measure = 1.0 / (clip.w * clip.w * clip.w);
+    if ((MAP_KINDS & (1 << LIGHT_MAP_FACE)) != 0) {
+        // The point may lie beyond the edge of a cube's face: another face has it, and its own solid angle per unit of
+        // its ndc area. Both are the cube of the ray's cosine.
+        vec3 ray = v.forward + ndc.x * v.right + ndc.y * v.up;
+        int other = light_view_index(l, ray);
+        seen = light_view_at(other);
+        v = seen.view;
+        if (other != index) {
+            vec4 clip = v.world_to_clip * vec4(ray, 0.0);
+            ndc = clip.xy / clip.w;
+            measure = 1.0 / (clip.w * clip.w * clip.w);
+        }
+        index = other;
     }
-    index = other;
-#endif
     int size = near_size(seen.kind);
     ivec2 texel = near_texel(ndc, size);
     near_light near = near_fetch(seen, texel);
@@ -73,10 +68,11 @@ near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float 
     float reach2 = reach * near.spacing * reach * near.spacing;
     float scaled4 = distance2 * distance2 * length(normal), inverse = 1.0 / max(scaled4 * reach2, 1e-37);
     float share = near_share_at(distance2 * scaled4 * inverse);
-#if FACETS
-    float nearest = NEAREST * 2.0 / float(size) * length(v.right) * (v.orthographic ? 1.0 : near.z) * params.inverse_radius;
-    cosines *= min(distance2 / (nearest * nearest), 1.0);
-#endif
+    if (FACETS == 1) {
+        float texel = 2.0 / float(size) * length(v.right) * (v.orthographic ? 1.0 : near.z);
+        float nearest = NEAREST * texel * params.inverse_radius;
+        cosines *= min(distance2 / (nearest * nearest), 1.0);
+    }
     // No branches: a software rasteriser executes both sides.
     bool seen_lit = all(lessThan(abs(ndc), vec2(1.0))) && near.z > 0.0 && cosines > 0.0;
     vec3 light = near.power * (seen_lit ? cosines * inverse * reach2 * share * measure : 0.0);
@@ -103,54 +99,34 @@ near_arrival next_arrival(surface s, light l, inout near_spiral around) {
     return arrival;
 }
 
-#if OCCLUSION != NEAR_UNOCCLUDED
-bool is_between(surface s, near_arrival asks, bool any) {
-#if OCCLUSION == NEAR_BY_RAYS
-    return is_blocked(s.position, s.normal, asks.position); // its own where there is none
-#else
-    return is_hidden(s.position, asks.position, light_view_at(asks.view_index), any);
-#endif
-}
-
 vec3 light_together(surface s, light l, inout near_spiral around, int count, float random) {
     vec3 sum = vec3(0.0);
-    const float none = 1e-20;
-    float strength = none;
-    near_arrival asks = near_arrival(vec3(0.0), s.position, around.view_index);
+    float strength = 0.0;
+    near_arrival representative = near_arrival(vec3(0.0), s.position, around.view_index);
     for (int i = 0; i < count; i++) {
         near_arrival own = next_arrival(s, l, around);
         float own_strength = dot(own.light, vec3(1.0));
         sum += own.light;
         strength += own_strength;
-        // One number for all: within the part that it fell into it is as random as before.
-        float at = random * strength;
-        bool taken = at < own_strength;
-        random = (taken ? at : at - own_strength) / max(taken ? own_strength : strength - own_strength, none);
-        asks.light = taken ? own.light : asks.light;
-        asks.position = taken ? own.position : asks.position;
-        asks.view_index = taken ? own.view_index : asks.view_index;
+        bool taken = group_takes(own_strength, strength, random);
+        representative.light = taken ? own.light : representative.light;
+        representative.position = taken ? own.position : representative.position;
+        representative.view_index = taken ? own.view_index : representative.view_index;
     }
-    bool hidden = is_between(s, asks, strength > none);
-#if OCCLUSION == NEAR_BY_RAYS && RECEIVERS == RECEIVERS_ALL
-    // In the hue of the one that asks: less even, and right on the mean.
-    return hidden ? sum - asks.light * (dot(sum, vec3(1.0)) / max(dot(asks.light, vec3(1.0)), none)) : sum;
-#else
-    return hidden ? vec3(0.0) : sum;
-#endif
+    bool hidden = is_between(s, representative, strength > 0.0);
+    return group_light(sum, strength, representative.light, hidden ? 0.0 : 1.0);
 }
-#endif
 
 vec3 light_of_samples(surface s, light l, near_spiral around, int count, float random) {
     vec3 sum = vec3(0.0);
-#if OCCLUSION != NEAR_UNOCCLUDED
-    for (int i = 0; i < count; i += NEAR_TOGETHER) {
-        sum += light_together(s, l, around, min(NEAR_TOGETHER, count - i), random);
-        random = fract(random + 0.6180339887);
-    }
-#else
-    for (int i = 0; i < count; i++)
-        sum += next_arrival(s, l, around).light;
-#endif
+    if (NEAR_IS_TESTED)
+        for (int i = 0; i < count; i += NEAR_TOGETHER) {
+            sum += light_together(s, l, around, min(NEAR_TOGETHER, count - i), random);
+            random = group_random_next(random);
+        }
+    else
+        for (int i = 0; i < count; i++)
+            sum += next_arrival(s, l, around).light;
     return sum;
 }
 
@@ -183,8 +159,7 @@ void main() {
     bool receives = receiver_pixel(params.pattern, slot.zw, pixel);
     surface s = receiver_surface(pixel);
     receives = receives && s.present;
-    // A lattice: pixels side by side have numbers far apart.
-    float random = fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)) + params.turn);
+    float random = group_random(pixel, params.turn);
 #if LIGHTS == 1 // or none
     irradiance.rgb = near_field(s, receives && pick_count > 0, light_at(0), vpl_share_at(0), random);
 #else

@@ -1,68 +1,13 @@
-// What a texel of a tile gathers for: of all pixels the one at its place in the pattern, but not those that lists
-// have, or the pixel or the further point of one that a list has there.
-#include "lib/gbuffer.glsl"
-#include "lib/interleaving.glsl"
+// What a texel of a tile gathers for, by RECEIVERS (shared/interleaving.h):
+//     bool receiver_pixel(pattern, place, pixel)    false: for nothing
+//     surface receiver_surface(pixel)
+//     vec3 receiver_triangle(s, pixel)              the normal of the triangle that the surface lies on
+#include "shared/interleaving.h"
 
-#if RECEIVERS == RECEIVERS_LISTED
-#include "lib/further_point.glsl"
-
-layout(binding = UNIT_LISTED_PIXELS) uniform usampler2D listed_pixels;
-layout(binding = UNIT_FURTHER_POINTS) uniform usampler2D further_points;
-
-flat in ivec3 listed; // where this tile has the list, row by row: begin, end; which list it is
-
-#ifdef SCREEN_COMPUTE
-#include "gather/listed.glsl"
-
-// The rows that gather/listed.vert covers.
-void list_begin(ivec2 place) {
-    listed = listed_of(place);
-    ivec2 rows = listed_rows(listed);
-    screen_area.yw = ivec2(screen_area.y + rows.x, rows.y - rows.x);
-}
-#define SCREEN_BEGIN list_begin(slot.zw)
-#endif
-
-// False outside the list.
-bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
-    ivec2 texel = ivec2(gl_FragCoord.xy), within = texel - place * pattern.tile;
-    uint code = texelFetch(listed_pixels, texel, 0).r;
-    pixel = ivec2(code & 0xffffu, code >> 16);
-    int at = within.y * pattern.tile.x + within.x;
-    return at >= listed.x && at < listed.y;
-}
-
-surface further_surface(ivec2 pixel) {
-    further_point p = further_point_unpack(texelFetch(further_points, pixel, 0));
-    vec2 ndc = (vec2(pixel) + 0.5 + p.place) / vec2(gbuffer_size()) * 2.0 - 1.0;
-    return surface(true, view_position(camera, ndc, p.depth), p.normal);
-}
-
-surface receiver_surface(ivec2 pixel) {
-    surface s;
-    if (listed.z == LIST_FURTHER)
-        s = further_surface(pixel);
-    else
-        s = gbuffer_surface(pixel);
-    return s;
-}
+#if RECEIVERS == RECEIVERS_ALL
+#include "gather/receiver_all.glsl"
+#elif RECEIVERS == RECEIVERS_LISTED
+#include "gather/receiver_listed.glsl"
 #else
-#if RECEIVERS == RECEIVERS_OTHERS
-#include "gather/list_texel.glsl"
-
-layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;
-#endif
-
-bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
-    pixel = interleaved_pixel(pattern, ivec2(gl_FragCoord.xy), place);
-#if RECEIVERS == RECEIVERS_OTHERS
-    return !list_texel_has(texelFetch(list_texels, pixel, 0).r);
-#else
-    return true;
-#endif
-}
-
-surface receiver_surface(ivec2 pixel) {
-    return gbuffer_surface(pixel);
-}
+#include "gather/receiver_other.glsl"
 #endif

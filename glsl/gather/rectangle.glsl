@@ -1,6 +1,11 @@
 // The light of a whole cluster, as a rectangle that shines alike everywhere.
+#include "gather/near_field.glsl"
 #include "lib/polygon.glsl"
+#include "shared/gather.h"
 #include "shared/light_rectangle.h"
+
+const bool TERM_OF_POINT = false;
+const bool WITHOUT_NEAR_FIELD = CLAMP == GATHER_CLAMP_RECTANGLE_NEAR;
 
 layout(std140, binding = BLOCK_LIGHT_RECTANGLES) uniform rectangle_uniforms {
     vec4 rectangle_rows[LIGHT_RECTANGLES_MAX * LIGHT_RECTANGLE_ROWS];
@@ -42,7 +47,6 @@ float few_points(rectangle r, vec3 normal, vpl light) {
     return 0.25 * sum;
 }
 
-#if CLAMP == 7
 float far_points(rectangle r, vec3 normal, vpl light) {
     float sum = 0.0;
     for (int k = 0; k < NEAR_SIDE * NEAR_SIDE; k++) {
@@ -60,7 +64,6 @@ bool is_near(rectangle r, vpl light) {
     vec3 nearest = r.middle + foot.x * r.right + foot.y * r.up;
     return dot(nearest, nearest) < light.reach * light.reach * light.area;
 }
-#endif
 
 // Whether the receiver is before the rectangle, and some of that above its horizon.
 bool is_seen(rectangle r, vec3 normal, vpl light) {
@@ -69,15 +72,13 @@ bool is_seen(rectangle r, vec3 normal, vpl light) {
 }
 
 // In the place of a point's cos cos / d^2.
-float rectangle_term(int i, vec3 to_light, vec3 normal, vpl light) {
+float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
     rectangle r = rectangle_at(i, to_light);
     float term = 0.0, diagonal2 = dot(r.right, r.right) + dot(r.up, r.up);
-    bool seen = is_seen(r, normal, light), small = diagonal2 < SMALL2 * dot(to_light, to_light), near = false;
-#if CLAMP == 7
-    near = is_near(r, light);
+    bool seen = is_seen(r, normal, light), small = diagonal2 < SMALL2 * dot(to_light, to_light);
+    bool near = WITHOUT_NEAR_FIELD && is_near(r, light);
     if (seen && near)
         term = far_points(r, normal, light);
-#endif
     if (seen && small && !near)
         term = few_points(r, normal, light);
     if (seen && !small && !near)

@@ -1,6 +1,6 @@
 // What VPL i would give to the picture where nothing is between: to pixels that are even over it, others for each VPL.
 // Near ones it lights as a disk of its area, so that one next to a pixel is not all there is.
-#define CLAMP 2 // GATHER_CLAMP_DISK
+#define CLAMP GATHER_CLAMP_DISK
 #include "gather/geometry_term.glsl"
 #include "lib/vpl_texels.glsl"
 #include "lights/seen_pixel.glsl"
@@ -16,7 +16,7 @@ void main() {
     float sum = 0.0;
     for (int j = 0; j < PIXELS; j++) {
         surface s = seen_pixel(j, own);
-        sum += s.present ? geometry_term(v.position - s.position, s.normal, v) : 0.0;
+        sum += s.present ? light_term(i, v.position - s.position, s.normal, v) : 0.0;
     }
     value = v.reach > 0.0 ? dot(v.flux, vec3(1.0)) * sum : 0.0;
 }

@@ -1,9 +1,9 @@
 // A triangle as rays meet it: it receives by the shading normal, but how large it is, to the light and to what it lights,
 // is by its own. Along light paths the two trade places [Veach 1997, §5.3].
-in vec3 surface_position, surface_to_light;
+in vec3 surface_to_light;
 
 // At a facet's horizon the cosines grow apart without a bound.
-const float FACET_MOST = 8.0;
+const float ALBEDO_MOST = 8.0;
 
 // Takes the triangle's own normal in place of the shading normal; returns what it receives by that, over what meets its
 // plane: cos_s / cos_g.
@@ -13,5 +13,9 @@ float facet_share(inout vec3 normal) {
     if (geometric == 0.0)
         return 1.0;
     normal = facet * (inversesqrt(dot(facet, facet)) * sign(geometric));
-    return clamp(shading / dot(normal, surface_to_light), 0.0, FACET_MOST);
+    return clamp(shading / dot(normal, surface_to_light), 0.0, ALBEDO_MOST);
+}
+
+vec3 sent_by_facet(vec3 color, inout vec3 normal) {
+    return clamp(color, 0.0, 1.0) * facet_share(normal);
 }

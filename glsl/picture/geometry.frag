@@ -1,8 +1,16 @@
 // Writes normal, albedo and what is emitted. Holes of alpha masks are not there; nor, for the camera, is the back of a
-// single-sided surface, which blocks light but reflects none. HAS_GLOSS: surfaces are not all plain.
+// single-sided surface, which blocks light but reflects none. HAS_GLOSS: surfaces are not all diffuse.
 // FACETS: what sends light on is each triangle, not the smooth surface that the normals tell of.
 #include "lib/octahedral.glsl"
 #include "picture/base_color.glsl"
+
+in vec3 surface_normal, surface_position;
+
+#ifdef LIGHT_VIEW
+const bool OF_LIGHT = true;
+#else
+const bool OF_LIGHT = false;
+#endif
 
 #ifdef HAS_MAPPINGS
 in vec2 metal_roughness_uv, emission_uv, normal_uv; // picture/mapped_uv.glsl
@@ -12,77 +20,51 @@ in vec2 metal_roughness_uv, emission_uv, normal_uv; // picture/mapped_uv.glsl
 #define normal_uv surface_uv
 #endif
 
-#ifdef HAS_EMISSION
-layout(binding = UNIT_EMISSION) uniform sampler2D emission_texture;
-layout(location = TARGET_GBUFFER_EMISSION) out vec4 emitted;
-#endif
-
-in vec3 surface_normal;
 #ifdef HAS_GLOSS
 #include "picture/surface_detail.glsl"
+#else
+#include "picture/surface_diffuse.glsl"
 #endif
 #ifdef FACETS
 #include "picture/facet.glsl"
+#else
+#include "picture/no_facet.glsl"
 #endif
 
-#ifndef DEPTH_ONLY
+#ifdef HAS_EMISSION
+layout(binding = UNIT_EMISSION) uniform sampler2D emission_texture;
+layout(location = TARGET_GBUFFER_EMISSION) out vec4 emitted;
+
+void write_emission(vec3 color) {
+    emitted = vec4(material.emission, 1.0);
+    if (material.emission_textured)
+        emitted.rgb *= texture(emission_texture, emission_uv).rgb;
+    if (is_unlit())
+        emitted.rgb *= color;
+}
+#else
+void write_emission(vec3 color) {
+}
+#endif
+
 layout(location = TARGET_GBUFFER_NORMAL) out vec2 normal_code;
 layout(location = TARGET_GBUFFER_ALBEDO) out vec4 albedo_root;
-#ifdef HAS_GLOSS
-layout(location = TARGET_GBUFFER_GLOSS) out vec4 gloss_code; // lib/gloss.glsl
-#endif
-#endif
 
 // Textures and derivatives come before any fragment is dropped: of a neighbour that is gone they are undefined.
 void main() {
     vec4 color = base_color();
-    bool kept = color.a >= material.alpha_cutoff;
-#ifndef DEPTH_ONLY
-    vec3 normal = normalize(surface_normal);
-#ifdef HAS_GLOSS
-    normal = mapped_normal(normal);
-#endif
-    if (!gl_FrontFacing) {
-        if (material.double_sided)
-            normal = -normal;
-        else
-#ifdef LIGHT_VIEW
-            color.rgb = vec3(0.0);
-#else
-            kept = false;
-#endif
-    }
-#ifdef FACETS
-    color.rgb = clamp(color.rgb, 0.0, 1.0) * facet_share(normal);
-#endif
+    vec3 normal = mapped_normal(normalize(surface_normal));
+    bool is_back = !gl_FrontFacing && !material.double_sided;
+    bool kept = color.a >= material.alpha_cutoff && (OF_LIGHT || !is_back);
+    if (!gl_FrontFacing && material.double_sided)
+        normal = -normal;
+    if (is_back)
+        color.rgb = vec3(0.0);
+    vec3 sent = sent_by_facet(color.rgb, normal);
     normal_code = octahedral_encode(normal);
-#endif
-#ifdef HAS_EMISSION
-    emitted = vec4(material.emission, 1.0);
-    if (material.emission_textured)
-        emitted.rgb *= texture(emission_texture, emission_uv).rgb;
-#ifdef HAS_GLOSS
-    if (material.unlit)
-        emitted.rgb *= color.rgb;
-#endif
-#endif
-#ifdef HAS_GLOSS
-    vec4 gloss;
-    color.rgb = diffuse_and_gloss(color.rgb, gloss);
-#ifdef LIGHT_VIEW
-    color.rgb += evenly_reflected(gloss);
-    if (!gl_FrontFacing && !material.double_sided)
-        color.rgb = gloss.rgb = vec3(0.0);
-#endif
-    gloss_code = gloss_encode(gloss);
-#endif
-#ifndef DEPTH_ONLY
-#ifdef FACETS
-    albedo_root = vec4(sqrt(max(color.rgb, 0.0)), 1.0);
-#else
-    albedo_root = vec4(sqrt(clamp(color.rgb, 0.0, 1.0)), 1.0);
-#endif
-#endif
+    write_emission(sent);
+    vec3 albedo = albedo_of(sent, OF_LIGHT, is_back);
+    albedo_root = vec4(sqrt(clamp(albedo, 0.0, ALBEDO_MOST)), 1.0);
     if (!kept)
         discard;
 }

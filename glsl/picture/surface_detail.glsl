@@ -5,7 +5,7 @@
 layout(binding = UNIT_METAL_ROUGHNESS) uniform sampler2D metal_roughness_texture;
 layout(binding = UNIT_NORMAL_MAP) uniform sampler2D normal_texture;
 
-in vec3 surface_position;
+layout(location = TARGET_GBUFFER_GLOSS) out vec4 gloss_code; // lib/gloss.glsl
 
 // The normal as the material's map turns it. The map's frame is the triangle's: X along u, Y against v, both laid
 // onto the normal's plane.
@@ -50,4 +50,20 @@ vec3 diffuse_and_gloss(vec3 base, out vec4 gloss) {
     float f90 = material.specular_glossiness ? min(BRDF_GRAZING_OF * outer_f0, 1.0) : material.specular_f90;
     gloss = vec4(mix(f0, base, metal_rough.x), metal_rough.y);
     return base * ((1.0 - metal_rough.x) * (1.0 - mix(outer_f0, f90, BRDF_MEAN_SCHLICK)));
+}
+
+bool is_unlit() {
+    return material.unlit;
+}
+
+// Of the diffuse part; of what lights see, with what the rest reflects, as if evenly. Writes the gloss.
+vec3 albedo_of(vec3 base, bool of_light, bool is_back) {
+    vec4 gloss;
+    vec3 albedo = diffuse_and_gloss(base, gloss);
+    if (of_light)
+        albedo += evenly_reflected(gloss);
+    if (of_light && is_back)
+        albedo = gloss.rgb = vec3(0.0);
+    gloss_code = gloss_encode(gloss);
+    return albedo;
 }

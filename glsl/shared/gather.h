@@ -7,6 +7,19 @@
 #define UNIT_PATHS_KEPT (UNIT_OWN + 0)
 #define UNIT_CUTS (UNIT_OWN + 1)
 
+/* How cos cos / d^2 is bounded near a VPL, CLAMP. The disk form factor is that of a disk of the VPL's area. The near
+ * field leaves what is near to passes/gather/near_field.h. Spheres spread the VPL's light over a ball [Hašan et al.
+ * 2009]. No choices of a user: patches are of further bounces (gather/patch.glsl); rectangles need no bound, and
+ * those from RECTANGLE on are rectangles. */
+#define GATHER_CLAMP_NONE 0
+#define GATHER_CLAMP_VALUE 1
+#define GATHER_CLAMP_DISK 2
+#define GATHER_CLAMP_NEAR 3
+#define GATHER_CLAMP_SPHERE 4
+#define GATHER_CLAMP_PATCH 5
+#define GATHER_CLAMP_RECTANGLE 6
+#define GATHER_CLAMP_RECTANGLE_NEAR 7 /* without their near field */
+
 /* What is gathered: irradiance, or what reflects as by a mirror, of VPLs as points, as balls, or as points as
  * far as rays do not find the same light better. */
 #define SPECULAR_NONE 0
@@ -27,6 +40,6 @@ struct gather_params {
     int together;   /* VPLs side by side, of which two ask for the visibility of all */
     int unused0, unused1, unused2;
 };
-PASS_BLOCK(gather_params, 64)
+STD140_SIZE(gather_params, 64)
 
 #endif

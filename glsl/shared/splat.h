@@ -26,8 +26,7 @@ struct splat_params {
     int sets;   /* of so many points each, which VPLs take in turn */
     float map_size; /* texels */
     float scale;    /* radius of what is drawn, over that of the disk whose area a point stands for */
-    float set_back; /* of disks, over that radius */
-    float unused0, unused1;
+    float unused0, unused1, unused2;
 };
 PASS_BLOCK(splat_params, 32)
 

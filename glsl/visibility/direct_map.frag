@@ -2,6 +2,8 @@
 #include "lib/gbuffer.glsl"
 #include "lib/unshadowed.glsl"
 #include "visibility/lookup.glsl"
+#include "visibility/projection_light_map.glsl"
+#include "visibility/filter_light_map.glsl"
 #include "visibility/direct_light.glsl"
 
 float arriving(surface s, light l, vec3 direction) {

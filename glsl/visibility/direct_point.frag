@@ -2,6 +2,12 @@
 #include "lib/gbuffer.glsl"
 #include "lib/unshadowed.glsl"
 #include "visibility/lookup.glsl"
+#if PROJECTION == PROJECTION_ORTHOGRAPHIC
+#include "visibility/projection_orthographic.glsl"
+#else
+#include "visibility/projection_perspective.glsl"
+#endif
+#include "visibility/filter_pcf.glsl"
 #include "visibility/direct_light.glsl"
 
 float arriving(surface s, light l, vec3 direction) {

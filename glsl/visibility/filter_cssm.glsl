@@ -26,10 +26,5 @@ float lit(int map, receiver r, float extent) {
     b = series_receiver(range, d * (1.0 - min(TILT * alpha * receiver_slope(r), 0.5)), lookup.shift);
     float blocked = blocked_fraction(basis_area(r.uv, filter_lod(angle_width(r, alpha))), map, b);
     // Ringing suppression by shift and scale [Dong 2011, Fig. 5.2].
-    float share = clamp(0.5 - (blocked - 0.5) * lookup.gain, 0.0, 1.0);
-#if SHARPEN
-    // Contact shadows [Dong 2011, eq. 5.9]: G(v) = v^(1 + A exp(-B (d - z)))
-    share = pow(share, 1.0 + lookup.sharpen_a * exp(-lookup.sharpen_b * (d - z_average)));
-#endif
-    return share;
+    return clamp(0.5 - (blocked - 0.5) * lookup.gain, 0.0, 1.0);
 }

@@ -1,4 +1,5 @@
-// Shadows: a projection and a filter, by the defines PROJECTION and FILTER (shared/lookup.h).
+// Shadows: a projection (visibility/projection_*.glsl) and a filter (visibility/filter_*.glsl), which are included behind
+// this one.
 //
 // A projection says where a map has a point:
 //     receiver                              a point as the map sees it
@@ -20,31 +21,3 @@
 layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
     lookup_params lookup;
 };
-
-#if PROJECTION == PROJECTION_PARABOLOID
-#include "visibility/projection_paraboloid.glsl"
-#elif PROJECTION == PROJECTION_PERSPECTIVE
-#include "visibility/projection_perspective.glsl"
-#elif PROJECTION == PROJECTION_ORTHOGRAPHIC
-#include "visibility/projection_orthographic.glsl"
-#elif PROJECTION == PROJECTION_LIGHT_MAP
-#include "visibility/projection_light_map.glsl"
-#endif
-
-#if FILTER == FILTER_HARD
-#include "visibility/filter_hard.glsl"
-#elif FILTER == FILTER_PLANE
-#include "visibility/filter_plane.glsl"
-#elif FILTER == FILTER_CSSM
-#include "visibility/filter_cssm.glsl"
-#elif FILTER == FILTER_PCSS
-#include "visibility/filter_pcss.glsl"
-#elif FILTER == FILTER_PCF
-#include "visibility/filter_pcf.glsl"
-#elif FILTER == FILTER_VSSM
-#include "visibility/filter_vssm.glsl"
-#elif FILTER == FILTER_MSM
-#include "visibility/filter_msm.glsl"
-#elif FILTER == FILTER_CSSM_WINDOW
-#include "visibility/filter_cssm_window.glsl"
-#endif

@@ -1,12 +1,8 @@
 // The exact map depth: where the pixel's true direction meets the caster.
 #include "visibility/paraboloid.glsl"
 #include "shared/paraboloid.h"
-#if PLANES
 #include "lib/octahedral.glsl"
-#endif
-#ifdef MASKED
 #include "shared/material.h"
-#endif
 
 flat in vec2 range; // near, 1 / z_far
 #ifdef LONG

@@ -1,6 +1,7 @@
 // Which part of a VAL's or VPL's light reaches a point of a surface, by its map. FILTER says how.
-#define PROJECTION PROJECTION_PARABOLOID
 #include "visibility/lookup.glsl"
+#include "visibility/projection_paraboloid.glsl"
+#include "visibility/filter_val.glsl"
 #include "visibility/map_views.glsl"
 
 #if FILTER == FILTER_PCSS

@@ -328,7 +328,10 @@ static void print_indented(FILE *out, const char *text) {
         fprintf(out, *text == '\n' ? "\n%29s" : "%.1s", *text == '\n' ? "" : text);
 }
 
-void option_print_help(FILE *out, const struct option *o, const char *prefix) {
+/* Columns that a line of help may take beside the names. */
+enum { HELP_WIDTH = 91 };
+
+void option_print_help(FILE *out, const struct option *o, const char *prefix, const char *with) {
     static const char *const value_names[] = {"", "N", "X", "NAME", "TEXT", "TEXT", "WxH"};
     char left[96], range[512], letter[8] = "";
     if (o->letter)
@@ -340,6 +343,11 @@ void option_print_help(FILE *out, const struct option *o, const char *prefix) {
     describe_range(o, range, sizeof range);
     fprintf(out, "  %-26s ", left);
     print_indented(out, o->help);
+    if (*with) {
+        const char *line = strrchr(o->help, '\n');
+        size_t length = strlen(line ? line + 1 : o->help) + strlen(with) + strlen(range);
+        fprintf(out, length > HELP_WIDTH - 7 ? ";\n%29swith %s" : ";%.0s with %s", "", with);
+    }
     fprintf(out, "%s\n", range);
 }
 
@@ -347,7 +355,7 @@ int options_print_help(FILE *out, const struct option *table, const char *prefix
     int left_out = 0;
     for (const struct option *o = table; o->name; o++)
         if (all || !o->rare)
-            option_print_help(out, o, prefix);
+            option_print_help(out, o, prefix, "");
         else
             left_out++;
     return left_out;

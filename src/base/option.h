@@ -44,7 +44,9 @@ struct option {
     const char *value_name; /* in --help: "FILE"; NULL = by type */
     const char *unit;       /* may stand behind a number: "ms"; NULL = none */
     const char *help;
-    bool rare; /* --help leaves it out, --help-all does not */
+    const char
+        *needs; /* for settings: what must hold for an effect (struct need); NULL = nothing */
+    bool rare;  /* --help leaves it out, --help-all does not */
 };
 
 /* A table ends with a row whose name is NULL. */
@@ -74,8 +76,9 @@ bool option_equal(const struct option *option, const void *a, const void *b);
 bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
                              const char **positional, int max_positional, int *positional_count);
 
-/* A line or two under the name with a prefix: "--" on a command line. */
-void option_print_help(FILE *out, const struct option *option, const char *prefix);
+/* A line or two under the name with a prefix: "--" on a command line. with: further words after the help; or "". */
+void option_print_help(FILE *out, const struct option *option, const char *prefix,
+                       const char *with);
 
 /* The same of each row, or of those alone that are not rare; how many were left out. */
 int options_print_help(FILE *out, const struct option *table, const char *prefix, bool all);

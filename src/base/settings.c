@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "base/old_names.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -124,8 +125,10 @@ bool settings_find(const struct settings *settings, const char *name, struct set
             count++;
         }
     }
-    if (count == 0)
-        return error_set("no setting is called '%s' (--help-all lists them)", name);
+    if (count == 0) {
+        const char *now = old_name_follow(name);
+        return now && settings_find(settings, now, setting);
+    }
     return count == 1 || refuse_ambiguous(settings, name);
 }
 
@@ -224,17 +227,33 @@ bool settings_assign(struct settings *settings, const char *assignments) {
     return true;
 }
 
-void setting_print_help(FILE *out, const struct setting *setting) {
-    char prefix[SETTING_NAME_SIZE];
-    snprintf(prefix, sizeof prefix, "%s.", setting->part->owner);
-    option_print_help(out, setting->option, prefix);
+/* --- needs --- */
+
+bool need_next(struct need *need) {
+    if (!need->word.at || !word_next(&need->word))
+        return false;
+    int name = (int)strcspn(need->word.at, "=!>");
+    need->sign = need->word.at[name];
+    int values = name + (need->sign == '!' ? 2 : 1);
+    assert(values < need->word.length && need->word.length - values < SETTING_NAME_SIZE);
+    snprintf(need->name, sizeof need->name, "%.*s", name, need->word.at);
+    snprintf(need->values, sizeof need->values, "%.*s", need->word.length - values,
+             need->word.at + values);
+    return true;
 }
 
-void settings_print_help(FILE *out, const struct settings_part *part, const char *unused) {
-    fprintf(out, "\n  %s:\n", part->title);
-    for (const struct option *option = part->table; option->name; option++) {
-        struct setting setting = {part, option};
-        if (!setting_is_among(&setting, unused))
-            setting_print_help(out, &setting);
-    }
+bool need_names(const struct need *need, const char *value) {
+    size_t length = strlen(value);
+    for (const char *at = need->values; *at; at += strcspn(at, "|"), at += *at == '|')
+        if (strcspn(at, "|") == length && strncmp(at, value, length) == 0)
+            return true;
+    return false;
+}
+
+/* --- help --- */
+
+void setting_print_help(FILE *out, const struct setting *setting, const char *with) {
+    char prefix[SETTING_NAME_SIZE];
+    snprintf(prefix, sizeof prefix, "%s.", setting->part->owner);
+    option_print_help(out, setting->option, prefix, with);
 }

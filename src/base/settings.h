@@ -60,7 +60,7 @@ struct setting {
 /* Steps through all settings, from {0}; false after the last. */
 bool settings_next(const struct settings *settings, struct setting *setting);
 
-/* The setting of that name. Error: there is none, or several, which it names. */
+/* The setting of that name, or of that former name. Error: there is none, or several, which it names. */
 bool settings_find(const struct settings *settings, const char *name, struct setting *setting);
 
 /* The full name; whether it is one of those names, NULL = none. */
@@ -92,10 +92,24 @@ bool settings_give_word(struct settings *settings, const struct word *word);
 void settings_forget_given(struct settings *settings);
 void settings_copy_given(struct settings *to, const struct settings *from);
 
-/* A line or two of a setting, for --help. */
-void setting_print_help(FILE *out, const struct setting *setting);
+/* One condition of option->needs, which has spaces or commas between: a setting's full name or "technique"; "=", "!=" or
+ * ">"; and a value, or several with bars between.
+ *
+ *     for (struct need need = {.word.at = option->needs}; need_next(&need);)
+ */
+struct need {
+    struct word word;                   /* all of it */
+    char name[SETTING_NAME_SIZE], sign; /* '!' of "!=" */
+    char values[SETTING_NAME_SIZE];
+};
 
-/* A line or two per setting of a part but the unused, under its title, for --help. */
-void settings_print_help(FILE *out, const struct settings_part *part, const char *unused);
+/* False after the last, or of NULL. */
+bool need_next(struct need *need);
+
+/* Whether the value is one of them. */
+bool need_names(const struct need *need, const char *value);
+
+/* A line or two of a setting, for --help. with: as of option_print_help. */
+void setting_print_help(FILE *out, const struct setting *setting, const char *with);
 
 #endif

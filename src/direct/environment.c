@@ -18,27 +18,31 @@ static const struct option table[] = {
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
      .help = "fit of the area lights: rectangles grown from the\n"
              "brightest texel, or cells of nearly even radiance"},
-    {"sky-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
+    {"map-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
      .help = "texels along each side of the shadow map of an environment light"},
-    {"sun-maps", 0, OPTION_INT, ROW(sun_maps), 4, 1, 8,
-     .help = "shadow maps across a sun, n of n x n; a sun is an environment light below .01 sr\n"
-             "with at least 1/40 of the light; raise against steps along its shadows"},
-    {"sky-block", 0, OPTION_INT, ROW(block), 7, 1, 64,
-     .help = "pixels along each side of a block that shares its visibility"},
-    {"sky-ways", 0, OPTION_INT, ROW(ways), 3, 1, 256,
+    {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 256,
      .help = "shadow rays per lookup of an environment light; at least 16 for a sun"},
-    {"sky-bias", 0, OPTION_FLOAT, ROW(bias), .1, 0, 100,
-     .help = "height above the receiver's plane up to\n"
-             "which nothing casts a shadow, in map texels"},
-    {"disagree", 0, OPTION_FLOAT, ROW(disagree), .02, 0, 2,
-     .help = "difference between blocks, as a fraction of the\n"
-             "environment's light, above which pixels between them use\n"
-             "their own lookups; above 60 lights divided by lights / 60"},
+    {"directions", 0, OPTION_INT, ROW(directions), 12, ENVIRONMENT_LIGHTS_MIN, LIGHTS_MAX,
+     .help = "largest number of directions from which an environment's reflected\n"
+             "light starts; raise, with lights.vpls, where it comes through windows"},
     {NULL},
 };
 
 const struct settings_part sky_part = {"sky", "direct light of an environment", table,
                                        sizeof(struct environment_settings)};
+
+enum {
+    SUN_MAPS =
+        4,     /* along each side of a sun: a light below .01 sr with at least 1/40 of the light */
+    BLOCK = 7, /* pixels along each side of a block that shares its visibility */
+};
+
+/* Height above the receiver's plane up to which nothing casts a shadow, in texels of a map. */
+static const float bias = .1F;
+
+/* Blocks that differ by more, over the environment's light, leave the pixels between them their own lookups; of more than
+ * 60 lights divided by lights / 60. */
+static const float disagree = .02F;
 
 /* Those that the maps of VALs have, so that both share them. */
 static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
@@ -70,7 +74,7 @@ static bool init(void **state, const struct direct_desc *desc) {
     const struct sky_map_layout layout = {.size = own->map_size,
                                           .count = desc->sky->count,
                                           .suns = environment_lights_suns(desc->sky),
-                                          .sun_maps = own->sun_maps};
+                                          .sun_maps = SUN_MAPS};
     struct lighting *lighting = *state = mem_alloc(1, sizeof *lighting);
     lighting->lights = *desc->sky;
     lighting->lamps = desc->lamps;
@@ -82,10 +86,10 @@ static bool init(void **state, const struct direct_desc *desc) {
                &lighting->light, &(struct environment_lighting_desc){.width = desc->width,
                                                                      .height = desc->height,
                                                                      .maps = layout,
-                                                                     .block = own->block,
-                                                                     .ways = own->ways,
-                                                                     .bias = own->bias,
-                                                                     .disagree = own->disagree,
+                                                                     .block = BLOCK,
+                                                                     .ways = own->shadow_rays,
+                                                                     .bias = bias,
+                                                                     .disagree = disagree,
                                                                      .gloss = desc->gloss}) &&
            buffer_init(&lighting->buffer, "lights of the sky", sizeof lighting->block, NULL);
 }

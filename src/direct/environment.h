@@ -8,10 +8,8 @@
 struct environment_settings {
     int lights, fit; /* enum sky_fit */
     int map_size;    /* texels a side */
-    int sun_maps;    /* of a sun, a side */
-    int block;       /* pixels a side */
-    int ways;
-    float bias, disagree;
+    int shadow_rays;
+    int directions; /* that reflected light starts from, at most */
 };
 
 extern const struct settings_part sky_part;

@@ -6,7 +6,6 @@
 
 struct prefilter_settings {
     int size;
-    float contact;
 };
 
 static const struct option table[] = {
@@ -14,9 +13,6 @@ static const struct option table[] = {
      .help = "texels along each side of a light's own map; a point\n"
              "light has 6 maps, a light of a half space 1, whose middle\n"
              "half covers 90 degrees; reduced for more than 24 maps"},
-    {"contact", 0, OPTION_FLOAT, offsetof(struct prefilter_settings, contact), .01, 0, 1,
-     .help = "distance between caster and receiver below which texels are compared\n"
-             "one by one, as a fraction of the receiver's distance from the light"},
     {NULL},
 };
 
@@ -24,25 +20,7 @@ const struct settings_part prefilter_part = {"prefilter",
                                              "prefiltered maps of lights (cssm, msm, vssm)", table,
                                              sizeof(struct prefilter_settings)};
 
-struct window_settings {
-    int search_parts, shadow_parts;
-};
-
-static const struct option window_table[] = {
-    {"search-parts", 0, OPTION_INT, offsetof(struct window_settings, search_parts), 0, 0, 16,
-     .help = "cells along each side of the blocker search\n"
-             "window; 0: by method, 5 for vssm, 3 for msm"},
-    {"shadow-parts", 0, OPTION_INT, offsetof(struct window_settings, shadow_parts), 0, 0, 16,
-     .help = "cells along each side of the penumbra\n"
-             "window; 0: by method, 8 for vssm, 3 for msm"},
-    {NULL},
-};
-
-static const struct settings_part window_part = {"window", "windows of moments (msm, vssm)",
-                                                 window_table, sizeof(struct window_settings)};
-
-const struct settings_part *const window_parts[] = {&window_part, &prefilter_part, &shadow_part,
-                                                    NULL};
+const struct settings_part *const prefilter_parts[] = {&prefilter_part, &shadow_part, NULL};
 
 static bool init_maps(struct prefiltered *own, int size, const struct light_layout *lights,
                       int moments) {
@@ -72,10 +50,11 @@ static int size_of(const struct direct_desc *desc) {
 /* Of the receiver towards the light, over its distance. */
 static const float depth_bias = 2e-3F;
 
+/* Between caster and receiver, over the receiver's distance from the light: nearer texels are compared one by one. */
+static const float contact = .01F;
+
 bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                        const struct prefiltered_desc *method) {
-    const struct prefilter_settings *set =
-        settings_of(struct prefilter_settings, desc->settings, &prefilter_part);
     char *defines = mem_printf("%sFILTER %d;SEARCH_PARTS %d;SHADOW_PARTS %d;",
                                method->defines ? method->defines : "", method->filter,
                                method->search_parts, method->shadow_parts);
@@ -83,7 +62,7 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                            &(struct direct_light_desc){.map_size = size_of(desc),
                                                        .own_maps = true,
                                                        .map_bias = depth_bias,
-                                                       .contact = set->contact,
+                                                       .contact = contact,
                                                        .shift = method->shift,
                                                        .gain = method->gain,
                                                        .fragment = "visibility/direct_map.frag",
@@ -97,13 +76,8 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
 
 bool prefiltered_init(void **state, const struct direct_desc *desc,
                       const struct prefiltered_desc *method) {
-    const struct window_settings *set =
-        settings_of(struct window_settings, desc->settings, &window_part);
-    struct prefiltered_desc own = *method;
-    own.search_parts = set->search_parts ? set->search_parts : method->search_parts;
-    own.shadow_parts = set->shadow_parts ? set->shadow_parts : method->shadow_parts;
     *state = mem_alloc(1, sizeof(struct prefiltered));
-    return prefiltered_begin(*state, desc, &own);
+    return prefiltered_begin(*state, desc, method);
 }
 
 void prefiltered_end(struct prefiltered *own) {

@@ -10,9 +10,8 @@
 
 extern const struct settings_part prefilter_part;
 
-/* Those of a method that has no more to set than maps and windows: shadow_part, prefilter_part, and how many cells its
- * windows fall into. */
-extern const struct settings_part *const window_parts[];
+/* Those of a method that has no more to set than maps: prefilter_part and shadow_part. */
+extern const struct settings_part *const prefilter_parts[];
 
 struct prefiltered {
     struct shadow shadow;
@@ -22,12 +21,11 @@ struct prefiltered {
 };
 
 struct prefiltered_desc {
-    int filter;  /* FILTER_... of shared/lookup.h */
-    int moments; /* 2 or 4; 0: none */
-    int search_parts,
-        shadow_parts; /* windows fall into so many cells a side; of prefiltered_init unless set */
-    const char *defines; /* more of them, each with a semicolon behind; or NULL */
-    float shift, gain;   /* struct lookup_params' */
+    int filter;                     /* FILTER_... of shared/lookup.h */
+    int moments;                    /* 2 or 4; 0: none */
+    int search_parts, shadow_parts; /* windows fall into so many cells a side */
+    const char *defines;            /* more of them, each with a semicolon behind; or NULL */
+    float shift, gain;              /* struct lookup_params' */
 };
 
 /* Error: as of the passes; prefiltered_end frees what is there. */

@@ -6,14 +6,14 @@ static const struct option table[] = {
     {"shadow-size", 0, OPTION_INT, offsetof(struct shadow_settings, size), 2048, 16, 16384,
      .help = "texels along each side of a light's shadow map;\n"
              "reduced for more than 32 lights or 21 point lights"},
-    {"shadow-bias", 0, OPTION_FLOAT, offsetof(struct shadow_settings, bias), 1.5, 0, 100,
-     .help = "receiver offset along its normal, in\n"
-             "shadow map texels; pcss uses a sixth of it"},
     {NULL},
 };
 
 const struct settings_part shadow_part = {"direct", "shadow maps of direct light", table,
                                           sizeof(struct shadow_settings)};
+
+/* Receiver offset along its normal, in texels of the map; pcss uses a sixth of it. */
+static const float receiver_bias = 1.5F;
 
 /* Half a GiB at most, of maps of 2048 texels. */
 static int size_of(const struct direct_desc *desc) {
@@ -27,14 +27,12 @@ static int size_of(const struct direct_desc *desc) {
 
 bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
                   const struct direct_light_desc *program) {
-    const struct shadow_settings *own =
-        settings_of(struct shadow_settings, desc->settings, &shadow_part);
     struct direct_light_desc light = *program;
     light.width = desc->width;
     light.height = desc->height;
     light.gloss = desc->gloss;
     light.map_size = program->map_size ? program->map_size : size_of(desc);
-    light.bias = own->bias;
+    light.bias = receiver_bias;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         shadow->inputs.maps[kind] = &shadow->maps.maps[kind];
     return shadow_map_pass_init(&shadow->maps,

@@ -8,8 +8,7 @@
 #include "passes/visibility/shadow_map.h"
 
 struct shadow_settings {
-    int size;   /* of a light's map, texels a side */
-    float bias; /* receiver offset along its normal, texels */
+    int size; /* of a light's map, texels a side */
 };
 
 extern const struct settings_part shadow_part;

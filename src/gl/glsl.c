@@ -40,16 +40,6 @@ static char *read_file(const char *name) {
  * source number is lost in Mesa's messages about all but syntax. */
 enum { LINES_PER_FILE = 100000 };
 
-/* Whether the line is #include "NAME"; NAME then goes into name. */
-static bool parse_include(const char *line, char *name, size_t size) {
-    static const char directive[] = "#include \"";
-    if (strncmp(line, directive, sizeof directive - 1) != 0)
-        return false;
-    line += sizeof directive - 1;
-    snprintf(name, size, "%.*s", (int)strcspn(line, "\"\n"), line);
-    return true;
-}
-
 /* Whether the line may end a group that the compiler skips, and skips #line in as well. */
 static bool ends_group(const char *line) {
     line += strspn(line, " \t");
@@ -62,9 +52,36 @@ static bool ends_group(const char *line) {
 /* A source in the making. */
 struct writer {
     struct glsl_source *source;
+    const char *defines;
     struct text text;
     bool open[GLSL_FILES_MAX]; /* the file is begun and not ended */
 };
+
+static const char *next_define(const char *define) {
+    define += strcspn(define, ";");
+    return define + (*define == ';');
+}
+
+/* Whether the line is #include "FILE", or #include NAME of a define that names the file, which then goes into file. */
+static bool parse_include(const struct writer *writer, const char *line, char *file, size_t size) {
+    static const char directive[] = "#include ";
+    if (strncmp(line, directive, sizeof directive - 1) != 0)
+        return false;
+    line += sizeof directive - 1;
+    if (*line == '<') /* C's, in a shared header */
+        return false;
+    size_t length = strcspn(line, "\n");
+    if (*line == '"') {
+        snprintf(file, size, "%.*s", (int)strcspn(line + 1, "\"\n"), line + 1);
+        return true;
+    }
+    snprintf(file, size, "%.*s", (int)length, line);
+    for (const char *define = writer->defines; *define; define = next_define(define))
+        if (strncmp(define, line, length) == 0 && define[length] == ' ')
+            snprintf(file, size, "%.*s", (int)strcspn(define + length + 1, ";"),
+                     define + length + 1);
+    return true;
+}
 
 static void tell_place(struct writer *writer, int file, int line) {
     text_print(&writer->text, "#line %d\n", file * LINES_PER_FILE + line);
@@ -93,7 +110,7 @@ static bool write_lines(struct writer *writer, int number, const char *text) {
         end = line + strcspn(line, "\n");
         end += *end == '\n';
         char included[128];
-        bool includes = parse_include(line, included, sizeof included);
+        bool includes = parse_include(writer, line, included, sizeof included);
         if (includes && !write_file(writer, included))
             return error_prefix("%s:%d", name, line_number);
         if (!includes)
@@ -126,13 +143,10 @@ static bool write_file(struct writer *writer, const char *name) {
 
 bool glsl_load(struct glsl_source *source, const char *file, const char *defines) {
     *source = (struct glsl_source){0};
-    struct writer writer = {.source = source};
+    struct writer writer = {.source = source, .defines = defines ? defines : ""};
     text_print(&writer.text, "#version 450 core\n");
-    for (const char *define = defines ? defines : ""; *define;) {
-        int length = (int)strcspn(define, ";");
-        text_print(&writer.text, "#define %.*s\n", length, define);
-        define += length + (define[length] == ';');
-    }
+    for (const char *define = writer.defines; *define; define = next_define(define))
+        text_print(&writer.text, "#define %.*s\n", (int)strcspn(define, ";"), define);
     bool ok = write_file(&writer, file);
     source->text = writer.text.data;
     if (!ok)

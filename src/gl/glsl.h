@@ -2,7 +2,8 @@
  *
  * A file's name is its path below the folder, as "lib/view.glsl"; "techniques/NAME/FILE" and
  * "direct/NAME/FILE" lie in src/ beside the folder.
- * Files have no #version line; the version, the defines and #include "lib/..." are put in here.
+ * Files have no #version line; the version, the defines and #include "lib/..." are put in here. #include NAME takes
+ * the file that the define NAME has: so a pass chooses among files that keep one contract.
  * #line directives tell the place of each line, and glsl_explain turns the numbers of a driver's
  * message into file names and lines.
  */

@@ -19,7 +19,7 @@ void view_shift(struct view *view, const float ndc[2]);
  * keep it, but for one that gets a size. */
 struct light_layout {
     int lights;
-    int groups; /* of lights that are pieces of one (lights/starts.h) */
+    int groups; /* of lights that are pieces of one (lights/light_samples.h) */
     int views[LIGHT_MAP_KINDS];
     int maps;   /* of the lights' own: one each, six of a point light */
     bool sized; /* one of them has a size */

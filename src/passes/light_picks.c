@@ -3,7 +3,7 @@
 #include "base/deal.h"
 #include "base/memory.h"
 #include "gl/pass.h"
-#include "lights/starts.h"
+#include "lights/light_samples.h"
 #include "passes/frame.h"
 
 #include <stdlib.h>

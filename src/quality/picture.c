@@ -66,7 +66,7 @@ bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *c
                                .width = desc->width,
                                .height = desc->height,
                                .term = {.bound = bounds[gather->clamp],
-                                        .clamp_value = gather->clamp_value / (radius * radius)},
+                                        .clamp_value = many_lights_clamp_value / (radius * radius)},
                                .cuts = cuts,
                                .compensation = compensation,
                                .materials = surface->materials,

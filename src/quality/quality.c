@@ -17,18 +17,18 @@ const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 static const struct quality_choice frames[] = {
     QUALITY_FRAME("path=draft clustered.vals=4"),
     QUALITY_FRAME("path=draft"),
-    QUALITY_FRAME("gather.detail=0 clustered.vals=8"),
+    QUALITY_FRAME("gather.adaptive=0 clustered.vals=8"),
     QUALITY_FRAME("path=traced lights.vpls=128 gather.interleave=4"),
     QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=4"),
     QUALITY_FRAME(""),
     QUALITY_FRAME("path=traced lights.vpls=512 picture.samples=16"),
-    QUALITY_FRAME("gather.interleave=4 gather.detail=2"),
+    QUALITY_FRAME("gather.interleave=4 gather.adaptive=2"),
     {"picture.samples=16", 1, "cluster-lights"},
-    QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=2 gather.detail=1"),
-    QUALITY_FRAME("gather.interleave=2 gather.detail=1 clustered.vals=60 picture.samples=16"),
+    QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=2 gather.adaptive=1"),
+    QUALITY_FRAME("gather.interleave=2 gather.adaptive=1 clustered.vals=60 picture.samples=16"),
     QUALITY_FRAME(
-        "path=traced lights.vpls=512 gather.interleave=2 gather.detail=1 picture.samples=16"),
-    QUALITY_FRAME("path=traced gather.interleave=2 gather.detail=1 picture.samples=16"),
+        "path=traced lights.vpls=512 gather.interleave=2 gather.adaptive=1 picture.samples=16"),
+    QUALITY_FRAME("path=traced gather.interleave=2 gather.adaptive=1 picture.samples=16"),
 };
 
 /* Fewer passes than that are worse than one of as much time. */

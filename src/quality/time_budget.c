@@ -16,23 +16,22 @@ static const struct row {
     } numbers;
     struct {
         int interleave, detail, detail_times, samples;
-        double detail_share;
         bool by_rays;
     } grades;
 } rows[TIME_BUDGET_ROWS] = {
-    {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, .5, false}},
-    {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, .5, false}},
-    {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, .5, false}}, /* draft */
-    {36, {768, 20, 192, 512, 7, 512}, {8, 4, 1, 8, .5, false}},
-    {40, {896, 24, 224, 720, 7, 512}, {8, 4, 2, 12, 1, false}},
-    {44, {1024, 30, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}}, /* the defaults */
-    {52, {1024, 60, 256, 1024, 7, 512}, {8, 4, 4, 12, 1, false}},
-    {53, {512, 60, 256, 1024, 7, 512}, {8, 2, 1, 12, 1, true}}, /* high */
-    {61, {1024, 60, 256, 1024, 7, 512}, {8, 2, 1, 16, 1, true}},
-    {62, {640, 60, 256, 1024, 7, 512}, {4, 2, 1, 16, 1, true}},
-    {66, {1024, 60, 256, 1024, 7, 512}, {4, 2, 1, 16, 1, true}},
-    {67, {512, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, 1, true}},
-    {TIME_BUDGET_LEVELS - 1, {1024, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, 1, true}},
+    {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, false}},
+    {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, false}},
+    {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, false}}, /* draft */
+    {36, {768, 20, 192, 512, 7, 512}, {8, 4, 1, 8, false}},
+    {40, {896, 24, 224, 720, 7, 512}, {8, 4, 2, 12, false}},
+    {44, {1024, 30, 256, 1024, 7, 512}, {8, 4, 4, 12, false}}, /* the defaults */
+    {52, {1024, 60, 256, 1024, 7, 512}, {8, 4, 4, 12, false}},
+    {53, {512, 60, 256, 1024, 7, 512}, {8, 2, 1, 12, true}}, /* high */
+    {61, {1024, 60, 256, 1024, 7, 512}, {8, 2, 1, 16, true}},
+    {62, {640, 60, 256, 1024, 7, 512}, {4, 2, 1, 16, true}},
+    {66, {1024, 60, 256, 1024, 7, 512}, {4, 2, 1, 16, true}},
+    {67, {512, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, true}},
+    {TIME_BUDGET_LEVELS - 1, {1024, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, true}},
 };
 
 /* The last row that begins at the level or before, but the very last. */
@@ -66,7 +65,7 @@ char *time_budget_settings(int level) {
     return mem_printf(
         "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
         "clustered.visibility=%s clustered.visibility-block=%d gather.interleave=%d "
-        "gather.detail=%d gather.detail-times=%d picture.samples=%d gather.detail-share=%g",
+        "gather.adaptive=%d gather.adaptive-factor=%d picture.samples=%d",
         between(a->numbers.vpls, b->numbers.vpls, share),
         between(a->numbers.rsm, b->numbers.rsm, share),
         between(a->numbers.vals, b->numbers.vals, share),
@@ -74,7 +73,7 @@ char *time_budget_settings(int level) {
         between(a->numbers.near_samples, b->numbers.near_samples, share),
         grade->grades.by_rays ? "traced" : "ray", grade->grades.by_rays ? 0 : block,
         grade->grades.interleave, grade->grades.detail, grade->grades.detail_times,
-        grade->grades.samples, grade->grades.detail_share);
+        grade->grades.samples);
 }
 
 /* --- the choice of one --- */

@@ -176,7 +176,7 @@ static const struct part_row {
     {PART_ANTIALIAS, MEMBERS(antialias, antialias), init_antialias, NULL},
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
     {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
-    {PART_MEAN, MEMBERS(refining.mean, refining.centers), init_mean, NULL},
+    {PART_MEAN, MEMBERS(refining.centers, refining.mean), init_mean, NULL},
     {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
 };
 
@@ -206,10 +206,10 @@ static void shift_starts(struct renderer *renderer) {
 
 static void place_starts(struct renderer *renderer) {
     const struct light_plan *plan = &renderer->plan;
-    light_starts_place(&renderer->starts, &renderer->desc.emitters,
-                       &(struct starts_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
-                       renderer->pass);
-    renderer->start_emitters = light_starts_emitters(&renderer->starts);
+    light_samples_place(&renderer->starts, &renderer->desc.emitters,
+                        &(struct light_samples_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
+                        renderer->pass);
+    renderer->start_emitters = light_samples_emitters(&renderer->starts);
 }
 
 /* Looks at triangles, so only where another view may cut others. */
@@ -259,13 +259,11 @@ static void plan_sky(struct light_plan *plan, const struct light_plan *before,
                      const struct renderer_desc *desc) {
     const struct environment_settings *sky =
         settings_of(struct environment_settings, &desc->settings, &sky_part);
-    const struct start_settings *start =
-        settings_of(struct start_settings, &desc->settings, &start_part);
     const struct environment *environment = desc->emitters.sky;
     int room = LIGHTS_MAX - desc->emitters.count;
     struct sky_wanted *wanted = &plan->wanted;
     *wanted = (struct sky_wanted){environment, sky->fit, sky->lights,
-                                  start->directions < room ? start->directions : room};
+                                  sky->directions < room ? sky->directions : room};
     if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
         before->wanted.lights == wanted->lights && before->wanted.starts == wanted->starts) {
         plan->sky = before->sky;
@@ -276,22 +274,27 @@ static void plan_sky(struct light_plan *plan, const struct light_plan *before,
     environment_lights_group(&plan->sky_starts, &plan->sky, wanted->starts);
 }
 
+/* Light samples of all wide lights together, from which their reflected light starts. */
+enum { LIGHT_SAMPLES = 4 };
+
+/* A wider light has several light samples; over the scene's radius, of a sun in radians. */
+static const float wide_light = .3F;
+
 /* Error: more lights than there is room for. */
 static bool plan_lights(struct light_plan *plan, const struct light_plan *before,
                         const struct renderer_desc *desc) {
-    const struct start_settings *own =
-        settings_of(struct start_settings, &desc->settings, &start_part);
-    struct light_starts starts;
+    struct light_samples starts;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
     if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
         return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
                          desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
     plan_sky(plan, before, desc);
-    plan->starts = (struct starts_desc){own->places, own->wide, desc->geometry->radius};
-    light_starts_place(&starts, &desc->emitters,
-                       &(struct starts_sky){&plan->sky, &plan->sky_starts}, &plan->starts, 0);
-    plan->start_layout = light_starts_layout(&starts);
+    plan->starts = (struct light_samples_desc){LIGHT_SAMPLES, wide_light, desc->geometry->radius};
+    light_samples_place(&starts, &desc->emitters,
+                        &(struct light_samples_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
+                        0);
+    plan->start_layout = light_samples_layout(&starts);
     return true;
 }
 

@@ -9,7 +9,7 @@
 #include "base/image.h"
 #include "direct/direct.h"
 #include "direct/environment.h"
-#include "lights/starts.h"
+#include "lights/light_samples.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
@@ -42,7 +42,7 @@ struct renderer_desc {
 /* What maps and programs are made for. */
 struct light_plan {
     struct light_layout layout, start_layout;
-    struct starts_desc starts;
+    struct light_samples_desc starts;
     struct environment_lights sky;
     struct sky_groups sky_starts; /* from which its reflected light starts */
     struct sky_wanted {
@@ -88,7 +88,7 @@ struct renderer {
     /* What shines, for direct light; and what techniques are given for it. */
     struct light_block *light_block, *start_block;
     struct buffer light_buffer, start_buffer;
-    struct light_starts starts;
+    struct light_samples starts;
     struct emitters start_emitters; /* of the starts: nothing to be freed */
 };
 

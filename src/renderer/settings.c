@@ -4,11 +4,13 @@
 #include "base/names.h"
 #include "direct/direct.h"
 #include "direct/environment.h"
-#include "lights/starts.h"
+#include "lights/light_samples.h"
 #include "passes/picture/composite.h"
 #include "scene/material.h"
 
+#include <assert.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
@@ -29,23 +31,6 @@ static const struct option table[] = {
 const struct settings_part picture_part = {"picture", "picture", table,
                                            sizeof(struct picture_settings)};
 
-static const struct option start_table[] = {
-    {"places", 0, OPTION_INT, offsetof(struct start_settings, places), 4, 1, LIGHTS_MAX,
-     .help = "number of light samples of all wide lights\n"
-             "together, from which their reflected light starts"},
-    {"wide", 0, OPTION_FLOAT, offsetof(struct start_settings, wide), .3, 0, 100,
-     .help = "width from which a light has several light samples,\n"
-             "over the scene's radius; for a sun in radians"},
-    {"directions", 0, OPTION_INT, offsetof(struct start_settings, directions), 12,
-     ENVIRONMENT_LIGHTS_MIN, LIGHTS_MAX,
-     .help = "largest number of directions from which an environment's reflected\n"
-             "light starts; raise, with lights.vpls, where it comes through windows"},
-    {NULL},
-};
-
-const struct settings_part start_part = {"start", "light samples that reflected light starts from",
-                                         start_table, sizeof(struct start_settings)};
-
 static void add_parts(struct settings *settings, const struct settings_part *const *parts) {
     for (; *parts; parts++)
         settings_add(settings, *parts);
@@ -58,7 +43,6 @@ void renderer_settings_init(struct settings *settings) {
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         add_parts(settings, (*d)->parts);
     settings_add(settings, &sky_part);
-    settings_add(settings, &start_part);
     settings_add(settings, &material_part);
     settings_add(settings, &picture_part);
 }
@@ -125,7 +109,7 @@ void renderer_settings_copy_but_samples(struct settings *to, const struct settin
     set_samples(to, samples);
 }
 
-/* --- help --- */
+/* --- needs --- */
 
 static bool has_part(const struct settings_part *const *parts, const struct settings_part *part) {
     while (*parts && *parts != part)
@@ -133,15 +117,85 @@ static bool has_part(const struct settings_part *const *parts, const struct sett
     return *parts;
 }
 
+/* Whether the technique reads it: all that its row says of techniques holds. */
+static bool is_read(const struct setting *setting, const struct technique *technique) {
+    for (struct need need = {.word.at = setting->option->needs}; need_next(&need);)
+        if (strcmp(need.name, "technique") == 0 &&
+            need_names(&need, technique->name) != (need.sign == '='))
+            return false;
+    return true;
+}
+
+static bool technique_has(const struct technique *technique, const struct setting *setting) {
+    return has_part(technique->parts, setting->part) && is_read(setting, technique);
+}
+
+static bool holds(const struct need *need, const struct settings *settings,
+                  const struct technique *technique) {
+    struct setting setting;
+    char value[32];
+    if (strcmp(need->name, "technique") == 0)
+        return true; /* is_read */
+    bool found = settings_find(settings, need->name, &setting);
+    assert(found);
+    (void)found;
+    if (!has_part(technique->parts, setting.part))
+        return need->sign == '!';
+    if (!is_read(&setting, technique))
+        return true;
+    setting_format(&setting, settings, value, sizeof value);
+    if (need->sign == '>')
+        return atof(value) > atof(need->values);
+    return need_names(need, value) == (need->sign == '=');
+}
+
+bool setting_matters(const struct setting *setting, const struct settings *settings,
+                     const struct technique *technique) {
+    bool all = is_read(setting, technique);
+    for (struct need need = {.word.at = setting->option->needs}; all && need_next(&need);)
+        all = holds(&need, settings, technique);
+    return all;
+}
+
+/* --- help --- */
+
+/* With what it needs of the technique's other settings. */
+static void print_setting(FILE *out, const struct setting *setting,
+                          const struct technique *technique) {
+    struct names with = {0};
+    struct settings settings;
+    struct setting other;
+    renderer_settings_init(&settings);
+    for (struct need need = {.word.at = setting->option->needs}; need_next(&need);)
+        if (strcmp(need.name, "technique") != 0 && settings_find(&settings, need.name, &other) &&
+            technique_has(technique, &other)) {
+            char text[2 * SETTING_NAME_SIZE];
+            snprintf(text, sizeof text, "%.*s", need.word.length, need.word.at);
+            names_add(&with, " and ", text);
+        }
+    setting_print_help(out, setting, with.text);
+}
+
+/* Those of a part that the technique reads, under its title. */
+static void print_part(FILE *out, const struct settings_part *part,
+                       const struct technique *technique) {
+    fprintf(out, "\n  %s:\n", part->title);
+    for (const struct option *option = part->table; option->name; option++) {
+        struct setting setting = {part, option};
+        if (is_read(&setting, technique))
+            print_setting(out, &setting, technique);
+    }
+}
+
 /* Those that methods share with the first of them. */
-static void print_direct_parts(FILE *out) {
+static void print_direct_parts(FILE *out, const struct technique *technique) {
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         for (const struct settings_part *const *p = (*d)->parts; *p; p++) {
             const struct direct_method *const *first = direct_methods;
             while (!has_part((*first)->parts, *p))
                 first++;
             if (first == d)
-                settings_print_help(out, *p, NULL);
+                print_part(out, *p, technique);
         }
 }
 
@@ -154,17 +208,11 @@ static void print_presets(FILE *out, const struct technique *technique) {
 
 static void print_all(FILE *out, const struct technique *technique) {
     for (const struct settings_part *const *part = technique->parts; *part; part++)
-        settings_print_help(out, *part, technique->unused);
-    print_direct_parts(out);
-    settings_print_help(out, &sky_part, NULL);
-    settings_print_help(out, &start_part, NULL);
-    settings_print_help(out, &material_part, NULL);
-    settings_print_help(out, &picture_part, NULL);
-}
-
-static bool technique_has(const struct technique *technique, const struct setting *setting) {
-    return has_part(technique->parts, setting->part) &&
-           !setting_is_among(setting, technique->unused);
+        print_part(out, *part, technique);
+    print_direct_parts(out, technique);
+    print_part(out, &sky_part, technique);
+    print_part(out, &material_part, technique);
+    print_part(out, &picture_part, technique);
 }
 
 static bool is_picture(const struct setting *setting) {
@@ -175,7 +223,7 @@ static bool is_picture(const struct setting *setting) {
 static void print_main(FILE *out, const struct technique *technique) {
     static const char *const names[] = {
         "lights.vpls",      "lights.bounces",    "clustered.vals",   "clustered.visibility",
-        "map.size",         "gather.interleave", "gather.detail",    "surface.materials",
+        "map.size",         "gather.interleave", "gather.adaptive",  "surface.materials",
         "picture.exposure", "picture.samples",   "picture.tone-map",
     };
     struct settings settings;
@@ -185,11 +233,11 @@ static void print_main(FILE *out, const struct technique *technique) {
         struct setting setting;
         if (settings_find(&settings, names[i], &setting) &&
             (technique_has(technique, &setting) || is_picture(&setting)))
-            setting_print_help(out, &setting);
+            print_setting(out, &setting, technique);
     }
     for (const struct settings_part *const *part = technique->parts; *part; part++)
         if (technique != technique_default && strcmp((*part)->owner, technique->name) == 0)
-            settings_print_help(out, *part, technique->unused);
+            print_part(out, *part, technique);
 }
 
 void renderer_settings_print_help(FILE *out, const struct technique *technique, bool all) {

@@ -14,13 +14,7 @@ struct picture_settings {
     int tone_map;   /* enum tone_map */
 };
 
-struct start_settings {
-    int places;     /* of wide lights, where reflected light starts */
-    float wide;     /* over the scene's radius */
-    int directions; /* of a sky */
-};
-
-extern const struct settings_part picture_part, start_part;
+extern const struct settings_part picture_part;
 
 /* Every part with its defaults. */
 void renderer_settings_init(struct settings *settings);
@@ -39,6 +33,11 @@ bool renderer_settings_same(const struct settings *a, const struct settings *b,
  * its edges are. */
 void renderer_settings_roughen(struct settings *settings);
 void renderer_settings_copy_but_samples(struct settings *to, const struct settings *from);
+
+/* Whether the setting changes pictures of the technique, by what its row needs: an effect that only another technique's
+ * settings could give is none. */
+bool setting_matters(const struct setting *setting, const struct settings *settings,
+                     const struct technique *technique);
 
 /* For --help: the technique's presets, and its main settings, or all of its own, the direct methods' and the picture's. */
 void renderer_settings_print_help(FILE *out, const struct technique *technique, bool all);

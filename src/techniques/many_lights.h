@@ -30,25 +30,19 @@ struct lights_settings {
 
 struct map_settings {
     int size;
-    float near_clip;
 };
 
 struct lookup_settings {
     int terms; /* K */
-    float bias, map_bias, shift, gain, sharpen_a;
-    int taps;
-    bool filter_jacobian;
 };
 
 struct gather_settings {
-    int interleave, clamp; /* enum gather_clamp */
-    float clamp_value, sphere, near_reach;
+    int interleave, clamp; /* GATHER_CLAMP_... */
     int near_samples;
-    int detail; /* n of pixels with few like neighbours; 0: as all others */
-    int detail_times;
-    float detail_share;
-    bool further_points;
-    int gloss, gloss_interleave; /* SPECULAR_... - 1 */
+    int adaptive; /* n of pixels with few like neighbours; 0: as all others */
+    int adaptive_factor;
+    bool edge_samples;
+    int specular; /* SPECULAR_... - 1 */
 };
 
 struct blur_settings {
@@ -62,20 +56,31 @@ struct caster_settings {
     int long_count;
 };
 
+/* What maps and VALs need, where area lights may do without visibility. */
+#define SHADOWS "cluster-lights.shadows!=none"
+
 extern const struct settings_part lights_part, map_part, lookup_part, gather_part, blur_part,
     caster_part;
+
+/* Near distance of a map, over the spread of the VPLs: nearer casters are ignored. It is at most the spacing of the
+ * VPLs. */
+extern const float many_lights_near_clip;
+
+/* Bound of the geometry term by gather.clamp=value, times the squared radius of the scene. */
+extern const float many_lights_clamp_value;
 
 /* The presets that all have, and the published way through what they share. */
 #define MANY_LIGHTS_FAST                                                                           \
     { "fast", "the defaults", "", "normal" }
 
-#define MANY_LIGHTS_AS_PUBLISHED "gather.detail=0 caster.error=0 blur.separable=off blur.cosine=.8"
+#define MANY_LIGHTS_AS_PUBLISHED                                                                   \
+    "gather.adaptive=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
 /* Passes after the first: few VPLs, nothing interleaved or blurred. Where rays say what light arrives the mean of many
  * passes is unbiased, but for what patches take from further bounces, and for gloss. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=2048 lights.facets=on gather.interleave=1 gather.clamp=near "  \
-    "gather.near-reach=4 gather.near-samples=256 blur.radius=0 lights.paths=256"
+    "gather.near-samples=256 blur.radius=0 lights.paths=256"
 
 extern const struct refinement many_lights_refinement;
 
@@ -128,6 +133,9 @@ void many_lights_free(struct many_lights *lights);
 
 /* As technique->resize; as technique->contribution, below: of a state that begins with its many_lights. */
 bool many_lights_resize(void *state, int width, int height);
+
+/* Pixels to each side; 0: no blur. */
+int many_lights_blur_radius(const struct settings *settings);
 
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);

@@ -1,4 +1,5 @@
 /* Which passes the techniques share, as the settings have them: made, made anew for another size, and freed. */
+#include "techniques/adaptive_pixels.h"
 #include "techniques/many_lights.h"
 
 #include "base/error.h"
@@ -6,12 +7,27 @@
 #include "shared/gather.h"
 
 #include <math.h>
-#include <string.h>
 
-/* B of contact sharpening [Dong 2011, eq. 5.9]. */
-static const float sharpen_b = 10;
+enum {
+    GLOSS_RAYS = 4,       /* specular rays of a pixel */
+    GLOSS_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
+    FILTER_TAPS =
+        16, /* texels of a percentage-closer filter; the blocker search takes half as many */
+};
 
-enum { GLOSS_RAYS = 4 }; /* specular rays of a pixel */
+/* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the
+ * receiver's distance. */
+static const float lookup_bias = .25F, lookup_map_bias = .005F;
+
+/* Ringing suppression [Dong 2011, Fig. 5.2]: shift of the receiver's depth in units of 1/(2K), and scale of the blocked
+ * fraction about one half. */
+static const float ringing_shift = .25F, ringing_gain = 2;
+
+/* Radius of the near field in VPL spacings: less for flat triangles, whose pictures are the mean of many passes. */
+static const float near_reach = 5, near_reach_of_facets = 4;
+
+/* Radius of virtual spherical lights, over the distance within which 10 VPLs lie. */
+static const float sphere_radius = .25F;
 
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count) {
@@ -22,14 +38,11 @@ struct visibility_desc many_lights_lookup(const struct settings *settings,
         .map_size = map->size,
         .map_count = map_count,
         .basis_terms = own->terms,
-        .bias = own->bias,
-        .map_bias = own->map_bias,
-        .shift = own->shift,
-        .gain = own->gain,
-        .sharpen_a = own->sharpen_a,
-        .sharpen_b = sharpen_b,
-        .taps = own->taps,
-        .filter_jacobian = own->filter_jacobian,
+        .bias = lookup_bias,
+        .map_bias = lookup_map_bias,
+        .shift = ringing_shift,
+        .gain = ringing_gain,
+        .taps = FILTER_TAPS,
     };
 }
 
@@ -52,104 +65,16 @@ static struct visibility_desc lookup_of(const struct settings *settings,
  * degrees it finds no neighbours on small round things. */
 static const float gloss_cosine = .966F;
 
-/* Eight degrees within a few pixels. */
-static const float sharp_cosine = .99F;
-
-static int blur_radius(const struct settings *settings) {
+int many_lights_blur_radius(const struct settings *settings) {
     const struct gather_settings *gather =
         settings_of(struct gather_settings, settings, &gather_part);
     const struct blur_settings *blur = settings_of(struct blur_settings, settings, &blur_part);
     return blur->radius < 0 ? gather->interleave / 2 : blur->radius;
 }
 
-/* How many times as long as 400 pixels a picture's side is, and 1 up to that: things are seen by as many more pixels,
- * which may share more. */
-static float growth_of(int width, int height) {
-    static const float side = 400;
-    return fmaxf(sqrtf((float)width * (float)height) / side, 1);
-}
-
-/* What is seen of a thing errs as little where more pixels show it: those of large pictures take fewer lights, ask for
- * fewer of them, and take half of the near samples, which are what they err by least (docs/notes/blur-and-adaptive-pixels.md). */
-static float share_of_large(int width, int height) {
-    float growth = growth_of(width, height);
-    return 1 / (growth * growth);
-}
-
-static int detail_slots(const struct gather_desc *listed, const struct settings *settings) {
-    const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
-    float share = share_of_large(listed->width, listed->height);
-    int times = (int)roundf((float)own->detail_times * share);
-    int all = listed->interleave * listed->interleave;
-    return times < 1 ? 1 : times < all ? times : all;
-}
-
-/* Most of the time of a gather whose pixels look themselves up goes there, and there a few that ask for all do: of large
- * pictures up to twice as many have to. Of rectangles, which each stand for several VPLs and whose answers nothing
- * blurs, there are fewer. */
-static int asked_together(const struct gather_desc *desc) {
-    float growth = fminf(growth_of(desc->width, desc->height), 2);
-    return desc->clamp >= GATHER_CLAMP_RECTANGLE ? 4 : (int)(12 * growth);
-}
-
-static void fit_near_field(struct near_field_desc *near_field, const struct gather_desc *listed) {
-    memcpy(near_field->list_slots, listed->list_slots, sizeof near_field->list_slots);
-    near_field->listed_part = fmaxf(share_of_large(listed->width, listed->height), .5F);
-}
-
 /* --- passes --- */
 
-/* The side of the one block that speaks for a pixel; 0: there is none, as of rectangles, where several do. */
-static int block_of_pixel(const struct gather_desc *gather, int block) {
-    return gather->clamp >= GATHER_CLAMP_RECTANGLE ? 0 : block;
-}
-
-static int detail_radius(const struct settings *settings) {
-    int radius = blur_radius(settings);
-    return radius > 0 ? (radius + 1) / 2 : 2;
-}
-
-/* Where each takes all lights, those that are listed ask for their own visibility alone; else, where all
- * gather as much, or none is blurred, none needs more. */
-static bool has_detail(const struct settings *settings) {
-    const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
-    return own->detail > 0 &&
-           (own->interleave == 1 ? own->detail == 1
-                                 : own->detail < own->interleave && blur_radius(settings) > 0);
-}
-
-/* Half the blur's radius away: farther off an edge it finds enough on one side.
- *
- * What is listed looks itself up: a block of pixels does not speak for it. */
-static bool init_detail(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct gather_settings *gather =
-        settings_of(struct gather_settings, desc->settings, &gather_part);
-    const struct blur_settings *blur =
-        settings_of(struct blur_settings, desc->settings, &blur_part);
-    struct gather_desc gather_desc = lights->gather.desc;
-    struct detail_desc detail = {
-        .width = desc->width,
-        .height = desc->height,
-        .interleave = gather->detail,
-        .radius = detail_radius(desc->settings),
-        .distance = blur->distance,
-        .cosine = blur->cosine,
-        .sharp_cosine = fminf(blur->cosine, sharp_cosine),
-        .share = gather->detail_share,
-        .block = block_of_pixel(&gather_desc, lights->visibility.block),
-    };
-    gather_desc.interleave = gather->detail;
-    gather_desc.receivers = RECEIVERS_LISTED;
-    gather_desc.share = false;
-    gather_desc.list_slots[PIXEL_GRADE_EDGE] = 1;
-    gather_desc.list_slots[LIST_FURTHER] = gather->further_points ? 1 : 0;
-    gather_desc.list_slots[PIXEL_GRADE_DETAIL] = detail_slots(&gather_desc, desc->settings);
-    gather_desc.together = asked_together(&gather_desc);
-    return !has_detail(desc->settings) || (detail_pass_init(&lights->detail, &detail) &&
-                                           gather_pass_init(&lights->detail_gather, &gather_desc));
-}
-
-static bool init_gather(struct many_lights *lights, const struct technique_desc *desc) {
+static bool init_gathers(struct many_lights *lights, const struct technique_desc *desc) {
     const struct many_lights_visibility *visibility = &lights->visibility;
     const struct gather_settings *own =
         settings_of(struct gather_settings, desc->settings, &gather_part);
@@ -161,15 +86,15 @@ static bool init_gather(struct many_lights *lights, const struct technique_desc 
         .share = visibility->block > 0,
         .cuts = visibility->cuts,
         .visibility = lookup_of(desc->settings, visibility->lookup, visibility),
-        .clamp = (enum gather_clamp)own->clamp,
-        .clamp_value = own->clamp_value,
-        .sphere = own->sphere,
+        .clamp = own->clamp,
+        .clamp_value = many_lights_clamp_value,
+        .sphere = sphere_radius,
         .further = lights->bounces > 1,
     };
-    bool listed = has_detail(desc->settings);
-    gather_desc.receivers = listed ? RECEIVERS_OTHERS : RECEIVERS_ALL;
-    if (visibility->tree && !listed)
-        gather_desc.together = asked_together(&gather_desc);
+    if (!adaptive_pixels_init(lights, desc, &gather_desc))
+        return false;
+    if (visibility->tree && gather_desc.receivers == RECEIVERS_ALL)
+        gather_desc.together = vpls_together(&gather_desc);
     return gather_pass_init(&lights->gather, &gather_desc);
 }
 
@@ -181,11 +106,11 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     const struct blur_settings *blur =
         settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
-    int n = own->gloss_interleave < own->interleave ? own->gloss_interleave : own->interleave;
+    int n = GLOSS_INTERLEAVE < own->interleave ? GLOSS_INTERLEAVE : own->interleave;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
     gather.cuts = false;
-    gather.specular = own->gloss + 1;
+    gather.specular = own->specular + 1;
     gather.gloss_rays = GLOSS_RAYS;
     /* What rays show of one bounce stays sharp where it is smooth; VPLs of further bounces show their pattern there. */
     bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
@@ -260,44 +185,34 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     int occlusion = near_occlusion(lights, desc->lights);
     struct near_field_desc near_field = {
         .samples = own->near_samples,
-        .listed = lights->detail.program,
         .facets = sends_as_facets(desc),
         .occlusion = occlusion,
         .casters = occlusion == NEAR_BY_RAYS ? desc->casters : NULL,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
-    fit_near_field(&near_field, &lights->detail_gather.desc);
+    adaptive_pixels_fit_near_field(lights, &near_field);
     return !wanted || near_field_pass_init(&lights->near_field, &near_field);
 }
 
-/* The more lights a pixel has, the fewer of its neighbours it needs. */
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
     const struct blur_settings *own = settings_of(struct blur_settings, desc->settings, &blur_part);
-    const struct gather_desc *listed = &lights->detail_gather.desc;
-    int radius = blur_radius(desc->settings), n = lights->gather.desc.interleave;
+    int radius = many_lights_blur_radius(desc->settings), n = lights->gather.desc.interleave;
     struct blur_desc blur = {
         .width = desc->width,
         .height = desc->height,
         .radius = radius,
-        .detail = lights->detail.program,
         .distance = own->distance,
         .cosine = own->cosine,
         .square = !own->separable || radius == 0,
     };
-    for (int grade = 0; blur.detail && grade < PIXEL_GRADES; grade++) {
-        float slots = (float)listed->list_slots[grade],
-              places = sqrtf(slots) / (float)listed->interleave;
-        blur.grade_radius[grade] = .5f / places;
-        blur.grade_weight[grade] = places * places * (float)(n * n);
-    }
+    adaptive_pixels_fit_blur(lights, &blur);
     return (n == 1 && radius == 0 && !blur.detail) || blur_pass_init(&lights->blur, &blur);
 }
 
 /* What is as large as the picture. */
 static bool init_sized(struct many_lights *lights, const struct technique_desc *desc) {
-    return init_gather(lights, desc) && init_detail(lights, desc) && init_gloss(lights, desc) &&
-           init_blur(lights, desc);
+    return init_gathers(lights, desc) && init_gloss(lights, desc) && init_blur(lights, desc);
 }
 
 static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {
@@ -331,7 +246,7 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
     const struct gather_settings *gather =
         settings_of(struct gather_settings, desc->settings, &gather_part);
     const struct light_layout *layout = desc->lights;
-    bool ok = true, has_gloss = desc->gloss && gather->gloss + 1 == SPECULAR_RAYS;
+    bool ok = true, has_gloss = desc->gloss && gather->specular + 1 == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
@@ -346,8 +261,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                       const struct many_lights_visibility *visibility) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
-    const struct gather_settings *gather =
-        settings_of(struct gather_settings, desc->settings, &gather_part);
+    const float reach = own->facets ? near_reach_of_facets : near_reach;
     *lights = (struct many_lights){.settings = *desc->settings, .visibility = *visibility};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
@@ -355,7 +269,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
             &(struct geometry_desc){.has_gloss = desc->gloss,
                                     .has_mappings = materials_have_mappings(desc->scene),
                                     .facets = sends_as_facets(desc)}) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, gather->near_reach}) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
         init_sized(lights, desc) && init_gloss_rays(lights, desc) && init_near_field(lights, desc))
         return true;
@@ -397,6 +311,6 @@ bool many_lights_resize(void *state, int width, int height) {
     free_sized(ok ? lights : &fresh);
     if (ok)
         *lights = fresh;
-    fit_near_field(&lights->near_field.desc, &lights->detail_gather.desc);
+    adaptive_pixels_fit_near_field(lights, &lights->near_field.desc);
     return ok;
 }

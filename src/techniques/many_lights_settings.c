@@ -9,7 +9,7 @@ static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536,
      .help = "number of virtual point lights (VPLs), N; more: smoother and slower"},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
-     .help = "seed of VPLs and light paths; 0: unshifted Halton sequence"},
+     .help = "seed of VPLs, light paths and random choices; 0: unshifted Halton sequence"},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, RSM_SIZE_MIN, 8192,
      .help = "texels along each side of a reflective shadow map;\n"
              "reduced for more than 4 light views or 21 point lights"},
@@ -18,7 +18,8 @@ static const struct option lights_table[] = {
              "quarters of the indirect light; light paths from VPLs add the others"},
     {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
      .help = "number of VPLs of later bounces, P; 4 P light paths are traced,\n"
-             "and the VPLs share the light of all paths; with lights.bounces > 1"},
+             "and the VPLs share the light of all paths",
+     .needs = "lights.bounces>1"},
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help = "emits from flat triangles instead of smooth normals, for VPLs and near\n"
              "field; unbiased but noisier; only in scenes without specular surfaces"},
@@ -28,37 +29,14 @@ static const struct option lights_table[] = {
 static const struct option map_table[] = {
     {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096,
      .help = "texels along each side of a paraboloid\n"
-             "map; raise for finer contact shadows"},
-    {"near-clip", 0, OPTION_FLOAT, ROW(map, near_clip), .025, 0, 1,
-     .help = "near distance of a map, over the spread of the VPLs; nearer\n"
-             "casters are ignored; at most the spacing of the VPLs"},
+             "map; raise for finer contact shadows",
+     .needs = "technique!=imperfect-shadow-maps, instant-radiosity.traced!=on, " SHADOWS},
     {NULL},
 };
 
 static const struct option lookup_table[] = {
-    {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16,
-     .help = "terms of the Fourier series, K; with clustered.visibility=cssm"},
-    {"bias", 0, OPTION_FLOAT, ROW(lookup, bias), .25, 0, 100,
-     .help = "receiver offset along its normal, in map texels at its\n"
-             "distance; clustered.visibility=ray uses 40 % of it"},
-    {"map-bias", 0, OPTION_FLOAT, ROW(lookup, map_bias), .005, 0, 1,
-     .help = "depth bias, as a fraction of the receiver's\n"
-             "distance; not with clustered.visibility=cssm"},
-    {"shift", 0, OPTION_FLOAT, ROW(lookup, shift), .25, 0, 2,
-     .help = "ringing suppression: shift of the receiver's depth,\n"
-             "in units of 1/(2K); with clustered.visibility=cssm"},
-    {"gain", 0, OPTION_FLOAT, ROW(lookup, gain), 2, .1, 16,
-     .help = "ringing suppression: scale of the blocked fraction\n"
-             "about one half; with clustered.visibility=cssm"},
-    {"sharpen-a", 0, OPTION_FLOAT, ROW(lookup, sharpen_a), 0, 0, 1000,
-     .help = "contact sharpening, A [Dong 2011, eq. 5.9];\n"
-             "0: off; with clustered.visibility=cssm"},
-    {"taps", 0, OPTION_INT, ROW(lookup, taps), 16, 1, 256,
-     .help = "texels of the percentage-closer filter; the blocker search\n"
-             "takes half as many; with clustered.visibility=pcss or ray"},
-    {"filter-jacobian", 0, OPTION_FLAG, ROW(lookup, filter_jacobian), 0,
-     .help = "filter width by the paraboloid's Jacobian instead\n"
-             "of alpha/pi; with clustered.visibility=cssm"},
+    {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16, .help = "terms of the Fourier series, K",
+     .needs = SHADOWS ", clustered.visibility=cssm"},
     {NULL},
 };
 
@@ -69,53 +47,45 @@ static const char *const gloss_names[] = {"point", "sphere", "rays", NULL};
 static const struct option gather_table[] = {
     {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16,
      .help = "interleave n: each pixel of an n x n pattern takes 1/n^2 of the VPLs,\n"
-             "and a blur removes the pattern; 1: all VPLs at each pixel, slowest"},
+             "and a blur removes the pattern; 1: all VPLs at each pixel, slowest",
+     .needs = "technique!=cluster-lights"},
     {"clamp", 0, OPTION_CHOICE, ROW(gather, clamp), GATHER_CLAMP_NEAR, .choices = clamp_names,
-     .help = "bound of the geometry term near a VPL: none, gather.clamp-value,\n"
-             "a disk's form factor, the near field from the reflective shadow\n"
-             "map, or a virtual spherical light"},
-    {"clamp-value", 0, OPTION_FLOAT, ROW(gather, clamp_value), 25, 0, 1e9,
-     .help = "bound of the geometry term, times the squared\n"
-             "scene radius; with gather.clamp=value"},
-    {"sphere", 0, OPTION_FLOAT, ROW(gather, sphere), .25, 0, 10,
-     .help = "radius of virtual spherical lights, over the distance within which\n"
-             "10 VPLs lie; with gather.clamp=sphere or gather.gloss=sphere"},
-    {"near-reach", 0, OPTION_FLOAT, ROW(gather, near_reach), 5, .1, 100,
-     .help = "radius of the near field, in VPL spacings; with gather.clamp=near"},
+     .help = "bound of the geometry term near a VPL: none, 25 over the squared scene radius\n"
+             "(value), a disk's form factor, the near field from the reflective shadow map,\n"
+             "or a virtual spherical light",
+     .needs = "technique!=cluster-lights"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
      .help = "near-field samples per n x n pixels of the interleave pattern; adaptive\n"
-             "pixels take fewer above 400x400, down to half; with gather.clamp=near"},
-    {"gloss", 0, OPTION_CHOICE, ROW(gather, gloss), SPECULAR_RAYS - 1, .choices = gloss_names,
+             "pixels take fewer above 400x400, down to half",
+     .needs = "technique!=cluster-lights, gather.clamp=near"},
+    {"specular", 0, OPTION_CHOICE, ROW(gather, specular), SPECULAR_RAYS - 1, .choices = gloss_names,
      .help = "specular reflection of indirect light: VPLs as points\n"
              "(visible as spots), VPLs as balls, or points and rays\n"
              "through the reflective shadow maps (least error)"},
-    {"gloss-interleave", 0, OPTION_INT, ROW(gather, gloss_interleave), 2, 1, 16,
-     .help = "interleave of the VPLs in specular reflection, at\n"
-             "most gather.interleave; 1: sharper, 4: cheaper"},
-    {"detail", 0, OPTION_INT, ROW(gather, detail), 4, 0, 8,
+    {"adaptive", 0, OPTION_INT, ROW(gather, adaptive), 4, 0, 8,
      .help = "interleave for adaptive pixels, which have too few similar neighbours\n"
              "to blur; smaller than gather.interleave: more VPLs each, own lookups,\n"
-             "less blur; 0: off; with gather.interleave=1 use 1 (own lookups) or 0"},
-    {"detail-times", 0, OPTION_INT, ROW(gather, detail_times), 4, 1, 64,
+             "less blur; 0: off; if gather.interleave=1, use 1 (own lookups) or 0"},
+    {"adaptive-factor", 0, OPTION_INT, ROW(gather, adaptive_factor), 4, 1, 64,
      .help = "factor of VPLs for adaptive pixels of fine detail, with fewer\n"
              "than 2 of 4 neighbours on their surface within 8 degrees; above\n"
-             "400x400 divided by pixels / 160000; with gather.detail > 0"},
-    {"detail-share", 0, OPTION_FLOAT, ROW(gather, detail_share), 1, 0, 1,
-     .help = "fraction of the 4 neighbours half a blur radius away on the same surface, below\n"
-             "which a pixel is adaptive; .75 excludes corners, .5 straight edges too; pixels\n"
-             "that no block visibility fits are adaptive too; with gather.detail > 0"},
-    {"further-points", 0, OPTION_FLAG, ROW(gather, further_points), 1,
+             "400x400 divided by pixels / 160000",
+     .needs = "technique!=cluster-lights, gather.adaptive>0, blur.radius!=0"},
+    {"edge-samples", 0, OPTION_FLAG, ROW(gather, edge_samples), 1,
      .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
-             "pixel centre sees gather separately; with gather.detail > 0"},
+             "pixel centre sees gather separately",
+     .needs = "gather.adaptive>0"},
     {NULL},
 };
 
 static const struct option blur_table[] = {
     {"radius", 0, OPTION_INT, ROW(blur, radius), -1, -1, 64,
      .help = "radius of the blur, in pixels; -1: half\n"
-             "of gather.interleave; 0: no blur"},
+             "of gather.interleave; 0: no blur",
+     .needs = "technique!=cluster-lights"},
     {"separable", 0, OPTION_FLAG, ROW(blur, separable), 1,
-     .help = "blurs along x, then along y; off: over the whole square at once, slower"},
+     .help = "blurs along x, then along y; off: over the whole square at once, slower",
+     .needs = "technique!=cluster-lights, blur.radius!=0"},
     {"distance", 0, OPTION_FLOAT, ROW(blur, distance), .1, 0, 10,
      .help = "largest distance of neighbours in the blur, over\n"
              "the picture's height at the pixel's depth, alpha"},
@@ -128,10 +98,12 @@ static const struct option blur_table[] = {
 static const struct option caster_table[] = {
     {"error", 0, OPTION_FLOAT, ROW(caster, error), .00055, 0, 1,
      .help = "largest deviation of simplified casters in the maps, over the\n"
-             "square root of the scene's surface area; 0: no simplification"},
+             "square root of the scene's surface area; 0: no simplification",
+     .needs = "technique!=instant-radiosity|row-column, " SHADOWS},
     {"long", 0, OPTION_INT, ROW(caster, long_count), 500, 0, 10000000,
      .help = "number of triangles, those with the longest edges, whose edges a map\n"
-             "bends exactly; raise against bent shadow edges of large triangles"},
+             "bends exactly; raise against bent shadow edges of large triangles",
+     .needs = "instant-radiosity.traced!=on, " SHADOWS},
     {NULL},
 };
 
@@ -145,6 +117,9 @@ PART(lookup, "visibility lookups in the maps");
 PART(gather, "gather of the light");
 PART(blur, "geometry-aware blur");
 PART(caster, "casters in the maps");
+
+const float many_lights_near_clip = .025F;
+const float many_lights_clamp_value = 25;
 
 const struct refinement many_lights_refinement = {
     .technique = "instant-radiosity",

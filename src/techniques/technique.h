@@ -39,10 +39,8 @@ struct refinement {
 struct technique {
     const char *name, *help;
     const struct settings_part *const *parts; /* what it has to set; null-terminated */
-    const char
-        *unused; /* of these what it does not read: "map.size caster.error"; NULL = nothing */
-    const struct preset *presets;        /* ends with a row of no name; NULL = none */
-    const struct refinement *refinement; /* NULL: all passes are made as the first */
+    const struct preset *presets;             /* ends with a row of no name; NULL = none */
+    const struct refinement *refinement;      /* NULL: all passes are made as the first */
     /* What the ranges of single settings cannot say; NULL = nothing. Error: for the user. */
     bool (*check)(const struct settings *settings);
     /* Allocates and compiles all there is. Error: of the first pass that fails. */

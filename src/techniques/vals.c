@@ -27,9 +27,10 @@ static const char *const importance_names[] = {"none", "bounces", "always", NULL
 static const struct option table[] = {
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024,
      .help = "number of virtual area lights (VALs), M: clusters of VPLs with\n"
-             "one shadow map each; more: finer indirect shadows, slower"},
+             "one shadow map each; more: finer indirect shadows, slower",
+     .needs = SHADOWS},
     {"bounce-vals", 0, OPTION_INT, ROW(bounce_vals), 60, 1, 1024,
-     .help = "number of VALs for the VPLs of later bounces; with lights.bounces > 1"},
+     .help = "number of VALs for the VPLs of later bounces", .needs = SHADOWS ", lights.bounces>1"},
     {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64,
      .help = "k-means iterations of the clustering"},
     {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
@@ -37,26 +38,29 @@ static const struct option table[] = {
              "or the last frame's with new seeds for empty clusters (reseed); with warm\n"
              "and reseed a frame depends on the frames before"},
     {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .25, 0, 1000,
-     .help = "clustering weight of distance over the spread of the VPLs, w_x"},
+     .help = "clustering weight of distance over the spread of the VPLs, w_x", .needs = SHADOWS},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
-     .help = "clustering weight of the angle between normals over pi, w_alpha"},
+     .help = "clustering weight of the angle between normals over pi, w_alpha", .needs = SHADOWS},
     {"importance", 0, OPTION_CHOICE, ROW(importance), IMPORTANCE_BOUNCES,
      .choices = importance_names,
      .help = "weight of VPLs in clustering by their unoccluded light in the picture, so that\n"
              "VALs lie where the camera sees their light: never, with lights.bounces > 1, or\n"
-             "always; VALs are then built for each view"},
+             "always; VALs are then built for each view",
+     .needs = "technique=clustered"},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
      .help =
          "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
          "(pcss), or a ray through the map; traced: a ray through all triangles instead; with ray\n"
-         "or traced, blocks of pixels use pcss"},
+         "or traced, blocks of pixels use pcss",
+     .needs = SHADOWS},
     {"ray-tests", 0, OPTION_INT, ROW(ray_tests), 512, 0, 16384,
-     .help = "ray-traced tests per VAL for the visibility correction, 4 times as many\n"
-             "with lights.bounces > 1; 0: off; only for technique clustered with\n"
-             "visibility=ray, up to 1048576 triangles (20000 in an animated scene)"},
+     .help = "ray-traced tests per VAL for the visibility correction, 4 times as many for later\n"
+             "bounces; 0: off; up to 1048576 triangles (20000 in an animated scene)",
+     .needs = "technique=clustered, clustered.visibility=ray"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
      .help = "pixels along each side of a block that shares its visibility; 0: a lookup per\n"
-             "pixel; blocks that are no multiple of gather.interleave blur better"},
+             "pixel; blocks that are no multiple of gather.interleave blur better",
+     .needs = SHADOWS},
     {NULL},
 };
 
@@ -76,14 +80,13 @@ static void free_set(struct val_set *set) {
 /* What the first bounce's set and that of further ones differ in. */
 struct set_desc {
     int vpl_count, val_count;
-    enum gather_clamp clamp;
+    int clamp;
     bool follow, by_importance;
 };
 
 static bool init_cluster(struct val_set *set, const struct settings *settings,
                          const struct set_desc *of) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
-    const struct map_settings *map = settings_of(struct map_settings, settings, &map_part);
     if (of->by_importance && !vpl_weight_pass_init(&set->weight, of->vpl_count))
         return false;
     return cluster_pass_init(&set->cluster,
@@ -96,7 +99,7 @@ static bool init_cluster(struct val_set *set, const struct settings *settings,
                                  .weight_position = own->weight_position,
                                  .weight_normal = own->weight_normal,
                                  .has_views = true,
-                                 .near_clip = map->near_clip,
+                                 .near_clip = many_lights_near_clip,
                              });
 }
 
@@ -135,12 +138,12 @@ bool vals_may_trace(const struct scene *scene, const struct geometry *geometry) 
     return geometry_triangle_count(geometry) <= (moves ? most_that_move : most);
 }
 
-/* What bounds light by parameters counts as disks do: this says no more than how much a test counts. */
-static enum gather_clamp clamp_of_tests(enum gather_clamp clamp) {
+/* Clamps with parameters count as disks: the light only weighs tests. */
+static int clamp_of_tests(int clamp) {
     return clamp == GATHER_CLAMP_NEAR || clamp == GATHER_CLAMP_PATCH ? clamp : GATHER_CLAMP_DISK;
 }
 
-/* What maps have too much of one bounce, further bounces have beside their own, and a frame of them can pay for more. */
+/* Errors of the first bounce add to those of later bounces, whose frames take longer anyway: four times as many. */
 static int tests_of_val(const struct settings *settings) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
     const struct lights_settings *lights =
@@ -236,7 +239,7 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
     struct set_desc first = {
         .vpl_count = lights->vpls,
         .val_count = own->vals,
-        .clamp = (enum gather_clamp)gather->clamp,
+        .clamp = gather->clamp,
         .follow = follow,
         .by_importance = vals->by_importance,
     };
@@ -261,23 +264,18 @@ void vals_free(struct vals *vals) {
     free_set(&vals->further);
 }
 
-static void replace_blocks(struct val_set *set, const struct block_visibility_pass *fresh) {
-    block_visibility_pass_free(&set->blocks);
-    set->blocks = *fresh;
-}
-
 bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int height) {
     struct block_visibility_pass first = {0}, further = {0};
-    if (!init_blocks(&first, &vals->first, width, height) ||
-        !init_blocks(&further, &vals->further, width, height) ||
-        !many_lights_resize(lights, width, height)) {
-        block_visibility_pass_free(&first);
-        block_visibility_pass_free(&further);
-        return false;
+    bool ok = init_blocks(&first, &vals->first, width, height) &&
+              init_blocks(&further, &vals->further, width, height) &&
+              many_lights_resize(lights, width, height);
+    block_visibility_pass_free(ok ? &vals->first.blocks : &first);
+    block_visibility_pass_free(ok ? &vals->further.blocks : &further);
+    if (ok) {
+        vals->first.blocks = first;
+        vals->further.blocks = further;
     }
-    replace_blocks(&vals->first, &first);
-    replace_blocks(&vals->further, &further);
-    return true;
+    return ok;
 }
 
 static void render_set(struct val_set *set, const struct frame *frame,

@@ -2,7 +2,7 @@
 
 bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc) {
     *maps = (struct vpl_maps){.desc = *desc};
-    return vpl_views_pass_init(&maps->views, desc->near_clip);
+    return vpl_views_pass_init(&maps->views, many_lights_near_clip);
 }
 
 static void render_true(void *state, const struct frame *frame, const struct map_views *views,
@@ -24,8 +24,7 @@ bool vpl_maps_init_true(struct vpl_maps *maps, struct paraboloid_pass *paraboloi
                                     .count = batch,
                                     .planes = true,
                                 }) &&
-           vpl_maps_init(maps, &(struct vpl_maps_desc){map->near_clip, &paraboloid->maps,
-                                                       render_true, paraboloid});
+           vpl_maps_init(maps, &(struct vpl_maps_desc){&paraboloid->maps, render_true, paraboloid});
 }
 
 void vpl_maps_free(struct vpl_maps *maps) {

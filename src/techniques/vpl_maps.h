@@ -11,7 +11,6 @@
 #include "techniques/many_lights.h"
 
 struct vpl_maps_desc {
-    float near_clip;               /* as of struct vpl_views_pass */
     const struct depth_maps *maps; /* of a batch */
     /* Fills the first views->count maps, which are those of VPLs first .. */
     void (*render)(void *state, const struct frame *frame, const struct map_views *views,

@@ -270,21 +270,31 @@ static void test_settings(void **state) {
     }
 }
 
-/* The help of a part, without what has no effect; and assignments that are too long. */
+/* The help of settings, with what they need; needs word by word; and assignments that are too long. */
 static void test_settings_help(void **state) {
     (void)state;
     char *text = NULL, longer[400];
     size_t size;
     struct settings settings = {0};
+    struct setting count = {&maker_part, &maker_table[0]}, wide = {&painter_part, painter_table};
     FILE *out = open_memstream(&text, &size);
     settings_add(&settings, &maker_part);
-    settings_print_help(out, &maker_part, NULL);
-    settings_print_help(out, &painter_part, "maker.width, painter.width");
+    setting_print_help(out, &count, "");
+    setting_print_help(out, &wide, "maker.count>1");
     fclose(out);
     printf("%s", text);
-    assert_string_equal(text, "\n  :\n  maker.count                 [7; 1 to 10]\n"
-                              "  maker.width                 [0.5; 0 to 1]\n"
-                              "\n  :\n  painter.bright             \n");
+    assert_string_equal(text, "  maker.count                 [7; 1 to 10]\n"
+                              "  painter.width              ; with maker.count>1 [2; 0 to 9]\n");
+    struct need need = {.word.at = "maker.count>1, colour!=red|green"};
+    assert_true(need_next(&need) && need.sign == '>' && need_names(&need, "1"));
+    assert_string_equal(need.name, "maker.count");
+    assert_true(need_next(&need) && need.sign == '!');
+    assert_string_equal(need.name, "colour");
+    assert_true(need_names(&need, "red") && need_names(&need, "green"));
+    assert_false(need_names(&need, "gre") || need_names(&need, "red|green"));
+    assert_false(need_next(&need));
+    need = (struct need){.word.at = NULL};
+    assert_false(need_next(&need));
     free(text);
     snprintf(longer, sizeof longer, "count=%0*d", 300, 3);
     assert_false(settings_assign(&settings, longer));

@@ -80,6 +80,20 @@ static void test_includes(void **state) {
     glsl_free(&source);
 }
 
+/* A define chooses a file. */
+static void test_chosen_include(void **state) {
+    (void)state;
+    struct glsl_source source;
+    write_shader("main.frag", "#include PART\nint own;\n");
+    write_shader("lib/b.glsl", "int b;\n");
+    check_ok("load", glsl_load(&source, "main.frag", "PARTS 1;PART lib/b.glsl;LAST 1"));
+    assert_int_equal(source.file_count, 2);
+    assert_string_equal(source.files[1], "lib/b.glsl");
+    glsl_free(&source);
+    assert_false(glsl_load(&source, "main.frag", "PARTS 1"));
+    expect_error("main.frag:1: cannot open ");
+}
+
 /* In a context of its own, as the driver also tells the debug log. */
 static void expect_compile_error(void **state, const char *fragment, const char *part) {
     GLuint program;
@@ -512,6 +526,8 @@ static void test_disabled(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test_setup_teardown(test_includes, use_shader_folder, use_embedded_shaders),
+        cmocka_unit_test_setup_teardown(test_chosen_include, use_shader_folder,
+                                        use_embedded_shaders),
         cmocka_unit_test_setup_teardown(test_once, use_shader_folder, use_embedded_shaders),
         cmocka_unit_test_setup_teardown(test_skipped_lines, use_shader_folder,
                                         use_embedded_shaders),

@@ -24,7 +24,7 @@ static const struct picture {
     {"cornell-box", NULL, "samples=1 lights.bounces=3", 64, 97},
     {"cornell-box", NULL, "path=traced vpls=64 samples=8", 64, 32},
     {"cornell-box", NULL, "path=paper", 97, 64},
-    {"cornell-box", NULL, "gather.detail=0 blur.separable=off samples=8", 97, 64},
+    {"cornell-box", NULL, "gather.adaptive=0 blur.separable=off samples=8", 97, 64},
     {"three-lights", NULL, "samples=8", 97, 64},
     {"courtyard", NULL, "samples=8", 97, 64},
     {"gloss", NULL, "samples=8", 97, 64},

@@ -374,7 +374,7 @@ static void test_vpl_raytraced(void **state) {
             "reference scenes/cornell-box.glb --technique vpl-raytraced --set vpls=64 "
             "--set clamp=disk --size 96x96 -o %s -q && %s render scenes/cornell-box.glb "
             "--technique instant-radiosity --set vpls=64 --set clamp=disk --set interleave=1 "
-            "--set samples=1 --set detail=0 --set blur.radius=0 "
+            "--set samples=1 --set adaptive=0 --set blur.radius=0 "
             "--size 96x96 -o %s && %s compare %s %s -l indirect -m relative-rmse --max "
             "relative-rmse=.013",
             traced, binary_path(), mapped, binary_path(), mapped, traced) != 0)

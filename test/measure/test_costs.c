@@ -221,7 +221,7 @@ static void test_render(void **state) {
     free(path);
     path = write_table(&costs);
     assert_int_equal(run(error, other), 0);
-    expect_text("path=traced gather.interleave=2 gather.detail=1 picture.samples=16, which errs");
+    expect_text("path=traced gather.interleave=2 gather.adaptive=1 picture.samples=16, which errs");
     snprintf(shipped, sizeof shipped, "%s --shipped-costs", error);
     assert_int_equal(run(shipped, other), 0);
     expect_text("path=draft clustered.vals=4, which errs");

@@ -79,7 +79,7 @@ static void test_grids(void **state) {
     check_grid("M=2..12", NULL, "fast: vals=2; fast: vals=4; fast: vals=8; fast: vals=12");
     check_grid("N=64..128", NULL, "fast: vpls=64; fast: vpls=128");
     check_grid("K=1,2..4", NULL, "fast: terms=1; fast: terms=2; fast: terms=4");
-    check_grid("gain=1.5,2", NULL, "fast: gain=1.5; fast: gain=2");
+    check_grid("tolerance=.5,1", NULL, "fast: tolerance=.5; fast: tolerance=1");
     check_grid("technique=clustered,unshadowed", NULL, "fast clustered: ; fast unshadowed: ");
     check_grid("size=40x30,80x60", NULL, "fast: size=40x30; fast: size=80x60");
     check_grid("M=2,4", "visibility=cssm,hard",

@@ -319,7 +319,7 @@ static void test_words(void **state) {
         {"--max-error 200%", 2, "max-error"},
         {"--max-error 90% --set vpls=64,vals=4", 0,
          "cornell-box: path=draft clustered.vals=4, which errs"},
-        {"--max-error 2% --passes 1 --set vpls=64,vals=4,detail=0", 0, "nothing errs much less"},
+        {"--max-error 2% --passes 1 --set vpls=64,vals=4,adaptive=0", 0, "nothing errs much less"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         int status = run_program("render scenes/cornell-box.glb -o %s --size 40x40 %s",

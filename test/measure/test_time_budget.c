@@ -266,7 +266,7 @@ static void run_box(int status, const char *arguments, const char *says) {
 /* In a shell. Nobody's frames take a minute at the last level, or nothing at the first. */
 static void test_program(void **state) {
     (void)state;
-    run_box(0, "--frames 0..1 --budget 60000ms --stats --set vpls=64,vals=3,detail=0,samples=1",
+    run_box(0, "--frames 0..1 --budget 60000ms --stats --set vpls=64,vals=3,adaptive=0,samples=1",
             "chosen by --budget 60000ms: level 72 of 72");
     run_box(0, "--frames 0 --budget .001 --stats --set vals=3",
             "chosen by --budget 0.001ms: level 0 of 72");

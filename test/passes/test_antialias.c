@@ -240,7 +240,7 @@ static void test_layers(void **state) {
 /* --- further points ---------------------------------------------------------------------------- */
 
 /* All VPLs at what lists have, and a quarter elsewhere, blurred over as many pixels. */
-#define DETAIL "interleave=2 blur-radius=1 detail=1 detail-share=1 clamp=disk vpls=64 samples=8 "
+#define DETAIL "interleave=2 blur-radius=1 adaptive=1 clamp=disk vpls=64 samples=8 "
 
 /* Things thinner than a pixel are lit as they are, not as what lies beside or behind them. */
 static void test_further_points(void **state) {
@@ -249,7 +249,7 @@ static void test_further_points(void **state) {
     open_stage(&stage, "scenes/atrium.glb");
     struct image fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
     struct image truth = shrink(&fine);
-    struct image without = render_stage(&stage, "unshadowed", DETAIL "further-points=off", SIZE);
+    struct image without = render_stage(&stage, "unshadowed", DETAIL "edge-samples=off", SIZE);
     struct image with = render_stage(&stage, "unshadowed", DETAIL, SIZE);
     double before = relative_rmse(&without, &truth, "indirect"),
            after = relative_rmse(&with, &truth, "indirect");

@@ -278,28 +278,11 @@ static void test_blocks(void **state) {
     close_bench(&bench);
 }
 
-/* Where no pixel is listed, the picture is the one without lists, to the bit. */
-static void test_all_smooth(void **state) {
-    (void)state;
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-animal.glb");
-    struct image without =
-        render_stage(&stage, "clustered", "vpls=64 vals=4 visibility-block=0 detail=0", SIZE);
-    struct image with = render_stage(
-        &stage, "clustered", "vpls=64 vals=4 visibility-block=0 detail=4 detail-share=0", SIZE);
-    assert_memory_equal(without.pixels, with.pixels,
-                        (size_t)SIZE * SIZE * (size_t)without.channel_count * sizeof *with.pixels);
-    image_free(&without);
-    image_free(&with);
-    stage_free(&stage);
-}
-
 /* What is listed with n = 1 takes all VPLs and no blur, as all pixels without interleaving do. */
 static void test_listed_sums(void **state) {
     (void)state;
     struct detail_bench bench;
-    open_bench(&bench, "scenes/cornell-animal.glb", "vpls=256 interleave=8 detail=1 detail-share=1",
-               1);
+    open_bench(&bench, "scenes/cornell-animal.glb", "vpls=256 interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
     struct image mixed, plain = render_stage(&bench.stage, "unshadowed",
                                              "vpls=256 interleave=1 blur-radius=0", SIZE);
@@ -328,12 +311,12 @@ static void test_listed_sums(void **state) {
 static void test_one_asks_for_all(void **state) {
     (void)state;
     struct detail_bench bench;
-    open_bench(&bench, "scenes/cornell-animal.glb", "interleave=8 detail=1 detail-share=1", 1);
+    open_bench(&bench, "scenes/cornell-animal.glb", "interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
     struct image each = render_stage(&bench.stage, "clustered",
                                      "interleave=1 blur-radius=0 visibility-block=0", SIZE);
     struct image together =
-        render_stage(&bench.stage, "clustered", "interleave=8 detail=1 detail-share=1", SIZE);
+        render_stage(&bench.stage, "clustered", "interleave=8 adaptive=1", SIZE);
     int red = image_find_channel(&each, "indirect.R"), differ = 0, listed = 0;
     double sum_each = 0, sum_together = 0;
     for (int y = 0; y < SIZE; y++)
@@ -367,9 +350,9 @@ static void test_times_of_large_pictures(void **state) {
     open_stage(&stage, "scenes/cornell-animal.glb");
     for (int i = 0; i < 2; i++) {
         struct image four =
-            render_stage(&stage, "unshadowed", "vpls=256 detail-times=4", rows[i].size);
+            render_stage(&stage, "unshadowed", "vpls=256 adaptive-factor=4", rows[i].size);
         struct image five =
-            render_stage(&stage, "unshadowed", "vpls=256 detail-times=5", rows[i].size);
+            render_stage(&stage, "unshadowed", "vpls=256 adaptive-factor=5", rows[i].size);
         size_t size = (size_t)four.width * (size_t)four.height * (size_t)four.channel_count *
                       sizeof *four.pixels;
         bool same = memcmp(four.pixels, five.pixels, size) == 0;
@@ -388,7 +371,6 @@ int main(void) {
         cmocka_unit_test(test_lists),
         cmocka_unit_test(test_grades),
         cmocka_unit_test(test_blur_conserves),
-        cmocka_unit_test(test_all_smooth),
         cmocka_unit_test(test_listed_sums),
         cmocka_unit_test(test_one_asks_for_all),
         cmocka_unit_test(test_blocks),

@@ -6,6 +6,7 @@
 #include "base/spiral.h"
 #include "reference/scene/emission.h"
 #include "shared/vpl.h"
+#include "techniques/many_lights.h"
 
 #include <cglm/cglm.h>
 
@@ -245,7 +246,7 @@ static double clamp_value(const struct bench *bench, const struct vpl *vpl, doub
                           double distance2) {
     double radius = (double)bench->stage.geometry.radius;
     return fmin(clamp_none(bench, vpl, cosines, distance2),
-                settings_number(&bench->renderer.desc.settings, "clamp-value") / (radius * radius));
+                (double)many_lights_clamp_value / (radius * radius));
 }
 
 static double clamp_disk(const struct bench *bench, const struct vpl *vpl, double cosines,
@@ -304,7 +305,7 @@ static void check_sums(const char *settings, int count, clamp_function clamp) {
 static void test_sums(void **state) {
     (void)state;
     check_sums("vpls=64 interleave=1 clamp=none", 64, clamp_none);
-    check_sums("vpls=64 interleave=1 clamp=value clamp-value=2", 64, clamp_value);
+    check_sums("vpls=64 interleave=1 clamp=value", 64, clamp_value);
     check_sums("vpls=64 interleave=1 clamp=disk", 64, clamp_disk);
     /* More than one uniform block. */
     check_sums("vpls=2500 interleave=1 clamp=disk", 2500, clamp_disk);
@@ -468,8 +469,7 @@ static double share_of_unshadowed(const struct stage_desc *desc, const char *tec
 static double brightest_from(const struct stage *stage, int texels) {
     char settings[128];
     snprintf(settings, sizeof settings,
-             "vpls=64 interleave=1 samples=1 near-reach=4 near-samples=256 facets=on rsm-size=%d",
-             texels);
+             "vpls=64 interleave=1 samples=1 near-samples=256 facets=on rsm-size=%d", texels);
     struct image frame = render_stage(stage, "unshadowed", settings, 128);
     int channel = image_find_channel(&frame, "indirect.G");
     double sum = 0, most = 0;
@@ -563,32 +563,14 @@ static void test_map_of_vpl(void **state) {
     }
 }
 
-/* Light that is summed up in many draws is not less than in one. */
-static void test_batches(void **state) {
-    (void)state;
-    struct stage stage;
-    open_stage(&stage, cornell_box);
-    struct image one = render_stage(&stage, "instant-radiosity",
-                                    "vpls=256 interleave=1 map-size=64 map-batch=256", 48);
-    struct image many = render_stage(&stage, "instant-radiosity",
-                                     "vpls=256 interleave=1 map-size=64 map-batch=1", 48);
-    check_near("mean of many draws over one",
-               layer_mean(&many, "indirect") / layer_mean(&one, "indirect"), 1, 1e-4);
-    check_at_most("relative RMSE", relative_rmse(&many, &one, "indirect"), 2e-4);
-    image_free(&one);
-    image_free(&many);
-    stage_free(&stage);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces),       cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpls),           cmocka_unit_test(test_vpls_of_facets),
-        cmocka_unit_test(test_sums),           cmocka_unit_test(test_slots),
-        cmocka_unit_test(test_map_of_vpl),     cmocka_unit_test(test_batches),
-        cmocka_unit_test(test_near_samples),   cmocka_unit_test(test_near_places),
-        cmocka_unit_test(test_near_faces),     cmocka_unit_test(test_near_facets),
-        cmocka_unit_test(test_near_occlusion),
+        cmocka_unit_test(test_surfaces),    cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpls),        cmocka_unit_test(test_vpls_of_facets),
+        cmocka_unit_test(test_sums),        cmocka_unit_test(test_slots),
+        cmocka_unit_test(test_map_of_vpl),  cmocka_unit_test(test_near_samples),
+        cmocka_unit_test(test_near_places), cmocka_unit_test(test_near_faces),
+        cmocka_unit_test(test_near_facets), cmocka_unit_test(test_near_occlusion),
     };
     return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
 }

@@ -339,8 +339,8 @@ static void test_picture(void **state) {
     open_stage(&stage, "scenes/gloss.glb");
     struct image truth = trace(&stage, SIZE);
     struct image rays = render_stage(&stage, "clustered", "", SIZE);
-    struct image balls = render_stage(&stage, "clustered", "gather.gloss=sphere", SIZE);
-    struct image points = render_stage(&stage, "clustered", "gather.gloss=point", SIZE);
+    struct image balls = render_stage(&stage, "clustered", "gather.specular=sphere", SIZE);
+    struct image points = render_stage(&stage, "clustered", "gather.specular=point", SIZE);
     struct image matt = render_stage(&stage, "clustered", "materials=diffuse", SIZE);
     check_near("albedo", layer_mean(&balls, "albedo"), layer_mean(&truth, "albedo"), 1e-3);
     check_at_most("direct", relative_mae(&balls, &truth, "direct"), .1);

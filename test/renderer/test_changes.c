@@ -53,6 +53,10 @@ static int set_up(void **state) {
     return set_up_scene(state, "scenes/cornell-box.glb");
 }
 
+static int set_up_sky(void **state) {
+    return set_up_scene(state, "scenes/courtyard.glb");
+}
+
 static int set_up_moving(void **state) {
     return set_up_scene(state, "scenes/door.glb");
 }
@@ -234,6 +238,53 @@ static void test_failures(void **state) {
     renderer_free(&renderer);
 }
 
+static PFNGLGETERRORPROC get_error;
+static int calls_left; /* of get_error: the next one tells of no memory */
+
+static GLenum APIENTRY fail_once(void) {
+    return calls_left-- == 0 ? GL_OUT_OF_MEMORY : get_error();
+}
+
+/* Each allocation of a change fails once. */
+static void check_out_of_memory(struct renderer *renderer, const struct renderer_desc *desc) {
+    const struct renderer_desc old = renderer->desc;
+    struct bitmap before = picture_of(renderer);
+    size_t bytes = gpu_memory_total();
+    int failures = 0;
+    calls_left = 0;
+    for (int n = 0; calls_left < 0 || n == 0; n++) {
+        calls_left = n;
+        gl.GetError = fail_once;
+        bool followed = renderer_follow(renderer, desc);
+        gl.GetError = get_error;
+        failures += !followed;
+        if (followed)
+            check_ok("back", renderer_follow(renderer, &old));
+        assert_int_equal(gpu_memory_total(), bytes);
+        if (!followed && failures % 6 == 0)
+            check_still_works(renderer, &before);
+    }
+    printf("    %s: %d failures\n", desc->technique->name, failures);
+    assert_true(failures > 10);
+    bitmap_free(&before);
+}
+
+static void test_out_of_memory(void **state) {
+    struct fixture *fixture = need_context(state);
+    struct renderer renderer;
+    struct renderer_desc desc = fixture->desc;
+    get_error = gl.GetError;
+    check_ok("init", renderer_init(&renderer, &desc));
+    for (const struct technique *const *t = techniques; *t; t++) {
+        desc.technique = *t;
+        desc.width = WIDTH;
+        check_ok((*t)->name, renderer_follow(&renderer, &desc));
+        desc.width = WIDTH + 9;
+        check_out_of_memory(&renderer, &desc);
+    }
+    renderer_free(&renderer);
+}
+
 /* Through all techniques and back. */
 static void go_round(struct renderer *renderer, const struct renderer_desc *desc) {
     struct renderer_desc wanted = *desc;
@@ -317,6 +368,7 @@ int main(void) {
         cmocka_unit_test_setup_teardown(test_as_new, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_sizes, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_failures, set_up, tear_down),
+        cmocka_unit_test_setup_teardown(test_out_of_memory, set_up_sky, tear_down),
         cmocka_unit_test_setup_teardown(test_no_leak, set_up, tear_down),
         cmocka_unit_test_setup_teardown(test_lights_are_kept, set_up_moving, tear_down),
     };

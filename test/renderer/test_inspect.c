@@ -76,7 +76,7 @@ static void check_pictures(const char *technique, const char *settings) {
 static void test_pictures(void **state) {
     (void)state;
     check_pictures("clustered", "visibility=cssm");
-    check_pictures("instant-radiosity", "map-batch=16");
+    check_pictures("instant-radiosity", "");
     check_pictures("unshadowed", "");
 }
 

@@ -387,12 +387,12 @@ static void test_more_vpls(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, cornell_animal);
-    struct image many = render_stage(&stage, "unshadowed",
-                                     "vpls=16384 interleave=1 near-reach=2 near-samples=16", 48);
+    struct image many =
+        render_stage(&stage, "unshadowed", "vpls=16384 interleave=1 near-samples=100", 48);
     double first = 0, last = 0;
     for (int n = 128; n <= 2048; n *= 2) {
         char settings[64];
-        snprintf(settings, sizeof settings, "vpls=%d interleave=1 near-reach=2 near-samples=16", n);
+        snprintf(settings, sizeof settings, "vpls=%d interleave=1 near-samples=100", n);
         struct image image = render_stage(&stage, "unshadowed", settings, 48);
         last = relative_rmse(&image, &many, "indirect");
         first = n == 128 ? last : first;

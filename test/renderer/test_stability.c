@@ -13,7 +13,7 @@
 /* All columns: which of them stand for others turns on rounding, as other random numbers would. */
 static const char small[] = "vpls=256 vals=16 columns=256 map-size=64 rsm-size=128 shadow-size=256";
 /* Without detail, where rounding lets another light answer for others: another noise, of the same mean. */
-static const char plain_settings[] = "vpls=1024 map-size=128 rsm-size=256 detail=0";
+static const char plain_settings[] = "vpls=1024 map-size=128 rsm-size=256 adaptive=0";
 static const char *const shadowing[] = {"clustered", "instant-radiosity"};
 
 /* --- far from the origin ---------------------------------------------------------------------- */

@@ -113,8 +113,8 @@ static void test_sphere_instant_radiosity(void **state) {
 
 static void test_sphere_clustered(void **state) {
     (void)state;
-    check_technique("clustered", "visibility=cssm visibility-block=0 bias=2 caster-error=0", true,
-                    .01, .03);
+    check_technique("clustered", "visibility=cssm visibility-block=0 caster-error=0", true, .01,
+                    .03);
 }
 
 /* The plane that PCSS compares with leaves the sphere where a filter is as wide as the sphere: with

@@ -156,8 +156,8 @@ static void make_technique(struct renderer *renderer, const struct technique *te
 
 static void make_direct(struct renderer *renderer, const struct direct_method *direct,
                         bool thorough) {
-    static const struct settings_part *const parts[] = {&picture_part, &sky_part, &start_part,
-                                                        &material_part, NULL};
+    static const struct settings_part *const parts[] = {&picture_part, &sky_part, &material_part,
+                                                        NULL};
     struct renderer_desc desc = renderer->desc;
     init_settings(&desc.settings);
     desc.progressive = false;

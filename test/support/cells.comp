@@ -1,6 +1,7 @@
 // For test_prefilter.c: what a filter makes of one cell with given moments.
-#define PROJECTION PROJECTION_LIGHT_MAP
 #include "visibility/lookup.glsl"
+#include "visibility/projection_light_map.glsl"
+#include "visibility/filter_light_map.glsl"
 
 layout(local_size_x = 1) in;
 

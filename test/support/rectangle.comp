@@ -1,5 +1,5 @@
 // For test_cluster_lights.c: what rectangle i, of unit flux, gives to the point in the origin that looks along n.
-#define CLAMP 6
+#define CLAMP GATHER_CLAMP_RECTANGLE
 #include "lib/vpl_block.glsl"
 #include "gather/rectangle.glsl"
 
@@ -17,5 +17,5 @@ void main() {
     if (i >= normals.length())
         return;
     vpl light = vpl_in_block(i);
-    answers[i] = rectangle_term(i, light.position, normals[i].xyz, light);
+    answers[i] = light_term(i, light.position, normals[i].xyz, light);
 }

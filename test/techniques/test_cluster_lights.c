@@ -375,8 +375,8 @@ static void test_all_lights(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     struct image all = render_stage(&stage, "unshadowed", EVERY_VPL " vpls=64 clamp=disk", 48);
-    struct image disks = render_stage(&stage, "cluster-lights",
-                                      "vpls=64 area-lights=64 shadows=none form=disk detail=0", 48);
+    struct image disks = render_stage(
+        &stage, "cluster-lights", "vpls=64 area-lights=64 shadows=none form=disk adaptive=0", 48);
     check_at_most("64 lights of 64 VPLs", relative_rmse(&disks, &all, "indirect"), 1e-5);
     image_free(&all);
     image_free(&disks);

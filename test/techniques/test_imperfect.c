@@ -5,10 +5,13 @@
 
 #include "base/memory.h"
 #include "passes/frame.h"
+#include "passes/visibility/vpl_views.h"
 #include "scene/open.h"
 #include "shared/map_view.h"
+#include "shared/splat.h"
 #include "shared/vpl.h"
 #include "techniques/imperfect-shadow-maps/fill.h"
+#include "techniques/imperfect-shadow-maps/splat.h"
 #include "techniques/imperfect-shadow-maps/surface_points.h"
 
 #include <math.h>
@@ -212,18 +215,25 @@ static void test_solid_angle(void **state) {
     struct renderer renderer;
     struct output_list outputs;
     struct surface_points points;
+    struct splat_pass splat;
+    struct vpl_views_pass views;
     open_stage(&stage, "scenes/sphere.glb");
-    struct renderer_desc desc =
-        desc_of(&stage, name,
-                "vpls=16 interleave=4 imperfect-shadow-maps.size=256 sets=1 "
-                "imperfect-shadow-maps.map-points=256 imperfect-shadow-maps.scale=.15 "
-                "near-clip=0",
-                16, 16);
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=16 interleave=4", 16, 16);
     open_renderer(&renderer, &desc);
     renderer_outputs(&renderer, &outputs);
-    const struct output *output = output_find(&outputs, "vpl-depth");
-    assert_non_null(output);
-    float *depths = read_depths(output->source);
+    struct splat_desc small = {
+        .points = {&stage.scene, &stage.geometry, POINTS, 1},
+        .size = SIZE,
+        .count = VPLS,
+        .scale = .15F,
+        .shape = SPLAT_DISK,
+    };
+    check_ok("views", vpl_views_pass_init(&views, 0));
+    check_ok("splat", splat_pass_init(&splat, &small));
+    struct frame frame = renderer_frame(&renderer);
+    vpl_views_pass_render(&views, &frame, output_vpls(&outputs), 0, VPLS);
+    splat_pass_render(&splat, &frame, &views.views, 0);
+    float *depths = read_depths(&splat.maps);
     struct vpl *vpls = read_vpls(&renderer);
     surface_points_init(&points, &(struct surface_points_desc){.scene = &stage.scene,
                                                                .geometry = &stage.geometry,
@@ -238,6 +248,8 @@ static void test_solid_angle(void **state) {
     }
     check_near("of all maps", shown / exact, 1, .05);
     surface_points_free(&points);
+    splat_pass_free(&splat);
+    vpl_views_pass_free(&views);
     free(depths);
     free(vpls);
     renderer_free(&renderer);
@@ -377,8 +389,7 @@ static void test_converges(void **state) {
     open_stage(&stage, "scenes/cornell-box.glb");
 #define PLAIN "vpls=64 interleave=1 "
 #define MAP(size, points)                                                                          \
-    PLAIN "imperfect-shadow-maps.size=" #size " imperfect-shadow-maps.map-points=" #points         \
-          " sets=8 "
+    PLAIN "imperfect-shadow-maps.size=" #size " imperfect-shadow-maps.map-points=" #points " "
     struct image truth = render_stage(&stage, "instant-radiosity", PLAIN, 64);
     double none = error_against(&truth, &stage, "unshadowed", PLAIN);
     double few = error_against(&truth, &stage, name, MAP(64, 256));
@@ -416,7 +427,7 @@ static void test_frames(void **state) {
     struct image again;
     open_stage(&stage, "scenes/metaballs.glb");
     struct renderer_desc desc =
-        desc_of(&stage, name, "vpls=64 sets=4 imperfect-shadow-maps.map-points=512", 32, 32);
+        desc_of(&stage, name, "vpls=64 imperfect-shadow-maps.map-points=512", 32, 32);
     struct image fresh = render_layers(&desc);
     open_renderer(&renderer, &desc);
     for (int back = 0; back < 2; back++) {

@@ -38,7 +38,7 @@ static void test_loses_to_no_visibility_nowhere(void **state) {
         struct measure_desc desc = measure_default(&stage, SIZE, SIZE);
         check_ok(scenes[i], truth_get(&(struct truth_desc){TRUTH_PATH, scratch("references"), .08},
                                       &desc, &truth));
-        double none = error_of(desc, "technique=unshadowed,gather.detail=0", &truth);
+        double none = error_of(desc, "technique=unshadowed,gather.adaptive=0", &truth);
         double paper = error_of(desc, "technique=clustered,path=paper", &truth);
         printf("  %s: unshadowed %.2f %%, path=paper %.2f %%\n", scenes[i], none, paper);
         check_at_most("over unshadowed", paper / none, 1.01);

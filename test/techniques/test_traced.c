@@ -218,7 +218,7 @@ static void check_frame(const char *path, int size, int vpl_count) {
     char settings[200];
     snprintf(settings, sizeof settings,
              "visibility=traced visibility-block=0 vpls=%d interleave=1 clamp=none blur-radius=0 "
-             "gather.detail=0 materials=diffuse",
+             "gather.adaptive=0 materials=diffuse",
              vpl_count);
     struct bench bench;
     open_stage(&bench.stage, path);
@@ -283,7 +283,7 @@ static void test_together(void **state) {
     open_stage(&stage, "scenes/cornell-box.glb");
     struct image each = render_stage(&stage, "clustered",
                                      "visibility=traced visibility-block=0 vpls=64 interleave=1 "
-                                     "clamp=disk blur-radius=0 gather.detail=0",
+                                     "clamp=disk blur-radius=0 gather.adaptive=0",
                                      96);
     struct image few = render_stage(
         &stage, "instant-radiosity",

@@ -39,7 +39,7 @@ static struct bench *open_bench(void) {
     struct output_list outputs;
     open_stage(&bench->stage, "scenes/cornell-animal.glb");
     struct renderer_desc desc =
-        desc_of(&bench->stage, "unshadowed", "vpls=300 interleave=1 detail=0", SIZE, SIZE);
+        desc_of(&bench->stage, "unshadowed", "vpls=300 interleave=1 adaptive=0", SIZE, SIZE);
     open_renderer(&bench->renderer, &desc);
     check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
     bench->vpls = read_vpls(&bench->renderer);
@@ -235,7 +235,7 @@ static void test_same_bounds(void **state) {
     (void)state;
     static const struct {
         const char *name;
-        enum gather_clamp clamp;
+        int clamp;
         struct geometry_term term;
     } rows[] = {{"value", GATHER_CLAMP_VALUE, {GEOMETRY_CLAMPED, 3}},
                 {"disk", GATHER_CLAMP_DISK, {.bound = GEOMETRY_DISK}}};

@@ -52,7 +52,7 @@ static void test_compiling(void **state) {
     struct waiting moving = wait_for_shaders("another, and the camera moves", true);
     choose("unshadowed");
     struct waiting back = wait_for_shaders("back", false);
-    check_ok("taps", settings_assign(&viewer.wish.settings, "shadow-size=64 taps=7"));
+    check_ok("lookup", settings_assign(&viewer.wish.settings, "shadow-size=64 visibility=pcss"));
     choose("clustered");
     viewer.shown.compare.mode = COMPARE_TECHNIQUE;
     viewer.shown.compare.settings = viewer.wish.settings;

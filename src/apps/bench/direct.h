@@ -6,7 +6,7 @@
 
 /* A frame with as little indirect light as there can be; for variants. */
 #define DIRECT_ALONE                                                                               \
-    "technique=unshadowed,vpls=1,rsm-size=16,interleave=1,near-samples=1,clamp=none,detail=0,"     \
+    "technique=unshadowed,vpls=1,rsm-size=16,interleave=1,near-samples=1,clamp=none,adaptive=0,"   \
     "blur.radius=0,picture.samples=1"
 
 /* Tables 5.1, 7.1 and 7.2 of the thesis [Dong 2011], as ratios and shares beside its own: of the present scene's

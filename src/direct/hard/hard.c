@@ -4,19 +4,13 @@
  * texels, so that the shadow's edge is a texel wide and not stepped. */
 #include "base/memory.h"
 #include "direct/shadow.h"
-#include "shared/lookup.h"
-
-#include <stdlib.h>
 
 static bool init(void **state, const struct direct_desc *desc) {
     struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
-    char *defines =
-        mem_printf("FILTER %d;%s", FILTER_PCF, desc->lights->sized ? "" : "POINTS_ONLY;");
-    bool ok = shadow_begin(shadow, desc,
-                           &(struct direct_light_desc){.fragment = "visibility/direct_point.frag",
-                                                       .defines = defines});
-    free(defines);
-    return ok;
+    const char *defines = desc->lights->sized ? "" : "POINTS_ONLY;";
+    return shadow_begin(shadow, desc,
+                        &(struct direct_light_desc){.fragment = "visibility/direct_point.frag",
+                                                    .defines = defines});
 }
 
 static const struct settings_part *const parts[] = {&shadow_part, NULL};

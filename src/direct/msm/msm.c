@@ -13,7 +13,7 @@ extern const struct direct_method msm_direct;
 const struct direct_method msm_direct = {
     .name = "msm",
     .help = "soft shadows from four moments of depth in windows of the map",
-    .parts = window_parts,
+    .parts = prefilter_parts,
     .init = init,
     .free = prefiltered_free,
     .resize = shadow_resize,

@@ -5,22 +5,15 @@
 #include <stdlib.h>
 
 struct pcss_settings {
-    int light_taps, search_taps, ways;
-    float spread;
+    int light_taps, shadow_rays;
 };
 
 static const struct option table[] = {
     {"light-taps", 0, OPTION_INT, offsetof(struct pcss_settings, light_taps), 48, 1, 1024,
      .help = "light samples per pixel; raise against steps in wide penumbrae"},
-    {"search-taps", 0, OPTION_INT, offsetof(struct pcss_settings, search_taps), 48, 1, 1024,
-     .help = "texels of the blocker search per pixel; raise\n"
-             "against a step at the outer rim of wide penumbrae"},
-    {"ways", 0, OPTION_INT, offsetof(struct pcss_settings, ways), 32, 0, 1024,
+    {"shadow-rays", 0, OPTION_INT, offsetof(struct pcss_settings, shadow_rays), 32, 0, 1024,
      .help = "shadow rays per pixel through the map where blockers lie at\n"
-             "many distances (pcss.spread); raise against bands; 0: off"},
-    {"spread", 0, OPTION_FLOAT, offsetof(struct pcss_settings, spread), .04, 0, 100,
-     .help = "standard deviation of the blockers' distances, over their mean,\n"
-             "above which pcss.ways acts; lower if light leaks beside gaps"},
+             "many distances; raise against bands; 0: off"},
     {NULL},
 };
 
@@ -32,12 +25,16 @@ static const struct settings_part own_part = {"pcss", "direct light with soft sh
 static const double nearest = .2;
 static const float plane_bias = 1e-3F;
 
+enum { SEARCH_TAPS = 48 }; /* texels of the blocker search per pixel */
+
+/* Standard deviation of the blockers' distances, over their mean, above which shadow rays act. */
+static const double spread = .04;
+
 static bool init(void **state, const struct direct_desc *desc) {
     const struct pcss_settings *own = settings_of(struct pcss_settings, desc->settings, &own_part);
     struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
-    char *defines =
-        mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",
-                   own->light_taps, own->search_taps, own->ways, (double)own->spread, nearest);
+    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",
+                               own->light_taps, SEARCH_TAPS, own->shadow_rays, spread, nearest);
     bool ok = shadow_begin(shadow, desc,
                            &(struct direct_light_desc){.map_bias = plane_bias,
                                                        .fragment = "direct/pcss/pcss.frag",

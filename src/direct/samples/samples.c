@@ -48,16 +48,13 @@ static bool init(void **state, const struct direct_desc *desc) {
     const struct samples_settings *own =
         settings_of(struct samples_settings, desc->settings, &own_part);
     struct samples *samples = *state = mem_alloc(1, sizeof *samples);
-    char *defines = mem_printf("FILTER %d;", FILTER_PCF);
     samples->count = own->points;
     samples->block = mem_alloc(1, sizeof *samples->block);
     samples->points.items = mem_alloc(LIGHTS_MAX, sizeof *samples->points.items);
-    bool ok = shadow_begin(&samples->shadow, desc,
-                           &(struct direct_light_desc){.fragment = "visibility/direct_point.frag",
-                                                       .defines = defines}) &&
-              buffer_init(&samples->lights, "points of lights", sizeof *samples->block, NULL);
-    free(defines);
-    return ok;
+    return shadow_begin(&samples->shadow, desc,
+                        &(struct direct_light_desc){.fragment = "visibility/direct_point.frag",
+                                                    .defines = ""}) &&
+           buffer_init(&samples->lights, "points of lights", sizeof *samples->block, NULL);
 }
 
 /* The i-th point of each light, with its share of the light. */

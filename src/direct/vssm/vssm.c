@@ -13,7 +13,7 @@ extern const struct direct_method vssm_direct;
 const struct direct_method vssm_direct = {
     .name = "vssm",
     .help = "soft shadows from mean and variance of depth in windows of the map",
-    .parts = window_parts,
+    .parts = prefilter_parts,
     .init = init,
     .free = prefiltered_free,
     .resize = shadow_resize,

@@ -58,8 +58,9 @@ static bool refuse(const char *call) {
 }
 
 static bool find(const char *name, void *function) {
-    *(void **)function = (void *)egl.GetProcAddress(name);
-    return *(void **)function || error_set("libEGL has no %s", name);
+    void *found = (void *)egl.GetProcAddress(name);
+    memcpy(function, &found, sizeof found);
+    return found || error_set("libEGL has no %s", name);
 }
 
 static bool open_library(void) {
@@ -70,9 +71,10 @@ static bool open_library(void) {
     void *library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library)
         return error_set("cannot open libEGL.so.1");
-    *(void **)&egl.GetProcAddress = dlsym(library, "eglGetProcAddress");
-    if (!egl.GetProcAddress)
+    void *found = dlsym(library, "eglGetProcAddress");
+    if (!found)
         return error_set("libEGL has no eglGetProcAddress");
+    memcpy(&egl.GetProcAddress, &found, sizeof found);
 #define EGL_FIND(type, name)                                                                       \
     if (!find("egl" #name, &egl.name))                                                             \
         return false;

@@ -12,6 +12,7 @@
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     OSMESA_FORMAT = 0x22,
@@ -35,8 +36,9 @@ static struct {
 } osmesa;
 
 static bool find(const char *name, void *function) {
-    *(void **)function = dlsym(osmesa.library, name);
-    return *(void **)function || error_set("libOSMesa has no %s", name);
+    void *found = dlsym(osmesa.library, name);
+    memcpy(function, &found, sizeof found);
+    return found || error_set("libOSMesa has no %s", name);
 }
 
 static bool open_library(void) {

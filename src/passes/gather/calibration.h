@@ -1,14 +1,15 @@
-/* Maps calibrated by rays: how much light of each VAL arrives in each part of the picture by lookups, and how much by rays
- * through the scene's triangles. Lookups are then corrected so that in sum as much arrives.
+/* Visibility correction: a few rays correct the lookups in VALs' maps.
  *
- * A VAL's map lets light through beside ledges that it does not see behind, and stops some that passes behind what it sees. What
- * it errs by is alike over wide parts of the picture, so that a few rays tell. A test takes one of sixteen VPLs by what
- * they give to a pixel [Talbot et al. 2005], and asks for it by map, by block and by ray. Of what maps let through too much
- * a part is taken off; of what they stop too much a part is let through: visibility stays between 0 and 1. What a part of
- * the picture differs from all of it by, and a VAL from all VALs, counts for less where chance may be all of it
- * [James and Stein 1961].
+ * A VAL's map lets light through beside ledges that hide a part of the scene from it, and blocks some light that passes
+ * behind what it sees. The error is alike over wide parts of the picture. A test takes one of sixteen VPLs by its light
+ * at a pixel [Talbot et al. 2005] and looks it up by map and by block, and by a ray through the scene's triangles.
+ * The tests give a correction for each VAL and each part of the picture. Where lookups let through too much light, the
+ * correction takes off a fraction; where they block too much, it lets a fraction through: visibility stays between 0
+ * and 1. Corrections are shrunk towards those of the whole picture and of all VALs by their variance [James and
+ * Stein 1961].
  *
- * Cost: so many rays and lookups; a fetch beside each lookup of a pixel.
+ * Cost: as many rays and lookups as tests; a fetch beside each lookup of a pixel. init_set of techniques/vals.c decides
+ * whether it runs.
  */
 #ifndef PASSES_CALIBRATION_H
 #define PASSES_CALIBRATION_H
@@ -22,7 +23,7 @@ struct vpl_buffer;
 
 struct calibration_desc {
     int vpl_count, tests;
-    int clamp; /* CLAMP of gather/geometry_term.glsl: one without parameters */
+    int clamp;                         /* GATHER_CLAMP_..., one without parameters */
     struct visibility_desc visibility; /* of pixels that look themselves up */
 };
 

@@ -17,14 +17,29 @@
 #include <math.h>
 #include <stdlib.h>
 
-static bool init_program(GLuint *program, const struct gather_desc *desc, enum gather_clamp clamp,
-                         int specular) {
-    char *lookup = visibility_defines(&desc->visibility);
-    char *defines =
-        mem_printf("%s;CLAMP %d;MAP_PER_VPL %d;SHARE_VISIBILITY %d;RECEIVERS %d;TOGETHER %d;"
-                   "SPECULAR %d;CUTS %d",
-                   lookup, clamp, desc->map_per_vpl, desc->share, desc->receivers,
-                   desc->together > 0, specular, desc->cuts);
+/* The parts of glsl/gather/gather.frag, which it includes by these names. */
+static const char *visibility_part(const struct gather_desc *desc, int clamp) {
+    if (desc->together > 0)
+        return "gather/gather_groups.glsl";
+    if (!desc->share)
+        return "gather/gather_pixel.glsl";
+    if (clamp >= GATHER_CLAMP_RECTANGLE)
+        return "gather/gather_blocks.glsl";
+    return desc->receivers == RECEIVERS_OTHERS ? "gather/gather_told_block.glsl"
+                                               : "gather/gather_block.glsl";
+}
+
+static char *parts(const struct gather_desc *desc, int clamp, int specular) {
+    return mem_printf("GATHER_LIGHTS gather/lights_%s.glsl;GATHER_LIGHT gather/light_%s.glsl;"
+                      "GATHER_VISIBILITY %s",
+                      desc->cuts ? "cut" : "range", specular ? "specular" : "diffuse",
+                      visibility_part(desc, clamp));
+}
+
+static bool init_program(GLuint *program, const struct gather_desc *desc, int clamp, int specular) {
+    char *lookup = visibility_defines(&desc->visibility), *files = parts(desc, clamp, specular);
+    char *defines = mem_printf("%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d", lookup,
+                               files, clamp, desc->map_per_vpl, desc->receivers, specular);
     bool ok = program_init(
         program, &(struct program_desc){
                      .vertex = desc->receivers == RECEIVERS_LISTED ? "gather/listed.vert" : NULL,
@@ -32,12 +47,13 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, enum g
                      .defines = defines,
                  });
     free(lookup);
+    free(files);
     free(defines);
     return ok;
 }
 
 /* Near fields are the first bounce's. */
-static enum gather_clamp further_clamp(enum gather_clamp clamp) {
+static int further_clamp(int clamp) {
     bool rectangles = clamp == GATHER_CLAMP_RECTANGLE || clamp == GATHER_CLAMP_RECTANGLE_NEAR;
     return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
 }

@@ -11,26 +11,10 @@
 
 #include "passes/targets.h"
 #include "passes/visibility/visibility.h"
-#include "shared/interleaving.h"
+#include "shared/gather.h"
 
 struct frame;
 struct gbuffer;
-
-/* How cos cos / d^2 is bounded near a VPL. The disk form factor is that of a disk of the VPL's
- * area. GATHER_CLAMP_NEAR leaves the near field to passes/gather/near_field.h. GATHER_CLAMP_SPHERE spreads
- * the VPL's light over a ball [Hašan et al. 2009]. GATHER_CLAMP_PATCH is of further bounces (gather/patch.glsl). */
-enum gather_clamp {
-    GATHER_CLAMP_NONE,
-    GATHER_CLAMP_VALUE,
-    GATHER_CLAMP_DISK,
-    GATHER_CLAMP_NEAR,
-    GATHER_CLAMP_SPHERE,
-    /* None of a user's choices. The lights are rectangles, which need no bound; likewise without their
-     * near field. */
-    GATHER_CLAMP_PATCH,
-    GATHER_CLAMP_RECTANGLE,
-    GATHER_CLAMP_RECTANGLE_NEAR,
-};
 
 struct gather_desc {
     int width, height;
@@ -44,7 +28,7 @@ struct gather_desc {
         [LIST_KINDS]; /* of those: of the pattern's slots, as many side by side as what is on
                                    the list takes; 0: it does not gather */
     struct visibility_desc visibility;
-    enum gather_clamp clamp;
+    int clamp;         /* GATHER_CLAMP_... */
     float sphere;      /* radius of balls, over the distance within which ten VPLs lie */
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
     bool further;      /* VPLs of further bounces come too */

@@ -18,9 +18,8 @@ static bool init_program(struct gloss_rays_pass *pass) {
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
     char *lookup = visibility_defines(&pass->desc.visibility);
-    char *defines =
-        mem_printf("%s;LIGHTS %d;MAP_KINDS %d;RECEIVERS %d;VAL_COUNT %d", lookup, room, kinds,
-                   RECEIVERS_ALL, pass->desc.has_maps ? pass->desc.visibility.map_count : 0);
+    char *defines = mem_printf("%s;LIGHTS %d;MAP_KINDS %d;VAL_COUNT %d", lookup, room, kinds,
+                               pass->desc.has_maps ? pass->desc.visibility.map_count : 0);
     bool ok = program_init(&pass->program,
                            &(struct program_desc){
                                .screen = {"gather/gloss_rays.frag", .blended = true, .tiled = true},

@@ -36,13 +36,15 @@ static bool init_programs(struct near_field_pass *pass) {
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
+    static const char *const tests[] = {[NEAR_UNOCCLUDED] = "near_unoccluded",
+                                        [NEAR_BY_VIEWS] = "near_by_views",
+                                        [NEAR_BY_RAYS] = "near_by_rays"};
     char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d", room, kinds, pass->desc.facets);
+    static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
     bool by_rays = !pass->desc.listed && pass->desc.occlusion == NEAR_BY_RAYS;
-    char *defines =
-        mem_printf("OCCLUSION %d;RECEIVERS %d;%s", by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED,
-                   pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
-    char *listed = mem_printf("OCCLUSION %d;RECEIVERS %d;%s", pass->desc.occlusion,
-                              RECEIVERS_LISTED, of_light);
+    char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],
+                               pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
+    char *listed = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_LISTED, of_light);
     bool ok = program_init(&pass->light_program,
                            &(struct program_desc){
                                .screen = {"gather/near_light.frag", .layers = true},

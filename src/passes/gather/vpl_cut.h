@@ -17,7 +17,7 @@ struct vpl_cut_desc {
     int block;         /* pixels a side */
     int nodes;         /* at most; of pixels of lists CUT_NODES_MAX */
     float tolerance;   /* of a node's error, over the sum that is not shadowed */
-    int clamp;         /* enum gather_clamp; balls count as disks */
+    int clamp;         /* GATHER_CLAMP_...; balls count as disks */
     float clamp_value; /* as in struct gather_desc */
     bool further;      /* VPLs of further bounces come too */
     int further_clamp; /* theirs */

@@ -7,7 +7,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "gl/vertex_array.h"
-#include "lights/starts.h"
+#include "lights/light_samples.h"
 #include "passes/frame.h"
 #include "passes/vpls.h"
 #include "shared/vpl.h"

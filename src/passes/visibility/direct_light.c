@@ -78,13 +78,11 @@ void direct_light_pass_free(struct direct_light_pass *pass) {
 
 bool direct_light_pass_resize(struct direct_light_pass *pass, int width, int height) {
     struct direct_light_target target;
-    if (!init_target(&target, pass->target.specular.id, width, height)) {
-        free_target(&target);
-        return false;
-    }
-    free_target(&pass->target);
-    pass->target = target;
-    return true;
+    bool ok = init_target(&target, pass->target.specular.id, width, height);
+    free_target(ok ? &pass->target : &target);
+    if (ok)
+        pass->target = target;
+    return ok;
 }
 
 static void draw_light(const struct direct_light_pass *pass, const struct frame *frame,

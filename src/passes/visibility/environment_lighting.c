@@ -128,13 +128,11 @@ bool environment_lighting_pass_resize(struct environment_lighting_pass *pass, in
     fresh.block_framebuffer = fresh.light_framebuffer = 0;
     fresh.desc.width = width;
     fresh.desc.height = height;
-    if (!init_targets(&fresh)) {
-        free_targets(&fresh);
-        return false;
-    }
-    free_targets(pass);
-    *pass = fresh;
-    return true;
+    bool ok = init_targets(&fresh);
+    free_targets(ok ? pass : &fresh);
+    if (ok)
+        *pass = fresh;
+    return ok;
 }
 
 void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,

@@ -26,8 +26,8 @@ bool shadow_map_pass_init(struct shadow_map_pass *pass, const struct shadow_map_
                                                   .fragment = "picture/depth_only.frag"}) &&
               program_init(&pass->masked_program,
                            &(struct program_desc){.vertex = "picture/geometry.vert",
-                                                  .fragment = "picture/geometry.frag",
-                                                  .defines = "LIGHT_VIEW;DEPTH_ONLY"});
+                                                  .fragment = "picture/depth_masked.frag",
+                                                  .defines = "LIGHT_VIEW"});
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++)
         ok = init_maps(pass, kind, light_map_size(kind, desc->size), desc->lights.views[kind]);
     if (!ok)

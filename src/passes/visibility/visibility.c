@@ -8,13 +8,13 @@
 
 char *visibility_defines(const struct visibility_desc *desc) {
     int terms = desc->basis_terms > 0 ? desc->basis_terms : 1;
-    bool jacobian = desc->lookup != VISIBILITY_LOOKUP_CSSM || desc->filter_jacobian;
+    bool jacobian = desc->lookup != VISIBILITY_LOOKUP_CSSM;
     /* Other programs serve any number of maps. */
     int count = desc->lookup == VISIBILITY_LOOKUP_CSSM ? desc->map_count : 0;
     return mem_printf("FILTER %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;JACOBIAN %d;"
-                      "SHARPEN %d;FILTER_TAPS %d;SEARCH_TAPS %d;CALIBRATED %d",
-                      desc->lookup, count, terms, (terms + 3) / 4, jacobian, desc->sharpen_a > 0,
-                      desc->taps, (desc->taps + 1) / 2, desc->calibrated);
+                      "FILTER_TAPS %d;SEARCH_TAPS %d;CALIBRATED %d",
+                      desc->lookup, count, terms, (terms + 3) / 4, jacobian, desc->taps,
+                      (desc->taps + 1) / 2, desc->calibrated);
 }
 
 static void add_maps(struct pass_state *state, const struct visibility_desc *desc,
@@ -49,8 +49,6 @@ void visibility_add(struct pass_state *state, const struct visibility_desc *desc
         .map_bias = desc->map_bias,
         .shift = desc->shift / (2 * fmaxf((float)desc->basis_terms, 1)),
         .gain = desc->gain,
-        .sharpen_a = desc->sharpen_a,
-        .sharpen_b = desc->sharpen_b,
         .map_count = desc->map_count,
     };
     buffer_write(params, 0, sizeof values, &values);

@@ -23,14 +23,12 @@ enum visibility_lookup {
 struct visibility_desc {
     enum visibility_lookup lookup;
     int map_size, map_count, basis_terms;
-    float bias;                 /* receiver offset along its normal, in texels of the map */
-    float map_bias;             /* where distances are compared, of the distance */
-    float shift;                /* of the receiver's depth, over 1 / (2 K) */
-    float gain;                 /* of the blocked fraction about one half */
-    float sharpen_a, sharpen_b; /* [Dong 2011, eq. 5.9]; A = 0: off */
-    int taps;                   /* of a PCSS lookup: the filter's; the search has half as many */
-    bool filter_jacobian;       /* of a CSSM lookup: exact Jacobian in place of alpha / pi */
-    bool calibrated;            /* a pixel's lookups are corrected (passes/gather/calibration.h) */
+    float bias;      /* receiver offset along its normal, in texels of the map */
+    float map_bias;  /* where distances are compared, of the distance */
+    float shift;     /* of the receiver's depth, over 1 / (2 K) */
+    float gain;      /* of the blocked fraction about one half */
+    int taps;        /* of a PCSS lookup: the filter's; the search has half as many */
+    bool calibrated; /* a pixel's lookups are corrected (passes/gather/calibration.h) */
 };
 
 /* What a lookup reads. */

@@ -1,7 +1,6 @@
 /* Clusters of VPLs as area lights [Prutkin 2012]: some tens of lights that each pixel takes all of, so that
  * nothing is interleaved or blurred. As rectangles they are lit from by Lambert's formula, as disks by the
  * paper's. The paper has no visibility; here VALs may give it, as it proposes. */
-#include "base/error.h"
 #include "base/memory.h"
 #include "passes/lights/cluster_light.h"
 #include "passes/lights/importance.h"
@@ -20,10 +19,8 @@ struct cluster_lights_settings {
     int lights; /* J */
     int form;   /* LIGHT_FORM_... */
     int visibility;
-    int iterations, start, seeds;
-    float weight_position, weight_normal, weight_flux; /* w_d, w_n, w_Phi */
+    int seeds;
     int near;
-    int interleave;
 };
 
 #define ROW(name) offsetof(struct cluster_lights_settings, name)
@@ -31,42 +28,34 @@ struct cluster_lights_settings {
 static const char *const form_names[] = {"rectangle", "disk", NULL};
 static const char *const visibility_names[] = {"vals", "none", NULL};
 static const char *const seed_names[] = {"even", "importance", NULL};
-static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 
 static const struct option table[] = {
     {"area-lights", 0, OPTION_INT, ROW(lights), 128, 1, LIGHT_RECTANGLES_MAX,
      .help = "number of area lights (clusters of VPLs), J"},
     {"form", 0, OPTION_CHOICE, ROW(form), LIGHT_FORM_RECTANGLE, .choices = form_names,
-     .help = "shape of an area light: a rectangle of the\n"
-             "cluster's second moments, or a disk as published"},
+     .help = "shape of an area light: a rectangle of the cluster's second moments; or,\n"
+             "as published, a disk (its clusters weigh normals by\n"
+             "10 instead of .1)"},
     {"shadows", 0, OPTION_CHOICE, ROW(visibility), LIGHT_VISIBILITY_VALS,
      .choices = visibility_names,
      .help = "visibility of the area lights: from virtual area\n"
              "lights (clustered.vals), or none as published"},
-    {"steps", 0, OPTION_INT, ROW(iterations), 5, 1, 64,
-     .help = "k-means iterations of the clustering"},
-    {"begin", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
-     .help = "initial centres of k-means, as clustered.start"},
     {"seeds", 0, OPTION_CHOICE, ROW(seeds), LIGHT_SEEDS_EVEN, .choices = seed_names,
      .help = "VPLs where clusters begin: the first J, or\n"
              "chosen by their unoccluded light in the picture"},
-    {"weight-distance", 0, OPTION_FLOAT, ROW(weight_position), 1, 0, 1000,
-     .help = "clustering weight of squared distance, w_d"},
-    {"weight-facing", 0, OPTION_FLOAT, ROW(weight_normal), .1f, 0, 1000,
-     .help = "clustering weight of normals, w_n"},
-    {"weight-hue", 0, OPTION_FLOAT, ROW(weight_flux), 0, 0, 1000,
-     .help = "clustering weight of hues, w_Phi"},
     {"near", 0, OPTION_INT, ROW(near), 256, 0, NEAR_SAMPLES_MAX,
      .help = "near-field samples per pixel, which replace the near part of\n"
-             "the rectangles; 0: off; with cluster-lights.form=rectangle"},
-    {"pattern", 0, OPTION_INT, ROW(interleave), 1, 1, 16,
-     .help = "interleave n: each pixel of an n x n pattern takes 1/n^2 of the area lights,\n"
-             "and a blur removes the pattern; 1: all lights at each pixel, no blur"},
+             "the rectangles; 0: off",
+     .needs = "cluster-lights.form=rectangle"},
     {NULL},
 };
 
 static const struct settings_part own_part = {"cluster-lights", "area lights of clusters", table,
                                               sizeof(struct cluster_lights_settings)};
+
+/* Clustering weights of squared distance and of normals, w_d and w_n, by the form of the lights; hues have none. */
+static const float weight_position = 1;
+static const float weight_normal[] = {[LIGHT_FORM_RECTANGLE] = .1F, [LIGHT_FORM_DISK] = 10};
 
 /* The area lights of some VPLs. */
 struct light_set {
@@ -105,17 +94,18 @@ static bool init_set(struct light_set *set, const struct settings *settings, int
                      const struct texture *seeds) {
     const struct cluster_lights_settings *own =
         settings_of(struct cluster_lights_settings, settings, &own_part);
+    const struct vals_settings *clustering =
+        settings_of(struct vals_settings, settings, &vals_part);
     return cluster_pass_init(&set->cluster,
                              &(struct cluster_desc){
                                  .vpl_count = vpl_count,
                                  .val_count = own->lights,
-                                 .start = (enum cluster_start)own->start,
+                                 .start = (enum cluster_start)clustering->start,
                                  .seeds = seeds,
-                                 .iterations = own->iterations,
+                                 .iterations = clustering->iterations,
                                  .metric = CLUSTER_METRIC_SQUARES,
-                                 .weight_position = own->weight_position,
-                                 .weight_normal = own->weight_normal,
-                                 .weight_flux = own->weight_flux,
+                                 .weight_position = weight_position,
+                                 .weight_normal = weight_normal[own->form],
                                  .means_of_map = true,
                              }) &&
            cluster_light_pass_init(&set->shape,
@@ -123,7 +113,7 @@ static bool init_set(struct light_set *set, const struct settings *settings, int
            vpl_buffer_init(&set->lights, "lights of clusters", own->lights);
 }
 
-static enum gather_clamp clamp_of(const struct cluster_lights_settings *own) {
+static int clamp_of(const struct cluster_lights_settings *own) {
     if (own->form == LIGHT_FORM_DISK)
         return GATHER_CLAMP_DISK;
     return own->near > 0 ? GATHER_CLAMP_RECTANGLE_NEAR : GATHER_CLAMP_RECTANGLE;
@@ -135,13 +125,13 @@ static struct settings gather_settings(const struct settings *settings) {
         settings_of(struct cluster_lights_settings, settings, &own_part);
     struct settings changed = *settings;
     struct gather_settings gather = *settings_of(struct gather_settings, settings, &gather_part);
-    gather.interleave = own->interleave;
-    gather.detail = own->interleave == 1 && gather.detail > 0 ? 1 : 0;
+    gather.interleave = 1;
+    gather.adaptive = gather.adaptive > 0 ? 1 : 0;
     gather.clamp = clamp_of(own);
     gather.near_samples = own->near;
     settings_set(&changed, &gather_part, &gather);
     struct blur_settings blur = *settings_of(struct blur_settings, settings, &blur_part);
-    blur.radius = own->interleave > 1 ? -1 : 0;
+    blur.radius = 0;
     settings_set(&changed, &blur_part, &blur);
     return changed;
 }
@@ -151,10 +141,9 @@ static bool init_first(struct cluster_lights *technique, const struct technique_
         settings_of(struct cluster_lights_settings, desc->settings, &own_part);
     const struct lights_settings *lights =
         settings_of(struct lights_settings, desc->settings, &lights_part);
-    const struct gather_settings *gather =
-        settings_of(struct gather_settings, desc->settings, &gather_part);
     technique->by_importance = own->seeds == LIGHT_SEEDS_IMPORTANCE;
-    struct importance_desc importance = {.count = own->lights, .clamp_value = gather->clamp_value};
+    struct importance_desc importance = {.count = own->lights,
+                                         .clamp_value = many_lights_clamp_value};
     return (!technique->by_importance ||
             importance_pass_init(&technique->importance, &importance)) &&
            init_set(&technique->first, desc->settings, lights->vpls,
@@ -183,15 +172,6 @@ static bool init(void **state, const struct technique_desc *desc) {
            (lights->bounces == 1 ||
             init_set(&technique->further, desc->settings, lights->paths, NULL)) &&
            many_lights_init(&technique->lights, &with_settings, &visibility);
-}
-
-static bool check(const struct settings *settings) {
-    const struct cluster_lights_settings *own =
-        settings_of(struct cluster_lights_settings, settings, &own_part);
-    int places = own->interleave * own->interleave;
-    return own->lights >= places ||
-           error_set("pattern=%d needs at least %d lights, and area-lights=%d", own->interleave,
-                     places, own->lights);
 }
 
 static bool resize(void *state, int width, int height) {
@@ -272,9 +252,9 @@ static const struct settings_part *const parts[] = {&lights_part, &own_part,    
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
     {"paper", "as published: disks, one iteration per frame, importance seeds, no visibility",
-     "cluster-lights.form=disk cluster-lights.area-lights=256 cluster-lights.steps=1 "
-     "cluster-lights.begin=reseed cluster-lights.seeds=importance cluster-lights.shadows=none "
-     "cluster-lights.weight-facing=10 cluster-lights.near=0 lights.vpls=16384",
+     "cluster-lights.form=disk cluster-lights.area-lights=256 clustered.iterations=1 "
+     "clustered.start=reseed cluster-lights.seeds=importance cluster-lights.shadows=none "
+     "cluster-lights.near=0 lights.vpls=16384",
      NULL},
     {NULL}};
 
@@ -283,12 +263,8 @@ const struct technique cluster_lights_technique = {
     .name = "cluster-lights",
     .help = "clusters of VPLs as area lights, all at each pixel",
     .parts = parts,
-    .unused = "clustered.importance clustered.ray-tests gather.interleave gather.clamp "
-              "gather.near-samples "
-              "gather.detail-times blur.radius",
     .presets = presets,
     .refinement = &many_lights_refinement,
-    .check = check,
     .init = init,
     .free = free_state,
     .resize = resize,

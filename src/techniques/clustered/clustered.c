@@ -76,12 +76,12 @@ static const struct settings_part *const parts[] = {&lights_part, &vals_part,   
 
 /* In place of maps; and more VPLs where detail is. */
 #define BY_RAYS                                                                                    \
-    "clustered.visibility=traced clustered.visibility-block=0 gather.detail=2 "                    \
-    "gather.detail-times=1"
+    "clustered.visibility=traced clustered.visibility-block=0 gather.adaptive=2 "                  \
+    "gather.adaptive-factor=1"
 
 static const struct preset presets[] = {
     {"draft", "for slow machines: half the VPLs, 12 small maps, no adaptive pixels",
-     "lights.vpls=512 clustered.vals=12 map.size=128 gather.detail=0 gather.near-samples=256",
+     "lights.vpls=512 clustered.vals=12 map.size=128 gather.adaptive=0 gather.near-samples=256",
      NULL},
     MANY_LIGHTS_FAST,
     {"high", "shadow rays instead of maps, 512 VPLs, 128 of them at adaptive pixels",

@@ -11,8 +11,7 @@
 #include <stdlib.h>
 
 struct imperfect_settings {
-    int size, points, sets, shape;
-    float scale, set_back;
+    int size, points, shape;
 };
 
 #define ROW(name) offsetof(struct imperfect_settings, name)
@@ -27,22 +26,18 @@ static const struct option table[] = {
     {"map-points", 0, OPTION_INT, ROW(points), 4096, 16, 262144,
      .help = "number of surface points per map; raise\n"
              "for contact shadows and thin casters"},
-    {"sets", 0, OPTION_INT, ROW(sets), 64, 1, 1024,
-     .help = "number of sets of points; VPLs use the sets in rotation"},
     {"shape", 0, OPTION_CHOICE, ROW(shape), SHAPE_DISK, .choices = shape_names,
-     .help = "shape of a point in a map: a disk in its true\n"
-             "orientation, a square at one depth, or squares with\n"
-             "their holes filled by pull and push, as published"},
-    {"scale", 0, OPTION_FLOAT, ROW(scale), 1, .01, 8,
-     .help = "drawn radius of a point, over the radius of the surface it represents"},
-    {"set-back", 0, OPTION_FLOAT, ROW(set_back), 0, 0, 8,
-     .help = "distance by which disks are moved away from the VPL,\n"
-             "over their radius; with imperfect-shadow-maps.shape=disk"},
+     .help = "shape of a point in a map: a disk in its true orientation,\n"
+             "a square at one depth, or squares half as large whose\n"
+             "holes pull and push fill, as published"},
     {NULL},
 };
 
 static const struct settings_part own_part = {"imperfect-shadow-maps", "maps of points", table,
                                               sizeof(struct imperfect_settings)};
+
+/* Sets of points, which VPLs use in rotation. */
+enum { POINT_SETS = 64 };
 
 struct imperfect {
     struct many_lights lights;
@@ -81,7 +76,6 @@ static bool init(void **state, const struct technique_desc *desc) {
         settings_of(struct imperfect_settings, desc->settings, &own_part);
     const struct lights_settings *lights =
         settings_of(struct lights_settings, desc->settings, &lights_part);
-    const struct map_settings *map = settings_of(struct map_settings, desc->settings, &map_part);
     struct imperfect *technique = *state = mem_alloc(1, sizeof *technique);
     int batch = lights->vpls < MAP_VIEWS_MAX ? lights->vpls : MAP_VIEWS_MAX;
     enum visibility_lookup lookup =
@@ -89,11 +83,10 @@ static bool init(void **state, const struct technique_desc *desc) {
     struct many_lights_visibility visibility = {lookup, .map_per_vpl = true, .map_count = batch,
                                                 .map_size = own->size};
     struct splat_desc splat = {
-        .points = {desc->scene, desc->geometry, own->points, own->sets},
+        .points = {desc->scene, desc->geometry, own->points, POINT_SETS},
         .size = own->size,
         .count = batch,
-        .scale = own->scale,
-        .set_back = own->set_back,
+        .scale = own->shape == SHAPE_FILLED ? .5F : 1, /* holes between small squares are filled */
         .shape = own->shape == SHAPE_DISK ? SPLAT_DISK : SPLAT_SQUARE,
     };
     technique->filled = own->shape == SHAPE_FILLED;
@@ -101,8 +94,7 @@ static bool init(void **state, const struct technique_desc *desc) {
            splat_pass_init(&technique->splat, &splat) &&
            (!technique->filled || fill_pass_init(&technique->fill, own->size, batch)) &&
            vpl_maps_init(&technique->maps,
-                         &(struct vpl_maps_desc){map->near_clip, final_maps(technique), render_maps,
-                                                 technique});
+                         &(struct vpl_maps_desc){final_maps(technique), render_maps, technique});
 }
 
 static void render_lights(void *state, const struct frame *frame) {
@@ -122,14 +114,13 @@ static void outputs(const void *state, struct output_list *outputs) {
                                          OUTPUT_MAP_DEPTH, final_maps(technique)});
 }
 
-static const struct settings_part *const parts[] = {
-    &lights_part, &own_part, &map_part, &lookup_part, &gather_part, &blur_part, NULL};
+static const struct settings_part *const parts[] = {&lights_part, &own_part, &gather_part,
+                                                    &blur_part, NULL};
 
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
     {"paper", "holes filled; gather and blur as published",
-     MANY_LIGHTS_AS_PUBLISHED " imperfect-shadow-maps.shape=filled imperfect-shadow-maps.scale=.5",
-     NULL},
+     MANY_LIGHTS_AS_PUBLISHED " imperfect-shadow-maps.shape=filled", NULL},
     {NULL}};
 
 extern const struct technique imperfect_shadow_maps_technique;
@@ -137,7 +128,6 @@ const struct technique imperfect_shadow_maps_technique = {
     .name = "imperfect-shadow-maps",
     .help = "a small map of surface points per VPL",
     .parts = parts,
-    .unused = "map.size",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,

@@ -49,7 +49,6 @@ void splat_pass_render(struct splat_pass *pass, const struct frame *frame,
         .sets = desc->points.sets,
         .map_size = (float)desc->size,
         .scale = desc->scale,
-        .set_back = desc->set_back,
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
     caster_points_place(&pass->points, frame->geometry);

@@ -20,8 +20,7 @@ void main() {
     if (!inside)
         discard;
     float distance = map_depth * radius_and_unit.y;
-    float behind = params.set_back * radius_and_unit.x;
-    gl_FragDepth = (clamp(met, 0.5 * distance, 2.0 * distance) + behind) / radius_and_unit.y;
+    gl_FragDepth = clamp(met, 0.5 * distance, 2.0 * distance) / radius_and_unit.y;
     normal_code = octahedral_encode(normal);
 }
 #else

@@ -18,7 +18,6 @@ struct splat_desc {
     struct caster_points_desc points;
     int size, count; /* of the maps */
     float scale;     /* of what is drawn, over what the points stand for */
-    float set_back;  /* of disks, over their radius */
     int shape;       /* SPLAT_... */
 };
 

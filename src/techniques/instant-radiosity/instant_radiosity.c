@@ -6,16 +6,16 @@
 #include <stdlib.h>
 
 struct instant_radiosity_settings {
-    int map_batch; /* maps in memory at once */
-    bool traced;   /* rays in place of maps */
+    bool traced; /* rays in place of maps */
 };
 
+/* Maps that are in memory at once. */
+enum { MAP_BATCH = 64 };
+
 static const struct option table[] = {
-    {"map-batch", 0, OPTION_INT, offsetof(struct instant_radiosity_settings, map_batch), 64, 1,
-     1024, .help = "number of maps in memory at once; with traced=off"},
     {"traced", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, traced), 0,
      .help = "shadow rays through all triangles instead of maps; with\n"
-             "gather.interleave=1 or gather.detail=0, visibility is tested for 2 of\n"
+             "gather.interleave=1 or gather.adaptive=0, visibility is tested for 2 of\n"
              "every 12 VPLs (24 at 800x800) and 1 of every 16 near-field samples"},
     {NULL},
 };
@@ -51,11 +51,9 @@ static bool init_traced(struct instant_radiosity *technique, const struct techni
 }
 
 static bool init_maps(struct instant_radiosity *technique, const struct technique_desc *desc) {
-    const struct instant_radiosity_settings *own =
-        settings_of(struct instant_radiosity_settings, desc->settings, &own_part);
     const struct lights_settings *lights =
         settings_of(struct lights_settings, desc->settings, &lights_part);
-    int batch = own->map_batch < lights->vpls ? own->map_batch : lights->vpls;
+    int batch = MAP_BATCH < lights->vpls ? MAP_BATCH : lights->vpls;
     return many_lights_init(&technique->lights, desc,
                             &(struct many_lights_visibility){VISIBILITY_LOOKUP_PLANE,
                                                              .map_per_vpl = true,
@@ -97,7 +95,7 @@ static void outputs(const void *state, struct output_list *outputs) {
 }
 
 static const struct settings_part *const parts[] = {
-    &lights_part, &own_part, &map_part, &lookup_part, &caster_part, &gather_part, &blur_part, NULL};
+    &lights_part, &own_part, &map_part, &caster_part, &gather_part, &blur_part, NULL};
 
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
@@ -109,7 +107,6 @@ const struct technique instant_radiosity_technique = {
     .name = "instant-radiosity",
     .help = "a hard shadow map per VPL",
     .parts = parts,
-    .unused = "caster.error",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,

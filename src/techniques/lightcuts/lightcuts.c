@@ -74,7 +74,7 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
                                                   .nodes = own->nodes,
                                                   .tolerance = own->tolerance,
                                                   .clamp = gather->clamp,
-                                                  .clamp_value = gather->clamp_value,
+                                                  .clamp_value = many_lights_clamp_value,
                                                   .further = lights->bounces > 1,
                                                   .further_clamp = GATHER_CLAMP_PATCH,
                                               });
@@ -100,15 +100,12 @@ static bool resize(void *state, int width, int height) {
     struct vpl_cut_pass fresh;
     desc.width = width;
     desc.height = height;
-    if (!vpl_cut_pass_init(&fresh, &desc))
-        return false;
-    if (!vals_resize(&technique->vals, &technique->lights, width, height)) {
-        vpl_cut_pass_free(&fresh);
-        return false;
-    }
-    vpl_cut_pass_free(&technique->cut);
-    technique->cut = fresh;
-    return true;
+    bool ok = vpl_cut_pass_init(&fresh, &desc) &&
+              vals_resize(&technique->vals, &technique->lights, width, height);
+    vpl_cut_pass_free(ok ? &technique->cut : &fresh);
+    if (ok)
+        technique->cut = fresh;
+    return ok;
 }
 
 static void render_lights(void *state, const struct frame *frame) {
@@ -158,7 +155,6 @@ const struct technique lightcuts_technique = {
     .name = "lightcuts",
     .help = "a cut through a tree of VPLs for each block of pixels",
     .parts = parts,
-    .unused = "clustered.importance clustered.ray-tests",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,

@@ -16,12 +16,13 @@
 /* As wide as textures are everywhere. */
 enum { LIGHTS_OF_MATRIX = 16384 };
 
-/* Maps that are in memory at once. */
-enum { MAP_BATCH = 64 };
+enum {
+    MAP_BATCH = 64,        /* maps that are in memory at once */
+    COLUMN_INTERLEAVE = 2, /* of the chosen VPLs, which are fewer; at most gather.interleave */
+};
 
 struct row_column_settings {
     int rows, columns; /* r, c */
-    int interleave, choice;
 };
 
 #define ROW(name) offsetof(struct row_column_settings, name)
@@ -33,11 +34,6 @@ static const struct option table[] = {
     {"columns", 0, OPTION_INT, ROW(columns), 200, 1, 16384,
      .help = "largest number of columns: VPLs drawn for\n"
              "all pixels; raise against hard shadow edges"},
-    {"column-interleave", 0, OPTION_INT, ROW(interleave), 2, 1, 16,
-     .help = "interleave of the chosen VPLs, which are\n"
-             "fewer; at most gather.interleave"},
-    {"choice", 0, OPTION_INT, ROW(choice), 0, 0, 1e6,
-     .help = "seed of the random choice of pixels and VPLs"},
     {NULL},
 };
 
@@ -53,7 +49,7 @@ struct row_column {
     struct vpl_maps maps;
     struct rows_pass rows;
     struct columns columns;
-    int choice;
+    int seed;
     struct vpl_buffer chosen[KINDS]; /* those VPLs that are drawn */
     /* On the CPU: the matrix, all VPLs, their powers, and the chosen ones. */
     float (*matrix)[4];
@@ -84,11 +80,9 @@ static void free_state(void *state) {
 
 /* Of the gather. */
 static int interleave_of(const struct settings *settings) {
-    const struct row_column_settings *own =
-        settings_of(struct row_column_settings, settings, &own_part);
     const struct gather_settings *gather =
         settings_of(struct gather_settings, settings, &gather_part);
-    return own->interleave < gather->interleave ? own->interleave : gather->interleave;
+    return COLUMN_INTERLEAVE < gather->interleave ? COLUMN_INTERLEAVE : gather->interleave;
 }
 
 static bool check(const struct settings *settings) {
@@ -99,7 +93,7 @@ static bool check(const struct settings *settings) {
     int n = interleave_of(settings), most = lights->vpls;
     most += lights->bounces > 1 ? lights->paths : 0;
     if (own->columns < n * n || lights->vpls < n * n)
-        return error_set("column-interleave=%d needs at least %d columns and VPLs", n, n * n);
+        return error_set("row-column needs at least %d columns and VPLs", n * n);
     return most <= LIGHTS_OF_MATRIX ||
            error_set("%d VPLs of all bounces are more than %d, which row-column takes", most,
                      LIGHTS_OF_MATRIX);
@@ -125,8 +119,10 @@ static bool init_choice(struct row_column *technique, const struct technique_des
                         int lights) {
     const struct row_column_settings *own =
         settings_of(struct row_column_settings, desc->settings, &own_part);
+    const struct lights_settings *lights_settings =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
     size_t count = (size_t)lights, rows = (size_t)own->rows;
-    technique->choice = own->choice;
+    technique->seed = lights_settings->seed;
     technique->matrix = mem_alloc(count * rows, sizeof *technique->matrix);
     technique->vpls = mem_alloc(count, sizeof *technique->vpls);
     technique->powers = mem_alloc(count, sizeof *technique->powers);
@@ -256,7 +252,7 @@ static void render_lights(void *state, const struct frame *frame) {
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct row_column *technique = state;
     struct many_lights *lights = &technique->lights;
-    uint32_t seed = (uint32_t)technique->choice * 4096 + (uint32_t)frame->pass;
+    uint32_t seed = (uint32_t)technique->seed * 4096 + (uint32_t)frame->pass;
     render_rows(technique, frame, gbuffer, seed);
     choose_columns(technique, frame, seed);
     many_lights_begin(lights, frame, gbuffer);
@@ -277,7 +273,7 @@ static void outputs(const void *state, struct output_list *outputs) {
 }
 
 static const struct settings_part *const parts[] = {
-    &lights_part, &own_part, &map_part, &lookup_part, &caster_part, &gather_part, &blur_part, NULL};
+    &lights_part, &own_part, &map_part, &caster_part, &gather_part, &blur_part, NULL};
 
 static const struct preset presets[] = {MANY_LIGHTS_FAST,
                                         {"paper", "all columns at each pixel, no blur",
@@ -290,7 +286,6 @@ const struct technique row_column_technique = {
     .name = "row-column",
     .help = "VPLs chosen by rows and columns of the matrix of pixels and VPLs",
     .parts = parts,
-    .unused = "caster.error",
     .presets = presets,
     .refinement = &many_lights_refinement,
     .check = check,

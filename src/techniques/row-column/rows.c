@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-static bool init_program(GLuint *program, const struct rows_desc *desc, enum gather_clamp clamp) {
+static bool init_program(GLuint *program, const struct rows_desc *desc, int clamp) {
     char *lookup = visibility_defines(&desc->visibility);
     char *defines = mem_printf("%s;CLAMP %d", lookup, clamp);
     bool ok =

@@ -1,5 +1,9 @@
 // The rows of the matrix of pixels x VPLs: fragment (i, j) is the light that pixel j has of VPL i, as the gather takes it,
 // where the pixel's map sees the VPL.
+#include "shared/gather.h"
+
+PASS_BLOCK(gather_params, 64)
+
 #include "gather/geometry_term.glsl"
 #include "lib/vpl_texels.glsl"
 #include "visibility/visibility.glsl"
@@ -13,7 +17,7 @@ void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy) - first.xy;
     vpl v = vpl_at(texel.x);
     map_view pixel = map_view_at(texel.y);
-    vec3 arriving = v.flux * geometry_term(v.position - pixel.center, pixel.axis, v);
+    vec3 arriving = v.flux * light_term(texel.x, v.position - pixel.center, pixel.axis, v);
     float visible = 1.0;
     for (int lit = arriving != vec3(0.0) ? 1 : 0; lit > 0; lit--)
         visible = visibility(texel.y, v.position, v.normal);

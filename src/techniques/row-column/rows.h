@@ -7,9 +7,9 @@
 #include "passes/vpls.h"
 
 struct rows_desc {
-    int rows;                         /* r, at most */
-    int lights;                       /* VPLs of all bounces */
-    enum gather_clamp clamp, further; /* of those of the first bounce, and of others */
+    int rows;           /* r, at most */
+    int lights;         /* VPLs of all bounces */
+    int clamp, further; /* of those of the first bounce, and of others */
     bool has_further;
     struct visibility_desc visibility;
 };

@@ -3,7 +3,6 @@
 #include "viewer/panel/panel.h"
 
 #include "direct/environment.h"
-#include "viewer/panel/relevance.h"
 #include "viewer/panel/setting_label.h"
 #include "viewer/picture/budget.h"
 #include "viewer/picture/picture.h"
@@ -183,26 +182,16 @@ static bool draw_parts(const struct settings_part *const *parts, const struct te
     return changed;
 }
 
-static bool has_wide_light(const struct emitters *emitters) {
-    for (int i = 0; i < emitters->count; i++)
-        if (emitters->items[i].size[0] > 0)
-            return true;
-    return false;
-}
-
 static bool draw_advanced(struct viewer *viewer, const struct technique *technique,
                           struct settings *settings) {
-    const struct emitters *emitters = &viewer->placed.emitters;
     char *filter = viewer->panel.filter;
     struct ui_row row = {
         .name = "find", .help = "shows the settings alone whose name, group or explanation has it"};
     ui_text_field(&row, filter, sizeof viewer->panel.filter, "shadow, blur, seed ...");
     bool changed = draw_parts(technique->parts, technique, filter, settings);
     changed |= draw_parts(viewer->shown.renderer.desc.direct->parts, technique, filter, settings);
-    if (emitters->sky)
+    if (viewer->placed.emitters.sky)
         changed |= draw_part(&sky_part, technique, filter, settings);
-    if (emitters->sky || has_wide_light(emitters))
-        changed |= draw_part(&start_part, technique, filter, settings);
     return changed;
 }
 

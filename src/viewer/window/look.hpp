@@ -50,6 +50,15 @@ inline float units(float of_line) {
 }
 
 ImU32 look_color(ui_tone tone);
+void look_text(ImU32 color, const char *text);
+
+/* Declares the text that the arguments after the format make. */
+#define LOOK_FORMAT(text, size, format)                                                            \
+    char text[size];                                                                               \
+    va_list arguments;                                                                             \
+    va_start(arguments, format);                                                                   \
+    std::vsnprintf(text, sizeof text, format, arguments);                                          \
+    va_end(arguments)
 
 /* Reads the fonts with all letters wanted; and again, between frames, of another size, or where some are lacking. */
 void look_load_fonts(void);

@@ -91,6 +91,12 @@ ImU32 look_color(ui_tone tone) {
     }
 }
 
+void look_text(ImU32 color, const char *text) {
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::TextUnformatted(text);
+    ImGui::PopStyleColor();
+}
+
 /* Beside the panel where there is room: else it covers the rows below. */
 static void place_tooltip(const char *text, float wrap) {
     const ImGuiWindow *window = ImGui::GetCurrentWindow()->RootWindow;
@@ -361,11 +367,7 @@ void ui_disabled_end(void) {
 /* --- text --- */
 
 void ui_text(ui_tone tone, const char *format, ...) {
-    char text[2048];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    LOOK_FORMAT(text, 2048, format);
     ImGui::PushStyleColor(ImGuiCol_Text, look_color(tone));
     ImGui::PushFont(tone == UI_TITLE ? look.title : look.normal);
     ImGui::PushTextWrapPos(look.in_dialog ? units(40) : 0);
@@ -376,25 +378,15 @@ void ui_text(ui_tone tone, const char *format, ...) {
 }
 
 void ui_value(const char *name, const char *format, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    ImGui::PushStyleColor(ImGuiCol_Text, dim);
-    ImGui::TextUnformatted(look_read(name));
-    ImGui::PopStyleColor();
+    LOOK_FORMAT(text, 256, format);
+    look_text(dim, look_read(name));
     float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(look_read(text)).x;
     ImGui::SameLine(right > units(5) ? right : units(5));
     ImGui::TextUnformatted(text);
 }
 
 void ui_fact(const char *name, const char *help, const char *format, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    LOOK_FORMAT(text, 256, format);
     ImVec2 at = ImGui::GetCursorScreenPos();
     ImRect row(at,
                ImVec2(at.x + ImGui::GetContentRegionAvail().x, at.y + ImGui::GetTextLineHeight()));
@@ -411,9 +403,7 @@ void ui_fact(const char *name, const char *help, const char *format, ...) {
 void ui_numbers(const char *name, const float values[3]) {
     float right = ImGui::GetContentRegionMax().x, column = units(4.3F);
     std::string all = name;
-    ImGui::PushStyleColor(ImGuiCol_Text, dim);
-    ImGui::TextUnformatted(name);
-    ImGui::PopStyleColor();
+    look_text(dim, name);
     for (int c = 0; c < 3; c++) {
         char text[32];
         double value = (double)values[c], size = std::fabs(value);
@@ -430,11 +420,7 @@ void ui_numbers(const char *name, const float values[3]) {
 }
 
 void ui_text_right(const char *format, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    LOOK_FORMAT(text, 256, format);
     float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(text).x;
     ImGui::SetCursorPosX(std::max(right, ImGui::GetCursorPosX()));
     ImGui::AlignTextToFramePadding();

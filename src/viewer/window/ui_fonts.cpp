@@ -106,13 +106,13 @@ void look_reload_fonts(void) {
 
 /* From the radicals on, letters are East Asian, and emoji. */
 static void note_missing() {
-    static bool is_told;
+    static bool is_noted;
     bool found = false;
     for (unsigned letter = 0x2e80; letter < 0xff00 && !found; letter++)
         found = look.wanted.GetBit(letter);
-    if (!found || is_told || east_asian())
+    if (!found || is_noted || east_asian())
         return;
-    is_told = true;
+    is_noted = true;
     log_note("a name has East Asian letters, and no font here has them; Noto Sans CJK would");
 }
 

@@ -13,9 +13,7 @@ void row_begin(const ui_row *row) {
     ImGui::PushID(row->scope ? row->scope : "");
     ImGui::PushID(row->name);
     ImGui::AlignTextToFramePadding();
-    ImGui::PushStyleColor(ImGuiCol_Text, row->differs ? text_color : dim);
-    ImGui::TextUnformatted(row->name);
-    ImGui::PopStyleColor();
+    look_text(row->differs ? text_color : dim, row->name);
     look_explain(row->help);
     float left = units(8.6F), arrow = units(1.5F);
     ImGui::SameLine(left);
@@ -286,11 +284,7 @@ bool ui_list_item(uint32_t patch, const char *name, const char *middle, const ch
 }
 
 void ui_bar(uint32_t packed, const char *name, int indent, float share, const char *format, ...) {
-    char text[64];
-    va_list arguments;
-    va_start(arguments, format);
-    std::vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
+    LOOK_FORMAT(text, 64, format);
     ImVec2 at = ImGui::GetCursorScreenPos();
     float width = ImGui::GetContentRegionAvail().x, height = ImGui::GetTextLineHeight();
     float left = units(.8F) * (float)indent;

@@ -10,15 +10,15 @@ layout(binding = UNIT_TREE_PICKS) uniform usampler2DArray tree_picks;
 
 ivec3 cut_texel;
 
-// A cut has a layer with its count, and then its nodes. Returns how many there are.
-int cut_open(ivec2 pixel, int block, int first_layer) {
-    cut_texel = ivec3(divide(pixel, ivec2(block)), first_layer);
-    return int(texelFetch(cuts, cut_texel, 0).r);
+// A cut has a layer with its count, and then its nodes.
+ivec2 lights_of(ivec2 pixel) {
+    cut_texel = ivec3(divide(pixel, ivec2(params.cut_block)), params.cut_layer);
+    return ivec2(0, int(texelFetch(cuts, cut_texel, 0).r));
 }
 
-vpl cut_light(int i, int set) {
+vpl light_at(int i) {
     int node = int(texelFetch(cuts, cut_texel + ivec3(0, 0, i + 1), 0).r);
-    vpl light = vpl_at(int(texelFetch(tree_picks, tree_texel(node, set), 0).r));
+    vpl light = vpl_at(int(texelFetch(tree_picks, tree_texel(node, slot.x), 0).r));
     light.flux *= tree_row(node, TREE_FLUX).w / max(dot(light.flux, vec3(1.0)), 1e-30);
     return light;
 }

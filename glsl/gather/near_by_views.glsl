@@ -3,6 +3,7 @@
 // in its shadow it does not.
 #include "gather/near_lights.glsl"
 
+const bool NEAR_IS_TESTED = true;
 const int NEAR_PARTS = 4;
 // Casters are as deep as this, over the way's length: a little more than between two places.
 const float NEAR_CASTER_DEPTH = 0.3;
@@ -17,14 +18,16 @@ vec4 place_in_view(view v, vec3 position) {
     return vec4(clip.xyw, v.orthographic ? (1.0 - clip.z) * v.far : clip.w);
 }
 
-bool is_hidden(vec3 from, vec3 to, light_view seen, bool asks) {
+bool is_between(surface s, near_arrival representative, bool any) {
+    vec3 from = s.position, to = representative.position;
+    light_view seen = light_view_at(representative.view_index);
     int size = near_size(seen.kind);
     float way = distance(from, to), deep = NEAR_CASTER_DEPTH * way;
     vec4 first = place_in_view(seen.view, from), last = place_in_view(seen.view, to);
     float texel = 2.0 * length(seen.view.right) / float(size); // its width, over w
     bool hidden = false;
     // A count: a software rasteriser executes both sides of a branch.
-    int parts = asks && way > NEAR_SHORTEST * texel * first.z ? NEAR_PARTS : 0;
+    int parts = any && way > NEAR_SHORTEST * texel * first.z ? NEAR_PARTS : 0;
     for (int i = 1; i < parts && !hidden; i++) {
         vec4 place = mix(first, last, float(i) / float(NEAR_PARTS));
         float z = near_fetch(seen, near_texel(place.xy / place.z, size)).z, behind = place.w - z;

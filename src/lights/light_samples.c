@@ -1,10 +1,10 @@
-#include "lights/starts.h"
+#include "lights/light_samples.h"
 
 #include "base/halton.h"
 
 #include <math.h>
 
-static bool is_wide(const struct emitter *light, const struct starts_desc *desc) {
+static bool is_wide(const struct emitter *light, const struct light_samples_desc *desc) {
     float widest = fmaxf(light->size[0], light->size[1]);
     switch (emitter_shape(light)) {
     case EMITTER_IS_RECTANGLE:
@@ -30,10 +30,11 @@ static void choose_place(float place[2], int k, int n, int pass) {
         place[i] = fminf(place[i], 1 - 0x1p-24F);
 }
 
-static void add_pieces(struct light_starts *starts, const struct emitter *light, int n, int pass) {
-    starts->groups[starts->group_count++] = (struct light_group){starts->count, n};
+static void add_pieces(struct light_samples *samples, const struct emitter *light, int n,
+                       int pass) {
+    samples->groups[samples->group_count++] = (struct light_group){samples->count, n};
     for (int k = 0; k < n; k++) {
-        struct emitter *piece = &starts->items[starts->count++];
+        struct emitter *piece = &samples->items[samples->count++];
         float place[2];
         choose_place(place, k, n, pass);
         *piece = n > 1 || pass > 0 ? emitter_piece(light, place) : *light;
@@ -42,48 +43,49 @@ static void add_pieces(struct light_starts *starts, const struct emitter *light,
     }
 }
 
-static void add_sky(struct light_starts *starts, const struct starts_sky *sky,
+static void add_sky(struct light_samples *samples, const struct light_samples_sky *sky,
                     const struct environment *environment, int pass) {
     int count = sky->groups->count;
     float place[2];
     choose_place(place, 0, 1, pass);
     if (count)
-        starts->groups[starts->group_count++] = (struct light_group){starts->count, count};
+        samples->groups[samples->group_count++] = (struct light_group){samples->count, count};
     for (int i = 0; i < count; i++)
-        starts->items[starts->count++] =
+        samples->items[samples->count++] =
             pass > 0 ? sky_group_piece(sky->lights, sky->groups, i, environment, place)
                      : sky_group_emitter(sky->lights, sky->groups, i, environment);
 }
 
-struct emitters light_starts_emitters(struct light_starts *starts) {
-    return (struct emitters){.items = starts->items, .count = starts->count};
+struct emitters light_samples_emitters(struct light_samples *samples) {
+    return (struct emitters){.items = samples->items, .count = samples->count};
 }
 
-struct light_layout light_starts_layout(struct light_starts *starts) {
-    struct emitters emitters = light_starts_emitters(starts);
+struct light_layout light_samples_layout(struct light_samples *samples) {
+    struct emitters emitters = light_samples_emitters(samples);
     struct light_layout layout;
     light_layout_count(&layout, &emitters);
-    layout.groups = starts->group_count;
-    layout.sized = false; /* they start from places */
+    layout.groups = samples->group_count;
+    layout.sized = false; /* samples have no size */
     return layout;
 }
 
-void light_starts_place(struct light_starts *starts, const struct emitters *emitters,
-                        const struct starts_sky *sky, const struct starts_desc *desc, int pass) {
+void light_samples_place(struct light_samples *samples, const struct emitters *emitters,
+                         const struct light_samples_sky *sky, const struct light_samples_desc *desc,
+                         int pass) {
     int wide = 0;
     for (int i = 0; i < emitters->count; i++)
         wide += is_wide(&emitters->items[i], desc);
-    int each = wide > 0 && desc->places > wide ? desc->places / wide : 1;
+    int each = wide > 0 && desc->count > wide ? desc->count / wide : 1;
     while (each > 1 && emitters->count + sky->groups->count + wide * (each - 1) > LIGHTS_MAX)
         each--;
     for (bool fits = false; !fits; each--) {
-        starts->count = starts->group_count = 0;
+        samples->count = samples->group_count = 0;
         for (int i = 0; i < emitters->count; i++) {
             const struct emitter *light = &emitters->items[i];
-            add_pieces(starts, light, is_wide(light, desc) ? each : 1, pass);
+            add_pieces(samples, light, is_wide(light, desc) ? each : 1, pass);
         }
-        add_sky(starts, sky, emitters->sky, pass);
-        struct light_layout layout = light_starts_layout(starts);
+        add_sky(samples, sky, emitters->sky, pass);
+        struct light_layout layout = light_samples_layout(samples);
         fits = each == 1 || light_layout_fits(&layout);
     }
 }

@@ -1,0 +1,52 @@
+// What a surface that is not matt reflects of a VPL's light towards the eye, besides its diffuse part:
+//     L = Phi / pi  f_r  cos_x  cos_i / (d^2 + r^2 / 2)
+// A point's mirror image would be a spot in the picture: SPHERE spreads the light over the ball around the VPL that
+// holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.
+// With RAYS a point gives no more than what rays do not find better (gather/gloss_rays.frag).
+#include "lib/gbuffer_shine.glsl"
+#include "gather/gloss_share.glsl"
+#include "gather/near_field.glsl"
+
+shine receiver_shine = shine(vec3(0.0), vec3(0.0), 1.0, vec3(0.0), vec3(0.0)); // of the pixel at hand
+
+vec3 specular_light(vpl light, surface s, float area) {
+    vec3 to_vpl = light.position - s.position;
+    float distance2 = dot(to_vpl, to_vpl);
+    vec3 direction = to_vpl * inversesqrt(max(distance2, 1e-30));
+    float cosine = -dot(light.normal, direction);
+    if (cosine <= 0.0 || receiver_shine.f90 == vec3(0.0))
+        return vec3(0.0);
+    shine seen = receiver_shine;
+    if (SPECULAR == SPECULAR_RAYS) {
+        gloss_samples there = gloss_samples_at(seen, direction, cosine, distance2, params.gloss_rays, area);
+        return light.flux * specular_brdf(seen, direction) * (cosine / distance2 * gloss_share(there.vpls, there.rays));
+    }
+    if (SPECULAR == SPECULAR_SPHERE) {
+        // Half vectors turn by half of what directions do.
+        float radius2 = params.sphere2 * area / distance2;
+        seen.alpha = min(sqrt(seen.alpha * seen.alpha + 0.25 * radius2), 1.0);
+    }
+    return light.flux * specular_brdf(seen, direction) * (cosine / (distance2 + params.sphere2 * light.area * 0.5));
+}
+
+float given_back() {
+    return 1.0;
+}
+
+bool receives_light(surface s, ivec2 pixel) {
+    receiver_shine = gbuffer_shine(s, pixel);
+    return receiver_shine.f90 != vec3(0.0);
+}
+
+// What is reflected of near VPLs counts as unoccluded.
+vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
+    vec3 to_light = light.position - s.position;
+    vec3 reflected = is_behind_horizon(receiver_facet, to_light) ? vec3(0.0)
+                                                                 : specular_light(light, s, light.area * weight);
+    back = -reflected * near_share(dot(to_light, to_light), light.area, light.reach);
+    return reflected;
+}
+
+vec3 arriving(vec3 own, vec3 back, float visible) {
+    return mix(-back, own, visible);
+}

@@ -1,0 +1,32 @@
+// Of a group of lights one, taken by how much it gives, tests visibility for all: on average each counts as if it had
+// tested its own.
+
+// A number of [0, 1) for a pixel's first group: pixels side by side have numbers far apart. turn: from pass to pass.
+float group_random(ivec2 pixel, float turn) {
+    return fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)) + turn);
+}
+
+// For the next group, as one number has no digits for more.
+float group_random_next(float random) {
+    return fract(random + 0.6180339887);
+}
+
+// Whether the light represents all up to it, which give `sum`. One number serves all: within the part that it fell into
+// it is as random as before.
+bool group_takes(float own, float sum, inout float random) {
+    float share = own / max(sum, 1e-30);
+    bool taken = random < share;
+    random = (taken ? random : random - share) / max(taken ? share : 1.0 - share, 1e-6);
+    return taken;
+}
+
+// What arrives of the group's sum, by its strength, by what its representative gives and by whether that arrives.
+vec3 group_light(vec3 sum, float strength, vec3 own, float visible) {
+#if RECEIVERS == RECEIVERS_LISTED
+    return sum * visible;
+#else
+    // In the hue of the representative, which no group's is in all of its lights: less even, and right on the mean.
+    vec3 hidden = own * (strength / max(dot(own, vec3(1.0)), 1e-30));
+    return sum - (1.0 - visible) * hidden;
+#endif
+}

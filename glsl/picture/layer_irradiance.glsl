@@ -1,0 +1,31 @@
+// The irradiance of a technique that has it.
+#include "gather/list_texel.glsl"
+
+#ifdef HAS_IRRADIANCE
+layout(binding = UNIT_IRRADIANCE) uniform sampler2D irradiances;
+
+vec3 irradiance_of_pixel(ivec2 texel) {
+    return texelFetch(irradiances, texel, 0).rgb;
+}
+#else
+vec3 irradiance_of_pixel(ivec2 texel) {
+    return vec3(0.0);
+}
+#endif
+
+// At a sample's pixel, or at the edge sample of the pixel that has the sample.
+#ifdef HAS_FURTHER_POINTS
+layout(binding = UNIT_FURTHER_TEXELS) uniform usampler2D further_texels;
+layout(binding = UNIT_FURTHER_IRRADIANCE) uniform sampler2D further_irradiance;
+
+vec3 irradiance_at(ivec2 texel, bool is_further, ivec2 pixel) {
+    if (!is_further)
+        return irradiance_of_pixel(texel);
+    ivec2 listed = list_texel_of(texelFetch(further_texels, pixel, 0).r);
+    return texelFetch(further_irradiance, listed, 0).rgb;
+}
+#else
+vec3 irradiance_at(ivec2 texel, bool is_further, ivec2 pixel) {
+    return irradiance_of_pixel(texel);
+}
+#endif
