@@ -190,6 +190,8 @@ static void test_truth(void **state) {
         {"instant-radiosity", "vpls=4096 interleave=1", .01, .02, .09},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        if (!is_tried_here(i, 2))
+            continue;
         struct image image =
             render_with(&stage, stage.emitters.items, 3, rows[i].technique, rows[i].settings);
         printf("  %s %s\n", rows[i].technique, rows[i].settings);

@@ -88,7 +88,8 @@ static void check_picture(const struct picture *picture) {
 static void test_pictures(void **state) {
     (void)state;
     for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++)
-        check_picture(&pictures[i]);
+        if (is_tried_here(i, 3))
+            check_picture(&pictures[i]);
 }
 
 /* --- one pass ---------------------------------------------------------------------------------- */

@@ -64,7 +64,8 @@ static void test_own_scenes(void **state) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char path[128];
         snprintf(path, sizeof path, "scenes/%s.glb", names[i]);
-        check_scene(path, 100);
+        if (is_tried_here(i, 2))
+            check_scene(path, 100);
     }
 }
 
@@ -76,7 +77,7 @@ static void test_shared_scenes(void **state) {
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         char path[256];
         snprintf(path, sizeof path, "%s/scenes/%s.glb", shared_path(), names[i]);
-        if (access(path, R_OK) == 0)
+        if (is_tried_here(i, 2) && access(path, R_OK) == 0)
             check_scene(path, 100);
     }
 }

@@ -311,5 +311,5 @@ int main(void) {
         cmocka_unit_test(test_sky_of_unlit_scene), cmocka_unit_test(test_sky_of_moving_scene),
         cmocka_unit_test(test_pictures),
     };
-    return run_some_tests(tests, 7, open_view_stage, close_view_stage);
+    return run_some_tests(tests, 5, open_view_stage, close_view_stage);
 }
