@@ -190,7 +190,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct pass_state state = {
         .name = pass->desc.specular                          ? "gather of gloss"
-                : pass->desc.receivers == RECEIVERS_ADAPTIVE ? "gather of adaptive pixels"
+                : pass->desc.receivers == RECEIVERS_ADAPTIVE ? "adaptive gather"
                                                              : "gather",
         .program = program_for(pass, inputs),
         .framebuffer = pass->irradiance.framebuffer,

@@ -69,7 +69,7 @@ struct gather_inputs {
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
                               const struct gather_inputs *inputs);
 
-/* Adds the VPLs' light to pass->irradiance. Timer "gather", "gather of adaptive pixels" or
+/* Adds the VPLs' light to pass->irradiance. Timer "gather", "adaptive gather" or
  * "gather of gloss". */
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs);

@@ -225,7 +225,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                             const struct gbuffer *gbuffer, const struct near_field_inputs *inputs) {
     const struct irradiance *irradiance = inputs->irradiance;
     struct pass_state state = {
-        .name = inputs->of_lists ? "near field of adaptive pixels" : "near field",
+        .name = inputs->of_lists ? "adaptive near field" : "near field",
         .program = inputs->of_lists ? pass->listed_program : pass->program,
         .framebuffer = irradiance->framebuffer,
         .width = irradiance->texture.desc.width,

@@ -61,7 +61,7 @@ struct near_field_inputs {
     bool of_lists; /* the tiles are these lists', not those of all other pixels */
 };
 
-/* Adds to inputs->irradiance. Timer "near field", or "near field of adaptive pixels". */
+/* Adds to inputs->irradiance. Timer "near field", or "adaptive near field". */
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
                             const struct gbuffer *gbuffer, const struct near_field_inputs *inputs);
 
