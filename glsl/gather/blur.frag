@@ -31,9 +31,9 @@ float window(int away, float radius) {
     return clamp(radius - float(away) + 0.5, 0.0, 1.0);
 }
 
-float of_grade(vec4 values, int grade) {
-    vec2 pair = grade < 2 ? values.xy : values.zw;
-    return (grade & 1) == 0 ? pair.x : pair.y;
+float of_level(vec4 values, int level) {
+    vec2 pair = level < 2 ? values.xy : values.zw;
+    return (level & 1) == 0 ? pair.x : pair.y;
 }
 
 void main() {
@@ -48,9 +48,9 @@ void main() {
     int radius = params.radius, rows = params.rows;
     // Two pixels count for each other between what each counts for its like, so that as much light goes as comes.
     // Pixels of lists take of none beyond their own windows.
-    int grade = blur_tap_grade(center);
-    vec4 radii = grade == BLUR_GRADE_PLAIN ? params.taken_radii : min(params.radii, of_grade(params.radii, grade));
-    vec4 weights = sqrt(params.weights * of_grade(params.weights, grade));
+    int level = blur_tap_level(center);
+    vec4 radii = level == BLUR_LEVEL_PLAIN ? params.taken_radii : min(params.radii, of_level(params.radii, level));
+    vec4 weights = sqrt(params.weights * of_level(params.weights, level));
     ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);
     // No branches: a software rasteriser executes both sides, and keeps books of which pixel is where.
@@ -63,9 +63,9 @@ void main() {
             vec3 apart = tap_position((vec2(at) + 0.5) * per_pixel - extent, tap_depth) - position;
             bool alike = at == inside && tap_depth > 0.0 && dot(apart, apart) < reach * reach &&
                 dot(blur_tap_normal(tap), normal) > params.cosine;
-            int tap_grade = blur_tap_grade(tap);
-            float wide = of_grade(radii, tap_grade);
-            float weight = window(abs(i), wide) * (rows > 0 ? window(abs(j), wide) : 1.0) * of_grade(weights, tap_grade);
+            int tap_level = blur_tap_level(tap);
+            float wide = of_level(radii, tap_level);
+            float weight = window(abs(i), wide) * (rows > 0 ? window(abs(j), wide) : 1.0) * of_level(weights, tap_level);
             sum += (alike ? weight : 0.0) * vec4(blur_tap_irradiance(tap), 1.0);
         }
     write(center, depth > 0.0 ? sum.rgb / max(sum.a, 0.25) : vec3(0.0));

@@ -6,9 +6,9 @@
 #include "shared/blur.h"
 
 layout(binding = UNIT_IRRADIANCE) uniform sampler2D source;
-#if DETAIL
+#if ADAPTIVE
 layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;
-layout(binding = UNIT_DETAIL_IRRADIANCE) uniform sampler2D detail_irradiance;
+layout(binding = UNIT_ADAPTIVE_IRRADIANCE) uniform sampler2D adaptive_irradiance;
 
 // Where so much light arrives it comes from an area no larger than all power over the irradiance, and changes over a
 // part of its width: where that is so few pixels, the window of an edge takes too much from beside it.
@@ -31,20 +31,20 @@ void main() {
     vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
     float depth = gbuffer_depth(pixel);
     vec3 irradiance = texelFetch(source, interleaved_texel(params.pattern, pixel), 0).rgb;
-    int grade = BLUR_GRADE_PLAIN;
-#if DETAIL
+    int level = BLUR_LEVEL_PLAIN;
+#if ADAPTIVE
     uint code = texelFetch(list_texels, pixel, 0).r;
     if (list_texel_has(code)) {
-        irradiance = texelFetch(detail_irradiance, list_texel_of(code), 0).rgb;
-        grade = BLUR_GRADE_OF_LIST(list_grade_of(code));
-        if (list_grade_of(code) == PIXEL_GRADE_EDGE && is_steep(irradiance, depth))
-            grade = BLUR_GRADE_STEEP;
+        irradiance = texelFetch(adaptive_irradiance, list_texel_of(code), 0).rgb;
+        level = BLUR_LEVEL_OF_LIST(list_level_of(code));
+        if (list_level_of(code) == PIXEL_LEVEL_EDGE && is_steep(irradiance, depth))
+            level = BLUR_LEVEL_STEEP;
     }
 #endif
 #if GLOSS
     float roughness = gloss_decode(texelFetch(gbuffer_glosses, ivec3(pixel, 0), 0)).a;
-    grade = is_smooth(roughness * roughness) ? BLUR_GRADE_OF_LIST(0) : BLUR_GRADE_PLAIN;
+    level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(0) : BLUR_LEVEL_PLAIN;
 #endif
     packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,
-                                        blur_tap_normal_code(normal), irradiance, grade));
+                                        blur_tap_normal_code(normal), irradiance, level));
 }

@@ -4,7 +4,7 @@ struct blur_tap {
     float depth;  // along the view's axis, metres; 0 where nothing is
     uint normal;  // blur_tap_normal_code
     vec3 irradiance;
-    int grade;    // BLUR_GRADE_...
+    int level;    // BLUR_LEVEL_...
 };
 
 // 21 bits of each float: all of its exponent, 13 of its fraction.
@@ -14,7 +14,7 @@ uvec4 blur_tap_lit(uvec4 tap, vec3 irradiance) {
 }
 
 uvec4 blur_tap_pack(blur_tap tap) {
-    uvec2 place = uvec2(floatBitsToUint(tap.depth), tap.normal | uint(tap.grade) << 30);
+    uvec2 place = uvec2(floatBitsToUint(tap.depth), tap.normal | uint(tap.level) << 30);
     return blur_tap_lit(uvec4(place, 0u, 0u), tap.irradiance);
 }
 
@@ -32,7 +32,7 @@ vec3 blur_tap_normal(uvec4 tap) {
     return vec3(ivec3(tap.yyy >> uvec3(0u, 10u, 20u) & 0x3ffu) - 512) / 511.0;
 }
 
-int blur_tap_grade(uvec4 tap) {
+int blur_tap_level(uvec4 tap) {
     return int(tap.y >> 30);
 }
 

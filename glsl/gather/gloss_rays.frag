@@ -1,4 +1,4 @@
-// What a surface that is not matt reflects of the light that rays find, sampled by its lobe, in the lights' maps:
+// What a surface that is not diffuse reflects of the light that rays find, sampled by its lobe, in the lights' maps:
 //     L = 1/n sum_j  f_r cos_x / p(l_j)  rho I cos_y / (pi d^2)  share_j
 // A draw fills one tile, whose pixels take the same lights, as in the near field.
 #include "lib/gbuffer_shine.glsl"
@@ -48,11 +48,11 @@ vec4 hit_gloss(march_hit hit) {
 // Dachsbacher 2013].
 vec3 hit_reflects(march_hit hit, vec3 to_light, vec3 to_receiver, float cosine, float receiver_alpha) {
     vec4 gloss = hit_gloss(hit);
-    vec3 matt = max(rsm_albedo(hit.seen_by, hit.texel) - evenly_reflected(gloss), 0.0);
+    vec3 diffuse = max(rsm_albedo(hit.seen_by, hit.texel) - evenly_reflected(gloss), 0.0);
     float alpha = min(length(vec2(gloss.a * gloss.a, receiver_alpha)), 1.0);
     shine s = shine(gloss.rgb, reflectance_grazing(gloss.rgb), alpha, hit.end.normal,
                     facing(hit.end.normal, to_receiver));
-    return matt * (cosine / 3.14159265) + (gloss.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
+    return diffuse * (cosine / 3.14159265) + (gloss.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
 }
 
 // The radiance of the hit surface, and the area that a VPL has there, over the solid angle that it stands for.

@@ -1,4 +1,4 @@
-// What a surface that is not matt reflects of a VPL's light towards the eye, besides its diffuse part:
+// What a surface that is not diffuse reflects of a VPL's light towards the eye, besides its diffuse part:
 //     L = Phi / pi  f_r  cos_x  cos_i / (d^2 + r^2 / 2)
 // A point's mirror image would be a spot in the picture: SPHERE spreads the light over the ball around the VPL that
 // holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.

@@ -4,8 +4,8 @@
 #include "shared/interleaving.h"
 #include "lib/octahedral.glsl"
 
-uint list_texel_code(ivec2 texel, int grade) {
-    return 1u | uint(texel.x << 1 | texel.y << 16) | uint(grade) << 31;
+uint list_texel_code(ivec2 texel, int level) {
+    return 1u | uint(texel.x << 1 | texel.y << 16) | uint(level) << 31;
 }
 
 bool list_texel_has(uint code) {
@@ -16,7 +16,7 @@ ivec2 list_texel_of(uint code) {
     return ivec2(code >> 1 & 0x7fffu, code >> 16 & 0x7fffu);
 }
 
-int list_grade_of(uint code) {
+int list_level_of(uint code) {
     return int(code >> 31);
 }
 

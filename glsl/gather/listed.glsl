@@ -1,5 +1,5 @@
-// The rows of a tile that one of its lists fills: of pixels of two grades from the begin and from the end of its first
-// half, of further points from the begin of its second.
+// The rows of a tile that one of its lists fills: of pixels of two levels from the begin and from the end of its first
+// half, of edge samples from the begin of its second.
 #include "shared/interleaving.h"
 
 layout(std140, binding = BLOCK_LIST_COUNTS) uniform list_counts {
@@ -11,7 +11,7 @@ layout(location = LOCATION_TILE) uniform ivec4 tile; // size, places a side, lis
 ivec3 listed_of(ivec2 place) {
     int list = (tile.w * tile.z + place.y) * tile.z + place.x, count = int(counts[list / 4][list % 4]);
     int half_tile = tile.x * tile.y / 2;
-    int begin = tile.w == PIXEL_GRADE_DETAIL ? half_tile - count : tile.w == LIST_FURTHER ? half_tile : 0;
+    int begin = tile.w == PIXEL_LEVEL_DETAIL ? half_tile - count : tile.w == LIST_EDGE_SAMPLES ? half_tile : 0;
     return ivec3(begin, begin + count, tile.w);
 }
 

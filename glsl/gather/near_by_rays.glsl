@@ -1,5 +1,5 @@
 // A ray tells whether something is between a receiver and a sample of the near field.
-#include "visibility/triangle_tree.glsl"
+#include "visibility/bvh.glsl"
 
 const bool NEAR_IS_TESTED = true;
 

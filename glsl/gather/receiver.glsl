@@ -6,7 +6,7 @@
 
 #if RECEIVERS == RECEIVERS_ALL
 #include "gather/receiver_all.glsl"
-#elif RECEIVERS == RECEIVERS_LISTED
+#elif RECEIVERS == RECEIVERS_ADAPTIVE
 #include "gather/receiver_listed.glsl"
 #else
 #include "gather/receiver_other.glsl"

@@ -1,10 +1,10 @@
 // The pixel or the edge sample that a list has in the texel.
 #include "gather/receiver_facet.glsl"
-#include "lib/further_point.glsl"
+#include "lib/edge_sample.glsl"
 #include "lib/gbuffer.glsl"
 
-layout(binding = UNIT_LISTED_PIXELS) uniform usampler2D listed_pixels;
-layout(binding = UNIT_FURTHER_POINTS) uniform usampler2D further_points;
+layout(binding = UNIT_ADAPTIVE_PIXELS) uniform usampler2D adaptive_pixels;
+layout(binding = UNIT_EDGE_SAMPLES) uniform usampler2D edge_samples;
 
 flat in ivec3 listed; // where this tile has the list, row by row: begin, end; which list it is
 
@@ -23,21 +23,21 @@ void list_begin(ivec2 place) {
 // False outside the list.
 bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     ivec2 texel = ivec2(gl_FragCoord.xy), within = texel - place * pattern.tile;
-    uint code = texelFetch(listed_pixels, texel, 0).r;
+    uint code = texelFetch(adaptive_pixels, texel, 0).r;
     pixel = ivec2(code & 0xffffu, code >> 16);
     int at = within.y * pattern.tile.x + within.x;
     return at >= listed.x && at < listed.y;
 }
 
 surface further_surface(ivec2 pixel) {
-    further_point p = further_point_unpack(texelFetch(further_points, pixel, 0));
+    edge_sample p = edge_sample_unpack(texelFetch(edge_samples, pixel, 0));
     vec2 ndc = (vec2(pixel) + 0.5 + p.place) / vec2(gbuffer_size()) * 2.0 - 1.0;
     return surface(true, view_position(camera, ndc, p.depth), p.normal);
 }
 
 surface receiver_surface(ivec2 pixel) {
     surface s;
-    if (listed.z == LIST_FURTHER)
+    if (listed.z == LIST_EDGE_SAMPLES)
         s = further_surface(pixel);
     else
         s = gbuffer_surface(pixel);
@@ -45,5 +45,5 @@ surface receiver_surface(ivec2 pixel) {
 }
 
 vec3 receiver_triangle(surface s, ivec2 pixel) {
-    return listed.z == LIST_FURTHER ? s.normal : facet_of(s, pixel);
+    return listed.z == LIST_EDGE_SAMPLES ? s.normal : facet_of(s, pixel);
 }

@@ -22,7 +22,7 @@ bool group_takes(float own, float sum, inout float random) {
 
 // What arrives of the group's sum, by its strength, by what its representative gives and by whether that arrives.
 vec3 group_light(vec3 sum, float strength, vec3 own, float visible) {
-#if RECEIVERS == RECEIVERS_LISTED
+#if RECEIVERS == RECEIVERS_ADAPTIVE
     return sum * visible;
 #else
     // In the hue of the representative, which no group's is in all of its lights: less even, and right on the mean.

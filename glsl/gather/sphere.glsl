@@ -1,4 +1,4 @@
-// A VPL's light spread over a ball of radius r around it, as a matt surface receives it [Hašan et al. 2009]: in
+// A VPL's light spread over a ball of radius r around it, as a diffuse surface receives it [Hašan et al. 2009]: in
 // place of cos cos / d^2 its mean over the cone in which the ball is seen,
 //     1 / (pi r^2)  int (n . l)+ (m . l)+ dl,  m = -n of the VPL.
 // Exact while the cone is above both horizons; within the ball the cone is the whole sphere, and that is exact.

@@ -1,12 +1,12 @@
 // Visibility that a pixel finds by itself, of each light.
-#include "gather/calibration.glsl"
+#include "gather/correction.glsl"
 #include "visibility/visibility.glsl"
 
 // Whether a light's own arrives there, by that map.
 float visibility_of(int map, surface s, vec3 light) {
     float visible = visibility_from(map, s.position, s.normal, light);
-#if CALIBRATED
-    visible = calibrated(visible, calibration_at(map, receiver_place).r);
+#if CORRECTED
+    visible = corrected(visible, correction_at(map, receiver_place).r);
 #endif
     return visible;
 }

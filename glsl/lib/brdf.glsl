@@ -4,7 +4,7 @@
 
 // A surface towards the eye.
 struct shine {
-    vec3 f0, f90;  // reflectance from straight on and grazing; 0 of a matt surface
+    vec3 f0, f90;  // reflectance from straight on and grazing; 0 of a diffuse surface
     float alpha;   // roughness^2
     vec3 normal, to_eye;
 };

@@ -1,5 +1,5 @@
 // How the G-buffer keeps the specular part of reflection: the reflectance from straight on in rgb, the roughness in a;
-// all 0 where a surface is matt. Reflectance is stored as its square root, so that eight bits serve dark ones too.
+// all 0 where a surface is diffuse. Reflectance is stored as its square root, so that eight bits serve dark ones too.
 
 #include "shared/brdf.h"
 

@@ -1,5 +1,5 @@
 // Light of areas by linearly transformed cosines [Heitz et al. 2016]: a space in which the specular part's lobe is a
-// cosine, so that polygons light it as they light what is matt.
+// cosine, so that polygons light it as they light what is diffuse.
 #include "lib/brdf.glsl"
 #include "lib/tangent.glsl"
 

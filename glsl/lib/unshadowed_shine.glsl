@@ -1,4 +1,4 @@
-// What a surface that is not matt would reflect, besides its diffuse part, of a light that nothing hides: radiance
+// What a surface that is not diffuse would reflect, besides its diffuse part, of a light that nothing hides: radiance
 // over l.radiance. Points are exact, areas are by linearly transformed cosines; spheres and suns are the disks that
 // look as large.
 #include "lib/lobe.glsl"

@@ -1,7 +1,7 @@
 // Path (x, y) begins with a share of a VPL's light, and follows it from surface to surface: a ray in a direction by the
 // cosine, and of its flux what the surface there reflects [Keller 1997]. At one of its surfaces, picked by flux, it leaves
 // the flux of all. Of row 0, which leaves VPLs, one more ray tells where the light goes from there.
-#include "visibility/triangle_tree.glsl"
+#include "visibility/bvh.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_texels.glsl"
 #include "shared/bounce.h"

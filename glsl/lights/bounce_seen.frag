@@ -1,6 +1,6 @@
 // How much of path i's light goes to what the camera sees, as a patch sends it and as it does; and how much in all. A ray from
 // the eye tells, as what is seen may be thinner than a pixel, and the light may have come from behind it.
-#include "visibility/triangle_tree.glsl"
+#include "visibility/bvh.glsl"
 #include "lights/bounce_paths.glsl"
 #include "lights/bounce_areas.glsl"
 #include "gather/patch.glsl"

@@ -1,6 +1,6 @@
 // Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3], and finds a
-// further point to shade where it lies on none's.
-#include "lib/further_point.glsl"
+// edge sample to shade where it lies on none's.
+#include "lib/edge_sample.glsl"
 #include "picture/picks.glsl"
 #include "picture/sample_plane.glsl"
 
@@ -8,7 +8,7 @@ layout(binding = UNIT_SAMPLE_NORMAL) uniform sampler2DMSArray sample_normals;
 
 // Before the shader, or it would run everywhere.
 layout(early_fragment_tests) in;
-layout(rgba32ui, binding = IMAGE_FURTHER_POINTS) writeonly uniform uimage2D further_points;
+layout(rgba32ui, binding = IMAGE_EDGE_SAMPLES) writeonly uniform uimage2D edge_samples;
 
 layout(location = TARGET_RESULT) out uvec2 picks;
 
@@ -105,12 +105,12 @@ bool most_unlikely(out picked_sample found) {
     return most > UNLIKELY;
 }
 
-// That sample is the further point, and others that rather lie on its surface are lit as it.
-void take_further_point(ivec2 pixel, picked_sample chosen) {
-    further_point point = further_point(chosen.depth, chosen.normal, chosen.place, chosen.pick);
-    imageStore(further_points, pixel, further_point_pack(point));
+// That sample is the edge sample, and others that rather lie on its surface are lit as it.
+void take_edge_sample(ivec2 pixel, picked_sample chosen) {
+    edge_sample point = edge_sample(chosen.depth, chosen.normal, chosen.place, chosen.pick);
+    imageStore(edge_samples, pixel, edge_sample_pack(point));
     plane p = plane_at(vec2(pixel) + 0.5 + chosen.place, chosen.depth, chosen.normal);
-    try_candidate(candidate_of(p, chosen.place), PICK_FURTHER);
+    try_candidate(candidate_of(p, chosen.place), PICK_EDGE_SAMPLE);
 }
 
 void main() {
@@ -120,7 +120,7 @@ void main() {
         try_neighbour(pixel, pick);
     picked_sample chosen;
     if (most_unlikely(chosen))
-        take_further_point(pixel, chosen);
+        take_edge_sample(pixel, chosen);
     picks = uvec2(0u);
     for (int i = 0; i < SAMPLES; i++)
         picks[i / 8] |= best[i] << uint(4 * (i % 8));

@@ -10,7 +10,7 @@
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray albedos;
 layout(binding = UNIT_DIRECT) uniform sampler2D directs;
 layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
-layout(binding = UNIT_FURTHER_POINTS) uniform usampler2D further_points;
+layout(binding = UNIT_EDGE_SAMPLES) uniform usampler2D edge_samples;
 
 // What the pixel sees, the mean over its samples. Light is irradiance over pi, the radiance of a
 // white surface; weighted by the albedo, so that albedo (direct + indirect) = radiance at edges too.
@@ -37,15 +37,15 @@ seen seen_by(uvec2 picks, ivec2 pixel) {
     seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 weights = vec3(0.0);
     uint stand_in = 0u;
-    if (picks_further_point(picks))
-        stand_in = texelFetch(further_points, pixel, 0).w;
+    if (picks_edge_sample(picks))
+        stand_in = texelFetch(edge_samples, pixel, 0).w;
     for (int i = 0; i < count; i++) {
         uint pick = pick_of(picks, i);
         if (pick == PICK_NOTHING) {
             sum.radiance += through_medium(background(pixel), pixel);
             continue;
         }
-        bool is_further = pick == PICK_FURTHER;
+        bool is_further = pick == PICK_EDGE_SAMPLE;
         ivec2 texel = clamp(pixel + pick_offset(is_further ? stand_in : pick), ivec2(0), last);
         float present = gbuffer_depth(texel) > 0.0 ? 1.0 : 0.0;
         vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));

@@ -34,7 +34,7 @@ vec3 diffuse_and_gloss(vec3 base, out vec4 gloss) {
     gloss = vec4(0.0);
     if (material.unlit)
         return vec3(0.0);
-    if (material.matt)
+    if (material.diffuse)
         return base;
     vec2 metal_rough = vec2(material.metalness, material.roughness);
     vec3 f0 = material.specular_f0;

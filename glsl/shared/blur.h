@@ -5,12 +5,12 @@
 #include "shared/interleaving.h"
 
 #define UNIT_BLUR_TAPS (UNIT_OWN + 0)
-#define UNIT_DETAIL_IRRADIANCE (UNIT_OWN + 1)
+#define UNIT_ADAPTIVE_IRRADIANCE (UNIT_OWN + 1)
 
-/* Grades of taps: pixels that no list has; those of lists' grades; and edges where light is steep. */
-#define BLUR_GRADE_PLAIN 0
-#define BLUR_GRADE_OF_LIST(grade) (1 + (grade))
-#define BLUR_GRADE_STEEP (1 + PIXEL_GRADES)
+/* Grades of taps: pixels that no list has; those of lists' levels; and edges where light is steep. */
+#define BLUR_LEVEL_PLAIN 0
+#define BLUR_LEVEL_OF_LIST(level) (1 + (level))
+#define BLUR_LEVEL_STEEP (1 + PIXEL_LEVELS)
 
 struct blur_params {
     STRUCT(interleaving) pattern; /* of the picture that is read */
@@ -21,7 +21,7 @@ struct blur_params {
     float cosine;                 /* beta */
     float inverse_power; /* of all lights; times area and irradiance as it is stored: a share */
     float unused;
-    vec4 radii;       /* of windows: of taps of each grade */
+    vec4 radii;       /* of windows: of taps of each level */
     vec4 taken_radii; /* likewise, but of what a pixel that no list has takes of them */
     vec4 weights;     /* of their estimates: as many more lights have they */
 };

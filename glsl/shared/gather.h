@@ -9,7 +9,7 @@
 
 /* How cos cos / d^2 is bounded near a VPL, CLAMP. The disk form factor is that of a disk of the VPL's area. The near
  * field leaves what is near to passes/gather/near_field.h. Spheres spread the VPL's light over a ball [Hašan et al.
- * 2009]. No choices of a user: patches are of further bounces (gather/patch.glsl); rectangles need no bound, and
+ * 2009]. No choices of a user: patches are of indirect bounces (gather/patch.glsl); rectangles need no bound, and
  * those from RECTANGLE on are rectangles. */
 #define GATHER_CLAMP_NONE 0
 #define GATHER_CLAMP_VALUE 1

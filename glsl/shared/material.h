@@ -15,7 +15,7 @@ struct material_block {
     BOOL double_sided;
     BOOL textured; /* has a base colour texture */
     BOOL emission_textured;
-    BOOL matt; /* by its base colour alone */
+    BOOL diffuse; /* by its base colour alone */
     BOOL unlit;
     BOOL metal_roughness_textured;
     vec3 specular_f0; /* of what is no metal */

@@ -1,5 +1,5 @@
 // Which light reaches a point, by a ray through the scene's triangles.
-#include "visibility/triangle_tree.glsl"
+#include "visibility/bvh.glsl"
 
 // Of one VPL, whatever its map.
 float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {

@@ -37,7 +37,7 @@ struct direct_method {
     void (*render_view)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
     const struct texture *(*light)(const void *state);
     /* Where desc.gloss, what is not diffuse: RGBA32F, radiance towards the camera, W/(sr m2). NULL: the
-     * method shows all surfaces as matt. */
+     * method shows all surfaces as diffuse. */
     const struct texture *(*specular)(const void *state);
 };
 

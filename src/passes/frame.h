@@ -24,8 +24,8 @@ struct frame {
     float bounds_min[3], bounds_max[3];    /* of the scene, metres */
     float radius;                          /* of its bounding sphere, metres */
     /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the further
-     * points of those whose samples have one (lib/further_point.glsl). */
-    const struct texture *picks, *further_points;
+     * points of those whose samples have one (lib/edge_sample.glsl). */
+    const struct texture *picks, *edge_samples;
     int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
                  the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that

@@ -12,9 +12,9 @@ void pixel_lists_size(int size[2], int interleave) {
 void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers) {
     if (receivers == RECEIVERS_OTHERS)
         pass_add_texture(state, UNIT_LIST_TEXELS, lists->texels.id);
-    if (receivers != RECEIVERS_LISTED)
+    if (receivers != RECEIVERS_ADAPTIVE)
         return;
-    pass_add_texture(state, UNIT_LISTED_PIXELS, lists->pixels.id);
+    pass_add_texture(state, UNIT_ADAPTIVE_PIXELS, lists->pixels.id);
     pass_add_block(state, BLOCK_LIST_COUNTS, &lists->counts);
 }
 

@@ -1,5 +1,5 @@
-/* Some pixels of a picture and further points of some, as a list for each grade (PIXEL_GRADE_...) or of points
- * (LIST_FURTHER) and place of the n x n pattern. */
+/* Some pixels of a picture and edge samples of some, as a list for each level (PIXEL_LEVEL_...) or of points
+ * (LIST_EDGE_SAMPLES) and place of the n x n pattern. */
 #ifndef PASSES_LISTS_H
 #define PASSES_LISTS_H
 
@@ -10,12 +10,12 @@
 struct pixel_lists {
     struct texture
         pixels; /* R32UI, x | y << 16, in tiles, twice as large as a picture's; a list fills its tile
-                              row by row: of one grade from its begin, of the other from the end of its first
+                              row by row: of one level from its begin, of the other from the end of its first
                               half, of points from there on */
-    struct texture texels;         /* R32UI, of each pixel of the picture its texel in the lists
+    struct texture texels;             /* R32UI, of each pixel of the picture its texel in the lists
                               (gather/list_texel.glsl); 0 where it is not listed */
-    struct texture further_texels; /* likewise of its further point */
-    struct buffer counts;          /* of the lists: uint */
+    struct texture edge_sample_texels; /* likewise of its edge sample */
+    struct buffer counts;              /* of the lists: uint */
     int interleave, tile_width, tile_height;
 };
 

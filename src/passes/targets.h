@@ -48,8 +48,8 @@ struct irradiance {
 struct contribution {
     const struct irradiance *irradiance;
     const struct irradiance
-        *further_irradiance; /* likewise at pixels' further points, and the texel of each in */
-    const struct texture *further_texels; /* it, gather/list_texel.glsl; both or none */
+        *further_irradiance; /* likewise at pixels' edge samples, and the texel of each in */
+    const struct texture *edge_sample_texels; /* it, gather/list_texel.glsl; both or none */
     const struct texture *radiance;
     const struct texture *in_scatter, *transmittance; /* both or none */
 };

@@ -35,7 +35,7 @@ struct vpl_tree {
 struct vpl_cuts {
     struct texture texture;
     const struct vpl_tree *tree;
-    int block, detail_layer; /* where the second begins */
+    int block, adaptive_layer; /* where the second begins */
 };
 
 /* Of clusters of VPLs, M x 1 RGBA32F: position and count, normal, flux (W). */

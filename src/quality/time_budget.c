@@ -15,7 +15,7 @@ static const struct row {
         int vpls, vals, map, near_samples, block, rsm;
     } numbers;
     struct {
-        int interleave, detail, detail_times, samples;
+        int interleave, detail, adaptive_factor, samples;
         bool by_rays;
     } grades;
 } rows[TIME_BUDGET_ROWS] = {
@@ -72,7 +72,7 @@ char *time_budget_settings(int level) {
         between(a->numbers.map, b->numbers.map, share),
         between(a->numbers.near_samples, b->numbers.near_samples, share),
         grade->grades.by_rays ? "traced" : "ray", grade->grades.by_rays ? 0 : block,
-        grade->grades.interleave, grade->grades.detail, grade->grades.detail_times,
+        grade->grades.interleave, grade->grades.detail, grade->grades.adaptive_factor,
         grade->grades.samples);
 }
 

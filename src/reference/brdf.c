@@ -12,7 +12,7 @@ static const float least_cosine = (float)BRDF_LEAST_COSINE;
 static const float least_share = .1F;
 
 struct brdf brdf_lambertian(vec3s albedo) {
-    return (struct brdf){.albedo = albedo, .matt = true};
+    return (struct brdf){.albedo = albedo, .diffuse = true};
 }
 
 struct brdf brdf_of(const struct material *material, vec3s base_color,
@@ -65,7 +65,7 @@ struct brdf_value brdf_eval(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) 
     float n_l = glms_vec3_dot(n, l);
     if (n_l <= 0)
         return (struct brdf_value){0};
-    if (brdf->matt)
+    if (brdf->diffuse)
         return (struct brdf_value){.diffuse = 1};
     v = facing(n, v);
     vec3s h = glms_vec3_normalize(glms_vec3_add(v, l));
@@ -126,7 +126,7 @@ static vec3s visible_normal(vec3s n, vec3s v, float alpha, vec2s sample) {
 }
 
 vec3s brdf_sample(const struct brdf *brdf, vec3s n, vec3s v, vec2s sample) {
-    if (brdf->matt)
+    if (brdf->diffuse)
         return warp_to_cosine(sample, n);
     v = facing(n, v);
     float share = diffuse_share(brdf, glms_vec3_dot(n, v));
@@ -139,7 +139,7 @@ vec3s brdf_sample(const struct brdf *brdf, vec3s n, vec3s v, vec2s sample) {
 
 float brdf_density(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) {
     float cosine = fmaxf(glms_vec3_dot(n, l), 0) * GLM_1_PIf;
-    if (brdf->matt)
+    if (brdf->diffuse)
         return cosine;
     v = facing(n, v);
     float n_v = glms_vec3_dot(n, v), share = diffuse_share(brdf, n_v);

@@ -18,7 +18,7 @@
 
 struct brdf {
     vec3s albedo; /* of the diffuse part, with the mean of what the interface lets through */
-    bool matt;    /* that is all; the rest is 0 */
+    bool diffuse; /* that is all; the rest is 0 */
     float alpha;  /* roughness^2 */
     vec3s f0, f90;
     float outer_f0, outer_f90; /* reflectance of the interface over the diffuse part */

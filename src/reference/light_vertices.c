@@ -31,14 +31,14 @@ static void trace(const struct work *work, uint32_t i) {
         return;
     vertex->position = hit.position;
     vertex->normal = hit.geometric_normal;
-    vertex->matt = hit.brdf.matt;
-    if (vertex->matt) {
+    vertex->diffuse = hit.brdf.diffuse;
+    if (vertex->diffuse) {
         vertex->radiance = emission_reflected(&hit, &arrival);
         vertex->found = arrival.found;
     } else {
         work->vertices.gloss[i] = (struct light_gloss){hit, arrival};
     }
-    if (!vertex->matt || glms_vec3_norm2(vertex->radiance) > 0)
+    if (!vertex->diffuse || glms_vec3_norm2(vertex->radiance) > 0)
         vertex->density = arrival.density;
 }
 

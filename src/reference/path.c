@@ -36,7 +36,7 @@ static vec3s sent_to(const struct light_vertices *lights, uint32_t i, const stru
                      float *light_found) {
     const struct light_vertex *vertex = &lights->items[i];
     *light_found = vertex->found;
-    if (vertex->matt)
+    if (vertex->diffuse)
         return vertex->radiance;
     const struct arrival *arrival = &lights->gloss[i].arrival;
     struct hit y = lights->gloss[i].hit;
@@ -53,7 +53,7 @@ static struct reflected from_light_vertex(const struct light_vertices *lights, u
                                           const struct hit *x, float p_cosine) {
     float light_found, p_light = LIGHTS_PER_VERTEX * lights->items[i].density, p_ray = p_cosine;
     vec3s radiance = sent_to(lights, i, x, &light_found);
-    if (x->brdf.matt) {
+    if (x->brdf.diffuse) {
         float share = p_cosine / p_light * vertex_weight(p_light, p_ray, light_found);
         return (struct reflected){.diffuse = glms_vec3_scale(radiance, share)};
     }
@@ -112,7 +112,7 @@ struct step {
 static void weigh(struct step *step, const struct hit *from) {
     const struct brdf *brdf = &from->brdf;
     step->share = (struct reflected){.diffuse = glms_vec3_one()};
-    if (brdf->matt)
+    if (brdf->diffuse)
         return;
     float cosine = glms_vec3_dot(from->normal, step->direction);
     struct brdf_value value = brdf_eval(brdf, from->normal, from->towards, step->direction);
@@ -137,7 +137,7 @@ static struct step take_step(const struct ray_scene *rays, const struct hit *fro
 /* The density, per area at its end, with which x samples the step. */
 static float step_density(const struct hit *x, const struct step *step) {
     const struct hit *y = &step->end;
-    if (x->brdf.matt)
+    if (x->brdf.diffuse)
         return cosine_density(x, y->position, y->geometric_normal);
     float cosine = -glms_vec3_dot(y->geometric_normal, step->direction);
     return step->density * cosine / glms_vec3_distance2(x->position, y->position);
@@ -184,7 +184,7 @@ static vec3s from_found_light(const struct emission *emission, const struct hit 
 /* Where a path is: the surface, and what its first surface reflects of radiance that leaves this one. */
 struct place {
     struct hit x;
-    bool is_first, is_shining; /* the first surface is not matt */
+    bool is_first, is_shining; /* the first surface is not diffuse */
     struct reflected share;
 };
 
@@ -198,7 +198,7 @@ static void add_light(const struct place *place, const struct reflected *light,
     }
     vec3s diffuse = glms_vec3_mul(place->share.diffuse, x->brdf.albedo);
     sum->diffuse = glms_vec3_add(sum->diffuse, glms_vec3_mul(diffuse, light->diffuse));
-    if (!x->brdf.matt)
+    if (!x->brdf.diffuse)
         sum->diffuse =
             glms_vec3_add(sum->diffuse, glms_vec3_mul(place->share.diffuse, light->specular));
     if (place->is_shining)
@@ -229,7 +229,7 @@ struct reflected path_indirect(const struct path_scene *scene, const struct ligh
     const struct ray_scene *rays = scene->rays;
     const struct emission *emission = scene->emission;
     struct reflected sum = {0};
-    struct place place = {*first, .is_first = true, .is_shining = !first->brdf.matt};
+    struct place place = {*first, .is_first = true, .is_shining = !first->brdf.diffuse};
     struct step step, next;
     bool has_next = false; /* taken already, in search of lights */
     for (int bounce = 0; bounce < scene->bounces; bounce++) {
@@ -247,7 +247,7 @@ struct reflected path_indirect(const struct path_scene *scene, const struct ligh
             }
         }
         light.diffuse = glms_vec3_add(light.diffuse, glms_vec3_mul(step.share.diffuse, along));
-        if (!place.x.brdf.matt)
+        if (!place.x.brdf.diffuse)
             light.specular =
                 glms_vec3_add(light.specular, glms_vec3_mul(step.share.specular, along));
         add_light(&place, &light, &sum);

@@ -36,7 +36,7 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
 
-/* NULL where all is matt. */
+/* NULL where all is diffuse. */
 static const struct texture *direct_specular(const struct renderer *renderer) {
     const struct direct_method *direct = renderer->direct;
     return renderer->gbuffer.gloss.id ? direct->specular(renderer->direct_state) : NULL;
@@ -63,7 +63,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .geometry = desc->geometry,
         .radius = desc->geometry->radius,
         .picks = &antialias_of(renderer)->picks,
-        .further_points = &antialias_of(renderer)->further_points,
+        .edge_samples = &antialias_of(renderer)->edge_samples,
         .pass = renderer->pass,
         .irradiance_scale = renderer_irradiance_scale(renderer),
     };

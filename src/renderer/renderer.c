@@ -25,7 +25,7 @@ enum part {
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
-/* Whether the G-buffer, and all that reads it, has gloss: else all surfaces are matt. */
+/* Whether the G-buffer, and all that reads it, has gloss: else all surfaces are diffuse. */
 static bool has_gloss(const struct renderer_desc *desc) {
     const struct material_settings *own =
         settings_of(struct material_settings, &desc->settings, &material_part);

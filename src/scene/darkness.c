@@ -5,7 +5,7 @@
 #include "scene/camera.h"
 #include "scene/lights/emitter.h"
 #include "scene/mesh/corners.h"
-#include "scene/mesh/tree_ray.h"
+#include "scene/mesh/bvh_ray.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +28,7 @@ struct search {
     const struct scene *scene;
     const struct geometry *geometry;
     struct emitters emitters;
-    struct triangle_tree tree;
+    struct bvh tree;
     float clearance;
     float srgb_to_linear[256];
 };
@@ -50,7 +50,7 @@ static void plant(struct search *search) {
         triangles[i].corner =
             corners_edges(geometry, &geometry->indices[3 * i], triangles[i].edges);
     }
-    triangle_tree_init(&search->tree, triangles, count);
+    bvh_init(&search->tree, triangles, count);
 }
 
 static const struct material *material_of(const struct search *search, uint32_t triangle) {
@@ -87,7 +87,7 @@ static float emission_at(const struct search *search, const struct tree_triangle
 static bool find_place(const struct search *search, vec3s origin, vec3s direction,
                        struct place *place) {
     for (int i = 0; i < SURFACES; i++) {
-        struct tree_hit hit = tree_ray_trace(&search->tree, origin, direction);
+        struct tree_hit hit = bvh_ray_trace(&search->tree, origin, direction);
         if (!hit.triangle)
             return false;
         const struct material *material = material_of(search, hit.triangle->number);
@@ -123,7 +123,7 @@ static float reflected(const struct search *search, const struct emitter *piece,
     /* Sums of what is as small as this do not count either. */
     if (!(radiance > least_radiance / 256))
         return 0;
-    struct tree_hit hit = tree_ray_trace(&search->tree, place->position, to_light);
+    struct tree_hit hit = bvh_ray_trace(&search->tree, place->position, to_light);
     return hit.distance < distance - search->clearance ? 0 : radiance;
 }
 
@@ -202,7 +202,7 @@ bool scene_is_dark(const struct scene *scene, const struct geometry *geometry) {
         texture_decode_table(search.srgb_to_linear);
         plant(&search);
         dark = picture_is_dark(&search);
-        triangle_tree_free(&search.tree);
+        bvh_free(&search.tree);
     }
     emitters_free(&search.emitters);
     return dark;

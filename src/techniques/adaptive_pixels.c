@@ -22,7 +22,7 @@ static float share_of_large(int width, int height) {
     return 1 / (growth * growth);
 }
 
-static int detail_slots(const struct gather_desc *listed, const struct settings *settings) {
+static int adaptive_slots(const struct gather_desc *listed, const struct settings *settings) {
     const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
     float share = share_of_large(listed->width, listed->height);
     int times = (int)roundf((float)own->adaptive_factor * share);
@@ -43,14 +43,14 @@ static int block_of_pixel(const struct gather_desc *gather, int block) {
 }
 
 /* Half the blur's radius: farther off an edge the blur finds enough neighbours on one side. */
-static int detail_radius(const struct settings *settings) {
+static int adaptive_radius(const struct settings *settings) {
     int radius = many_lights_blur_radius(settings);
     return radius > 0 ? (radius + 1) / 2 : 2;
 }
 
 /* Without interleaving all pixels take all VPLs, and adaptive pixels only test their own visibility. Without a blur, or
  * where all pixels take as many VPLs, no pixel needs more. */
-static bool has_detail(const struct settings *settings) {
+static bool has_adaptive_pixels(const struct settings *settings) {
     const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
     return own->adaptive > 0 && (own->interleave == 1 ? own->adaptive == 1
                                                       : own->adaptive < own->interleave &&
@@ -64,11 +64,11 @@ bool adaptive_pixels_init(struct many_lights *lights, const struct technique_des
     const struct blur_settings *blur =
         settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather_desc = *others;
-    struct detail_desc detail = {
+    struct adaptive_desc adaptive = {
         .width = desc->width,
         .height = desc->height,
         .interleave = gather->adaptive,
-        .radius = detail_radius(desc->settings),
+        .radius = adaptive_radius(desc->settings),
         .distance = blur->distance,
         .cosine = blur->cosine,
         .sharp_cosine = fminf(blur->cosine, sharp_cosine),
@@ -76,36 +76,36 @@ bool adaptive_pixels_init(struct many_lights *lights, const struct technique_des
         .block = block_of_pixel(&gather_desc, lights->visibility.block),
     };
     gather_desc.interleave = gather->adaptive;
-    gather_desc.receivers = RECEIVERS_LISTED;
+    gather_desc.receivers = RECEIVERS_ADAPTIVE;
     gather_desc.share = false;
-    gather_desc.list_slots[PIXEL_GRADE_EDGE] = 1;
-    gather_desc.list_slots[PIXEL_GRADE_DETAIL] = detail_slots(&gather_desc, desc->settings);
-    gather_desc.list_slots[LIST_FURTHER] = gather->edge_samples;
+    gather_desc.list_slots[PIXEL_LEVEL_EDGE] = 1;
+    gather_desc.list_slots[PIXEL_LEVEL_DETAIL] = adaptive_slots(&gather_desc, desc->settings);
+    gather_desc.list_slots[LIST_EDGE_SAMPLES] = gather->edge_samples;
     gather_desc.together = vpls_together(&gather_desc);
-    if (!has_detail(desc->settings))
+    if (!has_adaptive_pixels(desc->settings))
         return true;
     others->receivers = RECEIVERS_OTHERS;
-    return detail_pass_init(&lights->detail, &detail) &&
-           gather_pass_init(&lights->detail_gather, &gather_desc);
+    return adaptive_pass_init(&lights->adaptive, &adaptive) &&
+           gather_pass_init(&lights->adaptive_gather, &gather_desc);
 }
 
 void adaptive_pixels_fit_near_field(const struct many_lights *lights,
                                     struct near_field_desc *near_field) {
-    const struct gather_desc *listed = &lights->detail_gather.desc;
-    near_field->listed = lights->detail.program;
+    const struct gather_desc *listed = &lights->adaptive_gather.desc;
+    near_field->listed = lights->adaptive.program;
     memcpy(near_field->list_slots, listed->list_slots, sizeof near_field->list_slots);
     near_field->listed_part = fmaxf(share_of_large(listed->width, listed->height), .5F);
 }
 
 /* The more lights a pixel has, the fewer of its neighbours it needs. */
 void adaptive_pixels_fit_blur(const struct many_lights *lights, struct blur_desc *blur) {
-    const struct gather_desc *listed = &lights->detail_gather.desc;
+    const struct gather_desc *listed = &lights->adaptive_gather.desc;
     float n = (float)lights->gather.desc.interleave;
-    blur->detail = lights->detail.program;
-    for (int grade = 0; blur->detail && grade < PIXEL_GRADES; grade++) {
-        float slots = (float)listed->list_slots[grade],
+    blur->adaptive = lights->adaptive.program;
+    for (int level = 0; blur->adaptive && level < PIXEL_LEVELS; level++) {
+        float slots = (float)listed->list_slots[level],
               places = sqrtf(slots) / (float)listed->interleave;
-        blur->grade_radius[grade] = .5f / places;
-        blur->grade_weight[grade] = places * places * (n * n);
+        blur->level_radius[level] = .5f / places;
+        blur->level_weight[level] = places * places * (n * n);
     }
 }

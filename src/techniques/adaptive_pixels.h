@@ -1,7 +1,7 @@
 /* Adaptive pixels: the pixels that the blur cannot help.
  *
  * The interleaved gather gives each pixel a part of the VPLs, and the blur averages it with neighbours on the same
- * surface. At edges, and on leaves and mouldings, a pixel has few such neighbours. passes/gather/detail.h finds these
+ * surface. At edges, and on leaves and mouldings, a pixel has few such neighbours. passes/gather/adaptive.h finds these
  * pixels and puts them on lists. They take more VPLs, test visibility themselves in place of their block, and are
  * blurred less.
  *
@@ -15,7 +15,7 @@
 
 #include "techniques/many_lights.h"
 
-/* Makes lights->detail and detail_gather where the settings ask for them. others: the gather of all pixels, which then
+/* Makes lights->adaptive and adaptive_gather where the settings ask for them. others: the gather of all pixels, which then
  * leaves out what is on lists. */
 bool adaptive_pixels_init(struct many_lights *lights, const struct technique_desc *desc,
                           struct gather_desc *others);

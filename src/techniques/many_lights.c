@@ -19,20 +19,20 @@ void many_lights_begin(const struct many_lights *lights, const struct frame *fra
         bounce_pass_find_kept(&lights->bounce, frame);
     if (lights->gloss_gather.program)
         gather_pass_clear(&lights->gloss_gather);
-    if (!lights->detail.program)
+    if (!lights->adaptive.program)
         return;
-    detail_pass_render(&lights->detail, frame, gbuffer);
-    gather_pass_clear(&lights->detail_gather);
+    adaptive_pass_render(&lights->adaptive, frame, gbuffer);
+    gather_pass_clear(&lights->adaptive_gather);
 }
 
 void many_lights_gather(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct gather_inputs all = *inputs;
-    all.lists = &lights->detail.lists;
+    all.lists = &lights->adaptive.lists;
     all.kept = inputs->further ? &lights->bounce.kept : NULL;
     gather_pass_render(&lights->gather, frame, gbuffer, &all);
-    if (lights->detail.program)
-        gather_pass_render(&lights->detail_gather, frame, gbuffer, &all);
+    if (lights->adaptive.program)
+        gather_pass_render(&lights->adaptive_gather, frame, gbuffer, &all);
     if (lights->gloss_gather.program)
         gather_pass_render(&lights->gloss_gather, frame, gbuffer, &all);
     if (lights->gloss_rays.program && inputs->first == 0 && !inputs->further)
@@ -48,11 +48,11 @@ static void add_near_field(const struct many_lights *lights, const struct frame 
                            const struct gbuffer *gbuffer) {
     struct near_field_inputs inputs = {.shares = &lights->vpl.shares,
                                        .irradiance = &lights->gather.irradiance,
-                                       .lists = &lights->detail.lists};
+                                       .lists = &lights->adaptive.lists};
     near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
-    if (!lights->detail.program)
+    if (!lights->adaptive.program)
         return;
-    inputs.irradiance = &lights->detail_gather.irradiance;
+    inputs.irradiance = &lights->adaptive_gather.irradiance;
     inputs.of_lists = true;
     near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
 }
@@ -67,9 +67,9 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
     if (!lights->blur.pack_program)
         return;
     struct blur_inputs inputs = {.source = &lights->gather.irradiance};
-    if (lights->detail.program) {
-        inputs.lists = &lights->detail.lists;
-        inputs.detail = &lights->detail_gather.irradiance;
+    if (lights->adaptive.program) {
+        inputs.lists = &lights->adaptive.lists;
+        inputs.adaptive = &lights->adaptive_gather.irradiance;
     }
     blur_pass_render(&lights->blur, frame, gbuffer, &inputs);
 }
@@ -94,9 +94,10 @@ struct contribution many_lights_contribution(const void *state) {
             lights->blur.pack_program ? &lights->blur.blurred : &lights->gather.irradiance,
         .radiance = lights->gloss_gather.program ? &lights->gloss_blur.blurred.texture : NULL,
     };
-    if (lights->detail.program && lights->detail_gather.desc.list_slots[LIST_FURTHER] > 0) {
-        contribution.further_irradiance = &lights->detail_gather.irradiance;
-        contribution.further_texels = &lights->detail.lists.further_texels;
+    if (lights->adaptive.program &&
+        lights->adaptive_gather.desc.list_slots[LIST_EDGE_SAMPLES] > 0) {
+        contribution.further_irradiance = &lights->adaptive_gather.irradiance;
+        contribution.edge_sample_texels = &lights->adaptive.lists.edge_sample_texels;
     }
     return contribution;
 }
@@ -130,6 +131,6 @@ void many_lights_outputs(const struct many_lights *lights, const struct vpl_buff
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         output_add(outputs, &rows[i]);
     if (lights->bounces > 1)
-        output_add(outputs, &(struct output){"bounce-vpl", "those of further bounces", OUTPUT_VPLS,
+        output_add(outputs, &(struct output){"bounce-vpl", "those of indirect bounces", OUTPUT_VPLS,
                                              &lights->bounce.vpls});
 }

@@ -4,7 +4,7 @@
 #define TECHNIQUES_MANY_LIGHTS_H
 
 #include "passes/gather/blur.h"
-#include "passes/gather/detail.h"
+#include "passes/gather/adaptive.h"
 #include "passes/gather/gather.h"
 #include "passes/gather/gloss_rays.h"
 #include "passes/gather/near_field.h"
@@ -77,7 +77,7 @@ extern const float many_lights_clamp_value;
     "gather.adaptive=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
 /* Passes after the first: few VPLs, nothing interleaved or blurred. Where rays say what light arrives the mean of many
- * passes is unbiased, but for what patches take from further bounces, and for gloss. */
+ * passes is unbiased, but for what patches take from indirect bounces, and for gloss. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=2048 lights.facets=on gather.interleave=1 gather.clamp=near "  \
     "gather.near-samples=256 blur.radius=0 lights.paths=256"
@@ -94,9 +94,9 @@ struct many_lights_visibility {
     bool cuts;        /* but what is reflected as by a mirror takes VPLs */
     int map_size;     /* 0: as the settings have it */
     int block;        /* pixels a side of a block that shares its visibility; 0: none does */
-    bool calibrated;  /* as in struct visibility_desc */
-    /* Of ..._TRACED at all pixels: it hides near light and further bounces, too. */
-    const struct caster_tree *tree;
+    bool corrected;   /* as in struct visibility_desc */
+    /* Of ..._TRACED at all pixels: it hides near light and indirect bounces, too. */
+    const struct caster_bvh *tree;
 };
 
 /* A pass without a program is one that the settings or the scene's materials leave out. */
@@ -113,8 +113,8 @@ struct many_lights {
     struct gloss_rays_pass gloss_rays; /* gloss=rays */
     /* As large as the picture: */
     struct gather_pass gather;
-    struct detail_pass detail; /* pixels with few like neighbours gather more */
-    struct gather_pass detail_gather;
+    struct adaptive_pass adaptive; /* pixels with few like neighbours gather more */
+    struct gather_pass adaptive_gather;
     struct gather_pass gloss_gather; /* what reflects as by a mirror */
     struct blur_pass gloss_blur;
     struct blur_pass blur; /* puts tiles in order, too; without it the gather is the result */

@@ -57,7 +57,7 @@ static struct visibility_desc lookup_of(const struct settings *settings,
     struct visibility_desc desc = many_lights_lookup(settings, lookup, visibility->map_count);
     if (visibility->map_size)
         desc.map_size = visibility->map_size;
-    desc.calibrated = visibility->calibrated;
+    desc.corrected = visibility->corrected;
     return desc;
 }
 
@@ -112,7 +112,7 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     gather.cuts = false;
     gather.specular = own->specular + 1;
     gather.gloss_rays = GLOSS_RAYS;
-    /* What rays show of one bounce stays sharp where it is smooth; VPLs of further bounces show their pattern there. */
+    /* What rays show of one bounce stays sharp where it is smooth; VPLs of indirect bounces show their pattern there. */
     bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
     const struct blur_desc of_blur = {
         .width = desc->width,
@@ -121,8 +121,8 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
         .distance = blur->distance,
         .cosine = gloss_cosine,
         .gloss = sharp,
-        .grade_radius = {.5F, .5F},
-        .grade_weight = {1, 1},
+        .level_radius = {.5F, .5F},
+        .level_weight = {1, 1},
         .square = true,
     };
     return !desc->gloss || (gather_pass_init(&lights->gloss_gather, &gather) &&
@@ -168,7 +168,7 @@ static bool sends_as_facets(const struct technique_desc *desc) {
 static bool asks_by_rays(const struct many_lights *lights, const struct light_layout *layout) {
     bool has_groups = layout->lights > layout->groups;
     return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
-           (lights->visibility.calibrated && lights->detail.program && has_groups);
+           (lights->visibility.corrected && lights->adaptive.program && has_groups);
 }
 
 /* As VPLs are. */
@@ -207,7 +207,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
         .square = !own->separable || radius == 0,
     };
     adaptive_pixels_fit_blur(lights, &blur);
-    return (n == 1 && radius == 0 && !blur.detail) || blur_pass_init(&lights->blur, &blur);
+    return (n == 1 && radius == 0 && !blur.adaptive) || blur_pass_init(&lights->blur, &blur);
 }
 
 /* What is as large as the picture. */
@@ -279,8 +279,8 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
 
 static void free_sized(struct many_lights *lights) {
     gather_pass_free(&lights->gather);
-    detail_pass_free(&lights->detail);
-    gather_pass_free(&lights->detail_gather);
+    adaptive_pass_free(&lights->adaptive);
+    gather_pass_free(&lights->adaptive_gather);
     gather_pass_free(&lights->gloss_gather);
     blur_pass_free(&lights->gloss_blur);
     blur_pass_free(&lights->blur);
@@ -304,9 +304,9 @@ bool many_lights_resize(void *state, int width, int height) {
                                         .width = width,
                                         .height = height,
                                         .gloss = lights->gloss_gather.program};
-    fresh.gather = fresh.detail_gather = fresh.gloss_gather = (struct gather_pass){0};
+    fresh.gather = fresh.adaptive_gather = fresh.gloss_gather = (struct gather_pass){0};
     fresh.gloss_blur = fresh.blur = (struct blur_pass){0};
-    fresh.detail = (struct detail_pass){0};
+    fresh.adaptive = (struct adaptive_pass){0};
     bool ok = init_sized(&fresh, &desc);
     free_sized(ok ? lights : &fresh);
     if (ok)

@@ -74,7 +74,7 @@ static void free_set(struct val_set *set) {
     paraboloid_pass_free(&set->paraboloid);
     basis_pass_free(&set->basis);
     block_visibility_pass_free(&set->blocks);
-    calibration_pass_free(&set->calibration);
+    correction_pass_free(&set->correction);
 }
 
 /* What the first bounce's set and that of further ones differ in. */
@@ -151,16 +151,16 @@ static int tests_of_val(const struct settings *settings) {
     return own->ray_tests * (lights->bounces > 1 ? 4 : 1);
 }
 
-static bool init_calibration(struct val_set *set, const struct technique_desc *desc,
-                             const struct set_desc *of) {
-    struct calibration_desc calibration = {
+static bool init_correction(struct val_set *set, const struct technique_desc *desc,
+                            const struct set_desc *of) {
+    struct correction_desc correction = {
         .vpl_count = of->vpl_count,
         .tests = tests_of_val(desc->settings) * of->val_count,
         .clamp = clamp_of_tests(of->clamp),
         .visibility =
             many_lights_lookup(desc->settings, VISIBILITY_LOOKUP_RAY, set->visibility.map_count),
     };
-    return !set->calibrated || calibration_pass_init(&set->calibration, &calibration);
+    return !set->corrected || correction_pass_init(&set->correction, &correction);
 }
 
 /* A ray ends at a VPL: a VAL as a whole has none. */
@@ -193,13 +193,13 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc,
     set->visibility =
         many_lights_lookup(desc->settings, lookup_of_val(lookup, set->block > 0), of->val_count);
     set->casters = desc->casters;
-    set->calibrated = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
-                      vals_may_trace(desc->scene, desc->geometry);
+    set->corrected = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
+                     vals_may_trace(desc->scene, desc->geometry);
     return init_cluster(set, desc->settings, of) && (!has_maps(set) || init_maps(set, desc)) &&
-           ((lookup != VISIBILITY_LOOKUP_TRACED && !set->calibrated) ||
+           ((lookup != VISIBILITY_LOOKUP_TRACED && !set->corrected) ||
             caster_pool_acquire_tree(set->casters, &set->tree)) &&
            init_blocks(&set->blocks, set, desc->width, desc->height) &&
-           init_calibration(set, desc, of);
+           init_correction(set, desc, of);
 }
 
 static struct visibility_inputs maps_of(const struct val_set *set) {
@@ -208,7 +208,7 @@ static struct visibility_inputs maps_of(const struct val_set *set) {
         .depth = &set->paraboloid.maps,
         .bases = set->convolve ? &set->basis.maps : NULL,
         .tree = set->tree,
-        .calibration = set->calibrated ? &set->calibration.gains : NULL,
+        .correction = set->corrected ? &set->correction.gains : NULL,
     };
 }
 
@@ -305,9 +305,9 @@ struct gather_inputs vals_render_blocks(const struct val_set *set, const struct 
     struct gather_inputs inputs = {.visibility = maps_of(set), .blocks = &set->blocks.blocks};
     if (set->block > 0)
         block_visibility_pass_render(&set->blocks, frame, gbuffer, &inputs.visibility);
-    if (set->calibrated)
-        calibration_pass_render(&set->calibration, frame, gbuffer, &set->cluster.vpls,
-                                &inputs.visibility, set->block > 0 ? inputs.blocks : NULL);
+    if (set->corrected)
+        correction_pass_render(&set->correction, frame, gbuffer, &set->cluster.vpls,
+                               &inputs.visibility, set->block > 0 ? inputs.blocks : NULL);
     return inputs;
 }
 

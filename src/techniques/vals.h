@@ -3,7 +3,7 @@
 #ifndef TECHNIQUES_VALS_H
 #define TECHNIQUES_VALS_H
 
-#include "passes/gather/calibration.h"
+#include "passes/gather/correction.h"
 #include "passes/lights/cluster.h"
 #include "passes/lights/vpl_weight.h"
 #include "passes/visibility/basis.h"
@@ -34,11 +34,11 @@ struct val_set {
     struct basis_pass basis;
     int block; /* pixels a side, of any picture; 0: each pixel looks itself up */
     struct block_visibility_pass blocks; /* where it is not 0 */
-    struct calibration_pass calibration; /* where calibrated */
-    bool convolve, calibrated;
+    struct correction_pass correction;   /* where corrected */
+    bool convolve, corrected;
     struct caster_pool *casters;
-    const struct caster_tree
-        *tree; /* where calibrated; and of visibility=traced, then without maps unless shared */
+    const struct caster_bvh
+        *tree; /* where corrected; and of visibility=traced, then without maps unless shared */
     struct visibility_desc visibility; /* of a VAL as a whole */
 };
 
@@ -56,7 +56,7 @@ bool vals_may_trace(const struct scene *scene, const struct geometry *geometry);
 enum visibility_lookup vals_lookup(const struct settings *settings);
 
 /* Like a technique's; what a failed init leaves is to be freed. follow: the settings may have them made for what the camera
- * sees (vals->by_importance), and calibrated there. */
+ * sees (vals->by_importance), and corrected there. */
 bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow);
 void vals_free(struct vals *vals);
 

@@ -164,7 +164,7 @@ static void test_truth_names(void **state) {
     stage_free(&stage);
 }
 
-/* Matt materials are asked of the truth and of the tracer beside a technique, too: neither then has reflections,
+/* Diffuse materials are asked of the truth and of the tracer beside a technique, too: neither then has reflections,
  * and the tracer errs by its noise alone. */
 static void test_matt_truth(void **state) {
     (void)state;
@@ -177,7 +177,7 @@ static void test_matt_truth(void **state) {
     struct measure_desc desc = measure_default(&stage, 24, 24);
     check_ok("full", truth_get(&truth, &desc, &truths[0]));
     check_ok("materials", measure_assign(&desc, "materials=diffuse"));
-    check_ok("matt", truth_get(&truth, &desc, &truths[1]));
+    check_ok("diffuse", truth_get(&truth, &desc, &truths[1]));
     assert_true(image_find_layer(&truths[0], "specular", channels));
     assert_false(image_find_layer(&truths[1], "specular", channels));
     check_ok("tracer", rival_measure(&results, &desc, &truth, "path"));

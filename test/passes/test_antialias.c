@@ -237,13 +237,13 @@ static void test_layers(void **state) {
     check_layers("scenes/atrium.glb", .75, .9);
 }
 
-/* --- further points ---------------------------------------------------------------------------- */
+/* --- edge samples ---------------------------------------------------------------------------- */
 
 /* All VPLs at what lists have, and a quarter elsewhere, blurred over as many pixels. */
 #define DETAIL "interleave=2 blur-radius=1 adaptive=1 clamp=disk vpls=64 samples=8 "
 
 /* Things thinner than a pixel are lit as they are, not as what lies beside or behind them. */
-static void test_further_points(void **state) {
+static void test_edge_samples(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/atrium.glb");
@@ -253,7 +253,7 @@ static void test_further_points(void **state) {
     struct image with = render_stage(&stage, "unshadowed", DETAIL, SIZE);
     double before = relative_rmse(&without, &truth, "indirect"),
            after = relative_rmse(&with, &truth, "indirect");
-    printf("    error of indirect light %.4f without further points, %.4f with them\n", before,
+    printf("    error of indirect light %.4f without edge samples, %.4f with them\n", before,
            after);
     check_at_most("their ratio", after / before, .9);
     check_at_most("R - albedo (direct + indirect)", worst_of_sum(&with), 1e-4);
@@ -269,7 +269,7 @@ int main(void) {
         cmocka_unit_test(test_coverage),
         cmocka_unit_test(test_slivers),
         cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_further_points),
+        cmocka_unit_test(test_edge_samples),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

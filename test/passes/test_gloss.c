@@ -341,7 +341,7 @@ static void test_picture(void **state) {
     struct image rays = render_stage(&stage, "clustered", "", SIZE);
     struct image balls = render_stage(&stage, "clustered", "gather.specular=sphere", SIZE);
     struct image points = render_stage(&stage, "clustered", "gather.specular=point", SIZE);
-    struct image matt = render_stage(&stage, "clustered", "materials=diffuse", SIZE);
+    struct image diffuse = render_stage(&stage, "clustered", "materials=diffuse", SIZE);
     check_near("albedo", layer_mean(&balls, "albedo"), layer_mean(&truth, "albedo"), 1e-3);
     check_at_most("direct", relative_mae(&balls, &truth, "direct"), .1);
     check_at_most("direct.specular", relative_mae(&balls, &truth, "direct.specular"), .2);
@@ -356,12 +356,12 @@ static void test_picture(void **state) {
     check_at_most("indirect.specular of rays", of_rays, .4);
     check_at_most("rays over balls", of_rays / of_balls, .7);
     check_near("mean of rays over the truth's", brightness, 1, .1);
-    assert_int_equal(image_find_channel(&matt, "specular.R"), -1);
+    assert_int_equal(image_find_channel(&diffuse, "specular.R"), -1);
     image_free(&truth);
     image_free(&rays);
     image_free(&balls);
     image_free(&points);
-    image_free(&matt);
+    image_free(&diffuse);
     stage_free(&stage);
 }
 
@@ -382,7 +382,7 @@ static double unevenness(const struct image *image, const char *layer) {
     return apart / sum;
 }
 
-/* A wall that is a mirror, and sees light of further bounces alone, does not show the pattern by which pixels share their
+/* A wall that is a mirror, and sees light of indirect bounces alone, does not show the pattern by which pixels share their
  * VPLs. */
 static void test_mirror_of_bounces(void **state) {
     (void)state;

@@ -209,7 +209,7 @@ static void test_matt(void **state) {
     struct reflectance reflectance = material_reflectance(&material);
     struct brdf brdf = brdf_of(&material, (vec3s){{.8F, .5F, .2F}}, &reflectance);
     struct brdf_value value = brdf_eval(&brdf, up, any_direction(1, 0), any_direction(1, 1));
-    assert_true(brdf.matt);
+    assert_true(brdf.diffuse);
     check_near("albedo", brdf.albedo.x, .8, 1e-7);
     check_near("diffuse", value.diffuse, 1, 0);
     check_near("specular", glms_vec3_max(value.specular), 0, 0);
@@ -220,7 +220,7 @@ static void test_matt(void **state) {
     assert_true(material_is_matt(&material));
     material.specular_f90 = 1;
     reflectance = material_reflectance(&material);
-    assert_false(brdf_of(&material, glms_vec3_one(), &reflectance).matt);
+    assert_false(brdf_of(&material, glms_vec3_one(), &reflectance).diffuse);
 }
 
 /* All is reflected outside, as older files' white specular colour has it: nothing is left to divide by. */

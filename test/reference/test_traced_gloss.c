@@ -174,7 +174,7 @@ static void test_normal_map(void **state) {
 
 enum { SKY_WIDTH = 16, SKY_HEIGHT = 8 };
 
-/* A corner: a floor of plastic, walls of gold and of matt red, a panel of rough metal aslant. */
+/* A corner: a floor of plastic, walls of gold and of diffuse red, a panel of rough metal aslant. */
 static void make_corner(struct world *world) {
     world_init(world);
     world->materials[0].roughness = .35F;
@@ -356,11 +356,11 @@ static void test_noise(void **state) {
     world_free(&world);
 }
 
-/* The other setting shows glossy scenes as matt ones of the same colours, bit for bit. */
+/* The other setting shows glossy scenes as diffuse ones of the same colours, bit for bit. */
 static void test_diffuse(void **state) {
     (void)state;
     struct world world;
-    struct image glossy, matt;
+    struct image glossy, diffuse;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
     struct path_tracer_desc desc = describe(&world, 16, 4);
@@ -372,12 +372,12 @@ static void test_diffuse(void **state) {
         world.materials[m].metalness = 0;
         world.materials[m].roughness = 1;
     }
-    render(&desc, &matt);
-    assert_int_equal(glossy.channel_count, matt.channel_count);
-    assert_memory_equal(glossy.pixels, matt.pixels,
-                        sizeof(float) * 16 * 16 * (size_t)matt.channel_count);
+    render(&desc, &diffuse);
+    assert_int_equal(glossy.channel_count, diffuse.channel_count);
+    assert_memory_equal(glossy.pixels, diffuse.pixels,
+                        sizeof(float) * 16 * 16 * (size_t)diffuse.channel_count);
     image_free(&glossy);
-    image_free(&matt);
+    image_free(&diffuse);
     world_free(&world);
 }
 

@@ -402,7 +402,7 @@ static void test_cases(void **state) {
                  {"second-uv/emission-transform.gltf", "R", .503},
                  {"second-uv/metal-uv1.gltf", "R", .49},
                  {"second-uv/metal-transform.gltf", "R", .49},
-                 {"gloss-texture/matt.gltf", "R", .5}};
+                 {"gloss-texture/diffuse.gltf", "R", .5}};
     for (size_t i = 0; shared_path() && i < sizeof cases / sizeof *cases; i++) {
         char path[512];
         struct pictures pictures;

@@ -145,7 +145,7 @@ static void test_layouts(void **state) {
     emitters_free(&copy);
 }
 
-/* What is matt: no metal, rough all over, and reflecting as usual or not at all. */
+/* What is diffuse: no metal, rough all over, and reflecting as usual or not at all. */
 static void test_matt(void **state) {
     (void)state;
     const struct material usual = {.roughness = 1,

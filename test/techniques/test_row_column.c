@@ -288,7 +288,7 @@ static void test_mean(void **state) {
     stage_free(&stage);
 }
 
-/* In a matt box chosen VPLs are as good as as many plain ones: all of them do alike. */
+/* In a diffuse box chosen VPLs are as good as as many plain ones: all of them do alike. */
 static void test_against_plain(void **state) {
     (void)state;
     struct stage stage;

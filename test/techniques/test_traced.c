@@ -59,7 +59,7 @@ static struct pair pair_of(const struct rays *rays, const struct geometry *geome
                          .to = {to.x, to.y, to.z}};
 }
 
-static void ask(const struct caster_tree *tree, const struct pair *pairs, uint32_t *answers) {
+static void ask(const struct caster_bvh *tree, const struct pair *pairs, uint32_t *answers) {
     struct timers untimed = {0};
     struct buffer asked, answered;
     GLuint program;
@@ -71,7 +71,7 @@ static void ask(const struct caster_tree *tree, const struct pair *pairs, uint32
     check_ok("answers", buffer_init(&answered, "answers", PAIRS * sizeof *answers, NULL));
     pass_begin(&untimed, &(struct pass_state){.name = "rays",
                                               .program = program,
-                                              .textures = {{UNIT_TRIANGLE_TREE, tree->texels}},
+                                              .textures = {{UNIT_BVH, tree->texels}},
                                               .storages = {{0, &asked}, {1, &answered}}});
     pass_dispatch((PAIRS + 63) / 64, 1, 1);
     pass_end(&untimed);
@@ -81,8 +81,7 @@ static void ask(const struct caster_tree *tree, const struct pair *pairs, uint32
     program_free(&program);
 }
 
-static void check_rays(const char *path, const struct stage *stage,
-                       const struct caster_tree *tree) {
+static void check_rays(const char *path, const struct stage *stage, const struct caster_bvh *tree) {
     struct pair *pairs = mem_alloc(PAIRS, sizeof *pairs);
     uint32_t *answers = mem_alloc(PAIRS, sizeof *answers);
     struct rays rays;
@@ -110,7 +109,7 @@ static void check_rays(const char *path, const struct stage *stage,
 /* At times one after the other, as a clip plays: the tree follows, and comes back to what it was. */
 static void check_scene(const char *path, const double *times, int count) {
     struct stage stage;
-    const struct caster_tree *tree;
+    const struct caster_bvh *tree;
     open_stage(&stage, path);
     struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
     check_ok("tree", caster_pool_acquire_tree(pool, &tree));
@@ -160,7 +159,7 @@ static void test_masks(void **state) {
     (void)state;
     struct stage stage;
     struct rays rays;
-    const struct caster_tree *tree;
+    const struct caster_bvh *tree;
     static struct pair pairs[PAIRS];
     static uint32_t answers[PAIRS];
     int blocked = 0, other = 0;

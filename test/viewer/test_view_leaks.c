@@ -225,8 +225,7 @@ static void go_back(void) {
 }
 
 static void check_kept(const char *what, void (*step)(int round), int least) {
-    int count = is_long_run() ? least : (least + 1) / 2;
-    count = rounds > count ? rounds : count;
+    int count = rounds > least ? rounds : least;
     for (int i = 0; i < least; i++) /* once through all, so that caches are full */
         step(i);
     go_back();

@@ -20,16 +20,15 @@ static const struct step {
     double ms, percent;
 } steps[] = {
     {"deferred rendering",
-     "/gbuffer/planes/shadow map/light maps/depth "
+     "/gbuffer/shadow map/light maps/depth "
      "bounds/sums/range/basis/mips/direct/antialias/composite/",
      .4, .8},
     {"VPL generation", "/rsm/vpls/", .1, .2},
     {"VAL clustering", "/clustering/", .5, 1.0},
     {"VAL maps", "/maps/depth maps/", 4.2, 8.1},
     {"indirect illumination",
-     "/plain/gather/block visibility/calibration/near light/near field/detail/gather of "
-     "detail/near field of "
-     "detail/",
+     "/gather/block visibility/correction/near light/near field/adaptive/adaptive gather/"
+     "adaptive near field/",
      35.0, 69.0},
     {"blur", "/blur/", 10.7, 21.0},
 };

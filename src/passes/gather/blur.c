@@ -21,9 +21,9 @@ static bool init_pack(struct blur_pass *pass) {
     return program_init(&pass->pack_program,
                         &(struct program_desc){
                             .screen = {"gather/blur_pack.frag"},
-                            .defines = pass->desc.gloss    ? "DETAIL 0;GLOSS 1"
-                                       : pass->desc.detail ? "DETAIL 1;GLOSS 0"
-                                                           : "DETAIL 0;GLOSS 0",
+                            .defines = pass->desc.gloss      ? "ADAPTIVE 0;GLOSS 1"
+                                       : pass->desc.adaptive ? "ADAPTIVE 1;GLOSS 0"
+                                                             : "ADAPTIVE 0;GLOSS 0",
                         });
 }
 
@@ -60,10 +60,10 @@ void blur_pass_free(struct blur_pass *pass) {
 
 /* Of what a list has another pixel takes within the mean of their windows: of its own it would take light that does
  * not come back, and of theirs places of the pattern would be missing, the same ones all along a slanted edge. What is
- * smooth gloss, where it is a grade, is never blurred. Of what is steep it takes less far, or light would come that does
+ * smooth gloss, where it is a level, is never blurred. Of what is steep it takes less far, or light would come that does
  * not go: within an edge's own window. */
-static float taken_radius(const struct blur_desc *desc, int grade) {
-    float own = (float)desc->radius, theirs = desc->grade_radius[grade];
+static float taken_radius(const struct blur_desc *desc, int level) {
+    float own = (float)desc->radius, theirs = desc->level_radius[level];
     return desc->gloss ? fminf(own, theirs) : .5F * (own + theirs);
 }
 
@@ -78,7 +78,7 @@ static double light_power(const struct frame *frame) {
 static struct blur_params params_along(const struct blur_pass *pass,
                                        const struct irradiance *source, double power, bool y) {
     const struct blur_desc *desc = &pass->desc;
-    float own = (float)desc->radius, edge = desc->grade_radius[PIXEL_GRADE_EDGE];
+    float own = (float)desc->radius, edge = desc->level_radius[PIXEL_LEVEL_EDGE];
     return (struct blur_params){
         .pattern = irradiance_pattern(source),
         .along = {!y, y},
@@ -87,11 +87,11 @@ static struct blur_params params_along(const struct blur_pass *pass,
         .distance = desc->distance,
         .cosine = desc->cosine,
         .inverse_power = power > 0 ? (float)(1 / power) : 0,
-        .radii = {own, edge, desc->grade_radius[PIXEL_GRADE_DETAIL], .5F * edge},
-        .taken_radii = {own, taken_radius(desc, PIXEL_GRADE_EDGE),
-                        taken_radius(desc, PIXEL_GRADE_DETAIL), edge},
-        .weights = {1, desc->grade_weight[PIXEL_GRADE_EDGE], desc->grade_weight[PIXEL_GRADE_DETAIL],
-                    desc->grade_weight[PIXEL_GRADE_EDGE]},
+        .radii = {own, edge, desc->level_radius[PIXEL_LEVEL_DETAIL], .5F * edge},
+        .taken_radii = {own, taken_radius(desc, PIXEL_LEVEL_EDGE),
+                        taken_radius(desc, PIXEL_LEVEL_DETAIL), edge},
+        .weights = {1, desc->level_weight[PIXEL_LEVEL_EDGE], desc->level_weight[PIXEL_LEVEL_DETAIL],
+                    desc->level_weight[PIXEL_LEVEL_EDGE]},
     };
 }
 
@@ -122,7 +122,7 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
         pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
     if (inputs->lists) {
         pass_add_texture(&state, UNIT_LIST_TEXELS, inputs->lists->texels.id);
-        pass_add_texture(&state, UNIT_DETAIL_IRRADIANCE, inputs->detail->texture.id);
+        pass_add_texture(&state, UNIT_ADAPTIVE_IRRADIANCE, inputs->adaptive->texture.id);
     }
     pass_set_state(&state);
     pass_draw_fullscreen(1);

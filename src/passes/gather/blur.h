@@ -18,10 +18,10 @@ struct blur_desc {
     int radius;                       /* taps to each side; 0 only puts the tiles in order */
     float distance;                   /* alpha, over the picture's height at the pixel's depth */
     float cosine;                     /* beta */
-    bool detail;                      /* there are pixels of lists */
-    float grade_radius[PIXEL_GRADES]; /* theirs, smaller; half an edge's where light is steep */
-    float grade_weight[PIXEL_GRADES]; /* how many times as many lights as others they have */
-    bool gloss;  /* what is smooth, of a G-buffer with gloss, is of the first grade */
+    bool adaptive;                    /* there are pixels of lists */
+    float level_radius[PIXEL_LEVELS]; /* theirs, smaller; half an edge's where light is steep */
+    float level_weight[PIXEL_LEVELS]; /* how many times as many lights as others they have */
+    bool gloss;  /* what is smooth, of a G-buffer with gloss, is of the first level */
     bool square; /* over all taps of the square at once, as published; else along x, then y */
 };
 
@@ -40,7 +40,7 @@ struct blur_pass {
 struct blur_inputs {
     const struct irradiance *source;
     const struct pixel_lists *lists;
-    const struct irradiance *detail;
+    const struct irradiance *adaptive;
 };
 
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc);

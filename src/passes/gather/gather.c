@@ -42,7 +42,7 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, int cl
                                files, clamp, desc->map_per_vpl, desc->receivers, specular);
     bool ok = program_init(
         program, &(struct program_desc){
-                     .vertex = desc->receivers == RECEIVERS_LISTED ? "gather/listed.vert" : NULL,
+                     .vertex = desc->receivers == RECEIVERS_ADAPTIVE ? "gather/listed.vert" : NULL,
                      .screen = {"gather/gather.frag", .blended = true, .tiled = true},
                      .defines = defines,
                  });
@@ -58,14 +58,14 @@ static int further_clamp(int clamp) {
     return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
 }
 
-/* No ray finds what further bounces light: there VPLs are balls. */
+/* No ray finds what indirect bounces light: there VPLs are balls. */
 static int further_specular(int specular) {
     return specular == SPECULAR_RAYS ? SPECULAR_SPHERE : specular;
 }
 
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
     int size[2] = {desc->width, desc->height};
-    if (desc->receivers == RECEIVERS_LISTED)
+    if (desc->receivers == RECEIVERS_ADAPTIVE)
         pixel_lists_size(size, desc->interleave);
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
@@ -100,14 +100,14 @@ static const float neighbours = 10;
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
                               const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
-    bool listed = desc->receivers == RECEIVERS_LISTED;
+    bool listed = desc->receivers == RECEIVERS_ADAPTIVE;
     struct gather_params params = {
         .pattern = irradiance_pattern(&pass->irradiance),
         .scale = frame->irradiance_scale,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
         .block = desc->share ? inputs->blocks->block : 1,
         .cut_block = desc->cuts ? inputs->cuts->block : 1,
-        .cut_layer = desc->cuts && listed ? inputs->cuts->detail_layer : 0,
+        .cut_layer = desc->cuts && listed ? inputs->cuts->adaptive_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .together = desc->together,
         .gloss_rays = desc->gloss_rays,
@@ -126,7 +126,7 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
     int n = pass->desc.interleave;
     pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
                   target->tile_height);
-    if (pass->desc.receivers == RECEIVERS_LISTED)
+    if (pass->desc.receivers == RECEIVERS_ADAPTIVE)
         pixel_lists_draw(inputs->lists, list);
     else
         pass_draw_fullscreen(1);
@@ -136,7 +136,7 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
  * a sixth ask. */
 static int vpls_of_draw(const struct gather_pass *pass) {
     bool traced = pass->desc.visibility.lookup == VISIBILITY_LOOKUP_TRACED;
-    return !traced ? INT_MAX : pass->desc.receivers == RECEIVERS_LISTED ? 6 * RAYS_MAX : RAYS_MAX;
+    return !traced ? INT_MAX : pass->desc.receivers == RECEIVERS_ADAPTIVE ? 6 * RAYS_MAX : RAYS_MAX;
 }
 
 /* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by side. */
@@ -178,7 +178,7 @@ static void add_cuts(struct pass_state *state, const struct vpl_cuts *cuts) {
 }
 
 static void draw_all(const struct gather_pass *pass, const struct gather_inputs *inputs) {
-    bool listed = pass->desc.receivers == RECEIVERS_LISTED;
+    bool listed = pass->desc.receivers == RECEIVERS_ADAPTIVE;
     for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
         int side = listed ? pass->desc.list_slots[list] : 1;
         for (int slot = 0; side > 0 && slot < pass->desc.interleave * pass->desc.interleave; slot++)
@@ -189,9 +189,9 @@ static void draw_all(const struct gather_pass *pass, const struct gather_inputs 
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct pass_state state = {
-        .name = pass->desc.specular                        ? "gather of gloss"
-                : pass->desc.receivers == RECEIVERS_LISTED ? "gather of detail"
-                                                           : "gather",
+        .name = pass->desc.specular                          ? "gather of gloss"
+                : pass->desc.receivers == RECEIVERS_ADAPTIVE ? "adaptive gather"
+                                                             : "gather",
         .program = program_for(pass, inputs),
         .framebuffer = pass->irradiance.framebuffer,
         .width = pass->irradiance.texture.desc.width,
@@ -214,8 +214,8 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     if (pass->desc.together > 0)
         pass_add_texture(&state, UNIT_VPL_SUMS, inputs->vpls->sums.id);
     pixel_lists_add(&state, inputs->lists, pass->desc.receivers);
-    if (pass->desc.receivers == RECEIVERS_LISTED)
-        pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);
+    if (pass->desc.receivers == RECEIVERS_ADAPTIVE)
+        pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
     if (pass->desc.cuts)
         add_cuts(&state, inputs->cuts);
     visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);

@@ -1,11 +1,11 @@
-/* What surfaces that are not matt reflect of nearby or sharply seen light: rays, sampled by the lobe
+/* What surfaces that are not diffuse reflect of nearby or sharply seen light: rays, sampled by the lobe
  * [Heitz 2018], look for lit surfaces in the reflective shadow maps.
  *
  * One bounce of light comes from what the lights see, and their maps have all of it, whatever the camera
  * sees: a ray that comes to lie behind what a light sees, and where it does so close to it, has met it. VPLs
  * find the same light; each of both ways counts by the power heuristic [Veach 1997, §9.2.4], so that rays
  * give smooth surfaces what points would give as spots, and VPLs the rough ones what few rays would
- * give as noise. What hides y from x is known as far as light shines on it, and where VALs have maps, by them. Cost: pixels that are not matt x
+ * give as noise. What hides y from x is known as far as light shines on it, and where VALs have maps, by them. Cost: pixels that are not diffuse x
  * rays x groups of lights x steps.
  */
 #ifndef PASSES_GLOSS_RAYS_H

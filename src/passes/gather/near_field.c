@@ -44,7 +44,7 @@ static bool init_programs(struct near_field_pass *pass) {
     bool by_rays = !pass->desc.listed && pass->desc.occlusion == NEAR_BY_RAYS;
     char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],
                                pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
-    char *listed = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_LISTED, of_light);
+    char *listed = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_ADAPTIVE, of_light);
     bool ok = program_init(&pass->light_program,
                            &(struct program_desc){
                                .screen = {"gather/near_light.frag", .layers = true},
@@ -225,7 +225,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                             const struct gbuffer *gbuffer, const struct near_field_inputs *inputs) {
     const struct irradiance *irradiance = inputs->irradiance;
     struct pass_state state = {
-        .name = inputs->of_lists ? "near field of detail" : "near field",
+        .name = inputs->of_lists ? "adaptive near field" : "near field",
         .program = inputs->of_lists ? pass->listed_program : pass->program,
         .framebuffer = irradiance->framebuffer,
         .width = irradiance->texture.desc.width,
@@ -242,13 +242,13 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
         pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,
                          pass->lights[pass->lights[kind].id ? kind : !kind].id);
     pixel_lists_add(&state, inputs->lists,
-                    inputs->of_lists    ? RECEIVERS_LISTED
+                    inputs->of_lists    ? RECEIVERS_ADAPTIVE
                     : pass->desc.listed ? RECEIVERS_OTHERS
                                         : RECEIVERS_ALL);
     if (inputs->of_lists)
-        pass_add_texture(&state, UNIT_FURTHER_POINTS, frame->further_points->id);
+        pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
     if (pass->tree)
-        pass_add_texture(&state, UNIT_TRIANGLE_TREE, pass->tree->texels);
+        pass_add_texture(&state, UNIT_BVH, pass->tree->texels);
     write_params(pass, frame, irradiance_pattern(irradiance));
     pass_begin(frame->timers, &state);
     if (inputs->of_lists)

@@ -37,7 +37,7 @@ struct near_field_desc {
 
 struct near_field_pass {
     struct near_field_desc desc;
-    const struct caster_tree *tree; /* of desc.casters */
+    const struct caster_bvh *tree; /* of desc.casters */
     GLuint light_program, program, listed_program;
     struct texture lights[LIGHT_MAP_KINDS]; /* RGBA32UI, maps as the shadow map's,
                                                glsl/gather/near_light.glsl */
@@ -61,7 +61,7 @@ struct near_field_inputs {
     bool of_lists; /* the tiles are these lists', not those of all other pixels */
 };
 
-/* Adds to inputs->irradiance. Timer "near field", or "near field of detail". */
+/* Adds to inputs->irradiance. Timer "near field", or "adaptive near field". */
 void near_field_pass_render(const struct near_field_pass *pass, const struct frame *frame,
                             const struct gbuffer *gbuffer, const struct near_field_inputs *inputs);
 

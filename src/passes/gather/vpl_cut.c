@@ -20,7 +20,7 @@ static bool init_program(GLuint *program, int clamp) {
 
 static bool init_cuts(struct vpl_cuts *cuts, const struct vpl_cut_desc *desc) {
     cuts->block = desc->block;
-    cuts->detail_layer = 1 + desc->nodes;
+    cuts->adaptive_layer = 1 + desc->nodes;
     return texture_init(&cuts->texture,
                         &(struct texture_desc){
                             .label = "cuts",

@@ -1,4 +1,4 @@
-/* Light of further bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
+/* Light of indirect bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
  * Each of 4 P paths takes an even share of the first bounce's VPLs, and follows it from surface to surface by rays through
  * the scene's triangles (glsl/lights/bounce_path.frag). It leaves the light of all its bounces at one of its surfaces, picked
@@ -41,7 +41,7 @@ struct bounce_pass {
     struct bounce_desc desc;
     GLuint path_program, area_program, share_program, flux_program, vpl_program;
     GLuint seen_program, kept_program;
-    const struct caster_tree *tree;
+    const struct caster_bvh *tree;
     struct buffer albedos; /* struct triangle_albedo of each triangle */
     GLuint albedo_texels;
     unsigned laid_out;      /* the geometry's, that they are of */

@@ -65,7 +65,7 @@ static const GLuint itself[4] = {0}; /* picks where there is no edge */
 static bool init_picks(struct antialias_pass *pass) {
     if (!init_picture(pass, &pass->edges, "edges", GL_DEPTH_COMPONENT16) ||
         !init_picture(pass, &pass->picks, "picks of samples", GL_RG32UI) ||
-        !init_picture(pass, &pass->further_points, "further points", GL_RGBA32UI) ||
+        !init_picture(pass, &pass->edge_samples, "edge samples", GL_RGBA32UI) ||
         !framebuffer_init(&pass->edge_framebuffer,
                           &(struct framebuffer_desc){.label = "edges", .depth = &pass->edges}) ||
         !framebuffer_init(&pass->pick_framebuffer,
@@ -138,7 +138,7 @@ void antialias_pass_free(struct antialias_pass *pass) {
     texture_free(&pass->normals);
     texture_free(&pass->edges);
     texture_free(&pass->picks);
-    texture_free(&pass->further_points);
+    texture_free(&pass->edge_samples);
     buffer_free(&pass->params);
     *pass = (struct antialias_pass){0};
 }
@@ -193,7 +193,7 @@ static void render_picks(const struct antialias_pass *pass, const struct frame *
                      {UNIT_SAMPLE_DEPTH, pass->depths.id},
                      {UNIT_SAMPLE_NORMAL, pass->normals.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
-        .images = {{IMAGE_FURTHER_POINTS, &pass->further_points, 0, GL_WRITE_ONLY}},
+        .images = {{IMAGE_EDGE_SAMPLES, &pass->edge_samples, 0, GL_WRITE_ONLY}},
     };
     timer_begin(frame->timers, "picks");
     framebuffer_clear_integers(pass->pick_framebuffer, TARGET_RESULT, itself);

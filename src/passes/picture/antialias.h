@@ -28,7 +28,7 @@ struct antialias_pass {
         normals;          /* D32F; RGBA8, 0.5 + 0.5 n: a layer of four samples after another */
     struct texture edges; /* D16, 0 where there is one, else 1: picks are tested against it */
     struct texture picks; /* RG32UI, picture/picks.glsl; 0 = itself; 1 x 1 if samples is 1 */
-    struct texture further_points; /* RGBA32UI, lib/further_point.glsl; likewise */
+    struct texture edge_samples; /* RGBA32UI, lib/edge_sample.glsl; likewise */
     GLuint sample_framebuffer, edge_framebuffer, pick_framebuffer;
     struct buffer params;
 };

@@ -17,7 +17,7 @@ unsigned composite_kinds(const struct contribution *contribution) {
     return (contribution->irradiance ? HAS_IRRADIANCE : 0U) |
            (contribution->radiance ? HAS_RADIANCE : 0U) |
            (contribution->in_scatter ? HAS_MEDIUM : 0U) |
-           (contribution->further_irradiance ? HAS_FURTHER_POINTS : 0U);
+           (contribution->further_irradiance ? HAS_EDGE_SAMPLES : 0U);
 }
 
 static bool init_programs(struct composite_pass *pass) {
@@ -25,7 +25,7 @@ static bool init_programs(struct composite_pass *pass) {
     char defines[160], centers[sizeof defines + 8];
     snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s",
              has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
-             has & HAS_FURTHER_POINTS ? "HAS_FURTHER_POINTS;" : "",
+             has & HAS_EDGE_SAMPLES ? "HAS_EDGE_SAMPLES;" : "",
              has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "",
              pass->desc.has_sky ? "HAS_SKY;" : "", pass->desc.has_emission ? "HAS_EMISSION;" : "",
              pass->desc.has_gloss ? "HAS_GLOSS;" : "");
@@ -79,15 +79,15 @@ void composite_pass_free(struct composite_pass *pass) {
     *pass = (struct composite_pass){0};
 }
 
-/* A refining pass may have no further points. Its picks ask for none, but samplers must have a texture. */
-static void add_further_points(struct pass_state *state, const struct frame *frame,
-                               const struct contribution *contribution) {
+/* A refining pass may have no edge samples. Its picks ask for none, but samplers must have a texture. */
+static void add_edge_samples(struct pass_state *state, const struct frame *frame,
+                             const struct contribution *contribution) {
     const struct irradiance *further = contribution->further_irradiance;
-    const struct texture *texels = contribution->further_texels;
+    const struct texture *texels = contribution->edge_sample_texels;
     further = further ? further : contribution->irradiance;
     texels = texels ? texels : frame->picks;
     pass_add_texture(state, UNIT_FURTHER_IRRADIANCE, further->texture.id);
-    pass_add_texture(state, UNIT_FURTHER_TEXELS, texels->id);
+    pass_add_texture(state, UNIT_EDGE_SAMPLE_TEXELS, texels->id);
 }
 
 static void add_contribution(struct pass_state *state, const struct contribution *contribution) {
@@ -140,7 +140,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
                      {UNIT_GBUFFER_ALBEDO, inputs->gbuffer->albedo.id},
                      {UNIT_DIRECT, inputs->direct->id},
                      {UNIT_SAMPLE_PICKS, frame->picks->id},
-                     {UNIT_FURTHER_POINTS, frame->further_points->id}},
+                     {UNIT_EDGE_SAMPLES, frame->edge_samples->id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     if (pass->desc.has_sky)
@@ -150,8 +150,8 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
     if (pass->desc.has_gloss)
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
-    if (pass->desc.contributes & HAS_FURTHER_POINTS)
-        add_further_points(&state, frame, &inputs->contribution);
+    if (pass->desc.contributes & HAS_EDGE_SAMPLES)
+        add_edge_samples(&state, frame, &inputs->contribution);
     timer_begin(frame->timers, state.name);
     if (program == pass->display_program && !program_dispatched(program)) {
         draw_centers(pass, state);

@@ -10,7 +10,7 @@ struct frame;
 enum tone_map { TONE_MAP_CLAMP, TONE_MAP_FILMIC };
 
 /* What a technique contributes: bits. */
-enum { HAS_IRRADIANCE = 1, HAS_RADIANCE = 2, HAS_MEDIUM = 4, HAS_FURTHER_POINTS = 8 };
+enum { HAS_IRRADIANCE = 1, HAS_RADIANCE = 2, HAS_MEDIUM = 4, HAS_EDGE_SAMPLES = 8 };
 
 struct environment;
 
@@ -31,7 +31,7 @@ struct composite_pass {
     struct buffer params;
 };
 
-/* What the picture is made of, beside the frame's picks and further points. */
+/* What the picture is made of, beside the frame's picks and edge samples. */
 struct composite_inputs {
     const struct gbuffer *gbuffer;
     const struct texture *direct;          /* direct/direct.h */

@@ -12,9 +12,9 @@ char *visibility_defines(const struct visibility_desc *desc) {
     /* Other programs serve any number of maps. */
     int count = desc->lookup == VISIBILITY_LOOKUP_CSSM ? desc->map_count : 0;
     return mem_printf("FILTER %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;JACOBIAN %d;"
-                      "FILTER_TAPS %d;SEARCH_TAPS %d;CALIBRATED %d",
+                      "FILTER_TAPS %d;SEARCH_TAPS %d;CORRECTED %d",
                       desc->lookup, count, terms, (terms + 3) / 4, jacobian, desc->taps,
-                      (desc->taps + 1) / 2, desc->calibrated);
+                      (desc->taps + 1) / 2, desc->corrected);
 }
 
 static void add_maps(struct pass_state *state, const struct visibility_desc *desc,
@@ -24,7 +24,7 @@ static void add_maps(struct pass_state *state, const struct visibility_desc *des
     if (inputs->views)
         pass_add_block(state, BLOCK_MAPS, &inputs->views->buffer);
     if (desc->lookup == VISIBILITY_LOOKUP_TRACED) {
-        pass_add_texture(state, UNIT_TRIANGLE_TREE, inputs->tree->texels);
+        pass_add_texture(state, UNIT_BVH, inputs->tree->texels);
         return;
     }
     if (desc->lookup != VISIBILITY_LOOKUP_CSSM) {
@@ -53,7 +53,7 @@ void visibility_add(struct pass_state *state, const struct visibility_desc *desc
     };
     buffer_write(params, 0, sizeof values, &values);
     pass_add_block(state, BLOCK_LOOKUP, params);
-    if (desc->calibrated)
-        pass_add_texture(state, UNIT_CALIBRATION, inputs->calibration->id);
+    if (desc->corrected)
+        pass_add_texture(state, UNIT_CORRECTION, inputs->correction->id);
     add_maps(state, desc, inputs);
 }

@@ -3,7 +3,7 @@
 #define PASSES_VISIBILITY_H
 
 #include "gl/pass.h"
-#include "scene/gpu/caster_tree.h"
+#include "scene/gpu/caster_bvh.h"
 #include "shared/lookup.h"
 
 struct basis_maps;
@@ -23,21 +23,21 @@ enum visibility_lookup {
 struct visibility_desc {
     enum visibility_lookup lookup;
     int map_size, map_count, basis_terms;
-    float bias;      /* receiver offset along its normal, in texels of the map */
-    float map_bias;  /* where distances are compared, of the distance */
-    float shift;     /* of the receiver's depth, over 1 / (2 K) */
-    float gain;      /* of the blocked fraction about one half */
-    int taps;        /* of a PCSS lookup: the filter's; the search has half as many */
-    bool calibrated; /* a pixel's lookups are corrected (passes/gather/calibration.h) */
+    float bias;     /* receiver offset along its normal, in texels of the map */
+    float map_bias; /* where distances are compared, of the distance */
+    float shift;    /* of the receiver's depth, over 1 / (2 K) */
+    float gain;     /* of the blocked fraction about one half */
+    int taps;       /* of a PCSS lookup: the filter's; the search has half as many */
+    bool corrected; /* a pixel's lookups are corrected (passes/gather/correction.h) */
 };
 
 /* What a lookup reads. */
 struct visibility_inputs {
     const struct map_views *views;
-    const struct depth_maps *depth;    /* all but ..._CSSM and ..._TRACED */
-    const struct basis_maps *bases;    /* ..._CSSM */
-    const struct caster_tree *tree;    /* ..._TRACED */
-    const struct texture *calibration; /* where desc.calibrated */
+    const struct depth_maps *depth;   /* all but ..._CSSM and ..._TRACED */
+    const struct basis_maps *bases;   /* ..._CSSM */
+    const struct caster_bvh *tree;    /* ..._TRACED */
+    const struct texture *correction; /* where desc.corrected */
 };
 
 /* No shader asks for more by ..._TRACED in one draw. */

@@ -129,7 +129,7 @@ static float place_weight(const struct emitter *light, const struct hit *hit, fl
  * glossy surface's rays look for such lights. weight, solid_angle: as place_weight has them. */
 static float picked_density(const struct emitter *light, const struct hit *hit, float weight,
                             float solid_angle) {
-    if (hit->brdf.matt || emitter_shape(light) == EMITTER_IS_POINT)
+    if (hit->brdf.diffuse || emitter_shape(light) == EMITTER_IS_POINT)
         return 0;
     return 1 / (weight * (float)emitter_extent(light) * solid_angle);
 }
@@ -215,7 +215,7 @@ static bool find_sky(const struct emission *emission, vec3s direction, struct fo
 }
 
 bool emission_can_be_found(const struct emission *emission, const struct hit *hit) {
-    return emission->has_found || (!hit->brdf.matt && emission->has_sizes);
+    return emission->has_found || (!hit->brdf.diffuse && emission->has_sizes);
 }
 
 /* A light that is no surface of the scene's list. What lies just before it hides nothing: it may be the
@@ -224,8 +224,8 @@ static bool find_light(const struct emission *emission, int n, const struct hit 
                        vec3s direction, const struct hit *end, struct arrival *arrival) {
     vec2s place;
     float distance;
-    if (hit->brdf.matt || !emitter_meet(&emission->sources[n].light, hit->position.raw,
-                                        direction.raw, place.raw, &distance))
+    if (hit->brdf.diffuse || !emitter_meet(&emission->sources[n].light, hit->position.raw,
+                                           direction.raw, place.raw, &distance))
         return false;
     float slack = 1e-4F * emission->radius;
     if (end && glms_vec3_distance(end->position, hit->position) < distance - slack)
@@ -298,7 +298,7 @@ vec2s emission_place(const struct emission *emission, int n, vec2s sample, const
 /* Times pi: of a Lambertian surface, irradiance. */
 static struct reflected reflect(const struct hit *hit, const struct arrival *arrival, float share) {
     vec3s light = glms_vec3_scale(arrival->irradiance, share);
-    if (hit->brdf.matt)
+    if (hit->brdf.diffuse)
         return (struct reflected){.diffuse = light};
     struct brdf_value value = brdf_eval(&hit->brdf, hit->normal, hit->towards, arrival->direction);
     return (struct reflected){glms_vec3_scale(light, value.diffuse),

@@ -25,7 +25,7 @@ struct emission {
     struct sky sky;
     int surfaces_number, sky_number; /* of the sources that these are; -1 = none */
     bool has_sizes;                  /* some light has a size: places on lights are to be drawn */
-    bool has_found;                  /* rays of matt surfaces may come to one by chance */
+    bool has_found;                  /* rays of diffuse surfaces may come to one by chance */
     struct dealt *rays; /* from which light each light ray starts: as many as it has flux */
     vec3s center;       /* of the scene's bounding sphere */
     float radius;       /* the same sphere's, m */

@@ -60,19 +60,19 @@ struct reflected {
 /* All of it, radiance. */
 static inline vec3s hit_radiance(const struct hit *hit, const struct reflected *light) {
     vec3s diffuse = glms_vec3_mul(hit->brdf.albedo, light->diffuse);
-    return hit->brdf.matt ? diffuse : glms_vec3_add(diffuse, light->specular);
+    return hit->brdf.diffuse ? diffuse : glms_vec3_add(diffuse, light->specular);
 }
 
 /* Whether light has nothing to gain from it. */
 static inline bool hit_is_black(const struct hit *hit) {
-    return hit->brdf.matt && glms_vec3_norm2(hit->brdf.albedo) == 0;
+    return hit->brdf.diffuse && glms_vec3_norm2(hit->brdf.albedo) == 0;
 }
 
 /* The density, 1/sr, with which rays that are sampled by its reflection leave in a unit direction; cosine:
  * the direction's, above 0. */
 static inline float hit_density(const struct hit *hit, vec3s direction, float cosine) {
-    return hit->brdf.matt ? cosine * GLM_1_PIf
-                          : brdf_density(&hit->brdf, hit->normal, hit->towards, direction);
+    return hit->brdf.diffuse ? cosine * GLM_1_PIf
+                             : brdf_density(&hit->brdf, hit->normal, hit->towards, direction);
 }
 
 /* Where it is; and what its material emits there, on the front, zero in holes. */

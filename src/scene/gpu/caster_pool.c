@@ -16,7 +16,7 @@ struct caster_pool {
         int uses;
         struct pooled *next;
     } * first;
-    struct caster_tree tree;
+    struct caster_bvh tree;
     int tree_uses;
 };
 
@@ -43,7 +43,7 @@ static void free_unused(struct caster_pool *pool) {
 void caster_pool_free(struct caster_pool *pool) {
     if (pool) {
         free_unused(pool);
-        caster_tree_free(&pool->tree);
+        caster_bvh_free(&pool->tree);
         assert(!pool->first && !pool->tree_uses);
     }
     free(pool);
@@ -115,10 +115,10 @@ void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **cas
     *caster = NULL;
 }
 
-bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_tree **tree) {
+bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_bvh **tree) {
     *tree = NULL;
-    if (!caster_tree_update(&pool->tree, pool->scene, pool->geometry)) {
-        caster_tree_free(&pool->tree);
+    if (!caster_bvh_update(&pool->tree, pool->scene, pool->geometry)) {
+        caster_bvh_free(&pool->tree);
         return false;
     }
     pool->tree_uses++;
@@ -126,7 +126,7 @@ bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_tree
     return true;
 }
 
-void caster_pool_release_tree(struct caster_pool *pool, const struct caster_tree **tree) {
+void caster_pool_release_tree(struct caster_pool *pool, const struct caster_bvh **tree) {
     if (!*tree)
         return;
     assert(pool->tree_uses > 0);
@@ -138,5 +138,5 @@ bool caster_pool_update(struct caster_pool *pool) {
     for (struct pooled *pooled = pool->first; pooled; pooled = pooled->next)
         if (pooled->uses && !caster_gpu_update(&pooled->gpu, pool->geometry))
             return false;
-    return !pool->tree_uses || caster_tree_update(&pool->tree, pool->scene, pool->geometry);
+    return !pool->tree_uses || caster_bvh_update(&pool->tree, pool->scene, pool->geometry);
 }

@@ -8,7 +8,7 @@
 #define SCENE_GPU_CASTER_POOL_H
 
 #include "scene/gpu/caster_gpu.h"
-#include "scene/gpu/caster_tree.h"
+#include "scene/gpu/caster_bvh.h"
 
 struct caster_pool;
 
@@ -30,11 +30,11 @@ bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **cas
 /* Accepts a pointer to NULL. */
 void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **caster);
 
-/* The same with the tree for rays, of which there is one. Error: caster_tree_update's. */
-bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_tree **tree);
+/* The same with the tree for rays, of which there is one. Error: caster_bvh_update's. */
+bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_bvh **tree);
 
 /* Accepts a pointer to NULL, of any pool. */
-void caster_pool_release_tree(struct caster_pool *pool, const struct caster_tree **tree);
+void caster_pool_release_tree(struct caster_pool *pool, const struct caster_bvh **tree);
 
 /* After geometry_pose: moves the casters that are in use. Error: out of GPU memory; the pool
  * must then be freed. */

@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "scene/mesh/corners.h"
-#include "shared/triangle_tree.h"
+#include "shared/bvh.h"
 
 #include <math.h>
 

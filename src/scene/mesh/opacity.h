@@ -5,7 +5,7 @@
 #define SCENE_MESH_OPACITY_H
 
 #include "scene/mesh/geometry.h"
-#include "scene/mesh/triangle_tree.h"
+#include "scene/mesh/bvh.h"
 
 /* Those that are found. */
 struct opaque_triangles {

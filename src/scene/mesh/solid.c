@@ -3,7 +3,7 @@
 #include "base/halton.h"
 #include "base/memory.h"
 #include "base/parallel.h"
-#include "scene/mesh/tree_ray.h"
+#include "scene/mesh/bvh_ray.h"
 
 #include <assert.h>
 #include <math.h>
@@ -24,7 +24,7 @@ static_assert(PROBES <= RAYS, "probes take the points of rays");
 enum { PLACE_X, PLACE_Y, WAY_X, WAY_Y, DIMENSIONS };
 
 struct search {
-    struct triangle_tree tree;
+    struct bvh tree;
     const struct solid_mesh *mesh;
     float points[RAYS][DIMENSIONS];
     bool *within;
@@ -68,7 +68,7 @@ static bool probes_meet_backs(const struct search *search, vec3s place, vec3s no
         const float *point = search->points[i];
         vec3s direction = way(normal, fraction(point[WAY_X] + scatter(key)),
                               fraction(point[WAY_Y] + scatter(key + 1)));
-        struct tree_hit hit = tree_ray_trace(&search->tree, place, direction);
+        struct tree_hit hit = bvh_ray_trace(&search->tree, place, direction);
         bool back = hit.triangle && !hit.front;
         backs += back;
         others += !back;
@@ -77,7 +77,7 @@ static bool probes_meet_backs(const struct search *search, vec3s place, vec3s no
 }
 
 static bool ends_within(const struct search *search, vec3s origin, vec3s direction, uint32_t key) {
-    struct tree_hit hit = tree_ray_trace(&search->tree, origin, direction);
+    struct tree_hit hit = bvh_ray_trace(&search->tree, origin, direction);
     if (!hit.triangle || !hit.front)
         return hit.triangle;
     vec3s normal = normal_of(hit.triangle);
@@ -119,7 +119,7 @@ static void ask_eye(const struct search *search, const float eye[3]) {
         float z = 1 - 2 * ((float)i + .5F) / EYE_RAYS, radius = sqrtf(1 - z * z);
         float angle = 2 * GLM_PIf * (float)radical_inverse(2, i);
         vec3s direction = {{radius * cosf(angle), radius * sinf(angle), z}};
-        struct tree_hit hit = tree_ray_trace(&search->tree, origin, direction);
+        struct tree_hit hit = bvh_ray_trace(&search->tree, origin, direction);
         all += hit.triangle != NULL;
         if (!hit.triangle || hit.front || !search->within[hit.triangle->number])
             continue;
@@ -154,8 +154,8 @@ void solid_find(bool *within, const struct solid_mesh *mesh, const float eye[3])
     for (uint32_t i = 0; i < RAYS; i++)
         for (int d = 0; d < DIMENSIONS; d++)
             search.points[i][d] = (float)radical_inverse(bases[d], i);
-    triangle_tree_init(&search.tree, copy_triangles(mesh), mesh->triangle_count);
+    bvh_init(&search.tree, copy_triangles(mesh), mesh->triangle_count);
     parallel_for((mesh->triangle_count + RUN - 1) / RUN, 0, search_run, &search);
     ask_eye(&search, eye);
-    triangle_tree_free(&search.tree);
+    bvh_free(&search.tree);
 }

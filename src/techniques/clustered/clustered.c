@@ -29,7 +29,7 @@ static bool init(void **state, const struct technique_desc *desc) {
                                 .lookup = vals_lookup(desc->settings),
                                 .map_count = first->visibility.map_count,
                                 .block = first->blocks.desc.block,
-                                .calibrated = first->calibrated,
+                                .corrected = first->corrected,
                             });
 }
 

@@ -26,7 +26,7 @@ static const struct settings_part own_part = {"instant-radiosity", "a map per VP
 struct instant_radiosity {
     struct many_lights lights;
     struct caster_pool *casters;
-    const struct caster_tree *tree; /* traced; else: */
+    const struct caster_bvh *tree; /* traced; else: */
     struct paraboloid_pass paraboloid;
     struct vpl_maps maps;
 };

@@ -11,8 +11,8 @@
  * Cost: as many rays and lookups as tests; a fetch beside each lookup of a pixel. init_set of techniques/vals.c decides
  * whether it runs.
  */
-#ifndef PASSES_CALIBRATION_H
-#define PASSES_CALIBRATION_H
+#ifndef PASSES_CORRECTION_H
+#define PASSES_CORRECTION_H
 
 #include "passes/visibility/visibility.h"
 
@@ -21,31 +21,31 @@ struct frame;
 struct gbuffer;
 struct vpl_buffer;
 
-struct calibration_desc {
+struct correction_desc {
     int vpl_count, tests;
     int clamp;                         /* GATHER_CLAMP_..., one without parameters */
     struct visibility_desc visibility; /* of pixels that look themselves up */
 };
 
-struct calibration_pass {
-    struct calibration_desc desc;
+struct correction_pass {
+    struct correction_desc desc;
     GLuint test_program, sum_program, mean_program, gain_program, block_program;
-    struct texture tests;   /* RGBA32F: glsl/gather/calibration_test.frag */
-    struct texture sums;    /* RGBA32F, CALIBRATION_SIDE cells a side, a layer a VAL */
+    struct texture tests;   /* RGBA32F: glsl/gather/correction_test.frag */
+    struct texture sums;    /* RGBA32F, CORRECTION_SIDE cells a side, a layer a VAL */
     struct texture squares; /* RG32F, likewise */
     struct texture mean;    /* RG32F, one texel: gains of all VALs together */
-    struct texture gains;   /* RG16F, likewise: glsl/gather/calibration.glsl */
+    struct texture gains;   /* RG16F, likewise: glsl/gather/correction.glsl */
     GLuint test_framebuffer, sum_framebuffer, mean_framebuffer, gain_framebuffer;
     struct buffer params, lookup_params;
 };
 
-bool calibration_pass_init(struct calibration_pass *pass, const struct calibration_desc *desc);
-void calibration_pass_free(struct calibration_pass *pass);
+bool correction_pass_init(struct correction_pass *pass, const struct correction_desc *desc);
+void correction_pass_free(struct correction_pass *pass);
 
-/* Fills pass->gains, and corrects the blocks by them, where there are any: NULL. Timer "calibration". */
-void calibration_pass_render(const struct calibration_pass *pass, const struct frame *frame,
-                             const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
-                             const struct visibility_inputs *inputs,
-                             const struct block_visibilities *blocks);
+/* Fills pass->gains, and corrects the blocks by them, where there are any: NULL. Timer "correction". */
+void correction_pass_render(const struct correction_pass *pass, const struct frame *frame,
+                            const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
+                            const struct visibility_inputs *inputs,
+                            const struct block_visibilities *blocks);
 
 #endif

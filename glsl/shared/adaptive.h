@@ -1,10 +1,10 @@
-/* passes/gather/detail.h to its shader. */
-#ifndef SHARED_DETAIL_H
-#define SHARED_DETAIL_H
+/* passes/gather/adaptive.h to its shader. */
+#ifndef SHARED_ADAPTIVE_H
+#define SHARED_ADAPTIVE_H
 
 #include "shared/interleaving.h"
 
-struct detail_params {
+struct adaptive_params {
     STRUCT(interleaving) pattern; /* of the lists */
     float distance; /* alpha of the blur, over the picture's height at the pixel's depth */
     float cosine;   /* beta */
@@ -15,6 +15,6 @@ struct detail_params {
     float sharp_cosine; /* where normals are farther apart, they are so for more than gentle relief */
     int unused;
 };
-PASS_BLOCK(detail_params, 48)
+PASS_BLOCK(adaptive_params, 48)
 
 #endif

@@ -1,8 +1,8 @@
-#include "scene/mesh/threaded_tree.h"
+#include "scene/mesh/stackless_bvh.h"
 
 #include "base/extremes.h"
 #include "base/memory.h"
-#include "shared/triangle_tree.h"
+#include "shared/bvh.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +15,7 @@ static const float margin = .5F;
 static const float worth_a_box = .7F;
 
 struct layout {
-    const struct triangle_tree *tree;
+    const struct bvh *tree;
     uint32_t (*texels)[4];
     float low[3], steps[3]; /* a metre */
     uint32_t next;          /* texel of a box */
@@ -31,12 +31,12 @@ static uint32_t bits(float value) {
 /* Whole numbers from 0 up: cutting the fraction off is rounding down. */
 static uint32_t step_below(const struct layout *layout, const struct tree_box *box, int axis) {
     float at = (box->low[axis] - layout->low[axis]) * layout->steps[axis];
-    return (uint32_t)float_min(float_max(at - margin, 0), (float)THREADED_STEPS);
+    return (uint32_t)float_min(float_max(at - margin, 0), (float)STACKLESS_STEPS);
 }
 
 static uint32_t step_above(const struct layout *layout, const struct tree_box *box, int axis) {
     float at = (box->high[axis] - layout->low[axis]) * layout->steps[axis];
-    return (uint32_t)float_min(float_max(ceilf(at + margin), 0), (float)THREADED_STEPS);
+    return (uint32_t)float_min(float_max(ceilf(at + margin), 0), (float)STACKLESS_STEPS);
 }
 
 static uint32_t *lay_box(struct layout *layout, const struct tree_box *box) {
@@ -50,9 +50,9 @@ static uint32_t *lay_box(struct layout *layout, const struct tree_box *box) {
 static void lay_leaf(struct layout *layout, const struct tree_node *node) {
     for (uint32_t i = 0, count; i < node->count; i += count) {
         uint32_t rest = node->count - i;
-        count = rest < THREADED_COUNT_MOST ? rest : THREADED_COUNT_MOST;
-        uint32_t texel = layout->triangles + (node->first + i) * THREADED_TRIANGLE;
-        *lay_box(layout, &node->box) = THREADED_LEAF | count << THREADED_COUNT_SHIFT | texel;
+        count = rest < STACKLESS_COUNT_MOST ? rest : STACKLESS_COUNT_MOST;
+        uint32_t texel = layout->triangles + (node->first + i) * STACKLESS_TRIANGLE;
+        *lay_box(layout, &node->box) = STACKLESS_LEAF | count << STACKLESS_COUNT_SHIFT | texel;
     }
 }
 
@@ -78,7 +78,7 @@ static void lay_node(struct layout *layout, uint32_t number, float around) {
 
 static void lay_triangle(struct layout *layout, uint32_t number) {
     const struct tree_triangle *triangle = &layout->tree->triangles[number];
-    uint32_t(*texels)[4] = layout->texels + layout->triangles + number * THREADED_TRIANGLE;
+    uint32_t(*texels)[4] = layout->texels + layout->triangles + number * STACKLESS_TRIANGLE;
     for (int c = 0; c < 3; c++) {
         texels[0][c] = bits(triangle->corner.raw[c]);
         texels[1][c] = bits(triangle->edges[0].raw[c]);
@@ -90,11 +90,11 @@ static void lay_triangle(struct layout *layout, uint32_t number) {
 }
 
 /* At most so many. */
-static uint32_t count_boxes(const struct triangle_tree *tree) {
+static uint32_t count_boxes(const struct bvh *tree) {
     uint32_t count = tree->node_count;
     for (uint32_t i = 0; i < tree->node_count; i++)
         if (tree->nodes[i].count > 0)
-            count += (tree->nodes[i].count - 1) / THREADED_COUNT_MOST;
+            count += (tree->nodes[i].count - 1) / STACKLESS_COUNT_MOST;
     return count;
 }
 
@@ -107,21 +107,21 @@ static void lay_header(struct layout *layout, float clearance) {
     layout->texels[1][3] = bits(clearance);
 }
 
-void threaded_tree_init(struct threaded_tree *threaded, const struct triangle_tree *tree,
-                        const struct threaded_tree_desc *desc) {
-    uint32_t first_triangle = THREADED_HEADER + count_boxes(tree);
-    threaded->count = first_triangle + tree->count * THREADED_TRIANGLE;
-    threaded->texels = mem_alloc(threaded->count, sizeof *threaded->texels);
+void stackless_bvh_init(struct stackless_bvh *stackless, const struct bvh *tree,
+                        const struct stackless_bvh_desc *desc) {
+    uint32_t first_triangle = STACKLESS_HEADER + count_boxes(tree);
+    stackless->count = first_triangle + tree->count * STACKLESS_TRIANGLE;
+    stackless->texels = mem_alloc(stackless->count, sizeof *stackless->texels);
     struct layout layout = {
         .tree = tree,
-        .texels = threaded->texels,
-        .next = THREADED_HEADER,
+        .texels = stackless->texels,
+        .next = STACKLESS_HEADER,
         .triangles = first_triangle,
     };
     for (int c = 0; c < 3; c++) {
         float side = desc->high[c] - desc->low[c];
         layout.low[c] = desc->low[c];
-        layout.steps[c] = (float)THREADED_STEPS / fmaxf(side, desc->clearance);
+        layout.steps[c] = (float)STACKLESS_STEPS / fmaxf(side, desc->clearance);
     }
     if (tree->count > 0)
         lay_node(&layout, 0, INFINITY);
@@ -130,7 +130,7 @@ void threaded_tree_init(struct threaded_tree *threaded, const struct triangle_tr
     lay_header(&layout, desc->clearance);
 }
 
-void threaded_tree_free(struct threaded_tree *threaded) {
-    free(threaded->texels);
-    *threaded = (struct threaded_tree){0};
+void stackless_bvh_free(struct stackless_bvh *stackless) {
+    free(stackless->texels);
+    *stackless = (struct stackless_bvh){0};
 }

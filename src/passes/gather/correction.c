@@ -1,4 +1,4 @@
-#include "passes/gather/calibration.h"
+#include "passes/gather/correction.h"
 
 #include "base/memory.h"
 #include "gl/framebuffer.h"
@@ -7,47 +7,47 @@
 #include "passes/maps.h"
 #include "passes/targets.h"
 #include "passes/vpls.h"
-#include "shared/calibration.h"
+#include "shared/correction.h"
 
 #include <stdlib.h>
 
-static int group_count(const struct calibration_desc *desc) {
-    return (desc->vpl_count + CALIBRATION_TOGETHER - 1) / CALIBRATION_TOGETHER;
+static int group_count(const struct correction_desc *desc) {
+    return (desc->vpl_count + CORRECTION_TOGETHER - 1) / CORRECTION_TOGETHER;
 }
 
 /* As wide as any driver's textures are. */
 enum { TESTS_OF_CELL_MAX = 8192 };
 
-static int cell_tests(const struct calibration_desc *desc) {
-    int cells = CALIBRATION_SIDE * CALIBRATION_SIDE;
+static int cell_tests(const struct correction_desc *desc) {
+    int cells = CORRECTION_SIDE * CORRECTION_SIDE;
     int tests = (desc->tests + cells - 1) / cells;
     return tests < TESTS_OF_CELL_MAX ? tests : TESTS_OF_CELL_MAX;
 }
 
-static bool init_test_program(struct calibration_pass *pass) {
+static bool init_test_program(struct correction_pass *pass) {
     char *lookup = visibility_defines(&pass->desc.visibility);
     char *defines = mem_printf("%s;CLAMP %d", lookup, pass->desc.clamp);
     bool ok = program_init(
         &pass->test_program,
-        &(struct program_desc){.screen = {"gather/calibration_test.frag"}, .defines = defines});
+        &(struct program_desc){.screen = {"gather/correction_test.frag"}, .defines = defines});
     free(lookup);
     free(defines);
     return ok;
 }
 
-static bool init_programs(struct calibration_pass *pass) {
+static bool init_programs(struct correction_pass *pass) {
     return init_test_program(pass) &&
            program_init(
                &pass->sum_program,
-               &(struct program_desc){.screen = {"gather/calibration_sum.frag", .layers = true}}) &&
+               &(struct program_desc){.screen = {"gather/correction_sum.frag", .layers = true}}) &&
            program_init(&pass->mean_program,
-                        &(struct program_desc){.screen = {"gather/calibration_mean.frag"}}) &&
+                        &(struct program_desc){.screen = {"gather/correction_mean.frag"}}) &&
            program_init(&pass->gain_program,
                         &(struct program_desc){
-                            .screen = {"gather/calibration_gain.frag", .layers = true}}) &&
+                            .screen = {"gather/correction_factor.frag", .layers = true}}) &&
            program_init(&pass->block_program,
                         &(struct program_desc){.vertex = "layers.vert",
-                                               .fragment = "gather/calibrate_blocks.frag"});
+                                               .fragment = "gather/correct_blocks.frag"});
 }
 
 static bool init_target(struct texture *texture, GLuint *framebuffer,
@@ -57,22 +57,22 @@ static bool init_target(struct texture *texture, GLuint *framebuffer,
                             &(struct framebuffer_desc){.label = desc->label, .colors = {texture}});
 }
 
-static bool init_targets(struct calibration_pass *pass) {
-    const struct texture_desc tests = {.label = "calibration tests",
+static bool init_targets(struct correction_pass *pass) {
+    const struct texture_desc tests = {.label = "correction tests",
                                        .format = GL_RGBA32F,
                                        .width = cell_tests(&pass->desc),
-                                       .height = CALIBRATION_SIDE * CALIBRATION_SIDE};
-    const struct texture_desc sums = {.label = "calibration sums",
+                                       .height = CORRECTION_SIDE * CORRECTION_SIDE};
+    const struct texture_desc sums = {.label = "correction sums",
                                       .target = GL_TEXTURE_2D_ARRAY,
                                       .format = GL_RGBA32F,
-                                      .width = CALIBRATION_SIDE,
-                                      .height = CALIBRATION_SIDE,
+                                      .width = CORRECTION_SIDE,
+                                      .height = CORRECTION_SIDE,
                                       .layers = pass->desc.visibility.map_count};
     const struct texture_desc mean = {
-        .label = "mean calibration", .format = GL_RG32F, .width = 1, .height = 1};
+        .label = "mean correction", .format = GL_RG32F, .width = 1, .height = 1};
     struct texture_desc squares = sums, gains = sums;
     squares.format = GL_RG32F;
-    gains.label = "calibration";
+    gains.label = "correction";
     gains.format = GL_RG16F;
     gains.filter = FILTER_LINEAR;
     gains.wrap_s = gains.wrap_t = GL_CLAMP_TO_EDGE;
@@ -81,24 +81,24 @@ static bool init_targets(struct calibration_pass *pass) {
            framebuffer_init(&pass->sum_framebuffer,
                             &(struct framebuffer_desc){
                                 .label = sums.label,
-                                .colors = {[TARGET_CALIBRATION_SUM] = &pass->sums,
-                                           [TARGET_CALIBRATION_SQUARE] = &pass->squares}}) &&
+                                .colors = {[TARGET_CORRECTION_SUM] = &pass->sums,
+                                           [TARGET_CORRECTION_SQUARE] = &pass->squares}}) &&
            init_target(&pass->mean, &pass->mean_framebuffer, &mean) &&
            init_target(&pass->gains, &pass->gain_framebuffer, &gains);
 }
 
-bool calibration_pass_init(struct calibration_pass *pass, const struct calibration_desc *desc) {
-    *pass = (struct calibration_pass){.desc = *desc};
+bool correction_pass_init(struct correction_pass *pass, const struct correction_desc *desc) {
+    *pass = (struct correction_pass){.desc = *desc};
     if (init_programs(pass) && init_targets(pass) &&
-        buffer_init(&pass->params, "calibration parameters", sizeof(struct calibration_params),
+        buffer_init(&pass->params, "correction parameters", sizeof(struct correction_params),
                     NULL) &&
         buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
         return true;
-    calibration_pass_free(pass);
+    correction_pass_free(pass);
     return false;
 }
 
-void calibration_pass_free(struct calibration_pass *pass) {
+void correction_pass_free(struct correction_pass *pass) {
     program_free(&pass->test_program);
     program_free(&pass->sum_program);
     program_free(&pass->mean_program);
@@ -115,21 +115,21 @@ void calibration_pass_free(struct calibration_pass *pass) {
     texture_free(&pass->gains);
     buffer_free(&pass->params);
     buffer_free(&pass->lookup_params);
-    *pass = (struct calibration_pass){0};
+    *pass = (struct correction_pass){0};
 }
 
-static void test(const struct calibration_pass *pass, const struct frame *frame,
+static void test(const struct correction_pass *pass, const struct frame *frame,
                  const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
                  const struct visibility_inputs *inputs, const struct block_visibilities *blocks) {
     struct pass_state state = {
-        .name = "calibration",
+        .name = "correction",
         .program = pass->test_program,
         .framebuffer = pass->test_framebuffer,
         .width = pass->tests.desc.width,
         .height = pass->tests.desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_TRIANGLE_TREE, inputs->tree->texels},
+                     {UNIT_BVH, inputs->tree->texels},
                      {UNIT_VPLS, vpls->texels}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
@@ -141,68 +141,68 @@ static void test(const struct calibration_pass *pass, const struct frame *frame,
     pass_draw_fullscreen(1);
 }
 
-static void sum_tests(const struct calibration_pass *pass) {
+static void sum_tests(const struct correction_pass *pass) {
     pass_set_state(&(struct pass_state){
-        .name = "calibration",
+        .name = "correction",
         .program = pass->sum_program,
         .framebuffer = pass->sum_framebuffer,
-        .width = CALIBRATION_SIDE,
-        .height = CALIBRATION_SIDE,
-        .textures = {{UNIT_CALIBRATION_TESTS, pass->tests.id}},
+        .width = CORRECTION_SIDE,
+        .height = CORRECTION_SIDE,
+        .textures = {{UNIT_CORRECTION_TESTS, pass->tests.id}},
     });
     pass_draw_fullscreen(pass->sums.desc.layers);
 }
 
 /* The state of a draw that reads the sums. */
-static struct pass_state over_sums(const struct calibration_pass *pass, GLuint program,
+static struct pass_state over_sums(const struct correction_pass *pass, GLuint program,
                                    GLuint framebuffer, const struct texture *target) {
     return (struct pass_state){
-        .name = "calibration",
+        .name = "correction",
         .program = program,
         .framebuffer = framebuffer,
         .width = target->desc.width,
         .height = target->desc.height,
-        .textures = {{UNIT_CALIBRATION_SUMS, pass->sums.id},
-                     {UNIT_CALIBRATION_SQUARES, pass->squares.id}},
+        .textures = {{UNIT_CORRECTION_SUMS, pass->sums.id},
+                     {UNIT_CORRECTION_SQUARES, pass->squares.id}},
     };
 }
 
-static void find_gains(const struct calibration_pass *pass) {
+static void find_gains(const struct correction_pass *pass) {
     struct pass_state mean =
         over_sums(pass, pass->mean_program, pass->mean_framebuffer, &pass->mean);
     pass_set_state(&mean);
     pass_draw_fullscreen(1);
     struct pass_state gains =
         over_sums(pass, pass->gain_program, pass->gain_framebuffer, &pass->gains);
-    pass_add_texture(&gains, UNIT_CALIBRATION, pass->mean.id);
+    pass_add_texture(&gains, UNIT_CORRECTION, pass->mean.id);
     pass_set_state(&gains);
     pass_draw_fullscreen(pass->gains.desc.layers);
 }
 
-static void correct_blocks(const struct calibration_pass *pass, const struct gbuffer *gbuffer,
+static void correct_blocks(const struct correction_pass *pass, const struct gbuffer *gbuffer,
                            const struct block_visibilities *blocks) {
     pass_set_state(&(struct pass_state){
-        .name = "calibration",
+        .name = "correction",
         .program = pass->block_program,
         .framebuffer = blocks->framebuffer,
         .width = blocks->texture.desc.width,
         .height = blocks->texture.desc.height,
         .blend = PASS_BLEND_OVER,
-        .textures = {{UNIT_CALIBRATION, pass->gains.id}, {UNIT_GBUFFER_DEPTH, gbuffer->depth.id}},
+        .textures = {{UNIT_CORRECTION, pass->gains.id}, {UNIT_GBUFFER_DEPTH, gbuffer->depth.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     });
     pass_draw_fullscreen(blocks->texture.desc.layers);
 }
 
-void calibration_pass_render(const struct calibration_pass *pass, const struct frame *frame,
-                             const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
-                             const struct visibility_inputs *inputs,
-                             const struct block_visibilities *blocks) {
-    struct calibration_params params = {.tests_of_cell = pass->tests.desc.width,
-                                        .vpl_count = vpls->count,
-                                        .groups = group_count(&pass->desc),
-                                        .block = blocks ? blocks->block : 0};
-    timer_begin(frame->timers, "calibration");
+void correction_pass_render(const struct correction_pass *pass, const struct frame *frame,
+                            const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
+                            const struct visibility_inputs *inputs,
+                            const struct block_visibilities *blocks) {
+    struct correction_params params = {.tests_of_cell = pass->tests.desc.width,
+                                       .vpl_count = vpls->count,
+                                       .groups = group_count(&pass->desc),
+                                       .block = blocks ? blocks->block : 0};
+    timer_begin(frame->timers, "correction");
     buffer_write(&pass->params, 0, sizeof params, &params);
     test(pass, frame, gbuffer, vpls, inputs, blocks);
     sum_tests(pass);

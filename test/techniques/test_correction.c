@@ -1,4 +1,4 @@
-/* Maps that rays calibrate: where few VALs let too much light through, or too little, about as much arrives as by rays;
+/* Maps that rays correct: where few VALs let too much light through, or too little, about as much arrives as by rays;
  * where maps are right they stay so. Rays to each VPL are the truth, of the same VPLs. */
 #include "render_support.h"
 
@@ -74,6 +74,6 @@ int main(void) {
         cmocka_unit_test(test_right_maps),
         cmocka_unit_test(test_many_tests),
     };
-    return cmocka_run_group_tests_name("calibration", tests, open_group_context,
+    return cmocka_run_group_tests_name("correction", tests, open_group_context,
                                        close_group_context);
 }

@@ -3,7 +3,7 @@
 
 #include "base/halton.h"
 #include "base/memory.h"
-#include "scene/mesh/tree_ray.h"
+#include "scene/mesh/bvh_ray.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -33,8 +33,7 @@ static struct tree_triangle *scatter_triangles(uint32_t count, float size) {
 }
 
 /* -1 = none. */
-static int nearest_of_all(const struct triangle_tree *tree, vec3s origin, vec3s direction,
-                          float *distance) {
+static int nearest_of_all(const struct bvh *tree, vec3s origin, vec3s direction, float *distance) {
     int nearest = -1;
     *distance = INFINITY;
     for (uint32_t i = 0; i < tree->count; i++) {
@@ -61,16 +60,16 @@ static vec3s direction_of(uint32_t i) {
 
 static void test_nearest(void **state) {
     (void)state;
-    struct triangle_tree tree;
+    struct bvh tree;
     int hits = 0, fronts = 0;
     double worst = 0;
-    triangle_tree_init(&tree, scatter_triangles(TRIANGLES, .2F), TRIANGLES);
+    bvh_init(&tree, scatter_triangles(TRIANGLES, .2F), TRIANGLES);
     for (uint32_t i = 0; i < RAYS; i++) {
         vec3s origin = i % 16 ? point_of(i) : tree.triangles[i % TRIANGLES].corner;
         vec3s direction = direction_of(i);
         float distance;
         int expected = nearest_of_all(&tree, origin, direction, &distance);
-        struct tree_hit hit = tree_ray_trace(&tree, origin, direction);
+        struct tree_hit hit = bvh_ray_trace(&tree, origin, direction);
         assert_int_equal(hit.triangle ? (int)hit.triangle->number : -1, expected);
         if (!hit.triangle)
             continue;
@@ -84,7 +83,7 @@ static void test_nearest(void **state) {
     check_at_most("distance", worst, 1e-5);
     assert_in_range(hits, RAYS / 4, RAYS);
     assert_in_range(fronts, hits / 3, hits * 2 / 3);
-    triangle_tree_free(&tree);
+    bvh_free(&tree);
 }
 
 /* --- the tree --------------------------------------------------------------------------------- */
@@ -118,7 +117,7 @@ struct below {
     double cost;
 };
 
-static struct below look_below(const struct triangle_tree *tree, uint32_t number) {
+static struct below look_below(const struct bvh *tree, uint32_t number) {
     const struct tree_node *node = &tree->nodes[number];
     struct below below = {node->count, node->count, node->count};
     for (uint32_t i = 0; i < node->count; i++)
@@ -143,10 +142,10 @@ static struct below look_below(const struct triangle_tree *tree, uint32_t number
  * all nodes of up to four triangles are leaves. */
 static void test_tree(void **state) {
     (void)state;
-    struct triangle_tree tree, again;
+    struct bvh tree, again;
     bool *seen = mem_alloc(MANY, sizeof *seen);
-    triangle_tree_init(&tree, scatter_triangles(MANY, .02F), MANY);
-    triangle_tree_init(&again, scatter_triangles(MANY, .02F), MANY);
+    bvh_init(&tree, scatter_triangles(MANY, .02F), MANY);
+    bvh_init(&again, scatter_triangles(MANY, .02F), MANY);
     struct below below = look_below(&tree, 0);
     printf("  %u triangles, leaves of up to %u, cost %.1f\n", below.triangles, below.largest_leaf,
            below.cost);
@@ -158,8 +157,8 @@ static void test_tree(void **state) {
         seen[tree.triangles[i].number] = true;
         assert_int_equal(tree.triangles[i].number, again.triangles[i].number);
     }
-    triangle_tree_free(&tree);
-    triangle_tree_free(&again);
+    bvh_free(&tree);
+    bvh_free(&again);
     free(seen);
 }
 
@@ -167,32 +166,32 @@ static void test_tree(void **state) {
 static void test_one_place(void **state) {
     (void)state;
     enum { COUNT = 40 };
-    struct triangle_tree tree;
+    struct bvh tree;
     struct tree_triangle *triangles = mem_alloc(COUNT, sizeof *triangles);
     for (uint32_t i = 0; i < COUNT; i++)
         triangles[i] = (struct tree_triangle){
             .edges = {{{1, 0, 0}}, {{0, 1, 0}}},
             .number = i,
         };
-    triangle_tree_init(&tree, triangles, COUNT);
+    bvh_init(&tree, triangles, COUNT);
     printf("  %u nodes, %u triangles in the first\n", tree.node_count, tree.nodes[0].count);
     assert_int_equal(tree.node_count, 1);
     assert_int_equal(tree.nodes[0].count, COUNT);
-    triangle_tree_free(&tree);
+    bvh_free(&tree);
 }
 
 static void test_none(void **state) {
     (void)state;
-    struct triangle_tree tree;
-    triangle_tree_init(&tree, mem_alloc(0, sizeof *tree.triangles), 0);
+    struct bvh tree;
+    bvh_init(&tree, mem_alloc(0, sizeof *tree.triangles), 0);
     assert_int_equal(tree.count, 0);
     assert_int_equal(tree.nodes[0].count, 0);
-    triangle_tree_free(&tree);
+    bvh_free(&tree);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_nearest), cmocka_unit_test(test_tree),
                                        cmocka_unit_test(test_one_place),
                                        cmocka_unit_test(test_none)};
-    return cmocka_run_group_tests_name("tree_ray", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("bvh_ray", tests, NULL, NULL);
 }

@@ -2,15 +2,15 @@
 // is taken off, or part of what they stop let through. What few tests say of a part may be chance: of what it differs
 // from the whole by, the part stays that chance does not explain [James and Stein 1961; Efron and Morris 1973].
 #include "shared/bindings.h"
-#include "shared/calibration.h"
+#include "shared/correction.h"
 
-layout(binding = UNIT_CALIBRATION_SUMS) uniform sampler2DArray sums;
-layout(binding = UNIT_CALIBRATION_SQUARES) uniform sampler2DArray squares;
+layout(binding = UNIT_CORRECTION_SUMS) uniform sampler2DArray sums;
+layout(binding = UNIT_CORRECTION_SQUARES) uniform sampler2DArray squares;
 
 // Variances that chance explains. With one, maps that are right already lose more than others gain.
 const float CHANCE = 2.0;
 
-// What tests say (gather/calibration_sum.frag).
+// What tests say (gather/correction_sum.frag).
 struct test_sums {
     vec4 light;
     vec2 squares;
@@ -21,8 +21,8 @@ test_sums sums_of_cell(ivec2 cell, int val) {
 }
 
 void sums_add(inout test_sums sum, int val) {
-    for (int i = 0; i < CALIBRATION_SIDE * CALIBRATION_SIDE; i++) {
-        test_sums cell = sums_of_cell(ivec2(i % CALIBRATION_SIDE, i / CALIBRATION_SIDE), val);
+    for (int i = 0; i < CORRECTION_SIDE * CORRECTION_SIDE; i++) {
+        test_sums cell = sums_of_cell(ivec2(i % CORRECTION_SIDE, i / CORRECTION_SIDE), val);
         sum.light += cell.light;
         sum.squares += cell.squares;
     }

@@ -1,4 +1,4 @@
-// Lists the pixels that have few like neighbours where the blur looks for them, and pixels' further points: by grade
+// Lists the pixels that have few like neighbours where the blur looks for them, and pixels' edge samples: by level
 // and place in the pattern, row by row of its tile, from the begin and the end of its first half and from the begin of
 // its second, so that a draw finds them side by side. The order within a list is that of arrival; no pixel's light
 // depends on it.
@@ -10,13 +10,13 @@
 #include "gather/list_texel.glsl"
 #include "gather/receiver_facet.glsl"
 #include "picture/picks.glsl"
-#include "shared/detail.h"
+#include "shared/adaptive.h"
 #if SHARE_VISIBILITY
 #include "gather/block.glsl"
 #endif
 
-layout(r32ui, binding = IMAGE_LISTED_PIXELS) writeonly uniform uimage2D listed_pixels;
-layout(r32ui, binding = IMAGE_FURTHER_TEXELS) writeonly uniform uimage2D further_texels;
+layout(r32ui, binding = IMAGE_ADAPTIVE_PIXELS) writeonly uniform uimage2D adaptive_pixels;
+layout(r32ui, binding = IMAGE_EDGE_SAMPLE_TEXELS) writeonly uniform uimage2D edge_sample_texels;
 layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
 layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
     uint counts[PIXEL_LISTS_MAX];
@@ -45,15 +45,15 @@ ivec2 next_texel(ivec2 pixel, int list) {
     int n = params.pattern.n;
     ivec2 place = pixel - divide(pixel, ivec2(n)) * n, tile = params.pattern.tile;
     int at = int(atomicAdd(counts[(list * n + place.y) * n + place.x], 1u)), half_tile = tile.x * tile.y / 2;
-    at = list == PIXEL_GRADE_DETAIL ? half_tile - 1 - at : list == LIST_FURTHER ? half_tile + at : at;
+    at = list == PIXEL_LEVEL_DETAIL ? half_tile - 1 - at : list == LIST_EDGE_SAMPLES ? half_tile + at : at;
     int row = divide(ivec2(at), tile.xx).x;
     return place * tile + ivec2(at - row * tile.x, row);
 }
 
-void list_further_point(ivec2 pixel) {
-    ivec2 texel = next_texel(pixel, LIST_FURTHER);
-    imageStore(listed_pixels, texel, uvec4(pixel.x | pixel.y << 16));
-    imageStore(further_texels, pixel, uvec4(list_texel_code(texel, 0)));
+void list_edge_sample(ivec2 pixel) {
+    ivec2 texel = next_texel(pixel, LIST_EDGE_SAMPLES);
+    imageStore(adaptive_pixels, texel, uvec4(pixel.x | pixel.y << 16));
+    imageStore(edge_sample_texels, pixel, uvec4(list_texel_code(texel, 0)));
 }
 
 void main() {
@@ -68,12 +68,12 @@ void main() {
     list_texel |= s.present ? block_away_code(block - block_at(pixel)) : 0u;
 #endif
     if (float(like.x) < params.fewest || !has_block) {
-        int grade = like.y < 2 ? PIXEL_GRADE_DETAIL : PIXEL_GRADE_EDGE;
-        ivec2 texel = next_texel(pixel, grade);
-        imageStore(listed_pixels, texel, uvec4(pixel.x | pixel.y << 16));
-        list_texel = list_texel_code(texel, grade);
+        int level = like.y < 2 ? PIXEL_LEVEL_DETAIL : PIXEL_LEVEL_EDGE;
+        ivec2 texel = next_texel(pixel, level);
+        imageStore(adaptive_pixels, texel, uvec4(pixel.x | pixel.y << 16));
+        list_texel = list_texel_code(texel, level);
     }
     uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
-    if (picks_further_point(picks))
-        list_further_point(pixel);
+    if (picks_edge_sample(picks))
+        list_edge_sample(pixel);
 }

@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/gather/blur.h"
-#include "passes/gather/detail.h"
+#include "passes/gather/adaptive.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,39 +14,40 @@
 enum { SIZE = 64, RADIUS = 2, BLUR = 4, LISTS = 4 };
 
 /* A frame, and the lists of a G-buffer. */
-struct detail_bench {
+struct adaptive_bench {
     struct stage stage;
     struct renderer renderer;
-    struct detail_pass detail;
+    struct adaptive_pass adaptive;
     GLuint texels[SIZE * SIZE], counts[LISTS * LISTS * LIST_KINDS];
 };
 
-static void open_bench(struct detail_bench *bench, const char *scene, const char *settings,
+static void open_bench(struct adaptive_bench *bench, const char *scene, const char *settings,
                        float share) {
     open_stage(&bench->stage, scene);
     struct renderer_desc desc = desc_of(&bench->stage, "unshadowed", settings, SIZE, SIZE);
     open_renderer(&bench->renderer, &desc);
-    check_ok("detail", detail_pass_init(&bench->detail, &(struct detail_desc){.width = SIZE,
-                                                                              .height = SIZE,
-                                                                              .interleave = LISTS,
-                                                                              .radius = RADIUS,
-                                                                              .distance = .1f,
-                                                                              .cosine = .995f,
-                                                                              .sharp_cosine = .98f,
-                                                                              .share = share}));
+    check_ok("adaptive",
+             adaptive_pass_init(&bench->adaptive, &(struct adaptive_desc){.width = SIZE,
+                                                                          .height = SIZE,
+                                                                          .interleave = LISTS,
+                                                                          .radius = RADIUS,
+                                                                          .distance = .1f,
+                                                                          .cosine = .995f,
+                                                                          .sharp_cosine = .98f,
+                                                                          .share = share}));
 }
 
-static void list_pixels(struct detail_bench *bench, const struct gbuffer *gbuffer) {
+static void list_pixels(struct adaptive_bench *bench, const struct gbuffer *gbuffer) {
     struct frame frame = renderer_frame(&bench->renderer);
-    detail_pass_render(&bench->detail, &frame, gbuffer);
+    adaptive_pass_render(&bench->adaptive, &frame, gbuffer);
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
-    gl.GetTextureImage(bench->detail.lists.texels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+    gl.GetTextureImage(bench->adaptive.lists.texels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                        sizeof bench->texels, bench->texels);
-    buffer_read(&bench->detail.lists.counts, 0, sizeof bench->counts, bench->counts);
+    buffer_read(&bench->adaptive.lists.counts, 0, sizeof bench->counts, bench->counts);
 }
 
-static void close_bench(struct detail_bench *bench) {
-    detail_pass_free(&bench->detail);
+static void close_bench(struct adaptive_bench *bench) {
+    adaptive_pass_free(&bench->adaptive);
     renderer_free(&bench->renderer);
     stage_free(&bench->stage);
 }
@@ -80,14 +81,14 @@ static void make_stripes(struct gbuffer *gbuffer) {
 /* Stripes are listed, the plane is not, nor its straight edge; a list has each pixel once. */
 static void test_lists(void **state) {
     (void)state;
-    struct detail_bench bench;
+    struct adaptive_bench bench;
     struct gbuffer gbuffer;
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .5f);
     make_stripes(&gbuffer);
     list_pixels(&bench, &gbuffer);
     int smooth_listed = 0, stripes_left = 0, listed = 0, misplaced = 0, counted = 0;
     static GLuint pixels[2 * SIZE * SIZE];
-    gl.GetTextureImage(bench.detail.lists.pixels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+    gl.GetTextureImage(bench.adaptive.lists.pixels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                        sizeof pixels, pixels);
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE, y = i / SIZE;
@@ -112,8 +113,8 @@ static void test_lists(void **state) {
 }
 
 /* Beside the plane's straight edge two neighbours are like, in stripes none. */
-static void check_grades(float code, GLuint grade_of_stripes) {
-    struct detail_bench bench;
+static void check_levels(float code, GLuint level_of_stripes) {
+    struct adaptive_bench bench;
     struct gbuffer gbuffer;
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .75f);
     make_stripes_of(&gbuffer, code);
@@ -127,9 +128,9 @@ static void check_grades(float code, GLuint grade_of_stripes) {
         beside += edge;
         smooth_listed += code && x < SIZE / 2;
         wrong += (edge || stripe) &&
-                 (!code || code >> 31 != (edge ? PIXEL_GRADE_EDGE : grade_of_stripes));
+                 (!code || code >> 31 != (edge ? PIXEL_LEVEL_EDGE : level_of_stripes));
     }
-    printf("    beside the edge %d, of another grade %d, on the plane %d\n", beside, wrong,
+    printf("    beside the edge %d, of another level %d, on the plane %d\n", beside, wrong,
            smooth_listed);
     assert_int_equal(wrong, 0);
     assert_int_equal(smooth_listed, 0);
@@ -138,10 +139,10 @@ static void check_grades(float code, GLuint grade_of_stripes) {
 }
 
 /* Gentle relief is listed as edges are. */
-static void test_grades(void **state) {
+static void test_levels(void **state) {
     (void)state;
-    check_grades(across, PIXEL_GRADE_DETAIL);
-    check_grades(turned, PIXEL_GRADE_EDGE);
+    check_levels(across, PIXEL_LEVEL_DETAIL);
+    check_levels(turned, PIXEL_LEVEL_EDGE);
 }
 
 static void fill(struct irradiance *irradiance, int height, int interleave, float value) {
@@ -158,12 +159,12 @@ static const struct blur_desc blur_of_lists = {
     .radius = BLUR,
     .distance = .1f,
     .cosine = .995f,
-    .detail = true,
-    .grade_radius = {2, 1},
-    .grade_weight = {4, 16},
+    .adaptive = true,
+    .level_radius = {2, 1},
+    .level_weight = {4, 16},
 };
 
-static void read_blurred(struct detail_bench *bench, const struct blur_desc *desc,
+static void read_blurred(struct adaptive_bench *bench, const struct blur_desc *desc,
                          const struct gbuffer *gbuffer, const struct blur_inputs *inputs,
                          float blurred[SIZE * SIZE]) {
     struct frame frame = renderer_frame(&bench->renderer);
@@ -185,27 +186,27 @@ static int lists_height(void) {
 /* Weights sum to one, whatever is listed, along lines and in squares. */
 static void test_blur_conserves(void **state) {
     (void)state;
-    struct detail_bench bench;
+    struct adaptive_bench bench;
     struct gbuffer gbuffer;
-    struct irradiance source, detail;
+    struct irradiance source, adaptive;
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .5f);
     make_stripes(&gbuffer);
     list_pixels(&bench, &gbuffer);
     fill(&source, SIZE, 8, .75f);
-    fill(&detail, lists_height(), LISTS, .75f);
+    fill(&adaptive, lists_height(), LISTS, .75f);
     for (int square = 0; square < 2; square++) {
         static float blurred[SIZE * SIZE];
         struct blur_desc desc = blur_of_lists;
         desc.square = square;
         read_blurred(&bench, &desc, &gbuffer,
-                     &(struct blur_inputs){&source, &bench.detail.lists, &detail}, blurred);
+                     &(struct blur_inputs){&source, &bench.adaptive.lists, &adaptive}, blurred);
         double worst = 0;
         for (int i = 0; i < SIZE * SIZE; i++)
             worst = fmax(worst, fabs((double)blurred[i] - .75));
         check_at_most("a blurred constant", worst, 1e-3);
     }
     irradiance_free(&source);
-    irradiance_free(&detail);
+    irradiance_free(&adaptive);
     gbuffer_free(&gbuffer);
     close_bench(&bench);
 }
@@ -241,17 +242,17 @@ static int away_of(GLuint code) {
 static void test_blocks(void **state) {
     (void)state;
     enum { BLOCK = 16 };
-    struct detail_bench bench;
+    struct adaptive_bench bench;
     struct gbuffer gbuffer;
     static int normal_of[SIZE * SIZE];
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .25f);
-    struct detail_desc desc = bench.detail.desc;
+    struct adaptive_desc desc = bench.adaptive.desc;
     make_island(&gbuffer, BLOCK, normal_of);
     int listed[2] = {0}, left = 0, wrong = 0, others = 0;
     for (int blocks = 0; blocks < 2; blocks++) {
-        detail_pass_free(&bench.detail);
+        adaptive_pass_free(&bench.adaptive);
         desc.block = blocks ? BLOCK : 0;
-        check_ok("detail", detail_pass_init(&bench.detail, &desc));
+        check_ok("adaptive", adaptive_pass_init(&bench.adaptive, &desc));
         list_pixels(&bench, &gbuffer);
         for (int i = 0; i < SIZE * SIZE; i++)
             listed[blocks] += (bench.texels[i] & 1) != 0;
@@ -281,7 +282,7 @@ static void test_blocks(void **state) {
 /* What is listed with n = 1 takes all VPLs and no blur, as all pixels without interleaving do. */
 static void test_listed_sums(void **state) {
     (void)state;
-    struct detail_bench bench;
+    struct adaptive_bench bench;
     open_bench(&bench, "scenes/cornell-animal.glb", "vpls=256 interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
     struct image mixed, plain = render_stage(&bench.stage, "unshadowed",
@@ -310,7 +311,7 @@ static void test_listed_sums(void **state) {
  * pixels whose VPLs each ask. */
 static void test_one_asks_for_all(void **state) {
     (void)state;
-    struct detail_bench bench;
+    struct adaptive_bench bench;
     open_bench(&bench, "scenes/cornell-animal.glb", "interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
     struct image each = render_stage(&bench.stage, "clustered",
@@ -369,11 +370,11 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_times_of_large_pictures),
         cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_grades),
+        cmocka_unit_test(test_levels),
         cmocka_unit_test(test_blur_conserves),
         cmocka_unit_test(test_listed_sums),
         cmocka_unit_test(test_one_asks_for_all),
         cmocka_unit_test(test_blocks),
     };
-    return cmocka_run_group_tests_name("detail", tests, open_group_context, close_group_context);
+    return cmocka_run_group_tests_name("adaptive", tests, open_group_context, close_group_context);
 }

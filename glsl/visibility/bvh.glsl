@@ -1,21 +1,21 @@
 // Whether a triangle of the scene lies between two points: boxes are entered in one order, and each says where to go on
-// past it (scene/mesh/threaded_tree.h).
+// past it (scene/mesh/stackless_bvh.h).
 #include "shared/bindings.h"
-#include "shared/triangle_tree.h"
+#include "shared/bvh.h"
 
-layout(binding = UNIT_TRIANGLE_TREE) uniform usamplerBuffer triangle_tree;
+layout(binding = UNIT_BVH) uniform usamplerBuffer bvh;
 
-struct tree_ray {
+struct bvh_ray {
     vec3 origin, direction;
     float end;                  // of the direction's length
     vec3 box_origin, box_slope; // in steps of boxes; 1 / the direction
 };
 
 vec3 tree_vector(int texel) {
-    return uintBitsToFloat(texelFetch(triangle_tree, texel).xyz);
+    return uintBitsToFloat(texelFetch(bvh, texel).xyz);
 }
 
-bool enters(tree_ray ray, uvec3 sides) {
+bool enters(bvh_ray ray, uvec3 sides) {
     vec3 a = (vec3(sides & 0xffffu) - ray.box_origin) * ray.box_slope;
     vec3 b = (vec3(sides >> 16) - ray.box_origin) * ray.box_slope;
     vec3 first = min(a, b), last = max(a, b);
@@ -31,10 +31,10 @@ bool is_opaque(vec2 at, uvec2 bits) {
 }
 
 // [Möller and Trumbore 1997]. Where, in lengths of the direction; the ray's end: it does not.
-float met_at(tree_ray ray, int texel) {
-    uvec4 first = texelFetch(triangle_tree, texel), second = texelFetch(triangle_tree, texel + 1);
+float met_at(bvh_ray ray, int texel) {
+    uvec4 first = texelFetch(bvh, texel), second = texelFetch(bvh, texel + 1);
     vec3 corner = uintBitsToFloat(first.xyz), edge = uintBitsToFloat(second.xyz);
-    vec3 other_edge = uintBitsToFloat(texelFetch(triangle_tree, texel + 2).xyz);
+    vec3 other_edge = uintBitsToFloat(texelFetch(bvh, texel + 2).xyz);
     vec3 across = cross(ray.direction, other_edge), from = ray.origin - corner, other = cross(from, edge);
     float inverse = 1.0 / dot(edge, across);
     float u = dot(from, across) * inverse, v = dot(ray.direction, other) * inverse;
@@ -44,27 +44,27 @@ float met_at(tree_ray ray, int texel) {
 }
 
 float tree_clearance() {
-    return uintBitsToFloat(texelFetch(triangle_tree, 1).w);
+    return uintBitsToFloat(texelFetch(bvh, 1).w);
 }
 
-tree_ray tree_ray_along(vec3 origin, vec3 direction, float end) {
+bvh_ray bvh_ray_along(vec3 origin, vec3 direction, float end) {
     vec3 low = tree_vector(0), steps = tree_vector(1), along = direction * steps;
-    return tree_ray(origin, direction, end, (origin - low) * steps,
+    return bvh_ray(origin, direction, end, (origin - low) * steps,
                     1.0 / mix(along, vec3(1e-20), lessThan(abs(along), vec3(1e-20))));
 }
 
 // Texel after the last box.
 int tree_end() {
-    return int(texelFetch(triangle_tree, 0).w);
+    return int(texelFetch(bvh, 0).w);
 }
 
 // On to a leaf that the ray enters, which is its box's number; 0: there is none before the end. A software rasteriser
 // tests triangles for all pixels as soon as one of them has some.
-uint tree_leaf(tree_ray ray, inout int box, int end) {
+uint tree_leaf(bvh_ray ray, inout int box, int end) {
     uint leaf = 0u;
     while (box < end && leaf == 0u) {
-        uvec4 node = texelFetch(triangle_tree, box);
-        bool is_leaf = node.w >= THREADED_LEAF, entered = enters(ray, node.xyz);
+        uvec4 node = texelFetch(bvh, box);
+        bool is_leaf = node.w >= STACKLESS_LEAF, entered = enters(ray, node.xyz);
         leaf = is_leaf && entered ? node.w : 0u;
         box = is_leaf || entered ? box + 1 : int(node.w);
     }
@@ -72,25 +72,25 @@ uint tree_leaf(tree_ray ray, inout int box, int end) {
 }
 
 int leaf_count(uint leaf) {
-    return int(leaf >> THREADED_COUNT_SHIFT & THREADED_COUNT_MOST);
+    return int(leaf >> STACKLESS_COUNT_SHIFT & STACKLESS_COUNT_MOST);
 }
 
 int leaf_texel(uint leaf) {
-    return int(leaf & ((1u << THREADED_COUNT_SHIFT) - 1u));
+    return int(leaf & ((1u << STACKLESS_COUNT_SHIFT) - 1u));
 }
 
 // Between a point of a surface and one of another surface; never where they are one.
 bool is_blocked(vec3 from, vec3 normal, vec3 to) {
     float clearance = tree_clearance(), way = distance(from, to);
     vec3 origin = from + clearance * normal;
-    tree_ray ray = tree_ray_along(origin, to - origin, 1.0 - clearance / way);
-    int box = THREADED_HEADER, end = way > clearance ? tree_end() : 0;
+    bvh_ray ray = bvh_ray_along(origin, to - origin, 1.0 - clearance / way);
+    int box = STACKLESS_HEADER, end = way > clearance ? tree_end() : 0;
     bool blocked = false;
     while (box < end) {
         uint leaf = tree_leaf(ray, box, end);
         int count = leaf_count(leaf), texel = leaf_texel(leaf);
         for (int i = 0; i < count && !blocked; i++)
-            blocked = met_at(ray, texel + i * THREADED_TRIANGLE) < ray.end;
+            blocked = met_at(ray, texel + i * STACKLESS_TRIANGLE) < ray.end;
         box = blocked ? end : box;
     }
     return blocked;
@@ -107,18 +107,18 @@ struct tree_hit {
 // Along a unit direction; not where `asks` is false.
 tree_hit tree_meet(vec3 origin, vec3 direction, bool asks) {
     const float FAR = 1e30;
-    tree_ray ray = tree_ray_along(origin, direction, FAR);
-    int box = THREADED_HEADER, end = asks ? tree_end() : 0, met = 0;
+    bvh_ray ray = bvh_ray_along(origin, direction, FAR);
+    int box = STACKLESS_HEADER, end = asks ? tree_end() : 0, met = 0;
     while (box < end) {
         uint leaf = tree_leaf(ray, box, end);
         int count = leaf_count(leaf), texel = leaf_texel(leaf);
         for (int i = 0; i < count; i++) {
-            float at = met_at(ray, texel + i * THREADED_TRIANGLE);
-            met = at < ray.end ? texel + i * THREADED_TRIANGLE : met;
+            float at = met_at(ray, texel + i * STACKLESS_TRIANGLE);
+            met = at < ray.end ? texel + i * STACKLESS_TRIANGLE : met;
             ray.end = at;
         }
     }
     vec3 normal = normalize(cross(tree_vector(met + 1), tree_vector(met + 2)));
     bool back = dot(normal, direction) > 0.0;
-    return tree_hit(ray.end, met > 0 ? int(texelFetch(triangle_tree, met + 2).w) : -1, back ? -normal : normal, back);
+    return tree_hit(ray.end, met > 0 ? int(texelFetch(bvh, met + 2).w) : -1, back ? -normal : normal, back);
 }

@@ -1,4 +1,4 @@
-#include "scene/mesh/tree_ray.h"
+#include "scene/mesh/bvh_ray.h"
 
 #include "base/extremes.h"
 
@@ -52,7 +52,7 @@ struct pending {
 };
 
 /* The farther child first. */
-static void push_children(struct pending *pending, const struct triangle_tree *tree, uint32_t first,
+static void push_children(struct pending *pending, const struct bvh *tree, uint32_t first,
                           const struct ray *ray, float end) {
     const struct tree_node *child = &tree->nodes[first];
     struct entered nearer = {first, entry(&child[0].box, ray, end)},
@@ -68,7 +68,7 @@ static void push_children(struct pending *pending, const struct triangle_tree *t
         pending->nodes[pending->count++] = nearer;
 }
 
-struct tree_hit tree_ray_trace(const struct triangle_tree *tree, vec3s origin, vec3s direction) {
+struct tree_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction) {
     struct ray ray = {origin, direction, glms_vec3_div(glms_vec3_one(), direction)};
     struct tree_hit nearest = {NULL, INFINITY, false};
     struct pending pending;
@@ -80,7 +80,7 @@ struct tree_hit tree_ray_trace(const struct triangle_tree *tree, vec3s origin, v
         if (entered.distance > nearest.distance)
             continue;
         tests += node->count;
-        if (tests > TREE_RAY_TESTS)
+        if (tests > BVH_RAY_TESTS)
             return (struct tree_hit){NULL, INFINITY, false};
         for (uint32_t i = 0; i < node->count; i++)
             meet(&nearest, &tree->triangles[node->first + i], &ray);

@@ -1,4 +1,4 @@
-#include "scene/mesh/triangle_tree.h"
+#include "scene/mesh/bvh.h"
 
 #include "base/extremes.h"
 #include "base/memory.h"
@@ -192,7 +192,7 @@ static void build_task(void *context, size_t i) {
 }
 
 /* Leaf by leaf. */
-static void order_triangles(struct triangle_tree *tree, const struct item *items) {
+static void order_triangles(struct bvh *tree, const struct item *items) {
     struct tree_triangle *ordered = mem_alloc(tree->count, sizeof *ordered);
     for (uint32_t i = 0; i < tree->count; i++)
         ordered[i] = tree->triangles[items[i].triangle];
@@ -200,8 +200,7 @@ static void order_triangles(struct triangle_tree *tree, const struct item *items
     tree->triangles = ordered;
 }
 
-void triangle_tree_init(struct triangle_tree *tree, struct tree_triangle *triangles,
-                        uint32_t count) {
+void bvh_init(struct bvh *tree, struct tree_triangle *triangles, uint32_t count) {
     struct builder builder = {
         .items = mem_alloc(count, sizeof *builder.items),
         .nodes = mem_alloc(2 * (size_t)count + 1, sizeof *builder.nodes),
@@ -212,13 +211,13 @@ void triangle_tree_init(struct triangle_tree *tree, struct tree_triangle *triang
         builder.items[i] = item_of(&triangles[i], i);
     build(&builder, (struct task){0, 0, count, 1}, true);
     parallel_for(builder.task_count, 0, build_task, &builder);
-    *tree = (struct triangle_tree){triangles, builder.nodes, count, builder.node_count};
+    *tree = (struct bvh){triangles, builder.nodes, count, builder.node_count};
     order_triangles(tree, builder.items);
     free(builder.items);
 }
 
-void triangle_tree_free(struct triangle_tree *tree) {
+void bvh_free(struct bvh *tree) {
     free(tree->triangles);
     free(tree->nodes);
-    *tree = (struct triangle_tree){0};
+    *tree = (struct bvh){0};
 }

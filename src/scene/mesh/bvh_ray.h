@@ -1,10 +1,10 @@
-/* Rays on the CPU through a tree of triangles: a few at load. Shaders have visibility/triangle_tree.glsl, the path
+/* Rays on the CPU through a tree of triangles: a few at load. Shaders have visibility/bvh.glsl, the path
  * tracer Embree (reference/scene/ray_scene.h).
  */
-#ifndef SCENE_MESH_TREE_RAY_H
-#define SCENE_MESH_TREE_RAY_H
+#ifndef SCENE_MESH_BVH_RAY_H
+#define SCENE_MESH_BVH_RAY_H
 
-#include "scene/mesh/triangle_tree.h"
+#include "scene/mesh/bvh.h"
 
 struct tree_hit {
     const struct tree_triangle *triangle; /* NULL = the ray meets none */
@@ -14,7 +14,7 @@ struct tree_hit {
 
 /* The nearest triangle beyond the origin, opaque or not, from either side; none where the ray would ask more than so many,
  * as where a file has thousands in one place. The tree has one at least. */
-enum { TREE_RAY_TESTS = 2048 };
-struct tree_hit tree_ray_trace(const struct triangle_tree *tree, vec3s origin, vec3s direction);
+enum { BVH_RAY_TESTS = 2048 };
+struct tree_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction);
 
 #endif

@@ -4,8 +4,8 @@
 #include "gather/receiver_facet.glsl"
 #include "gather/representative.glsl"
 #include "lib/vpl_texels.glsl"
-#include "gather/calibration_test.glsl"
-#include "visibility/triangle_tree.glsl"
+#include "gather/correction_test.glsl"
+#include "visibility/bvh.glsl"
 #include "visibility/visibility.glsl"
 
 layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
@@ -24,12 +24,12 @@ float by_block(ivec2 pixel, int val) {
 
 void main() {
     ivec2 test = ivec2(gl_FragCoord.xy), size = gbuffer_size();
-    int first = test_group(test) * CALIBRATION_TOGETHER;
+    int first = test_group(test) * CORRECTION_TOGETHER;
     ivec2 pixel = min(ivec2(test_place(test) * vec2(size)), size - 1);
     surface s = gbuffer_surface(pixel);
     vec3 facet = facet_of(s, pixel), place = s.position;
     float light = 0.0, val = 0.0, random = fract(dot(vec2(test), vec2(0.6180339887, 0.7320508076)));
-    for (int i = first; i < min(first + CALIBRATION_TOGETHER, params.vpl_count); i++) {
+    for (int i = first; i < min(first + CORRECTION_TOGETHER, params.vpl_count); i++) {
         vpl v = vpl_at(i);
         float strength = strength_of(i, v, s, facet);
         light += strength;

@@ -1,5 +1,5 @@
 // The gains of all VALs together.
-#include "gather/calibration_gain.glsl"
+#include "gather/correction_factor.glsl"
 
 layout(location = TARGET_RESULT) out vec2 gains;
 

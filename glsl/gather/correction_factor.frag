@@ -1,7 +1,7 @@
 // The gains of a cell: a part of its VAL, which is a part of all.
-#include "gather/calibration_gain.glsl"
+#include "gather/correction_factor.glsl"
 
-layout(binding = UNIT_CALIBRATION) uniform sampler2D mean_gains; // gather/calibration_mean.frag
+layout(binding = UNIT_CORRECTION) uniform sampler2D mean_gains; // gather/correction_mean.frag
 
 flat in int instance;
 

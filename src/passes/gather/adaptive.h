@@ -4,15 +4,15 @@
  * Such pixels lie scattered, and a software rasteriser (as a wave of a GPU) takes as long for one of
  * eight neighbours as for all: so they are listed, and drawn side by side.
  */
-#ifndef PASSES_DETAIL_H
-#define PASSES_DETAIL_H
+#ifndef PASSES_ADAPTIVE_H
+#define PASSES_ADAPTIVE_H
 
 #include "passes/lists.h"
 
 struct frame;
 struct gbuffer;
 
-struct detail_desc {
+struct adaptive_desc {
     int width, height;
     int interleave; /* n of the lists' pattern, at most 8 */
     int radius;     /* of the four neighbours that are asked, pixels along x and y */
@@ -20,24 +20,24 @@ struct detail_desc {
     float cosine;
     float share; /* of like neighbours, below which a pixel is listed */
     /* At most cosine. What lies between is gentle relief, which has neighbours that are unlike on all sides, and needs
-     * no more than an edge does: it makes no PIXEL_GRADE_DETAIL. */
+     * no more than an edge does: it makes no PIXEL_LEVEL_DETAIL. */
     float sharp_cosine;
     int block; /* pixels a side of a block that shares its visibility; pixels without one are listed; 0: none does */
 };
 
-struct detail_pass {
-    struct detail_desc desc;
+struct adaptive_pass {
+    struct adaptive_desc desc;
     GLuint program;
     GLuint framebuffer; /* of list texels */
     struct pixel_lists lists;
     struct buffer params;
 };
 
-bool detail_pass_init(struct detail_pass *pass, const struct detail_desc *desc);
-void detail_pass_free(struct detail_pass *pass);
+bool adaptive_pass_init(struct adaptive_pass *pass, const struct adaptive_desc *desc);
+void adaptive_pass_free(struct adaptive_pass *pass);
 
-/* Fills pass->lists. Timer "detail". */
-void detail_pass_render(const struct detail_pass *pass, const struct frame *frame,
-                        const struct gbuffer *gbuffer);
+/* Fills pass->lists. Timer "adaptive". */
+void adaptive_pass_render(const struct adaptive_pass *pass, const struct frame *frame,
+                          const struct gbuffer *gbuffer);
 
 #endif

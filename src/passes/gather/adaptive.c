@@ -1,11 +1,11 @@
-#include "passes/gather/detail.h"
+#include "passes/gather/adaptive.h"
 
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
-#include "shared/detail.h"
+#include "shared/adaptive.h"
 
 #include <assert.h>
 
@@ -18,7 +18,7 @@ static bool init_picture(struct texture *texture, const char *label, int width, 
                             .label = label, .format = GL_R32UI, .width = width, .height = height});
 }
 
-static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc) {
+static bool init_lists(struct pixel_lists *lists, const struct adaptive_desc *desc) {
     int n = desc->interleave, size[2] = {desc->width, desc->height};
     assert(n * n * LIST_KINDS <= PIXEL_LISTS_MAX);
     pixel_lists_size(size, n);
@@ -27,42 +27,43 @@ static bool init_lists(struct pixel_lists *lists, const struct detail_desc *desc
     lists->tile_height = size[1] / n;
     return init_picture(&lists->pixels, "listed pixels", size[0], size[1]) &&
            init_picture(&lists->texels, "list texels", desc->width, desc->height) &&
-           init_picture(&lists->further_texels, "further texels", desc->width, desc->height) &&
+           init_picture(&lists->edge_sample_texels, "further texels", desc->width, desc->height) &&
            buffer_init(&lists->counts, "list counts", PIXEL_LISTS_MAX * sizeof(GLuint), NULL);
 }
 
-bool detail_pass_init(struct detail_pass *pass, const struct detail_desc *desc) {
-    *pass = (struct detail_pass){.desc = *desc};
+bool adaptive_pass_init(struct adaptive_pass *pass, const struct adaptive_desc *desc) {
+    *pass = (struct adaptive_pass){.desc = *desc};
     if (program_init(&pass->program,
                      &(struct program_desc){
-                         .screen = {"gather/detail.frag"},
+                         .screen = {"gather/adaptive.frag"},
                          .defines = desc->block ? "SHARE_VISIBILITY 1" : "SHARE_VISIBILITY 0",
                      }) &&
         init_lists(&pass->lists, desc) &&
         framebuffer_init(
             &pass->framebuffer,
             &(struct framebuffer_desc){.label = "list texels", .colors = {&pass->lists.texels}}) &&
-        buffer_init(&pass->params, "detail parameters", sizeof(struct detail_params), NULL))
+        buffer_init(&pass->params, "adaptive pixels' parameters", sizeof(struct adaptive_params),
+                    NULL))
         return true;
-    detail_pass_free(pass);
+    adaptive_pass_free(pass);
     return false;
 }
 
-void detail_pass_free(struct detail_pass *pass) {
+void adaptive_pass_free(struct adaptive_pass *pass) {
     program_free(&pass->program);
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->lists.pixels);
     texture_free(&pass->lists.texels);
-    texture_free(&pass->lists.further_texels);
+    texture_free(&pass->lists.edge_sample_texels);
     buffer_free(&pass->lists.counts);
     buffer_free(&pass->params);
-    *pass = (struct detail_pass){0};
+    *pass = (struct adaptive_pass){0};
 }
 
-static void write_params(const struct detail_pass *pass) {
-    const struct detail_desc *desc = &pass->desc;
+static void write_params(const struct adaptive_pass *pass) {
+    const struct adaptive_desc *desc = &pass->desc;
     static const GLuint none[PIXEL_LISTS_MAX] = {0};
-    struct detail_params params = {
+    struct adaptive_params params = {
         .pattern = {.tile = {pass->lists.tile_width, pass->lists.tile_height},
                     .n = desc->interleave},
         .distance = desc->distance,
@@ -77,26 +78,26 @@ static void write_params(const struct detail_pass *pass) {
     buffer_write(&pass->lists.counts, 0, sizeof none, none);
 }
 
-void detail_pass_render(const struct detail_pass *pass, const struct frame *frame,
-                        const struct gbuffer *gbuffer) {
+void adaptive_pass_render(const struct adaptive_pass *pass, const struct frame *frame,
+                          const struct gbuffer *gbuffer) {
     static const GLuint unlisted[4] = {0};
     write_params(pass);
-    pass_begin(
-        frame->timers,
-        &(struct pass_state){
-            .name = "detail",
-            .program = pass->program,
-            .framebuffer = pass->framebuffer,
-            .width = pass->desc.width,
-            .height = pass->desc.height,
-            .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
-                         {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                         {UNIT_SAMPLE_PICKS, frame->picks->id}},
-            .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
-            .storages = {{STORAGE_LIST_COUNTS, &pass->lists.counts}},
-            .images = {{IMAGE_LISTED_PIXELS, &pass->lists.pixels, 0, GL_WRITE_ONLY},
-                       {IMAGE_FURTHER_TEXELS, &pass->lists.further_texels, 0, GL_WRITE_ONLY}},
-        });
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "adaptive",
+                   .program = pass->program,
+                   .framebuffer = pass->framebuffer,
+                   .width = pass->desc.width,
+                   .height = pass->desc.height,
+                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                {UNIT_SAMPLE_PICKS, frame->picks->id}},
+                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+                   .storages = {{STORAGE_LIST_COUNTS, &pass->lists.counts}},
+                   .images = {{IMAGE_ADAPTIVE_PIXELS, &pass->lists.pixels, 0, GL_WRITE_ONLY},
+                              {IMAGE_EDGE_SAMPLE_TEXELS, &pass->lists.edge_sample_texels, 0,
+                               GL_WRITE_ONLY}},
+               });
     framebuffer_clear_integers(pass->framebuffer, TARGET_RESULT, unlisted);
     pass_draw_fullscreen(1);
     /* Later passes fetch the lists, and read their lengths as uniforms. */

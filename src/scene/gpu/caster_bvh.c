@@ -1,4 +1,4 @@
-#include "scene/gpu/caster_tree.h"
+#include "scene/gpu/caster_bvh.h"
 
 #include "base/clock.h"
 #include "base/error.h"
@@ -6,7 +6,7 @@
 #include "base/memory.h"
 #include "scene/mesh/corners.h"
 #include "scene/mesh/opacity.h"
-#include "scene/mesh/threaded_tree.h"
+#include "scene/mesh/stackless_bvh.h"
 
 #include <math.h>
 #include <string.h>
@@ -22,8 +22,7 @@ static void add_opaque(struct opaque_triangles *list, const struct geometry *geo
     }
 }
 
-static void plant(struct triangle_tree *tree, const struct scene *scene,
-                  const struct geometry *geometry) {
+static void plant(struct bvh *tree, const struct scene *scene, const struct geometry *geometry) {
     struct opaque_triangles list = {0};
     for (int b = 0; b < geometry->batch_count; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];
@@ -32,49 +31,49 @@ static void plant(struct triangle_tree *tree, const struct scene *scene,
         else
             add_opaque(&list, geometry, batch);
     }
-    triangle_tree_init(tree, list.items, list.count);
+    bvh_init(tree, list.items, list.count);
 }
 
-static bool upload(struct caster_tree *tree, const struct threaded_tree *threaded) {
+static bool upload(struct caster_bvh *tree, const struct stackless_bvh *stackless) {
     GLint most;
-    size_t size = threaded->count * sizeof *threaded->texels;
+    size_t size = stackless->count * sizeof *stackless->texels;
     gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-    if (threaded->count > (uint32_t)most)
+    if (stackless->count > (uint32_t)most)
         return error_set("rays through triangles: the scene needs a buffer texture of %u texels, "
                          "and this OpenGL has %d",
-                         threaded->count, most);
+                         stackless->count, most);
     if (tree->buffer.size >= size) { /* what is left over lies past the last box */
-        buffer_write(&tree->buffer, 0, size, threaded->texels);
+        buffer_write(&tree->buffer, 0, size, stackless->texels);
         return true;
     }
-    caster_tree_free(tree);
-    if (!buffer_init(&tree->buffer, "tree of casters", size, threaded->texels))
+    caster_bvh_free(tree);
+    if (!buffer_init(&tree->buffer, "tree of casters", size, stackless->texels))
         return false;
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &tree->texels);
     gl.TextureBuffer(tree->texels, GL_RGBA32UI, tree->buffer.id);
     return true;
 }
 
-void caster_tree_free(struct caster_tree *tree) {
+void caster_bvh_free(struct caster_bvh *tree) {
     if (tree->texels)
         gl.DeleteTextures(1, &tree->texels);
     buffer_free(&tree->buffer);
-    *tree = (struct caster_tree){0};
+    *tree = (struct caster_bvh){0};
 }
 
-/* Since the tree was planted. */
-static bool has_moved(const struct caster_tree *tree, const struct geometry *geometry) {
+/* Since the tree was built. */
+static bool has_moved(const struct caster_bvh *tree, const struct geometry *geometry) {
     for (int i = 0; i < geometry->part_count; i++)
         if (geometry->parts[i].moved > tree->pose || geometry->parts[i].rewound > tree->pose)
             return true;
     return false;
 }
 
-bool caster_tree_update(struct caster_tree *tree, const struct scene *scene,
-                        const struct geometry *geometry) {
-    struct triangle_tree planted;
-    struct threaded_tree threaded;
-    struct threaded_tree_desc desc = {.clearance = geometry_clearance(geometry)};
+bool caster_bvh_update(struct caster_bvh *tree, const struct scene *scene,
+                       const struct geometry *geometry) {
+    struct bvh built;
+    struct stackless_bvh stackless;
+    struct stackless_bvh_desc desc = {.clearance = geometry_clearance(geometry)};
     if (tree->texels && !has_moved(tree, geometry)) {
         tree->pose = geometry->pose_count;
         return true;
@@ -82,12 +81,12 @@ bool caster_tree_update(struct caster_tree *tree, const struct scene *scene,
     memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
     memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
     double start = clock_ms();
-    plant(&planted, scene, geometry);
-    threaded_tree_init(&threaded, &planted, &desc);
+    plant(&built, scene, geometry);
+    stackless_bvh_init(&stackless, &built, &desc);
     phase_add(PHASE_TREE, start);
-    bool ok = upload(tree, &threaded);
+    bool ok = upload(tree, &stackless);
     tree->pose = geometry->pose_count;
-    threaded_tree_free(&threaded);
-    triangle_tree_free(&planted);
+    stackless_bvh_free(&stackless);
+    bvh_free(&built);
     return ok;
 }

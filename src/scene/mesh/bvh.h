@@ -1,9 +1,9 @@
 /* Triangles for rays: a binary tree of boxes, built on all cores. A node is split where the surface area heuristic over
- * bins has its least, and is a leaf where no split saves more than it costs [Wald 2007]. What shaders walk is laid out of it (scene/mesh/threaded_tree.h); the path tracer has Embree
+ * bins has its least, and is a leaf where no split saves more than it costs [Wald 2007]. What shaders walk is laid out of it (scene/mesh/stackless_bvh.h); the path tracer has Embree
  * (reference/scene/ray_scene.h).
  */
-#ifndef SCENE_MESH_TRIANGLE_TREE_H
-#define SCENE_MESH_TRIANGLE_TREE_H
+#ifndef SCENE_MESH_BVH_H
+#define SCENE_MESH_BVH_H
 
 #include <cglm/struct.h>
 
@@ -27,7 +27,7 @@ struct tree_node {
     uint32_t count; /* 0: no leaf */
 };
 
-struct triangle_tree {
+struct bvh {
     struct tree_triangle *triangles; /* leaf by leaf */
     struct tree_node *nodes;         /* the root first */
     uint32_t count, node_count;
@@ -36,8 +36,7 @@ struct triangle_tree {
 float tree_box_half_surface(const struct tree_box *box);
 
 /* Takes the triangles, an array of the heap. */
-void triangle_tree_init(struct triangle_tree *tree, struct tree_triangle *triangles,
-                        uint32_t count);
-void triangle_tree_free(struct triangle_tree *tree);
+void bvh_init(struct bvh *tree, struct tree_triangle *triangles, uint32_t count);
+void bvh_free(struct bvh *tree);
 
 #endif
