@@ -7,8 +7,8 @@
 //     ivec2 lights_of(pixel)                   the first, and past the last
 //     vpl light_at(i)
 // GATHER_LIGHT, how a surface takes a light:
-//     vec3 unshadowed(i, light, s, out back)   irradiance, or reflected radiance, times pi where it arrives, and what it
-//                                              takes back where it does not
+//     vec3 unshadowed(i, light, s, out back)   irradiance or reflected radiance, times pi, if the light arrives;
+//                                              back: what to subtract if it does not arrive
 //     vec3 arriving(own, back, visible)        of both
 //     bool receives_light(s, pixel)
 //     float given_back()                       what all light is multiplied by

@@ -29,7 +29,7 @@ bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     return at >= listed.x && at < listed.y;
 }
 
-surface further_surface(ivec2 pixel) {
+surface edge_sample_surface(ivec2 pixel) {
     edge_sample p = edge_sample_unpack(texelFetch(edge_samples, pixel, 0));
     vec2 ndc = (vec2(pixel) + 0.5 + p.place) / vec2(gbuffer_size()) * 2.0 - 1.0;
     return surface(true, view_position(camera, ndc, p.depth), p.normal);
@@ -38,7 +38,7 @@ surface further_surface(ivec2 pixel) {
 surface receiver_surface(ivec2 pixel) {
     surface s;
     if (listed.z == LIST_EDGE_SAMPLES)
-        s = further_surface(pixel);
+        s = edge_sample_surface(pixel);
     else
         s = gbuffer_surface(pixel);
     return s;

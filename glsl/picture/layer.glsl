@@ -45,12 +45,12 @@ seen seen_by(uvec2 picks, ivec2 pixel) {
             sum.radiance += through_medium(background(pixel), pixel);
             continue;
         }
-        bool is_further = pick == PICK_EDGE_SAMPLE;
-        ivec2 texel = clamp(pixel + pick_offset(is_further ? stand_in : pick), ivec2(0), last);
+        bool is_edge_sample = pick == PICK_EDGE_SAMPLE;
+        ivec2 texel = clamp(pixel + pick_offset(is_edge_sample ? stand_in : pick), ivec2(0), last);
         float present = gbuffer_depth(texel) > 0.0 ? 1.0 : 0.0;
         vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
         vec3 direct = texelFetch(directs, texel, 0).rgb;
-        vec3 indirect = params.indirect * irradiance_at(texel, is_further, pixel);
+        vec3 indirect = params.indirect * irradiance_at(texel, is_edge_sample, pixel);
         vec3 weight = (albedo + LEAST_WEIGHT) * present;
         weights += weight;
         sum.coverage += present;

@@ -16,16 +16,16 @@ vec3 irradiance_of_pixel(ivec2 texel) {
 // At a sample's pixel, or at the edge sample of the pixel that has the sample.
 #ifdef HAS_EDGE_SAMPLES
 layout(binding = UNIT_EDGE_SAMPLE_TEXELS) uniform usampler2D edge_sample_texels;
-layout(binding = UNIT_FURTHER_IRRADIANCE) uniform sampler2D further_irradiance;
+layout(binding = UNIT_EDGE_SAMPLE_IRRADIANCE) uniform sampler2D edge_sample_irradiance;
 
-vec3 irradiance_at(ivec2 texel, bool is_further, ivec2 pixel) {
-    if (!is_further)
+vec3 irradiance_at(ivec2 texel, bool is_edge_sample, ivec2 pixel) {
+    if (!is_edge_sample)
         return irradiance_of_pixel(texel);
     ivec2 listed = list_texel_of(texelFetch(edge_sample_texels, pixel, 0).r);
-    return texelFetch(further_irradiance, listed, 0).rgb;
+    return texelFetch(edge_sample_irradiance, listed, 0).rgb;
 }
 #else
-vec3 irradiance_at(ivec2 texel, bool is_further, ivec2 pixel) {
+vec3 irradiance_at(ivec2 texel, bool is_edge_sample, ivec2 pixel) {
     return irradiance_of_pixel(texel);
 }
 #endif

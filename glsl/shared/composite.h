@@ -8,7 +8,7 @@
 #define UNIT_IN_SCATTER (UNIT_OWN + 1)
 #define UNIT_TRANSMITTANCE (UNIT_OWN + 2)
 #define UNIT_EDGE_SAMPLE_TEXELS (UNIT_OWN + 3)
-#define UNIT_FURTHER_IRRADIANCE (UNIT_OWN + 4)
+#define UNIT_EDGE_SAMPLE_IRRADIANCE (UNIT_OWN + 4)
 #define UNIT_LAYER_SUMS (UNIT_OWN + 5) /* LAYERS of them */
 
 struct composite_params {

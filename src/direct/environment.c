@@ -31,11 +31,9 @@ static const struct option table[] = {
 const struct settings_part sky_part = {"sky", "direct light of an environment", table,
                                        sizeof(struct environment_settings)};
 
-enum {
-    SUN_MAPS =
-        4,     /* along each side of a sun: a light below .01 sr with at least 1/40 of the light */
-    BLOCK = 7, /* pixels along each side of a block that shares its visibility */
-};
+/* Maps along each side of a sun, an environment light below .01 sr with at least 1/40 of the light; and pixels along each
+ * side of a block that shares its visibility. */
+enum { SUN_MAPS = 4, BLOCK = 7 };
 
 /* Height above the receiver's plane up to which nothing casts a shadow, in texels of a map. */
 static const float bias = .1F;

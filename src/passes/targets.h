@@ -15,12 +15,12 @@
  *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is. RGBA16F of facets: of what a
  *                     triangle receives, over what meets its plane, times the albedo; normal is the triangle's
  *   depth   D32F      reversed (shared/view.h); 0 where nothing is
- *   emission RGBA16F  radiance times irradiance_scale; the camera's, of a scene with emissive materials
- *                     or such as are not plain
- *   gloss   RGBA8     what is reflected as by a mirror (lib/gloss.glsl), of a scene whose materials are not
- *                     plain (scene/material.h): the camera's, and the lights' where rays ask for it. The
- *                     normal is then the bent one; albedo the diffuse part's, of lights' views with
- *                     what the rest reflects, as if evenly
+ *   emission RGBA16F  radiance times irradiance_scale; in the camera's view alone, if a material
+ *                     is emissive or not plain (scene/material.h)
+ *   gloss   RGBA8     specular reflectance (lib/gloss.glsl), if a material is not plain: in the camera's view,
+ *                     and in lights' views if rays read it. The normal is then the bent one. The
+ *                     albedo is the diffuse part's. Lights' views add what the specular part
+ *                     reflects, as if it were diffuse.
  */
 struct gbuffer {
     struct texture normal, albedo, depth, emission, gloss;
@@ -47,9 +47,9 @@ struct irradiance {
  * are of the picture's size; radiance and in_scatter times irradiance_scale. */
 struct contribution {
     const struct irradiance *irradiance;
-    const struct irradiance
-        *further_irradiance; /* likewise at pixels' edge samples, and the texel of each in */
-    const struct texture *edge_sample_texels; /* it, gather/list_texel.glsl; both or none */
+    /* Of edge samples, and at each pixel the texel of its own (gather/list_texel.glsl); both or none. */
+    const struct irradiance *edge_sample_irradiance;
+    const struct texture *edge_sample_texels;
     const struct texture *radiance;
     const struct texture *in_scatter, *transmittance; /* both or none */
 };

@@ -96,7 +96,7 @@ struct contribution many_lights_contribution(const void *state) {
     };
     if (lights->adaptive.program &&
         lights->adaptive_gather.desc.list_slots[LIST_EDGE_SAMPLES] > 0) {
-        contribution.further_irradiance = &lights->adaptive_gather.irradiance;
+        contribution.edge_sample_irradiance = &lights->adaptive_gather.irradiance;
         contribution.edge_sample_texels = &lights->adaptive.lists.edge_sample_texels;
     }
     return contribution;

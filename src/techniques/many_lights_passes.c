@@ -11,8 +11,7 @@
 enum {
     GLOSS_RAYS = 4,       /* specular rays of a pixel */
     GLOSS_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
-    FILTER_TAPS =
-        16, /* texels of a percentage-closer filter; the blocker search takes half as many */
+    FILTER_TAPS = 16,     /* texels of a percentage-closer filter; a blocker search takes half */
 };
 
 /* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the

@@ -17,7 +17,7 @@ unsigned composite_kinds(const struct contribution *contribution) {
     return (contribution->irradiance ? HAS_IRRADIANCE : 0U) |
            (contribution->radiance ? HAS_RADIANCE : 0U) |
            (contribution->in_scatter ? HAS_MEDIUM : 0U) |
-           (contribution->further_irradiance ? HAS_EDGE_SAMPLES : 0U);
+           (contribution->edge_sample_irradiance ? HAS_EDGE_SAMPLES : 0U);
 }
 
 static bool init_programs(struct composite_pass *pass) {
@@ -79,14 +79,14 @@ void composite_pass_free(struct composite_pass *pass) {
     *pass = (struct composite_pass){0};
 }
 
-/* A refining pass may have no edge samples. Its picks ask for none, but samplers must have a texture. */
+/* A pass of an accumulated picture may have no edge samples. Its picks ask for none, but samplers must have a texture. */
 static void add_edge_samples(struct pass_state *state, const struct frame *frame,
                              const struct contribution *contribution) {
-    const struct irradiance *further = contribution->further_irradiance;
+    const struct irradiance *irradiance = contribution->edge_sample_irradiance;
     const struct texture *texels = contribution->edge_sample_texels;
-    further = further ? further : contribution->irradiance;
+    irradiance = irradiance ? irradiance : contribution->irradiance;
     texels = texels ? texels : frame->picks;
-    pass_add_texture(state, UNIT_FURTHER_IRRADIANCE, further->texture.id);
+    pass_add_texture(state, UNIT_EDGE_SAMPLE_IRRADIANCE, irradiance->texture.id);
     pass_add_texture(state, UNIT_EDGE_SAMPLE_TEXELS, texels->id);
 }
 
