@@ -216,8 +216,14 @@ static void test_old_names(void **state) {
         check_ok(old[i][0], settings_find(&settings, old[i][0], &setting));
         assert_string_equal(setting.option->name, old[i][1]);
     }
-    assert_false(settings_find(&settings, "lookup.bias", &setting));
-    assert_non_null(strstr(error_get(), "the setting lookup.bias was removed"));
+    static const char *const removed[] = {"lookup.bias", "cluster-lights.weight-distance",
+                                          "row-column.column-interleave"};
+    for (size_t i = 0; i < sizeof removed / sizeof *removed; i++) {
+        assert_false(settings_find(&settings, removed[i], &setting));
+        char told[128];
+        snprintf(told, sizeof told, "the setting %s was removed", removed[i]);
+        assert_non_null(strstr(error_get(), told));
+    }
     assert_false(settings_find(&settings, "lookup.detail", &setting));
     assert_non_null(strstr(error_get(), "no setting is called 'lookup.detail'"));
 }
