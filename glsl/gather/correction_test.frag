@@ -1,5 +1,5 @@
 // What a group of VPLs gives to a pixel; and of one of them, taken by what it gives, whether its light arrives by its
-// VAL's map, by the block, and by a ray through the scene's triangles. That one is asked for all.
+// VAL's map, by the block, and by a ray through the scene's triangles. Its answer stands for all.
 #include "gather/geometry_term.glsl"
 #include "gather/receiver_facet.glsl"
 #include "gather/representative.glsl"

@@ -1,4 +1,4 @@
-// Light of patches that VPLs of indirect bounces stand for: cos cos / d^2, bounded over a wide radius, as pixels would show
+// Light of patches that VPLs of later bounces stand for: cos cos / d^2, bounded over a wide radius, as pixels would show
 // single patches as blobs.
 
 // Of the light at a distance a patch sends there g(d^2 / a^2), a^2 = 6.5 A:

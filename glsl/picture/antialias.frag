@@ -1,4 +1,4 @@
-// Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3], and finds a
+// Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3], and finds an
 // edge sample to shade where it lies on none's.
 #include "lib/edge_sample.glsl"
 #include "picture/picks.glsl"

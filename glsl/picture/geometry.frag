@@ -1,5 +1,5 @@
 // Writes normal, albedo and what is emitted. Holes of alpha masks are not there; nor, for the camera, is the back of a
-// single-sided surface, which blocks light but reflects none. HAS_GLOSS: surfaces are not all diffuse.
+// single-sided surface, which blocks light but reflects none. HAS_GLOSS: materials are not all plain (scene/material.h).
 // FACETS: what sends light on is each triangle, not the smooth surface that the normals tell of.
 #include "lib/octahedral.glsl"
 #include "picture/base_color.glsl"

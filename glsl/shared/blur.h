@@ -7,8 +7,8 @@
 #define UNIT_BLUR_TAPS (UNIT_OWN + 0)
 #define UNIT_ADAPTIVE_IRRADIANCE (UNIT_OWN + 1)
 
-/* Grades of taps: pixels that no list has; those of lists' levels; and edges where light is steep. */
-#define BLUR_LEVEL_PLAIN 0
+/* Levels of taps: pixels that no list has; those of lists' levels; and edges where light is steep. */
+#define BLUR_LEVEL_UNLISTED 0
 #define BLUR_LEVEL_OF_LIST(level) (1 + (level))
 #define BLUR_LEVEL_STEEP (1 + PIXEL_LEVELS)
 

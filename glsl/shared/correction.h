@@ -9,7 +9,7 @@
 #define UNIT_CORRECTION_SQUARES (UNIT_OWN + 2)
 
 #define CORRECTION_SIDE 8      /* cells of the picture, along either side */
-#define CORRECTION_TOGETHER 16 /* VPLs, of which one is asked for all */
+#define CORRECTION_TOGETHER 16 /* VPLs, of which one is tested for all */
 
 struct correction_params {
     int tests_of_cell;

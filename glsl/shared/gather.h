@@ -9,7 +9,7 @@
 
 /* How cos cos / d^2 is bounded near a VPL, CLAMP. The disk form factor is that of a disk of the VPL's area. The near
  * field leaves what is near to passes/gather/near_field.h. Spheres spread the VPL's light over a ball [Hašan et al.
- * 2009]. No choices of a user: patches are of indirect bounces (gather/patch.glsl); rectangles need no bound, and
+ * 2009]. No choices of a user: patches are of later bounces (gather/patch.glsl); rectangles need no bound, and
  * those from RECTANGLE on are rectangles. */
 #define GATHER_CLAMP_NONE 0
 #define GATHER_CLAMP_VALUE 1
@@ -37,7 +37,7 @@ struct gather_params {
     int cut_block;  /* pixels a side of a block that shares a cut */
     int cut_layer;  /* the first of the cuts that are read */
     int gloss_rays; /* of a pixel */
-    int together;   /* VPLs side by side, of which two ask for the visibility of all */
+    int together;   /* VPLs side by side, of which two test the visibility of all */
     int unused0, unused1, unused2;
 };
 STD140_SIZE(gather_params, 64)

@@ -3,7 +3,7 @@
 
 #include "shared/types.h"
 
-/* Factors of glTF's metallic-roughness model (scene/material.h). Plain scenes, where all is diffuse, read
+/* Factors of glTF's metallic-roughness model (scene/material.h). Scenes of plain materials read
  * the base colour, the emission and how the surface is drawn alone. */
 struct material_block {
     vec4 base_color; /* linear */

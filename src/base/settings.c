@@ -31,6 +31,13 @@ static int row_count(const struct settings_part *part) {
     return count;
 }
 
+bool settings_parts_have(const struct settings_part *const *parts,
+                         const struct settings_part *part) {
+    while (*parts && *parts != part)
+        parts++;
+    return *parts;
+}
+
 void settings_add(struct settings *settings, const struct settings_part *part) {
     bool found;
     size_t offset = offset_of(settings, part, &found);

@@ -57,6 +57,10 @@ struct setting {
     const struct option *option;
 };
 
+/* Whether the part is in a list that NULL ends. */
+bool settings_parts_have(const struct settings_part *const *parts,
+                         const struct settings_part *part);
+
 /* Steps through all settings, from {0}; false after the last. */
 bool settings_next(const struct settings *settings, struct setting *setting);
 

@@ -89,7 +89,7 @@ static bool init(void **state, const struct direct_desc *desc) {
                                                                      .bias = bias,
                                                                      .disagree = disagree,
                                                                      .gloss = desc->gloss}) &&
-           buffer_init(&lighting->buffer, "lights of the sky", sizeof lighting->block, NULL);
+           buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block, NULL);
 }
 
 static bool resize(void *state, int width, int height) {

@@ -7,7 +7,7 @@
 
 /* --- levels --- */
 
-/* Between two rows, numbers go from one to the other by ratio; grades are the lower row's. First come frames by maps,
+/* Between two rows, numbers go from one to the other by ratio; choices are the lower row's. First come frames by maps,
  * then frames by rays (bench/FRONTS.md). */
 static const struct row {
     int level;
@@ -15,9 +15,9 @@ static const struct row {
         int vpls, vals, map, near_samples, block, rsm;
     } numbers;
     struct {
-        int interleave, detail, adaptive_factor, samples;
+        int interleave, adaptive, adaptive_factor, samples;
         bool by_rays;
-    } grades;
+    } choices;
 } rows[TIME_BUDGET_ROWS] = {
     {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, false}},
     {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, false}},
@@ -44,7 +44,7 @@ static const struct row *row_of(int level) {
 
 void time_budget_allow_rays(struct time_budget *budget, bool allowed) {
     const struct row *row = rows;
-    while (!row->grades.by_rays)
+    while (!row->choices.by_rays)
         row++;
     budget->most = allowed ? TIME_BUDGET_LEVELS - 1 : row->level - 1;
 }
@@ -60,7 +60,7 @@ static int between(int low, int high, double share) {
 char *time_budget_settings(int level) {
     const struct row *a = row_of(level), *b = a + 1;
     double share = (double)(level - a->level) / (b->level - a->level);
-    const struct row *grade = level >= b->level ? b : a;
+    const struct row *lower = level >= b->level ? b : a;
     int block = between(a->numbers.block, b->numbers.block, share);
     return mem_printf(
         "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
@@ -71,9 +71,9 @@ char *time_budget_settings(int level) {
         between(a->numbers.vals, b->numbers.vals, share),
         between(a->numbers.map, b->numbers.map, share),
         between(a->numbers.near_samples, b->numbers.near_samples, share),
-        grade->grades.by_rays ? "traced" : "ray", grade->grades.by_rays ? 0 : block,
-        grade->grades.interleave, grade->grades.detail, grade->grades.adaptive_factor,
-        grade->grades.samples);
+        lower->choices.by_rays ? "traced" : "ray", lower->choices.by_rays ? 0 : block,
+        lower->choices.interleave, lower->choices.adaptive, lower->choices.adaptive_factor,
+        lower->choices.samples);
 }
 
 /* --- the choice of one --- */

@@ -17,7 +17,7 @@ struct brdf brdf_lambertian(vec3s albedo) {
 
 struct brdf brdf_of(const struct material *material, vec3s base_color,
                     const struct reflectance *reflectance) {
-    if (material_is_matt(material))
+    if (material_is_diffuse(material))
         return brdf_lambertian(base_color);
     vec3s f90 = glms_vec3_fill(reflectance->f90);
     float metalness = reflectance->metalness;

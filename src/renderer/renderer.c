@@ -25,7 +25,7 @@ enum part {
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
-/* Whether the G-buffer, and all that reads it, has gloss: else all surfaces are diffuse. */
+/* Whether the G-buffer, and all that reads it, has gloss: else all materials are plain (scene/material.h). */
 static bool has_gloss(const struct renderer_desc *desc) {
     const struct material_settings *own =
         settings_of(struct material_settings, &desc->settings, &material_part);
@@ -311,7 +311,8 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
-        buffer_init(&renderer->start_buffer, "starts", sizeof *renderer->start_block, NULL)) {
+        buffer_init(&renderer->start_buffer, "light samples", sizeof *renderer->start_block,
+                    NULL)) {
         renderer_write_views(renderer);
         return true;
     }

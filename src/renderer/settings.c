@@ -111,12 +111,6 @@ void renderer_settings_copy_but_samples(struct settings *to, const struct settin
 
 /* --- needs --- */
 
-static bool has_part(const struct settings_part *const *parts, const struct settings_part *part) {
-    while (*parts && *parts != part)
-        parts++;
-    return *parts;
-}
-
 /* Whether the technique reads it: all that its row says of techniques holds. */
 static bool is_read(const struct setting *setting, const struct technique *technique) {
     for (struct need need = {.word.at = setting->option->needs}; need_next(&need);)
@@ -127,7 +121,7 @@ static bool is_read(const struct setting *setting, const struct technique *techn
 }
 
 static bool technique_has(const struct technique *technique, const struct setting *setting) {
-    return has_part(technique->parts, setting->part) && is_read(setting, technique);
+    return settings_parts_have(technique->parts, setting->part) && is_read(setting, technique);
 }
 
 static bool holds(const struct need *need, const struct settings *settings,
@@ -139,7 +133,7 @@ static bool holds(const struct need *need, const struct settings *settings,
     bool found = settings_find(settings, need->name, &setting);
     assert(found);
     (void)found;
-    if (!has_part(technique->parts, setting.part))
+    if (!settings_parts_have(technique->parts, setting.part))
         return need->sign == '!';
     if (!is_read(&setting, technique))
         return true;
@@ -192,7 +186,7 @@ static void print_direct_parts(FILE *out, const struct technique *technique) {
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         for (const struct settings_part *const *p = (*d)->parts; *p; p++) {
             const struct direct_method *const *first = direct_methods;
-            while (!has_part((*first)->parts, *p))
+            while (!settings_parts_have((*first)->parts, *p))
                 first++;
             if (first == d)
                 print_part(out, *p, technique);

@@ -24,7 +24,7 @@ static bool has_reflectance(const struct material *material, float f0, float f90
     return material->specular_f90 == f90;
 }
 
-bool material_is_matt(const struct material *material) {
+bool material_is_diffuse(const struct material *material) {
     bool is_rough = material->roughness == 1 && material->metal_roughness_texture < 0;
     bool is_metal = material->metalness > 0;
     return !is_metal && (has_reflectance(material, 0, 0) ||
@@ -63,7 +63,7 @@ vec3s material_reflects(const struct material *material, vec3s base_color,
     float metalness = reflectance->metalness, roughness = reflectance->roughness;
     if (material->unlit)
         return glms_vec3_zero();
-    if (material_is_matt(material))
+    if (material_is_diffuse(material))
         return base_color;
     float diffuse = (1 - metalness) * reflectance_transmits(reflectance);
     vec3s f0 = glms_vec3_lerp(reflectance->f0, base_color, metalness);
@@ -75,7 +75,7 @@ vec3s material_reflects(const struct material *material, vec3s base_color,
 }
 
 static bool is_plain(const struct material *material) {
-    return material_is_matt(material) && material->normal_texture < 0 && !material->unlit;
+    return material_is_diffuse(material) && material->normal_texture < 0 && !material->unlit;
 }
 
 bool materials_are_plain(const struct scene *scene) {

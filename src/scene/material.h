@@ -25,7 +25,7 @@ extern const struct settings_part material_part;
 /* Whether the material is Lambertian under either setting, of the base colour: no metal, and without any
  * reflectance; or as rough as can be, with the reflectance that files have that do not speak of it, as plain
  * scenes have always meant it. */
-bool material_is_matt(const struct material *material);
+bool material_is_diffuse(const struct material *material);
 
 /* How a surface reflects at one place, besides its base colour: the reflectance, from straight on and
  * grazing, is of what is no metal. */

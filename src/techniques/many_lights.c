@@ -131,6 +131,6 @@ void many_lights_outputs(const struct many_lights *lights, const struct vpl_buff
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         output_add(outputs, &rows[i]);
     if (lights->bounces > 1)
-        output_add(outputs, &(struct output){"bounce-vpl", "those of indirect bounces", OUTPUT_VPLS,
+        output_add(outputs, &(struct output){"bounce-vpl", "those of later bounces", OUTPUT_VPLS,
                                              &lights->bounce.vpls});
 }

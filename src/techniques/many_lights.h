@@ -77,7 +77,7 @@ extern const float many_lights_clamp_value;
     "gather.adaptive=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
 /* Passes after the first: few VPLs, nothing interleaved or blurred. Where rays say what light arrives the mean of many
- * passes is unbiased, but for what patches take from indirect bounces, and for gloss. */
+ * passes is unbiased, but for what patches take from later bounces, and for gloss. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=2048 lights.facets=on gather.interleave=1 gather.clamp=near "  \
     "gather.near-samples=256 blur.radius=0 lights.paths=256"
@@ -95,7 +95,7 @@ struct many_lights_visibility {
     int map_size;     /* 0: as the settings have it */
     int block;        /* pixels a side of a block that shares its visibility; 0: none does */
     bool corrected;   /* as in struct visibility_desc */
-    /* Of ..._TRACED at all pixels: it hides near light and indirect bounces, too. */
+    /* Of ..._TRACED at all pixels: it hides near light and later bounces, too. */
     const struct caster_bvh *tree;
 };
 

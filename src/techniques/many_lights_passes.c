@@ -111,7 +111,7 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
     gather.cuts = false;
     gather.specular = own->specular + 1;
     gather.gloss_rays = GLOSS_RAYS;
-    /* What rays show of one bounce stays sharp where it is smooth; VPLs of indirect bounces show their pattern there. */
+    /* What rays show of one bounce stays sharp where it is smooth; VPLs of later bounces show their pattern there. */
     bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
     const struct blur_desc of_blur = {
         .width = desc->width,

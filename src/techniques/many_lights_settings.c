@@ -42,7 +42,7 @@ static const struct option lookup_table[] = {
 
 static const char *const clamp_names[] = {"none", "value", "disk", "near", "sphere", NULL};
 
-static const char *const gloss_names[] = {"point", "sphere", "rays", NULL};
+static const char *const specular_names[] = {"point", "sphere", "rays", NULL};
 
 static const struct option gather_table[] = {
     {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16,
@@ -58,7 +58,8 @@ static const struct option gather_table[] = {
      .help = "near-field samples per n x n pixels of the interleave pattern; adaptive\n"
              "pixels take fewer above 400x400, down to half",
      .needs = "technique!=cluster-lights, gather.clamp=near"},
-    {"specular", 0, OPTION_CHOICE, ROW(gather, specular), SPECULAR_RAYS - 1, .choices = gloss_names,
+    {"specular", 0, OPTION_CHOICE, ROW(gather, specular), SPECULAR_RAYS - 1,
+     .choices = specular_names,
      .help = "specular reflection of indirect light: VPLs as points\n"
              "(visible as spots), VPLs as balls, or points and rays\n"
              "through the reflective shadow maps (least error)"},

@@ -382,7 +382,7 @@ static double unevenness(const struct image *image, const char *layer) {
     return apart / sum;
 }
 
-/* A wall that is a mirror, and sees light of indirect bounces alone, does not show the pattern by which pixels share their
+/* A wall that is a mirror, and sees light of later bounces alone, does not show the pattern by which pixels share their
  * VPLs. */
 static void test_mirror_of_bounces(void **state) {
     (void)state;

@@ -214,10 +214,10 @@ static void test_matt(void **state) {
     check_near("diffuse", value.diffuse, 1, 0);
     check_near("specular", glms_vec3_max(value.specular), 0, 0);
     material.roughness = .9F;
-    assert_false(material_is_matt(&material));
+    assert_false(material_is_diffuse(&material));
     material.specular_f90 = 0;
     memset(material.specular_f0, 0, sizeof material.specular_f0);
-    assert_true(material_is_matt(&material));
+    assert_true(material_is_diffuse(&material));
     material.specular_f90 = 1;
     reflectance = material_reflectance(&material);
     assert_false(brdf_of(&material, glms_vec3_one(), &reflectance).diffuse);

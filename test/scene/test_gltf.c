@@ -418,7 +418,8 @@ static void test_lacks(void **state) {
         "plain.glb",
         (struct gltf_parts){.materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"});
     assert_string_equal(notes, "");
-    assert_true(material_is_matt(&scene.materials[0]) && !material_is_matt(&scene.materials[1]));
+    assert_true(material_is_diffuse(&scene.materials[0]) &&
+                !material_is_diffuse(&scene.materials[1]));
     end_notes();
     scene_free(&scene);
 }
@@ -447,7 +448,7 @@ static void test_specular_glossiness(void **state) {
     check_near("roughness", material->roughness, .75, 0);
     check_values("reflectance", material->specular_f0, 3, (double[]){0, .01, .005}, 1e-8);
     check_near("grazing", material->specular_f90, .5, 1e-6);
-    assert_false(material_is_matt(material));
+    assert_false(material_is_diffuse(material));
     check_values("reflectance by default", textured->specular_f0, 3, (double[]){1, 1, 1}, 0);
     check_near("roughness by default", textured->roughness, 0, 0);
     assert_true(textured->specular_glossiness);

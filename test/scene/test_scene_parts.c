@@ -153,23 +153,23 @@ static void test_matt(void **state) {
                                    .specular_f90 = 1,
                                    .metal_roughness_texture = -1};
     struct material other = usual;
-    assert_true(material_is_matt(&usual));
+    assert_true(material_is_diffuse(&usual));
     other.metalness = .5F;
-    assert_false(material_is_matt(&other));
+    assert_false(material_is_diffuse(&other));
     other = usual;
     other.roughness = .5F;
-    assert_false(material_is_matt(&other));
+    assert_false(material_is_diffuse(&other));
     other = usual;
     other.metal_roughness_texture = 0;
-    assert_false(material_is_matt(&other));
+    assert_false(material_is_diffuse(&other));
     other = usual;
     other.specular_f0[2] = .5F;
-    assert_false(material_is_matt(&other));
+    assert_false(material_is_diffuse(&other));
     other = usual;
     other.specular_f90 = .5F;
-    assert_false(material_is_matt(&other));
+    assert_false(material_is_diffuse(&other));
     other = (struct material){.roughness = .25F, .metal_roughness_texture = -1};
-    assert_true(material_is_matt(&other)); /* it has no gloss, however smooth it is */
+    assert_true(material_is_diffuse(&other)); /* it has no gloss, however smooth it is */
 }
 
 int main(void) {

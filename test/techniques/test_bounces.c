@@ -1,4 +1,4 @@
-/* Light of indirect bounces: exact answers inside a sphere, energy, and the path tracer's picture. */
+/* Light of later bounces: exact answers inside a sphere, energy, and the path tracer's picture. */
 #include "gltf_parts.h"
 #include "render_support.h"
 
@@ -87,7 +87,7 @@ static struct vpl *read_buffer(const struct vpl_buffer *buffer) {
     return vpls;
 }
 
-/* The VPLs of indirect bounces; the caller frees them. */
+/* The VPLs of later bounces; the caller frees them. */
 static struct vpl *read_further(const struct stage *stage, const char *settings, int *count) {
     struct renderer renderer;
     struct output_list outputs;
@@ -101,7 +101,7 @@ static struct vpl *read_further(const struct stage *stage, const char *settings,
     return vpls;
 }
 
-/* What paths leave of all indirect bounces, and the VPLs of the first one. */
+/* What paths leave of all later bounces, and the VPLs of the first one. */
 static void read_fluxes(const struct stage *stage, int bounces, double *first, double *further,
                         int *black) {
     char settings[64];
@@ -162,8 +162,7 @@ static void test_flux(void **state) {
     for (int bounces = 2; bounces <= 8; bounces++) {
         double first, further;
         read_fluxes(&stage, bounces, &first, &further, &black);
-        check_near("flux of indirect bounces", further / first / (1 - pow(.5, bounces - 1)), 1,
-                   .003);
+        check_near("flux of later bounces", further / first / (1 - pow(.5, bounces - 1)), 1, .003);
     }
     stage_free(&stage);
 }

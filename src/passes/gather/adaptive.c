@@ -25,9 +25,10 @@ static bool init_lists(struct pixel_lists *lists, const struct adaptive_desc *de
     lists->interleave = n;
     lists->tile_width = size[0] / n;
     lists->tile_height = size[1] / n;
-    return init_picture(&lists->pixels, "listed pixels", size[0], size[1]) &&
+    return init_picture(&lists->pixels, "adaptive pixels", size[0], size[1]) &&
            init_picture(&lists->texels, "list texels", desc->width, desc->height) &&
-           init_picture(&lists->edge_sample_texels, "further texels", desc->width, desc->height) &&
+           init_picture(&lists->edge_sample_texels, "edge sample texels", desc->width,
+                        desc->height) &&
            buffer_init(&lists->counts, "list counts", PIXEL_LISTS_MAX * sizeof(GLuint), NULL);
 }
 

@@ -58,7 +58,7 @@ static int further_clamp(int clamp) {
     return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
 }
 
-/* No ray finds what indirect bounces light: there VPLs are balls. */
+/* No ray finds what later bounces light: there VPLs are balls. */
 static int further_specular(int specular) {
     return specular == SPECULAR_RAYS ? SPECULAR_SPHERE : specular;
 }
@@ -133,7 +133,7 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
 }
 
 /* llvmpipe ends the loops of a shader after 65,535 steps in all, and a ray takes hundreds in a large scene. Of a list's VPLs
- * a sixth ask. */
+ * a sixth test visibility. */
 static int vpls_of_draw(const struct gather_pass *pass) {
     bool traced = pass->desc.visibility.lookup == VISIBILITY_LOOKUP_TRACED;
     return !traced ? INT_MAX : pass->desc.receivers == RECEIVERS_ADAPTIVE ? 6 * RAYS_MAX : RAYS_MAX;

@@ -22,7 +22,7 @@ struct gather_desc {
     bool map_per_vpl; /* map i - first of the draw belongs to VPL i; else map C(i) */
     bool share;       /* visibility comes by blocks */
     bool cuts; /* each pixel takes its block's cut; a slot is a set of pixels (struct vpl_tree) */
-    int together; /* so many lights side by side, of which two ask for the visibility of all; 0: each asks */
+    int together; /* so many lights side by side, of which two test the visibility of all; 0: each asks */
     int receivers; /* RECEIVERS_ADAPTIVE: pixels of lists, whose pattern is interleave */
     int list_slots
         [LIST_KINDS]; /* of those: of the pattern's slots, as many side by side as what is on
@@ -31,7 +31,7 @@ struct gather_desc {
     int clamp;         /* GATHER_CLAMP_... */
     float sphere;      /* radius of balls, over the distance within which ten VPLs lie */
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
-    bool further;      /* VPLs of indirect bounces come too */
+    bool further;      /* VPLs of later bounces come too */
     int specular;   /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
                           with gloss */
     int gloss_rays; /* of SPECULAR_RAYS: of each pixel */
@@ -55,7 +55,7 @@ struct gather_inputs {
     const struct vpl_buffer *vpls;
     int first, count; /* of the VPLs; all of them where count is 0 */
     bool
-        further; /* they are of indirect bounces, and no near field is theirs: bounded as patches, unless
+        further; /* they are of later bounces, and no near field is theirs: bounded as patches, unless
                      they are rectangles */
     const struct texture *kept;              /* of patches: what they keep of light, a pixel */
     const struct buffer *rectangles;         /* of the lights, with GATHER_CLAMP_RECTANGLE */

@@ -19,7 +19,7 @@ struct vpl_cut_desc {
     float tolerance;   /* of a node's error, over the sum that is not shadowed */
     int clamp;         /* GATHER_CLAMP_...; balls count as disks */
     float clamp_value; /* as in struct gather_desc */
-    bool further;      /* VPLs of indirect bounces come too */
+    bool further;      /* VPLs of later bounces come too */
     int further_clamp; /* theirs */
 };
 

@@ -1,4 +1,4 @@
-/* Light of indirect bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
+/* Light of later bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
  * Each of 4 P paths takes an even share of the first bounce's VPLs, and follows it from surface to surface by rays through
  * the scene's triangles (glsl/lights/bounce_path.frag). It leaves the light of all its bounces at one of its surfaces, picked

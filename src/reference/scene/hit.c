@@ -107,7 +107,7 @@ void hit_table_init(struct hit_table *table, const struct scene *scene,
     for (int b = 0; b < geometry->batch_count; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];
         table->has_gloss |=
-            materials == MATERIALS_FULL && !material_is_matt(&scene->materials[batch->material]);
+            materials == MATERIALS_FULL && !material_is_diffuse(&scene->materials[batch->material]);
         for (uint32_t i = 0; i < batch->index_count / 3; i++)
             table->material_of[batch->first_index / 3 + i] = batch->material;
     }

@@ -47,7 +47,7 @@ static bool upload(struct caster_bvh *tree, const struct stackless_bvh *stackles
         return true;
     }
     caster_bvh_free(tree);
-    if (!buffer_init(&tree->buffer, "tree of casters", size, stackless->texels))
+    if (!buffer_init(&tree->buffer, "caster BVH", size, stackless->texels))
         return false;
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &tree->texels);
     gl.TextureBuffer(tree->texels, GL_RGBA32UI, tree->buffer.id);

@@ -54,7 +54,7 @@ static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
             .emission_textured = material->emission_texture >= 0,
             .metalness = material->metalness,
             .roughness = material->roughness,
-            .diffuse = material_is_matt(material),
+            .diffuse = material_is_diffuse(material),
             .unlit = material->unlit,
             .metal_roughness_textured = material->metal_roughness_texture >= 0,
             .specular_f90 = material->specular_f90,

@@ -118,12 +118,6 @@ static bool is_main(const struct setting *setting) {
     return false;
 }
 
-static bool has_part(const struct settings_part *const *parts, const struct settings_part *part) {
-    while (*parts && *parts != part)
-        parts++;
-    return *parts;
-}
-
 /* Those that the technique and the direct method have. */
 static bool draw_main(const struct technique *technique, const struct direct_method *direct,
                       struct settings *settings) {
@@ -131,8 +125,8 @@ static bool draw_main(const struct technique *technique, const struct direct_met
     for (size_t i = 0; i < sizeof main_settings / sizeof *main_settings; i++) {
         struct setting setting;
         if (settings_find(settings, main_settings[i].setting, &setting) &&
-            (setting.part == &picture_part || has_part(technique->parts, setting.part) ||
-             has_part(direct->parts, setting.part)))
+            (setting.part == &picture_part || settings_parts_have(technique->parts, setting.part) ||
+             settings_parts_have(direct->parts, setting.part)))
             changed |=
                 draw_setting(&setting, settings, main_settings[i].name, main_settings[i].help);
     }

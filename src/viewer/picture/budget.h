@@ -1,4 +1,4 @@
-/* Frames in the time that they may take: settings that are wanted follow the budget's level (measure/time_budget.h). */
+/* Frames in the time that they may take: settings that are wanted follow the budget's level (quality/time_budget.h). */
 #ifndef VIEWER_BUDGET_H
 #define VIEWER_BUDGET_H
 
