@@ -17,6 +17,7 @@
 #include <stdlib.h>
 
 /* Samples of a pixel: of the first pass, and how many a forecast expects before it has seen any. */
+/* EXPECTED_SAMPLES: of a usual scene, for a noise of 1 %. */
 enum { FIRST_PASS_SAMPLES = 32, EXPECTED_SAMPLES = 256 };
 
 /* Indirect paths from each point that the camera sees: the noise is in them, not in the camera ray
@@ -177,7 +178,7 @@ static double samples_needed(const struct tracer *tracer) {
     if (desc->samples > 0)
         return desc->samples;
     if (tracer->done == 0)
-        return EXPECTED_SAMPLES;
+        return EXPECTED_SAMPLES * pow(.01 / desc->noise, 1 / .75);
     return tracer->done * pow(tracer->noise / desc->noise, 1 / falls_by(tracer));
 }
 
