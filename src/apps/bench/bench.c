@@ -106,7 +106,7 @@ static const struct option options[] = {
     {"camera", 0, OPTION_TEXT, VALUE(stage.camera), .value_name = "NAME|N",
      .help = "camera by name or number [the first], with changes: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, VALUE(stage.light), .value_name = "NAME|N,...",
-     .help = "lights that shine [all]: \"emitters\", \"sky\", \"lamp,2\""},
+     .help = "lights that shine [all]: \"emitters\", \"sky\", \"lamp,1\""},
     {"environment", 0, OPTION_TEXT, VALUE(stage.environment.path), .value_name = "FILE",
      .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2)"},
     {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1, .value_name = "X%",
