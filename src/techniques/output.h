@@ -6,7 +6,7 @@
 
 #include "passes/visibility/visibility.h"
 
-/* What is shown of an output, and what its source is. */
+/* What is shown of an output, and what its source is. src/inspect/inspect.c draws each kind (mode_of, texture_of). */
 enum output_kind {
     OUTPUT_NORMAL,       /* struct gbuffer: its layers of world normals, where a surface is */
     OUTPUT_ALBEDO,       /* struct texture: layers, square root of the albedo */
@@ -20,6 +20,7 @@ enum output_kind {
     OUTPUT_MAP_DEPTH,    /* struct depth_maps */
     OUTPUT_BASIS,        /* struct texture: layers of paraboloid maps in [0, 1] */
     OUTPUT_SIGNED_BASIS, /* struct texture: the same in [-1, 1] */
+    OUTPUT_KINDS,        /* new kinds stand before it */
 };
 
 /* Virtual area lights, and how the maps from them are looked up. Textures are M x 1. */
