@@ -13,7 +13,8 @@ struct frame {
     const struct buffer *view; /* for BLOCK_VIEW */
     const struct view *camera; /* what it holds */
     struct camera_range camera_range;
-    /* For direct light those that shine, for a technique those that reflected light starts from: */
+    /* Lights: for a direct method the lights that shine, for a technique the light samples from which reflected light
+     * starts. */
     const struct buffer *lights; /* for BLOCK_LIGHTS */
     const struct scene_gpu *scene;
     const struct emitters *emitters;
@@ -23,11 +24,10 @@ struct frame {
     const struct geometry *geometry;       /* for views of other lights */
     float bounds_min[3], bounds_max[3];    /* of the scene, metres */
     float radius;                          /* of its bounding sphere, metres */
-    /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the further
-     * points of those whose samples have one (lib/edge_sample.glsl). */
+    /* Of the camera's pixels: sample assignment (passes/picture/antialias.h), and edge samples
+     * (lib/edge_sample.glsl). */
     const struct texture *picks, *edge_samples;
-    int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
-                 the only one */
+    int pass; /* number of the pass, each with other light samples; 0: the first, or the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that
                                            keeps half floats in range at every scale of scene and light */
 };

@@ -1,6 +1,5 @@
-/* What there is to look at after a frame, as a list of rows: the renderer and the technique each add
- * what they have. Who looks asks by name or by type, and is told NULL where there is none.
- */
+/* Outputs of a frame, for the viewer and --aov: the renderer and the technique each add rows to a list. output_find
+ * finds a row by its name, output_vpls and output_vals by its kind; NULL: there is none. */
 #ifndef TECHNIQUES_OUTPUT_H
 #define TECHNIQUES_OUTPUT_H
 
