@@ -20,8 +20,8 @@ bool is_steep(vec3 irradiance, float depth) {
 }
 #endif
 
-#if GLOSS
-#include "lib/gbuffer_shine.glsl"
+#if SPECULAR_BLUR
+#include "lib/gbuffer_specular.glsl"
 #endif
 
 layout(location = TARGET_RESULT) out uvec4 packed_tap;
@@ -41,8 +41,8 @@ void main() {
             level = BLUR_LEVEL_STEEP;
     }
 #endif
-#if GLOSS
-    float roughness = gloss_decode(texelFetch(gbuffer_glosses, ivec3(pixel, 0), 0)).a;
+#if SPECULAR_BLUR
+    float roughness = specular_decode(texelFetch(gbuffer_speculars, ivec3(pixel, 0), 0)).a;
     level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(0) : BLUR_LEVEL_UNLISTED;
 #endif
     packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,

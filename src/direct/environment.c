@@ -88,7 +88,7 @@ static bool init(void **state, const struct direct_desc *desc) {
                                                                      .ways = own->shadow_rays,
                                                                      .bias = bias,
                                                                      .disagree = disagree,
-                                                                     .gloss = desc->gloss}) &&
+                                                                     .specular = desc->specular}) &&
            buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block, NULL);
 }
 
@@ -120,7 +120,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     const struct direct_method *lamps = lighting->lamps;
     struct environment_lighting_inputs inputs = {&lighting->buffer, &lighting->maps.maps,
                                                  lamps->light(lighting->lamps_state), NULL};
-    if (lighting->light.desc.gloss)
+    if (lighting->light.desc.specular)
         inputs.specular = lamps->specular(lighting->lamps_state);
     lamps->render_view(lighting->lamps_state, frame, gbuffer);
     environment_lighting_pass_render(&lighting->light, frame, gbuffer, &inputs);

@@ -39,7 +39,7 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
 /* NULL where all is diffuse. */
 static const struct texture *direct_specular(const struct renderer *renderer) {
     const struct direct_method *direct = renderer->direct;
-    return renderer->gbuffer.gloss.id ? direct->specular(renderer->direct_state) : NULL;
+    return renderer->gbuffer.specular.id ? direct->specular(renderer->direct_state) : NULL;
 }
 
 /* Passes have samples of their own in each. */

@@ -25,8 +25,9 @@ enum part {
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
-/* Whether the G-buffer, and all that reads it, has gloss: else all materials are plain (scene/material.h). */
-static bool has_gloss(const struct renderer_desc *desc) {
+/* Whether the G-buffer, and all that reads it, has a specular target: else all materials are plain
+ * (scene/material.h). */
+static bool has_specular(const struct renderer_desc *desc) {
     const struct material_settings *own =
         settings_of(struct material_settings, &desc->settings, &material_part);
     return own->materials == MATERIALS_FULL && !materials_are_plain(desc->scene) &&
@@ -34,7 +35,7 @@ static bool has_gloss(const struct renderer_desc *desc) {
 }
 
 static bool has_emission(const struct renderer_desc *desc) {
-    return desc->scene->surface_count > 0 || has_gloss(desc);
+    return desc->scene->surface_count > 0 || has_specular(desc);
 }
 
 static bool init_antialias(struct renderer *renderer) {
@@ -53,7 +54,7 @@ static bool init_direct(struct renderer *renderer) {
                                                                .width = desc->width,
                                                                .height = desc->height,
                                                                .lights = &renderer->plan.layout,
-                                                               .gloss = has_gloss(desc),
+                                                               .specular = has_specular(desc),
                                                                .casters = renderer->casters,
                                                                .lamps = desc->direct,
                                                                .sky = &renderer->plan.sky,
@@ -72,7 +73,7 @@ static bool make_technique(const struct renderer *renderer, const struct techniq
                                       .width = desc->width,
                                       .height = desc->height,
                                       .lights = &renderer->plan.start_layout,
-                                      .gloss = has_gloss(desc),
+                                      .specular = has_specular(desc),
                                   });
 }
 
@@ -87,7 +88,7 @@ static bool init_mean(struct renderer *renderer) {
     struct refining *refining = &renderer->refining;
     return !desc->progressive ||
            (mean_pass_init(&refining->mean,
-                           &(struct mean_desc){desc->width, desc->height, has_gloss(desc)}) &&
+                           &(struct mean_desc){desc->width, desc->height, has_specular(desc)}) &&
             antialias_pass_init(&refining->centers,
                                 &(struct antialias_desc){desc->width, desc->height, 1}));
 }
@@ -120,7 +121,7 @@ static bool init_composite(struct renderer *renderer) {
                                                         .contributes = contributes,
                                                         .has_sky = desc->scene->environment,
                                                         .has_emission = has_emission(desc),
-                                                        .has_gloss = has_gloss(desc)});
+                                                        .has_specular = has_specular(desc)});
 }
 
 static bool init_gbuffer(struct renderer *renderer) {
@@ -131,7 +132,7 @@ static bool init_gbuffer(struct renderer *renderer) {
                                                .height = desc->height,
                                                .layers = 1,
                                                .has_emission = has_emission(desc),
-                                               .has_gloss = has_gloss(desc)});
+                                               .has_specular = has_specular(desc)});
 }
 
 static bool init_geometry(struct renderer *renderer) {
@@ -139,7 +140,7 @@ static bool init_geometry(struct renderer *renderer) {
     return geometry_pass_init(
         &renderer->geometry,
         &(struct geometry_desc){.has_emission = has_emission(desc),
-                                .has_gloss = has_gloss(desc),
+                                .has_specular = has_specular(desc),
                                 .has_mappings = materials_have_mappings(desc->scene)});
 }
 
@@ -241,7 +242,7 @@ void renderer_write_views(struct renderer *renderer) {
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
     buffer_write(&renderer->start_buffer, 0, sizeof *renderer->start_block, renderer->start_block);
-    scene_gpu_set_glow(&renderer->scene, &desc->emitters, has_gloss(desc),
+    scene_gpu_set_glow(&renderer->scene, &desc->emitters, has_specular(desc),
                        renderer_irradiance_scale(renderer));
 }
 
@@ -432,7 +433,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_SIZE;
     if (desc->progressive != old->progressive)
         parts |= PART_MEAN | PART_REFINER;
-    if (has_gloss(desc) != has_gloss(old))
+    if (has_specular(desc) != has_specular(old))
         parts |= PART_ALL;
     return parts;
 }

@@ -18,7 +18,7 @@ struct technique_desc {
     struct caster_pool *casters;     /* of the geometry; moved with it */
     int width, height;
     const struct light_layout *lights;
-    bool gloss; /* materials are not all plain: the G-buffer has gloss */
+    bool specular; /* materials are not all plain: the G-buffer has a specular target */
 };
 
 /* A named choice of settings. */

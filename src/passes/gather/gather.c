@@ -110,7 +110,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
         .cut_layer = desc->cuts && listed ? inputs->cuts->adaptive_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .together = desc->together,
-        .gloss_rays = desc->gloss_rays,
+        .specular_rays = desc->specular_rays,
         .turn = frame_turn(frame),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
@@ -189,7 +189,7 @@ static void draw_all(const struct gather_pass *pass, const struct gather_inputs 
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct pass_state state = {
-        .name = pass->desc.specular                          ? "gather of gloss"
+        .name = pass->desc.specular                          ? "gather, specular"
                 : pass->desc.receivers == RECEIVERS_ADAPTIVE ? "adaptive gather"
                                                              : "gather",
         .program = program_for(pass, inputs),
@@ -202,7 +202,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     if (pass->desc.specular)
-        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+        pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
     if (pass->desc.share)
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
     if (inputs->kept)

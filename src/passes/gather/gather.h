@@ -32,9 +32,9 @@ struct gather_desc {
     float sphere;      /* radius of balls, over the distance within which ten VPLs lie */
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
     bool further;      /* VPLs of later bounces come too */
-    int specular;   /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
-                          with gloss */
-    int gloss_rays; /* of SPECULAR_RAYS: of each pixel */
+    int specular; /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
+                          with a specular target */
+    int specular_rays; /* of SPECULAR_RAYS: of each pixel */
 };
 
 struct gather_pass {
@@ -70,7 +70,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
                               const struct gather_inputs *inputs);
 
 /* Adds the VPLs' light to pass->irradiance. Timer "gather", "adaptive gather" or
- * "gather of gloss". */
+ * "gather, specular". */
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs);
 

@@ -28,7 +28,7 @@ static bool init_programs(struct composite_pass *pass) {
              has & HAS_EDGE_SAMPLES ? "HAS_EDGE_SAMPLES;" : "",
              has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "",
              pass->desc.has_sky ? "HAS_SKY;" : "", pass->desc.has_emission ? "HAS_EMISSION;" : "",
-             pass->desc.has_gloss ? "HAS_GLOSS;" : "");
+             pass->desc.has_specular ? "HAS_SPECULAR;" : "");
     snprintf(centers, sizeof centers, "%sCENTERS", defines);
     return program_init(&pass->display_program,
                         &(struct program_desc){
@@ -147,7 +147,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         pass_add_texture(&state, UNIT_SKY, frame->scene->sky.id);
     if (pass->desc.has_emission)
         pass_add_texture(&state, UNIT_GBUFFER_EMISSION, inputs->gbuffer->emission.id);
-    if (pass->desc.has_gloss)
+    if (pass->desc.has_specular)
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
     if (pass->desc.contributes & HAS_EDGE_SAMPLES)

@@ -22,7 +22,7 @@ static float disagree_of(const struct environment_lighting_desc *desc) {
 static bool init_programs(struct environment_lighting_pass *pass) {
     char *maps = sky_map_defines(&pass->desc.maps);
     char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
-    char *light_defines = mem_printf("%s%s", defines, pass->desc.gloss ? ";HAS_GLOSS" : "");
+    char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
     bool ok =
         program_init(
             &pass->share_program,
@@ -70,7 +70,7 @@ static bool init_light(struct environment_lighting_pass *pass, struct texture *t
 static bool init_targets(struct environment_lighting_pass *pass) {
     const struct environment_lighting_desc *desc = &pass->desc;
     struct framebuffer_desc light = {.label = "sky light", .colors = {&pass->light}};
-    if (desc->gloss)
+    if (desc->specular)
         light.colors[TARGET_DIRECT_SPECULAR] = &pass->specular;
     return texture_init(
                &pass->blocks,
@@ -81,7 +81,8 @@ static bool init_targets(struct environment_lighting_pass *pass) {
                                       .height = (desc->height + desc->block - 1) / desc->block,
                                       .layers = layers(desc)}) &&
            init_light(pass, &pass->light, "sky light") &&
-           (!desc->gloss || init_light(pass, &pass->specular, "specular sky light")) &&
+           (!desc->specular ||
+            init_light(pass, &pass->specular, "environment lighting, specular")) &&
            framebuffer_init(
                &pass->block_framebuffer,
                &(struct framebuffer_desc){.label = "sky blocks", .colors = {&pass->blocks}}) &&
@@ -177,8 +178,8 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
     state.height = pass->light.desc.height;
     pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
     pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
-    if (pass->desc.gloss) {
-        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+    if (pass->desc.specular) {
+        pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
     }

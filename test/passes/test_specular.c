@@ -19,7 +19,7 @@
 #include <string.h>
 
 struct question {
-    vec4 f0_and_alpha, normal, to_eye, to_light; /* test/support/gloss.comp */
+    vec4 f0_and_alpha, normal, to_eye, to_light; /* test/support/specular.comp */
 };
 
 static void ask(const char *compute, const struct question *questions, int count,
@@ -40,7 +40,7 @@ static void ask(const char *compute, const struct question *questions, int count
     check_ok("answers",
              buffer_init(&answer_buffer, "answers", (size_t)count * sizeof *answers, NULL));
     pass_begin(&untimed,
-               &(struct pass_state){.name = "gloss",
+               &(struct pass_state){.name = "specular",
                                     .program = program,
                                     .textures = {{UNIT_LOBES, lobes.id}},
                                     .blocks = {{BLOCK_LIGHTS, &light_buffer}},
@@ -114,7 +114,7 @@ static void test_same_as_traced(void **state) {
         put(v, questions[i].to_eye);
         put(l, questions[i].to_light);
     }
-    ask("../test/support/gloss.comp", questions, DIRECTIONS, NULL, answers);
+    ask("../test/support/specular.comp", questions, DIRECTIONS, NULL, answers);
     for (uint32_t i = 0; i < DIRECTIONS; i++) {
         make_direction(i, &brdf, &v, &l);
         vec3s expected =
@@ -143,7 +143,7 @@ static void test_sampled_as_traced(void **state) {
         put(any_direction(i, 1, .02F), questions[i].to_eye);
         glm_vec2_copy(sample.raw, questions[i].to_light);
     }
-    ask("../test/support/gloss.comp", questions, DIRECTIONS, NULL, answers);
+    ask("../test/support/specular.comp", questions, DIRECTIONS, NULL, answers);
     for (uint32_t i = 0; i < DIRECTIONS; i++) {
         struct brdf brdf = metal_of(.045F + .955F * (float)i / DIRECTIONS);
         vec2s sample = {{questions[i].to_light[0], questions[i].to_light[1]}};
@@ -233,7 +233,7 @@ static void test_lights(void **state) {
         put(v, questions[i].to_eye);
         questions[i].to_light[3] = (float)(i / VIEWS / ROUGHNESSES);
     }
-    ask("../test/support/gloss.comp", questions, CASES, &block, answers);
+    ask("../test/support/specular.comp", questions, CASES, &block, answers);
     for (int i = 0; i < CASES; i++) {
         vec3s n, v;
         const struct emitter *light = &lights[i / VIEWS / ROUGHNESSES];
@@ -409,5 +409,5 @@ int main(void) {
         cmocka_unit_test(test_picture),
         cmocka_unit_test(test_mirror_of_bounces),
     };
-    return cmocka_run_group_tests_name("gloss", tests, open_group_context, close_group_context);
+    return cmocka_run_group_tests_name("specular", tests, open_group_context, close_group_context);
 }
