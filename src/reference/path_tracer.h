@@ -1,4 +1,4 @@
-/* Ground truth: a path tracer for diffuse and specular surfaces under spots, points, directional and area lights,
+/* The reference: a path tracer for diffuse and specular surfaces under spots, points, directional and area lights,
  * and a sky.
  *
  * A path of b bounces runs camera -> x0 -> x1 ... -> xb -> light. All vertices but the last are

@@ -27,7 +27,7 @@ struct vpl_maps {
 
 bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc);
 
-/* Maps of every triangle, `batch` at once: for what is to be the plain truth. The pass that draws them is the
+/* Maps of every triangle, `batch` at once: for what is to be the plain reference. The pass that draws them is the
  * caller's, to be freed whatever comes of it. */
 bool vpl_maps_init_true(struct vpl_maps *maps, struct paraboloid_pass *paraboloid,
                         const struct technique_desc *desc, int batch);

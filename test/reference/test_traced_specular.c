@@ -333,7 +333,7 @@ static void test_under_lamp(void **state) {
 static void test_noise(void **state) {
     (void)state;
     enum { SEEDS = 24, SIZE = 12 };
-    double told = 0, spread = 0, sums[SIZE * SIZE] = {0}, squares[SIZE * SIZE] = {0};
+    double estimated = 0, spread = 0, sums[SIZE * SIZE] = {0}, squares[SIZE * SIZE] = {0};
     struct world world;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
@@ -345,7 +345,7 @@ static void test_noise(void **state) {
         render(&desc, &image);
         for (int i = 0; i < SIZE * SIZE; i++) {
             const float *specular = image_at(&image, i % SIZE, i / SIZE) + CHANNEL_PATH_TRACER_END;
-            told += pow((double)specular[SPECULAR_STANDARD_ERROR], 2) / SEEDS;
+            estimated += pow((double)specular[SPECULAR_STANDARD_ERROR], 2) / SEEDS;
             sums[i] += (double)specular[SPECULAR_ALL];
             squares[i] += pow((double)specular[SPECULAR_ALL], 2);
         }
@@ -353,7 +353,7 @@ static void test_noise(void **state) {
     }
     for (int i = 0; i < SIZE * SIZE; i++)
         spread += (squares[i] - sums[i] * sums[i] / SEEDS) / (SEEDS - 1);
-    check_near("variance told over seen", told / spread, 1, .25);
+    check_near("estimated over seen variance", estimated / spread, 1, .25);
     world_free(&world);
 }
 

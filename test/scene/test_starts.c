@@ -138,17 +138,17 @@ static void test_wide_lamp(void **state) {
     emitter_aim(spot, (float[]){0, -1, 0});
     glm_vec3_copy((vec3){0, 5.2F, 0}, spot->position);
     spot->size[0] = spot->size[1] = 2.8F;
-    struct image truth = trace_stage(&stage, SIZE, 64);
+    struct image reference = trace_stage(&stage, SIZE, 64);
     double errors[2];
     for (int i = 1; i >= 0; i--) {
         spot->size[0] = spot->size[1] = i ? 2.8F : 0;
         struct image got = render_stage(&stage, "clustered", "", SIZE);
-        errors[i] = relative_rmse(&got, &truth, "indirect");
+        errors[i] = relative_rmse(&got, &reference, "indirect");
         image_free(&got);
     }
     printf("    %-48s %g\n", "RMSE from its middle alone", errors[0]);
     check_at_most("from four places", errors[1], .75 * errors[0]);
-    image_free(&truth);
+    image_free(&reference);
     stage_free(&stage);
 }
 

@@ -418,36 +418,36 @@ static void test_frames(void **state) {
     stage_free(&stage);
 }
 
-/* --- the truth -------------------------------------------------------------------------------- */
+/* --- the reference -------------------------------------------------------------------------------- */
 
 /* In the box two bounces lack a sixth of the light of eight, and one two fifths. */
-static void test_truth(void **state) {
+static void test_reference(void **state) {
     (void)state;
     struct stage stage;
-    struct image truth;
+    struct image reference;
     open_stage(&stage, "scenes/cornell-box.glb");
-    check_ok("truth",
+    check_ok("reference",
              picture_trace_paths(
                  &stage,
                  &(struct path_tracer_desc){.width = 64, .height = 64, .bounces = 8, .samples = 16},
-                 &truth, NULL));
-    double whole = layer_mean(&truth, "indirect");
+                 &reference, NULL));
+    double whole = layer_mean(&reference, "indirect");
     printf("  one bounce: %.3f of eight\n", mean_indirect(&stage, "clustered", "") / whole);
-    check_near("clustered, over the truth", mean_indirect(&stage, "clustered", "bounces=8") / whole,
-               1, .045);
+    check_near("clustered, over the reference",
+               mean_indirect(&stage, "clustered", "bounces=8") / whole, 1, .045);
     check_near("instant radiosity", mean_indirect(&stage, "instant-radiosity", "bounces=8") / whole,
                1, .06);
-    image_free(&truth);
+    image_free(&reference);
     stage_free(&stage);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_frames),  cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_shared),  cmocka_unit_test(test_shared_along_planes),
-        cmocka_unit_test(test_albedos), cmocka_unit_test(test_seen),
-        cmocka_unit_test(test_truth),
+        cmocka_unit_test(test_furnace),   cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_frames),    cmocka_unit_test(test_flux),
+        cmocka_unit_test(test_shared),    cmocka_unit_test(test_shared_along_planes),
+        cmocka_unit_test(test_albedos),   cmocka_unit_test(test_seen),
+        cmocka_unit_test(test_reference),
     };
     return cmocka_run_group_tests_name("bounces", tests, open_group_context, close_group_context);
 }

@@ -6,16 +6,16 @@
 #include "base/error.h"
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
-    enum truth_kind kind = (enum truth_kind)bench->values.reference;
+    enum reference_kind kind = (enum reference_kind)bench->values.reference;
     bench_expect(bench, subjects->count + (bench->values.tracer ? RIVAL_SUBJECTS : 0));
     if (!bench->values.tracer)
         return bench_time(bench, subjects, kind);
-    if (kind == TRUTH_SEEN)
+    if (kind == REFERENCE_SEEN)
         return error_set("--tracer has no share of the lights that is seen to compare");
-    if (kind == TRUTH_NONE)
-        kind = TRUTH_PATH;
-    struct truth_desc truth = bench_truth(bench, kind);
-    return rival_measure(&bench->results, subjects->items, &truth, truth_names[kind]) &&
+    if (kind == REFERENCE_NONE)
+        kind = REFERENCE_PATH;
+    struct reference_desc reference = bench_reference(bench, kind);
+    return rival_measure(&bench->results, subjects->items, &reference, reference_names[kind]) &&
            bench_time(bench, subjects, kind);
 }
 

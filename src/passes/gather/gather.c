@@ -25,7 +25,7 @@ static const char *visibility_part(const struct gather_desc *desc, int clamp) {
         return "gather/gather_pixel.glsl";
     if (clamp >= GATHER_CLAMP_RECTANGLE)
         return "gather/gather_blocks.glsl";
-    return desc->receivers == RECEIVERS_OTHERS ? "gather/gather_told_block.glsl"
+    return desc->receivers == RECEIVERS_OTHERS ? "gather/gather_given_block.glsl"
                                                : "gather/gather_block.glsl";
 }
 

@@ -12,8 +12,8 @@ enum { COUNTS = RIVAL_SUBJECTS };
 static const int sample_counts[COUNTS] = {1, 2, 4, 8, 16};
 
 static bool trace(struct results *results, struct measure_desc *desc, int bounces, int samples,
-                  const struct truth_desc *truth, const char *against,
-                  const struct image *reference) {
+                  const struct reference_desc *reference, const char *against,
+                  const struct image *exact) {
     const struct material_settings *surface =
         settings_of(struct material_settings, &desc->settings, &material_part);
     struct image image;
@@ -22,7 +22,7 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
                                       .bounces = bounces,
                                       .samples = samples,
                                       .materials = surface->materials,
-                                      .centers = truth->kind == TRUTH_CENTERS,
+                                      .centers = reference->kind == REFERENCE_CENTERS,
                                       .denoise = true};
     snprintf(desc->point, sizeof desc->point, "spp=%d", samples);
     bool resumed;
@@ -35,23 +35,23 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
     results_begin(results, desc);
     results_add(results, "clock", "", "ms", clock_ms() - clock);
     results_add(results, "cpu", "", "ms", clock_cpu_ms() - cpu);
-    bool ok = errors_add(results, &image, reference, against);
+    bool ok = errors_add(results, &image, exact, against);
     image_free(&image);
     return ok && results_commit(results);
 }
 
 bool rival_measure(struct results *results, const struct measure_desc *desc,
-                   const struct truth_desc *truth, const char *against) {
+                   const struct reference_desc *reference, const char *against) {
     struct measure_desc rival = measure_default(desc->stage, desc->width, desc->height);
-    struct image reference;
+    struct image exact;
     settings_copy(&rival.settings, &desc->settings, &material_part);
-    bool ok = truth_get(truth, desc, &reference);
+    bool ok = reference_get(reference, desc, &exact);
     rival.technique = NULL;
     snprintf(rival.variant, sizeof rival.variant, "denoised tracer");
     for (int i = 0; ok && i < COUNTS; i++)
-        ok = trace(results, &rival, measure_bounces(desc), sample_counts[i], truth, against,
-                   &reference);
-    image_free(&reference);
+        ok = trace(results, &rival, measure_bounces(desc), sample_counts[i], reference, against,
+                   &exact);
+    image_free(&exact);
     return ok;
 }
 

@@ -5,14 +5,14 @@
 #define APPS_BENCH_MEASURE_RIVAL_H
 
 #include "apps/bench/measure/results.h"
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 
 /* Adds a subject without technique, "denoised tracer", in the desc's size for each of a few counts of
  * samples, whose point is "spp=4": "clock" and "cpu", from building the tree to the denoised picture,
- * and errors against the truth, which results call `against`. Error: of the tracer or the truth. */
+ * and errors against the reference, which results call `against`. Error: of the tracer or the reference. */
 enum { RIVAL_SUBJECTS = 5 };
 bool rival_measure(struct results *results, const struct measure_desc *desc,
-                   const struct truth_desc *truth, const char *against);
+                   const struct reference_desc *reference, const char *against);
 
 /* Adds to the last subject, where it has errors and the rival was measured on its scene in its size:
  * "rival-at-rmse" and "rival-at-flip", the rival's CPU time for the same relative RMSE of the
