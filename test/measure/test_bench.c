@@ -131,7 +131,7 @@ static void test_sweep_and_cache(void **state) {
     char *text = read_text(csv);
     check_csv(text);
     assert_non_null(strstr(text, "24,16,,denoised tracer,spp=1,,cpu,,ms,"));
-    assert_non_null(strstr(text, ",rival-at-rmse,,x,"));
+    assert_non_null(strstr(text, ",baseline-at-rmse,,x,"));
     assert_non_null(strstr(text, ",fast hard,vals=8,clustered.vals=8 clustered.visibility=hard "
                                  "map.size=32,relative-rmse,path,%,"));
     free(text);

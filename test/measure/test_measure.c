@@ -3,7 +3,7 @@
 #include "render_support.h"
 
 #include "apps/bench/measure/clip.h"
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 #include "apps/bench/measure/reference.h"
 #include "apps/bench/measure/variants.h"
 #include "base/error.h"
@@ -180,7 +180,7 @@ static void test_matt_reference(void **state) {
     check_ok("diffuse", reference_get(&reference, &desc, &references[1]));
     assert_true(image_find_layer(&references[0], "specular", channels));
     assert_false(image_find_layer(&references[1], "specular", channels));
-    check_ok("tracer", rival_measure(&results, &desc, &reference, "path"));
+    check_ok("tracer", baseline_measure(&results, &desc, &reference, "path"));
     check_near("bias of the tracer with 16 samples, %",
                results_value(&results, results.subject_count - 1, "relative-bias", NULL), 0, 3);
     results_free(&results);
@@ -263,7 +263,7 @@ static void test_without_vpls(void **state) {
     stage_free(&stage);
 }
 
-/* --- the rival -------------------------------------------------------------------------------- */
+/* --- the baseline ------------------------------------------------------------------------------ */
 
 static void add_subject(struct results *results, struct measure_desc *desc, int width, double cpu,
                         double error, double flip) {
@@ -274,25 +274,25 @@ static void add_subject(struct results *results, struct measure_desc *desc, int 
     results_add(results, "ldr-flip", "path", "1", flip);
 }
 
-/* Of its scene and size alone: the rival needs 16 ms for an error of 2, and errs by a FLIP of .5 at the
+/* Of its scene and size alone: the baseline needs 16 ms for an error of 2, and errs by a FLIP of .5 at the
  * most. */
-static void test_rival(void **state) {
+static void test_baseline(void **state) {
     (void)state;
     struct stage stage;
     struct results results = {0};
     open_stage(&stage, "scenes/cornell-box.glb");
-    struct measure_desc desc = measure_default(&stage, 16, 16), rival = desc;
-    rival.technique = NULL;
-    add_subject(&results, &rival, 8, 1, 2, .6);
-    add_subject(&results, &rival, 16, 1, 8, .5);
-    add_subject(&results, &rival, 16, 64, 1, .1);
+    struct measure_desc desc = measure_default(&stage, 16, 16), baseline = desc;
+    baseline.technique = NULL;
+    add_subject(&results, &baseline, 8, 1, 2, .6);
+    add_subject(&results, &baseline, 16, 1, 8, .5);
+    add_subject(&results, &baseline, 16, 64, 1, .1);
     add_subject(&results, &desc, 16, 4, 2, .6);
-    rival_add_ratios(&results);
-    check_near("at equal RMSE", results_value(&results, 3, "rival-at-rmse", NULL), 4, 1e-9);
-    check_near("at equal FLIP", results_value(&results, 3, "rival-at-flip", NULL), 0, 0);
+    baseline_add_ratios(&results);
+    check_near("at equal RMSE", results_value(&results, 3, "baseline-at-rmse", NULL), 4, 1e-9);
+    check_near("at equal FLIP", results_value(&results, 3, "baseline-at-flip", NULL), 0, 0);
     add_subject(&results, &desc, 32, 4, 2, .6);
-    rival_add_ratios(&results);
-    assert_null(results_find(&results, 4, "rival-at-rmse", NULL));
+    baseline_add_ratios(&results);
+    assert_null(results_find(&results, 4, "baseline-at-rmse", NULL));
     results_free(&results);
     stage_free(&stage);
 }
@@ -366,7 +366,7 @@ int main(void) {
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_lights),
         cmocka_unit_test(test_without_vpls),
-        cmocka_unit_test(test_rival),
+        cmocka_unit_test(test_baseline),
         cmocka_unit_test(test_flicker),
     };
     return cmocka_run_group_tests_name("measure", tests, NULL, NULL) +

@@ -4,14 +4,14 @@
 
 #include "apps/bench/measure/accuracy.h"
 #include "apps/bench/measure/errors.h"
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 
 static bool measure_budget(struct bench *bench, const struct measure_list *subjects) {
     struct reference_desc reference = bench_reference(bench, REFERENCE_PATH);
-    bench_expect(bench, budget_subjects() + (bench->values.tracer ? RIVAL_SUBJECTS : 0));
+    bench_expect(bench, budget_subjects() + (bench->values.tracer ? BASELINE_SUBJECTS : 0));
     return budget_measure(&bench->results, subjects->items, &reference) &&
            (!bench->values.tracer ||
-            rival_measure(&bench->results, subjects->items, &reference, AGAINST_REFERENCE));
+            baseline_measure(&bench->results, subjects->items, &reference, AGAINST_REFERENCE));
 }
 
 static bool measure_curves(struct bench *bench, const struct measure_list *subjects) {

@@ -2,7 +2,7 @@
 #include "apps/bench/bench.h"
 
 #include "apps/bench/measure/quality_check.h"
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 #include "base/file/image_file.h"
 
 static bool check(struct bench *bench, const struct measure_desc *measure) {
@@ -15,7 +15,8 @@ static bool check(struct bench *bench, const struct measure_desc *measure) {
         return false;
     struct quality_check_desc checked = {measure,    values->settings.items, values->settings.count,
                                          &reference, values->passes,         values->estimates};
-    bench_expect(bench, quality_check_subjects(&checked) + (values->tracer ? RIVAL_SUBJECTS : 0));
+    bench_expect(bench,
+                 quality_check_subjects(&checked) + (values->tracer ? BASELINE_SUBJECTS : 0));
     ok = quality_check(&bench->results, &checked);
     image_free(&reference);
     return ok;
@@ -26,8 +27,9 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
     bool ok = true;
     for (int i = 0; ok && i < subjects->count; i++)
         ok = check(bench, &subjects->items[i]) &&
-             (!bench->values.tracer || rival_measure(&bench->results, &subjects->items[i],
-                                                     &reference, reference_names[reference.kind]));
+             (!bench->values.tracer ||
+              baseline_measure(&bench->results, &subjects->items[i], &reference,
+                               reference_names[reference.kind]));
     return ok;
 }
 

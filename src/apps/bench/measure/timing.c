@@ -1,7 +1,7 @@
 #include "apps/bench/measure/timing.h"
 
 #include "apps/bench/measure/errors.h"
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 #include "apps/bench/measure/shares.h"
 #include "base/clock.h"
 #include "base/log.h"
@@ -112,7 +112,7 @@ static bool add_errors(struct results *results, struct run *run,
                     : errors_add(results, &frame, &exact, reference_names[reference->kind])));
     image_free(&frame);
     image_free(&exact);
-    rival_add_ratios(results);
+    baseline_add_ratios(results);
     return ok;
 }
 

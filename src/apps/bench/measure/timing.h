@@ -16,7 +16,7 @@ struct timing_desc {
  * Commits each when its group is done. Adds
  * the medians of all passes ("frame", "frame/gather" ...), "clock" and "cpu" (a frame without
  * timers; of all cores together), "gpu-memory", errors (against REFERENCE_SEEN shares_add's), and
- * rival_add_ratios's. Error: of a renderer or of the reference. */
+ * baseline_add_ratios's. Error: of a renderer or of the reference. */
 enum { TIMING_GROUP = 8, TIMING_GROUP_LEAST = 2 };
 bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing);
