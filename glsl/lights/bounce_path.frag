@@ -35,7 +35,7 @@ void main() {
     ivec2 path = ivec2(gl_FragCoord.xy);
     int i = BOUNCE_ROWS * path.x + path.y;
     vec2 choice = number_at(path, BOUNCE_NUMBER_CHOICE);
-    float vpls_per_path = float(params.vpls) / float(BOUNCE_ROWS * params.further);
+    float vpls_per_path = float(params.vpls) / float(BOUNCE_ROWS * params.later);
     vpl light = vpl_at(min(int((float(i) + choice.x) * vpls_per_path), params.vpls - 1));
     vec3 place = light.position + params.start * light.normal, axis = light.normal;
     vec3 carried = light.flux * vpls_per_path;

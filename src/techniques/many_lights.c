@@ -29,13 +29,13 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct gather_inputs all = *inputs;
     all.lists = &lights->adaptive.lists;
-    all.kept = inputs->further ? &lights->bounce.kept : NULL;
+    all.kept = inputs->later ? &lights->bounce.kept : NULL;
     gather_pass_render(&lights->gather, frame, gbuffer, &all);
     if (lights->adaptive.program)
         gather_pass_render(&lights->adaptive_gather, frame, gbuffer, &all);
     if (lights->specular_gather.program)
         gather_pass_render(&lights->specular_gather, frame, gbuffer, &all);
-    if (lights->specular_rays.program && inputs->first == 0 && !inputs->further)
+    if (lights->specular_rays.program && inputs->first == 0 && !inputs->later)
         specular_rays_pass_render(
             &lights->specular_rays, frame, gbuffer,
             &(struct specular_rays_inputs){.rsm = lights->rsm,
@@ -81,7 +81,7 @@ void many_lights_render_view(const struct many_lights *lights, const struct fram
     many_lights_begin(lights, frame, gbuffer);
     many_lights_gather(lights, frame, gbuffer, &inputs);
     inputs.vpls = &lights->bounce.vpls;
-    inputs.further = true;
+    inputs.later = true;
     if (lights->bounces > 1)
         many_lights_gather(lights, frame, gbuffer, &inputs);
     many_lights_finish(lights, frame, gbuffer);

@@ -140,7 +140,7 @@ int many_lights_blur_radius(const struct settings *settings);
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
 
-/* RSM and VPLs, into lights->vpls; and where there are more bounces, those of all further ones into
+/* RSM and VPLs, into lights->vpls; and where there are more bounces, those of all later ones into
  * lights->bounce.vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
 

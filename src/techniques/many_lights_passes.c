@@ -88,7 +88,7 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
         .clamp = own->clamp,
         .clamp_value = many_lights_clamp_value,
         .sphere = sphere_radius,
-        .further = lights->bounces > 1,
+        .later = lights->bounces > 1,
     };
     if (!adaptive_pixels_init(lights, desc, &gather_desc))
         return false;

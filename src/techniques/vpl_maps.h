@@ -53,7 +53,7 @@ void vpl_maps_drop(struct vpl_maps *maps);
 
 /* Gathers the light of such VPLs, batch by batch. */
 void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
-                     const struct vpl_buffer *vpls, bool further, const struct frame *frame,
+                     const struct vpl_buffer *vpls, bool later, const struct frame *frame,
                      const struct gbuffer *gbuffer);
 
 /* As technique->render_view. */

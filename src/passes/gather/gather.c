@@ -53,13 +53,13 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, int cl
 }
 
 /* Near fields are the first bounce's. */
-static int further_clamp(int clamp) {
+static int later_clamp(int clamp) {
     bool rectangles = clamp == GATHER_CLAMP_RECTANGLE || clamp == GATHER_CLAMP_RECTANGLE_NEAR;
     return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
 }
 
 /* No ray finds what later bounces light: there VPLs are balls. */
-static int further_specular(int specular) {
+static int later_specular(int specular) {
     return specular == SPECULAR_RAYS ? SPECULAR_SPHERE : specular;
 }
 
@@ -69,8 +69,8 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
         pixel_lists_size(size, desc->interleave);
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
-        (!desc->further || init_program(&pass->further_program, desc, further_clamp(desc->clamp),
-                                        further_specular(desc->specular))) &&
+        (!desc->later || init_program(&pass->later_program, desc, later_clamp(desc->clamp),
+                                      later_specular(desc->specular))) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, size[0], size[1],
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
@@ -82,7 +82,7 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
 
 void gather_pass_free(struct gather_pass *pass) {
     program_free(&pass->program);
-    program_free(&pass->further_program);
+    program_free(&pass->later_program);
     irradiance_free(&pass->irradiance);
     buffer_free(&pass->params);
     buffer_free(&pass->lookup_params);
@@ -117,7 +117,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
 }
 
 static GLuint program_for(const struct gather_pass *pass, const struct gather_inputs *inputs) {
-    return inputs->further ? pass->further_program : pass->program;
+    return inputs->later ? pass->later_program : pass->program;
 }
 
 static void draw_tile(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
