@@ -17,8 +17,8 @@ layout(binding = UNIT_RSM_SPECULAR) uniform sampler2DArray rsm_speculars[LIGHT_M
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // the tile's place in the pattern, in its last two
 // The lights that this tile takes, and each one's weight: of a group of many one stands for all.
-layout(location = LOCATION_PICK_COUNT) uniform int pick_count;
-layout(location = LOCATION_PICKS) uniform vec2 picks[LIGHTS];
+layout(location = LOCATION_SLOT_LIGHT_COUNT) uniform int slot_light_count;
+layout(location = LOCATION_SLOT_LIGHTS) uniform vec2 slot_lights[LIGHTS];
 
 layout(location = TARGET_RESULT) out vec4 radiance;
 
@@ -117,7 +117,7 @@ void main() {
     if (seen.f90 == vec3(0.0))
         return;
     bool all_lights = is_smooth(seen.alpha);
-    int count = all_lights ? light_count : pick_count;
+    int count = all_lights ? light_count : slot_light_count;
     vec3 facet = receiver_triangle(s, pixel);
     for (int ray = 0; ray < params.rays; ray++) {
         vec2 place = sample_of(pixel, ray);
@@ -128,8 +128,8 @@ void main() {
         float far = farthest(s.position, direction);
         vec3 share = specular_brdf(seen, direction) / density, sum = vec3(0.0);
         for (int i = 0; i < count; i++) {
-            vec2 pick = all_lights ? vec2(float(i), 1.0) : picks[i];
-            sum += pick.y * from_light(s, seen, direction, far, int(pick.x), fract(17.0 * (place.x + place.y)));
+            vec2 item = all_lights ? vec2(float(i), 1.0) : slot_lights[i];
+            sum += item.y * from_light(s, seen, direction, far, int(item.x), fract(17.0 * (place.x + place.y)));
         }
         radiance.rgb += sum * share;
     }

@@ -1,5 +1,5 @@
 /* What every pass of one frame gets. Passes exchange the structs of the headers in this folder: targets.h, maps.h,
- * vpls.h, lists.h, light_picks.h. No pass includes another. */
+ * vpls.h, lists.h, slot_lights.h. No pass includes another. */
 #ifndef PASSES_FRAME_H
 #define PASSES_FRAME_H
 
@@ -25,7 +25,7 @@ struct frame {
     float radius;                          /* of its bounding sphere, metres */
     /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the further
      * points of those whose samples have one (lib/edge_sample.glsl). */
-    const struct texture *picks, *edge_samples;
+    const struct texture *assignment, *edge_samples;
     int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
                  the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that

@@ -62,7 +62,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .groups = renderer->starts.groups,
         .geometry = desc->geometry,
         .radius = desc->geometry->radius,
-        .picks = &antialias_of(renderer)->picks,
+        .assignment = &antialias_of(renderer)->assignment,
         .edge_samples = &antialias_of(renderer)->edge_samples,
         .pass = renderer->pass,
         .irradiance_scale = renderer_irradiance_scale(renderer),

@@ -92,7 +92,7 @@ void adaptive_pass_render(const struct adaptive_pass *pass, const struct frame *
                    .height = pass->desc.height,
                    .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                                 {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                {UNIT_SAMPLE_PICKS, frame->picks->id}},
+                                {UNIT_SAMPLE_ASSIGNMENT, frame->assignment->id}},
                    .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
                    .storages = {{STORAGE_LIST_COUNTS, &pass->lists.counts}},
                    .images = {{IMAGE_ADAPTIVE_PIXELS, &pass->lists.pixels, 0, GL_WRITE_ONLY},

@@ -174,7 +174,7 @@ static void draw_cuts(const struct gather_pass *pass, const struct gather_inputs
 static void add_cuts(struct pass_state *state, const struct vpl_cuts *cuts) {
     pass_add_texture(state, UNIT_CUTS, cuts->texture.id);
     pass_add_texture(state, UNIT_TREE_NODES, cuts->tree->nodes.id);
-    pass_add_texture(state, UNIT_TREE_PICKS, cuts->tree->picks.id);
+    pass_add_texture(state, UNIT_TREE_REPRESENTATIVES, cuts->tree->representatives.id);
 }
 
 static void draw_all(const struct gather_pass *pass, const struct gather_inputs *inputs) {

@@ -82,7 +82,7 @@ static bool init_lights(struct near_field_pass *pass, int kind) {
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc) {
     *pass = (struct near_field_pass){.desc = *desc};
-    light_picks_init(&pass->picks, &desc->lights);
+    slot_lights_init(&pass->slot_lights, &desc->lights);
     bool ok =
         (!desc->casters || caster_pool_acquire_tree(desc->casters, &pass->tree)) &&
         init_programs(pass) &&
@@ -104,7 +104,7 @@ void near_field_pass_free(struct near_field_pass *pass) {
         framebuffer_free(&pass->lights_framebuffers[kind]);
     }
     buffer_free(&pass->params);
-    light_picks_free(&pass->picks);
+    slot_lights_free(&pass->slot_lights);
     *pass = (struct near_field_pass){0};
 }
 
@@ -148,8 +148,8 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
 /* A tile of a slot of the pattern, or one of its lists. */
 struct near_draw {
     int slot, list;
-    int picks, picked; /* whose lights it takes, and how many they are */
-    int samples;       /* of each light */
+    int lights_of, light_count; /* the slot whose lights it takes, and how many they are */
+    int samples;                /* of each light */
     int pass;
 };
 
@@ -157,7 +157,7 @@ struct near_draw {
 static int lights_of_draw(const struct near_field_pass *pass, const struct near_draw *draw) {
     enum { RAYS_MAX = NEAR_SAMPLES_MAX / NEAR_TOGETHER };
     int rays = (draw->samples + NEAR_TOGETHER - 1) / NEAR_TOGETHER;
-    return pass->desc.occlusion == NEAR_BY_RAYS ? RAYS_MAX / rays : draw->picked;
+    return pass->desc.occlusion == NEAR_BY_RAYS ? RAYS_MAX / rays : draw->light_count;
 }
 
 static void set_samples(int x, int y, int samples, int pass) {
@@ -177,9 +177,10 @@ static void draw_tile(const struct near_field_pass *pass, const struct near_fiel
                   irradiance->tile_width, irradiance->tile_height);
     set_samples(slot % n, slot / n, draw.samples, draw.pass);
     int together = lights_of_draw(pass, &draw);
-    for (int light = 0; light < draw.picked; light += together) {
-        int rest = draw.picked - light;
-        light_picks_set(&pass->picks, draw.picks, light, rest < together ? rest : together);
+    for (int light = 0; light < draw.light_count; light += together) {
+        int rest = draw.light_count - light;
+        slot_lights_set(&pass->slot_lights, draw.lights_of, light,
+                        rest < together ? rest : together);
         if (inputs->of_lists)
             pixel_lists_draw(inputs->lists, draw.list);
         else
@@ -190,32 +191,34 @@ static void draw_tile(const struct near_field_pass *pass, const struct near_fiel
 static void draw_all(const struct near_field_pass *pass, const struct frame *frame,
                      const struct near_field_inputs *inputs) {
     int n = inputs->irradiance->interleave, slots = n * n;
-    int picked = light_picks_deal(&pass->picks, frame, slots);
+    int light_count = slot_lights_allocate(&pass->slot_lights, frame, slots);
     for (int slot = 0; slot < slots; slot++)
         draw_tile(pass, inputs,
                   (struct near_draw){.slot = slot,
-                                     .picks = slot,
-                                     .picked = picked,
+                                     .lights_of = slot,
+                                     .light_count = light_count,
                                      .samples = samples_of_pixel(&pass->desc, n, 1),
                                      .pass = frame->pass});
 }
 
 /* What is on a list has few neighbours that are like it, and shows the lights that it takes itself: it takes all of a group,
- * and as many samples of them together as of those that it would be dealt. */
+ * and as many samples of them together as of those that it would be allocated. */
 static void draw_lists(const struct near_field_pass *pass, const struct frame *frame,
                        const struct near_field_inputs *inputs) {
     int n = inputs->irradiance->interleave, slots = n * n;
-    int dealt = light_picks_deal(&pass->picks, frame, slots);
-    int picked = light_picks_deal(&pass->picks, frame, 1);
+    int allocated = slot_lights_allocate(&pass->slot_lights, frame, slots);
+    int light_count = slot_lights_allocate(&pass->slot_lights, frame, 1);
     for (int list = 0; list < LIST_KINDS; list++) {
         int side = pass->desc.list_slots[list];
         int all = samples_of_listed(&pass->desc, n, side);
-        int samples = picked > dealt ? reduced(all, all * dealt / picked, light_least) : all;
+        int samples = light_count > allocated
+                          ? reduced(all, all * allocated / light_count, light_least)
+                          : all;
         for (int slot = 0; side > 0 && slot < slots; slot++)
             draw_tile(pass, inputs,
                       (struct near_draw){.slot = slot,
                                          .list = list,
-                                         .picked = picked,
+                                         .light_count = light_count,
                                          .samples = samples,
                                          .pass = frame->pass});
     }

@@ -14,7 +14,7 @@
 #define PASSES_NEAR_FIELD_H
 
 #include "lights/view.h"
-#include "passes/light_picks.h"
+#include "passes/slot_lights.h"
 #include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
 #include "shared/near_field.h"
@@ -43,7 +43,7 @@ struct near_field_pass {
                                                glsl/gather/near_light.glsl */
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
     struct buffer params;
-    struct light_picks picks;
+    struct slot_lights slot_lights;
 };
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc);

@@ -33,7 +33,7 @@ static bool init_program(struct specular_rays_pass *pass) {
 bool specular_rays_pass_init(struct specular_rays_pass *pass,
                              const struct specular_rays_desc *desc) {
     *pass = (struct specular_rays_pass){.desc = *desc};
-    light_picks_init(&pass->picks, &desc->lights);
+    slot_lights_init(&pass->slot_lights, &desc->lights);
     if (init_program(pass) &&
         buffer_init(&pass->params, "parameters of rays", sizeof(struct specular_rays_params),
                     NULL) &&
@@ -47,7 +47,7 @@ void specular_rays_pass_free(struct specular_rays_pass *pass) {
     program_free(&pass->program);
     buffer_free(&pass->params);
     buffer_free(&pass->lookup_params);
-    light_picks_free(&pass->picks);
+    slot_lights_free(&pass->slot_lights);
     *pass = (struct specular_rays_pass){0};
 }
 
@@ -99,13 +99,13 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
     if (pass->desc.has_maps)
         visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
     write_params(pass, frame, radiance);
-    int picked = light_picks_deal(&pass->picks, frame, n * n);
+    int light_count = slot_lights_allocate(&pass->slot_lights, frame, n * n);
     pass_begin(frame->timers, &state);
     for (int slot = 0; slot < n * n; slot++) {
         pass_viewport(slot % n * radiance->tile_width, slot / n * radiance->tile_height,
                       radiance->tile_width, radiance->tile_height);
         pass_set_ints(LOCATION_SLOT, 0, 0, slot % n, slot / n);
-        light_picks_set(&pass->picks, slot, 0, picked);
+        slot_lights_set(&pass->slot_lights, slot, 0, light_count);
         pass_draw_fullscreen(1);
     }
     pass_end(frame->timers);

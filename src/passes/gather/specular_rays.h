@@ -12,7 +12,7 @@
 #define PASSES_SPECULAR_RAYS_H
 
 #include "lights/view.h"
-#include "passes/light_picks.h"
+#include "passes/slot_lights.h"
 #include "passes/visibility/visibility.h"
 
 struct frame;
@@ -28,7 +28,7 @@ struct specular_rays_pass {
     struct specular_rays_desc desc;
     GLuint program;
     struct buffer params, lookup_params;
-    struct light_picks picks;
+    struct slot_lights slot_lights;
 };
 
 bool specular_rays_pass_init(struct specular_rays_pass *pass,

@@ -31,7 +31,7 @@ struct composite_pass {
     struct buffer params;
 };
 
-/* What the picture is made of, beside the frame's picks and edge samples. */
+/* What the picture is made of, beside the frame's sample assignment and edge samples. */
 struct composite_inputs {
     const struct gbuffer *gbuffer;
     const struct texture *direct;          /* direct/direct.h */
