@@ -41,11 +41,12 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, int cl
     char *defines = mem_printf("%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d", lookup,
                                files, clamp, desc->map_per_vpl, desc->receivers, specular);
     bool ok = program_init(
-        program, &(struct program_desc){
-                     .vertex = desc->receivers == RECEIVERS_ADAPTIVE ? "gather/listed.vert" : NULL,
-                     .screen = {"gather/gather.frag", .blended = true, .tiled = true},
-                     .defines = defines,
-                 });
+        program,
+        &(struct program_desc){
+            .vertex = desc->receivers == RECEIVERS_ADAPTIVE ? "gather/list_rows.vert" : NULL,
+            .screen = {"gather/gather.frag", .blended = true, .tiled = true},
+            .defines = defines,
+        });
     free(lookup);
     free(files);
     free(defines);
@@ -100,14 +101,14 @@ static const float neighbours = 10;
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
                               const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
-    bool listed = desc->receivers == RECEIVERS_ADAPTIVE;
+    bool adaptive = desc->receivers == RECEIVERS_ADAPTIVE;
     struct gather_params params = {
         .pattern = irradiance_pattern(&pass->irradiance),
         .scale = frame->irradiance_scale,
         .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
         .block = desc->share ? inputs->blocks->block : 1,
         .cut_block = desc->cuts ? inputs->cuts->block : 1,
-        .cut_layer = desc->cuts && listed ? inputs->cuts->adaptive_layer : 0,
+        .cut_layer = desc->cuts && adaptive ? inputs->cuts->adaptive_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .together = desc->together,
         .specular_rays = desc->specular_rays,
@@ -178,9 +179,9 @@ static void add_cuts(struct pass_state *state, const struct vpl_cuts *cuts) {
 }
 
 static void draw_all(const struct gather_pass *pass, const struct gather_inputs *inputs) {
-    bool listed = pass->desc.receivers == RECEIVERS_ADAPTIVE;
-    for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
-        int side = listed ? pass->desc.list_slots[list] : 1;
+    bool adaptive = pass->desc.receivers == RECEIVERS_ADAPTIVE;
+    for (int list = 0; list < (adaptive ? LIST_KINDS : 1); list++) {
+        int side = adaptive ? pass->desc.list_slots[list] : 1;
         for (int slot = 0; side > 0 && slot < pass->desc.interleave * pass->desc.interleave; slot++)
             (pass->desc.cuts ? draw_cuts : draw_slot)(pass, inputs, slot, list, side);
     }

@@ -24,11 +24,11 @@ static int reduced(int all, int wanted, int least) {
 }
 
 /* Fewer than so many are too few for a corner; of one light, where several share them, than so many. */
-static const int listed_least = 32, light_least = 8;
+static const int adaptive_least = 32, light_least = 8;
 
-static int samples_of_listed(const struct near_field_desc *desc, int n, int side) {
+static int samples_of_adaptive(const struct near_field_desc *desc, int n, int side) {
     int all = samples_of_pixel(desc, n, side);
-    return n == 1 ? all : reduced(all, (int)((float)all * desc->listed_part), listed_least);
+    return n == 1 ? all : reduced(all, (int)((float)all * desc->adaptive_part), adaptive_least);
 }
 
 static bool init_programs(struct near_field_pass *pass) {
@@ -41,10 +41,10 @@ static bool init_programs(struct near_field_pass *pass) {
                                         [NEAR_BY_RAYS] = "near_by_rays"};
     char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d", room, kinds, pass->desc.facets);
     static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
-    bool by_rays = !pass->desc.listed && pass->desc.occlusion == NEAR_BY_RAYS;
+    bool by_rays = !pass->desc.adaptive && pass->desc.occlusion == NEAR_BY_RAYS;
     char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],
-                               pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
-    char *listed = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_ADAPTIVE, of_light);
+                               pass->desc.adaptive ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
+    char *adaptive = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_ADAPTIVE, of_light);
     bool ok = program_init(&pass->light_program,
                            &(struct program_desc){
                                .screen = {"gather/near_light.frag", .layers = true},
@@ -54,15 +54,15 @@ static bool init_programs(struct near_field_pass *pass) {
                            &(struct program_desc){
                                .screen = {"gather/near_field.frag", .blended = true, .tiled = true},
                                .defines = defines}) &&
-              (!pass->desc.listed ||
-               program_init(&pass->listed_program,
-                            &(struct program_desc){.vertex = "gather/listed.vert",
+              (!pass->desc.adaptive ||
+               program_init(&pass->adaptive_program,
+                            &(struct program_desc){.vertex = "gather/list_rows.vert",
                                                    .screen = {"gather/near_field.frag",
                                                               .blended = true, .tiled = true},
-                                                   .defines = listed}));
+                                                   .defines = adaptive}));
     free(of_light);
     free(defines);
-    free(listed);
+    free(adaptive);
     return ok;
 }
 
@@ -98,7 +98,7 @@ void near_field_pass_free(struct near_field_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->tree);
     program_free(&pass->light_program);
     program_free(&pass->program);
-    program_free(&pass->listed_program);
+    program_free(&pass->adaptive_program);
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         texture_free(&pass->lights[kind]);
         framebuffer_free(&pass->lights_framebuffers[kind]);
@@ -210,7 +210,7 @@ static void draw_lists(const struct near_field_pass *pass, const struct frame *f
     int light_count = slot_lights_allocate(&pass->slot_lights, frame, 1);
     for (int list = 0; list < LIST_KINDS; list++) {
         int side = pass->desc.list_slots[list];
-        int all = samples_of_listed(&pass->desc, n, side);
+        int all = samples_of_adaptive(&pass->desc, n, side);
         int samples = light_count > allocated
                           ? reduced(all, all * allocated / light_count, light_least)
                           : all;
@@ -229,7 +229,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     const struct irradiance *irradiance = inputs->irradiance;
     struct pass_state state = {
         .name = inputs->of_lists ? "adaptive near field" : "near field",
-        .program = inputs->of_lists ? pass->listed_program : pass->program,
+        .program = inputs->of_lists ? pass->adaptive_program : pass->program,
         .framebuffer = irradiance->framebuffer,
         .width = irradiance->texture.desc.width,
         .height = irradiance->texture.desc.height,
@@ -245,9 +245,9 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
         pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,
                          pass->lights[pass->lights[kind].id ? kind : !kind].id);
     pixel_lists_add(&state, inputs->lists,
-                    inputs->of_lists    ? RECEIVERS_ADAPTIVE
-                    : pass->desc.listed ? RECEIVERS_OTHERS
-                                        : RECEIVERS_ALL);
+                    inputs->of_lists      ? RECEIVERS_ADAPTIVE
+                    : pass->desc.adaptive ? RECEIVERS_OTHERS
+                                          : RECEIVERS_ALL);
     if (inputs->of_lists)
         pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
     if (pass->tree)

@@ -119,7 +119,7 @@ static int clamp_of(const struct cluster_lights_settings *own) {
     return own->near > 0 ? GATHER_CLAMP_RECTANGLE_NEAR : GATHER_CLAMP_RECTANGLE;
 }
 
-/* The gather of many lights, but each pixel takes all of them; those that are listed look themselves up. */
+/* The gather of many lights, but each pixel takes all of them; adaptive pixels look themselves up. */
 static struct settings gather_settings(const struct settings *settings) {
     const struct cluster_lights_settings *own =
         settings_of(struct cluster_lights_settings, settings, &own_part);
