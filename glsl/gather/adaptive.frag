@@ -3,8 +3,8 @@
 // its second, so that a draw finds them side by side. The order within a list is that of arrival; no pixel's light
 // depends on it.
 //
-// With SHARE_VISIBILITY such pixels are adaptive, too, that no block speaks for; the others are told which one does. Pixels
-// that are not adaptive are told their triangle's normal: what draws tiles has no neighbours at hand.
+// With SHARE_VISIBILITY such pixels are adaptive, too, that no block speaks for; the others are told which one does.
+// Pixels that are not adaptive are told their triangle's normal: what draws tiles has no neighbours at hand.
 #include "lib/divide.glsl"
 #include "lib/gbuffer.glsl"
 #include "gather/list_texel.glsl"

@@ -208,7 +208,7 @@ static struct visibility_inputs maps_of(const struct val_set *set) {
         .depth = &set->paraboloid.maps,
         .bases = set->convolve ? &set->basis.maps : NULL,
         .tree = set->tree,
-        .correction = set->corrected ? &set->correction.gains : NULL,
+        .correction = set->corrected ? &set->correction.corrections : NULL,
     };
 }
 
