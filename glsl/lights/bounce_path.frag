@@ -22,7 +22,7 @@ vec3 cosine_direction(vec3 axis, vec2 number) {
     return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
 }
 
-vec3 reflected(tree_hit hit) {
+vec3 reflected(bvh_hit hit) {
     vec4 albedo = texelFetch(albedos, hit.triangle);
     return hit.back ? albedo.rgb * albedo.a : albedo.rgb;
 }
@@ -48,7 +48,7 @@ void main() {
     int last = path.y == 0 ? params.bounces + 1 : params.bounces;
     for (int bounce = 2; bounce <= last; bounce++) {
         vec3 direction = cosine_direction(axis, number_at(path, BOUNCE_NUMBER_RAYS + bounce - 2));
-        tree_hit hit = tree_meet(place, direction, goes);
+        bvh_hit hit = bvh_meet(place, direction, goes);
         goes = goes && hit.triangle >= 0;
         if (goes && chosen == bounce - 1)
             next = vec4(place + hit.distance * direction, hit.distance);
@@ -72,7 +72,7 @@ void main() {
                 left = own;
                 chosen = bounce;
             }
-            place = met + tree_clearance() * hit.normal;
+            place = met + bvh_clearance() * hit.normal;
             axis = hit.normal;
         }
     }
