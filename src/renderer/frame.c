@@ -26,9 +26,9 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     const struct light_plan *plan = &renderer->plan;
     float typical = 0;
-    for (int i = 0; i < plan->sky_starts.count; i++) {
+    for (int i = 0; i < plan->sky_samples.count; i++) {
         struct emitter emitter =
-            sky_group_emitter(&plan->sky, &plan->sky_starts, i, desc->emitters.sky);
+            sky_group_emitter(&plan->sky, &plan->sky_samples, i, desc->emitters.sky);
         typical += typical_irradiance(&emitter, desc->geometry->radius);
     }
     for (int i = 0; i < desc->emitters.count; i++)
@@ -54,12 +54,12 @@ struct frame renderer_frame(struct renderer *renderer) {
         .view = &renderer->view_buffer,
         .camera = &renderer->camera_view,
         .camera_range = renderer->camera_range,
-        .lights = &renderer->start_buffer,
+        .lights = &renderer->sample_buffer,
         .scene = &renderer->scene,
-        .emitters = &renderer->start_emitters,
-        .light_block = renderer->start_block,
-        .layout = renderer->plan.start_layout,
-        .groups = renderer->starts.groups,
+        .emitters = &renderer->sample_emitters,
+        .light_block = renderer->sample_block,
+        .layout = renderer->plan.sample_layout,
+        .groups = renderer->light_samples.groups,
         .geometry = desc->geometry,
         .radius = desc->geometry->radius,
         .assignment = &antialias_of(renderer)->assignment,

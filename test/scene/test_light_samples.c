@@ -114,8 +114,8 @@ static void test_flux(void **state) {
         stage.emitters.items[0] = lights[i];
         struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 16, 16);
         open_renderer(&renderer, &desc);
-        assert_int_equal(renderer.plan.start_layout.lights, 4);
-        assert_int_equal(renderer.plan.start_layout.groups, 1);
+        assert_int_equal(renderer.plan.sample_layout.lights, 4);
+        assert_int_equal(renderer.plan.sample_layout.groups, 1);
         struct vpl *vpls = read_vpls(&renderer);
         double sum = 0;
         for (int v = 0; v < 4096; v++)
