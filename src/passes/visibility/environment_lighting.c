@@ -69,7 +69,7 @@ static bool init_light(struct environment_lighting_pass *pass, struct texture *t
 /* What is as large as the picture. */
 static bool init_targets(struct environment_lighting_pass *pass) {
     const struct environment_lighting_desc *desc = &pass->desc;
-    struct framebuffer_desc light = {.label = "sky light", .colors = {&pass->light}};
+    struct framebuffer_desc light = {.label = "environment lighting", .colors = {&pass->light}};
     if (desc->specular)
         light.colors[TARGET_DIRECT_SPECULAR] = &pass->specular;
     return texture_init(
@@ -80,7 +80,7 @@ static bool init_targets(struct environment_lighting_pass *pass) {
                                       .width = (desc->width + desc->block - 1) / desc->block,
                                       .height = (desc->height + desc->block - 1) / desc->block,
                                       .layers = layers(desc)}) &&
-           init_light(pass, &pass->light, "sky light") &&
+           init_light(pass, &pass->light, "environment lighting") &&
            (!desc->specular ||
             init_light(pass, &pass->specular, "environment lighting, specular")) &&
            framebuffer_init(
@@ -171,7 +171,7 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(layers(&pass->desc));
     pass_end(frame->timers);
-    state.name = "sky light";
+    state.name = "environment lighting";
     state.program = pass->light_program;
     state.framebuffer = pass->light_framebuffer;
     state.width = pass->light.desc.width;

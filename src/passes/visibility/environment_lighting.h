@@ -53,7 +53,7 @@ void environment_lighting_pass_render_lights(const struct environment_lighting_p
                                              const struct frame *frame,
                                              const struct buffer *lights);
 
-/* Fills pass->light and pass->specular. Timers "sky blocks" and "sky light". */
+/* Fills pass->light and pass->specular. Timers "sky blocks" and "environment lighting". */
 void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
                                       const struct frame *frame, const struct gbuffer *gbuffer,
                                       const struct environment_lighting_inputs *inputs);
