@@ -20,11 +20,9 @@ struct frame {
     const struct light_block *light_block; /* of the emitters: what the buffer holds */
     struct light_layout layout;            /* of the lights' maps */
     const struct light_group *groups;      /* layout.groups of them; NULL for direct light */
-    const struct geometry *geometry;       /* for views of other lights */
-    float bounds_min[3], bounds_max[3];    /* of the scene, metres */
-    float radius;                          /* of its bounding sphere, metres */
-    /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the further
-     * points of those whose samples have one (lib/edge_sample.glsl). */
+    const struct geometry *geometry; /* the scene's bounds and radius; for views of other lights */
+    /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the edge
+     * samples of those whose samples have one (lib/edge_sample.glsl). */
     const struct texture *assignment, *edge_samples;
     int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
                  the only one */

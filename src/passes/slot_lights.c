@@ -28,7 +28,7 @@ static int allocate_group(const struct slot_lights *lights, const struct frame *
     struct dealt dealt[SLOTS_MAX + LIGHTS_MAX];
     int counts[LIGHTS_MAX];
     for (int i = 0; i < group.count; i++)
-        fluxes[i] = emitter_flux(&frame->emitters->items[group.first + i], frame->radius);
+        fluxes[i] = emitter_flux(&frame->emitters->items[group.first + i], frame->geometry->radius);
     int each = (group.count + slots - 1) / slots;
     deal(fluxes, group.count, dealt, slots * each, counts);
     for (int slot = 0; slot < slots; slot++)

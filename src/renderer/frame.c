@@ -7,7 +7,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 const char *const shown_layer_names[] = {
     [LAYER_BEAUTY] = "full", [LAYER_DIRECT] = "direct", [LAYER_INDIRECT] = "indirect", NULL};
@@ -49,7 +48,7 @@ static const struct antialias_pass *antialias_of(const struct renderer *renderer
 
 struct frame renderer_frame(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    struct frame frame = {
+    return (struct frame){
         .timers = &renderer->timers,
         .view = &renderer->view_buffer,
         .camera = &renderer->camera_view,
@@ -61,15 +60,11 @@ struct frame renderer_frame(struct renderer *renderer) {
         .layout = renderer->plan.sample_layout,
         .groups = renderer->light_samples.groups,
         .geometry = desc->geometry,
-        .radius = desc->geometry->radius,
         .assignment = &antialias_of(renderer)->assignment,
         .edge_samples = &antialias_of(renderer)->edge_samples,
         .pass = renderer->pass,
         .irradiance_scale = renderer_irradiance_scale(renderer),
     };
-    memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
-    memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
-    return frame;
 }
 
 /* The same frame for direct light. */

@@ -71,7 +71,7 @@ static float taken_radius(const struct blur_desc *desc, int level) {
 static double light_power(const struct frame *frame) {
     double sum = 0;
     for (int i = 0; i < frame->emitters->count; i++)
-        sum += emitter_flux(&frame->emitters->items[i], frame->radius);
+        sum += emitter_flux(&frame->emitters->items[i], frame->geometry->radius);
     return sum;
 }
 

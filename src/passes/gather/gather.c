@@ -105,7 +105,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
     struct gather_params params = {
         .pattern = irradiance_pattern(&pass->irradiance),
         .scale = frame->irradiance_scale,
-        .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
+        .clamp_at = desc->clamp_value / (frame->geometry->radius * frame->geometry->radius),
         .block = desc->share ? inputs->blocks->block : 1,
         .cut_block = desc->cuts ? inputs->cuts->block : 1,
         .cut_layer = desc->cuts && adaptive ? inputs->cuts->adaptive_layer : 0,

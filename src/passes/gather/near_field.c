@@ -113,8 +113,9 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
     double turn = 2 * acos(-1) * SPIRAL_TURN;
     struct near_field_params params = {
         .pattern = pattern,
-        .power_scale = frame->irradiance_scale / (frame->radius * frame->radius),
-        .inverse_radius = 1 / frame->radius,
+        .power_scale =
+            frame->irradiance_scale / (frame->geometry->radius * frame->geometry->radius),
+        .inverse_radius = 1 / frame->geometry->radius,
         .turn = frame_turn(frame),
         .next_turn = {(float)cos(turn), (float)sin(turn)},
     };

@@ -67,8 +67,8 @@ static void write_params(const struct specular_rays_pass *pass, const struct fra
         .start = {steps(SPECULAR_STEP_X, first), steps(SPECULAR_STEP_Y, first)},
         .vpl_weight = (float)slots,
     };
-    glm_vec3_copy((float *)frame->bounds_min, params.bounds_min);
-    glm_vec3_copy((float *)frame->bounds_max, params.bounds_max);
+    glm_vec3_copy((float *)frame->geometry->bounds_min, params.bounds_min);
+    glm_vec3_copy((float *)frame->geometry->bounds_max, params.bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 

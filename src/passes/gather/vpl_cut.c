@@ -61,7 +61,7 @@ static void write_params(const struct vpl_cut_pass *pass, const struct frame *fr
         .nodes = desc->nodes,
         .more_nodes = CUT_NODES_MAX,
         .tolerance = desc->tolerance,
-        .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
+        .clamp_at = desc->clamp_value / (frame->geometry->radius * frame->geometry->radius),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }

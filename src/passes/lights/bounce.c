@@ -184,8 +184,8 @@ static void follow(struct bounce_pass *pass, const struct frame *frame, int vpls
     struct bounce_params params = {.vpls = vpls,
                                    .later = pass->desc.count,
                                    .bounces = pass->desc.bounces,
-                                   .start = start_above * frame->radius,
-                                   .radius = frame->radius};
+                                   .start = start_above * frame->geometry->radius,
+                                   .radius = frame->geometry->radius};
     if (pass->dealt_pass != frame->pass)
         deal_numbers(pass, frame->pass);
     if (pass->laid_out != frame->geometry->laid_out) {

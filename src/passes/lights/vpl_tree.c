@@ -83,8 +83,8 @@ void vpl_tree_pass_free(struct vpl_tree_pass *pass) {
 static void write_params(const struct vpl_tree_pass *pass, const struct frame *frame) {
     struct vpl_tree_params params = {.vpl_count = pass->desc.vpl_count,
                                      .leaves = pass->tree.leaves};
-    memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
-    memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
+    memcpy(params.bounds_min, frame->geometry->bounds_min, sizeof frame->geometry->bounds_min);
+    memcpy(params.bounds_max, frame->geometry->bounds_max, sizeof frame->geometry->bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
