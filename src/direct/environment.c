@@ -42,8 +42,9 @@ static const float bias = .1F;
  * 60 lights divided by lights / 60. */
 static const float disagree = .02F;
 
-/* Those that the maps of VALs have, so that both share them. */
-static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
+/* Those that the maps of VALs have by default, so that both share them. */
+static const struct caster_desc caster = {.error = (float)CASTER_ERROR,
+                                          .long_count = CASTER_LONG_COUNT};
 
 struct lighting {
     struct sky_map_pass maps;
