@@ -285,17 +285,17 @@ static double light_of_leaning(const struct leaning *lit) {
 /* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it dark, too. */
 static void test_facet(void **state) {
     (void)state;
-#define MATT "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"
+#define DIFFUSE "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"
 #define METAL "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 1, \"roughnessFactor\": 0.5}}]"
     static const struct leaning rows[][2] = {
-        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 30, MATT},
-         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 30, MATT}},
-        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 60, MATT},
-         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 60, MATT}},
+        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 30, DIFFUSE},
+         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 30, DIFFUSE}},
+        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 60, DIFFUSE},
+         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 60, DIFFUSE}},
         {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect.specular", 60, METAL},
          {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect.specular", 60, METAL}},
-        {{{"9", "0"}, {"4", "-0.05"}, "point", "direct", 30, MATT},
-         {{"9", "0"}, {"4", "0.05"}, "point", "direct", 30, MATT}},
+        {{{"9", "0"}, {"4", "-0.05"}, "point", "direct", 30, DIFFUSE},
+         {{"9", "0"}, {"4", "0.05"}, "point", "direct", 30, DIFFUSE}},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         double below = light_of_leaning(&rows[i][0]), above = light_of_leaning(&rows[i][1]);
@@ -304,7 +304,7 @@ static void test_facet(void **state) {
         assert_true(above > .01);
         check_at_most("from below over from above", below / above, 1e-6);
     }
-#undef MATT
+#undef DIFFUSE
 #undef METAL
 }
 
