@@ -20,6 +20,6 @@ void main() {
     question q = questions[i];
     tree_extent receiver = tree_extent(q.receiver[0].xyz, q.receiver[1].xyz, q.receiver[2].xyz, q.receiver[2].w);
     tree_extent extent = tree_extent(q.node[0].xyz, q.node[1].xyz, q.node[2].xyz, q.node[2].w);
-    bvh_node node = bvh_node(extent, 0.0, q.area_and_clamp.x, vec3(1.0), 3.0);
+    tree_node node = tree_node(extent, 0.0, q.area_and_clamp.x, vec3(1.0), 3.0);
     answers[i] = cut_bound(receiver, node, q.area_and_clamp.y);
 }
