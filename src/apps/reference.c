@@ -1,4 +1,4 @@
-/* manylight reference: ground truth, path-traced; or what the GPU's VPLs would make of it if their
+/* manylight reference: the path-traced reference; or what the GPU's VPLs would make of it if their
  * visibility were exact. */
 #include "apps/apps.h"
 #include "apps/arguments.h"

@@ -1,5 +1,5 @@
 /* What every pass of one frame gets. Passes exchange the structs of the headers in this folder: targets.h, maps.h,
- * vpls.h, lists.h, light_picks.h. No pass includes another. */
+ * vpls.h, lists.h, slot_lights.h. No pass includes another. */
 #ifndef PASSES_FRAME_H
 #define PASSES_FRAME_H
 
@@ -21,12 +21,10 @@ struct frame {
     const struct light_block *light_block; /* of the emitters: what the buffer holds */
     struct light_layout layout;            /* of the lights' maps */
     const struct light_group *groups;      /* layout.groups of them; NULL for direct light */
-    const struct geometry *geometry;       /* for views of other lights */
-    float bounds_min[3], bounds_max[3];    /* of the scene, metres */
-    float radius;                          /* of its bounding sphere, metres */
+    const struct geometry *geometry; /* the scene's bounds and radius; for views of other lights */
     /* Of the camera's pixels: sample assignment (passes/picture/antialias.h), and edge samples
      * (lib/edge_sample.glsl). */
-    const struct texture *picks, *edge_samples;
+    const struct texture *assignment, *edge_samples;
     int pass; /* number of the pass, each with other light samples; 0: the first, or the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that
                                            keeps half floats in range at every scale of scene and light */

@@ -25,7 +25,7 @@ struct vpl_weights {
 /* A binary tree over VPLs (shared/vpl_tree.h), and the VPL that stands for each node, as many times as there are sets
  * of pixels: R32UI, a layer a set. */
 struct vpl_tree {
-    struct texture nodes, picks;
+    struct texture nodes, representatives;
     GLuint vpls; /* buffer texture over the VPLs */
     int leaves, sets;
 };

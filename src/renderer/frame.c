@@ -7,7 +7,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 const char *const shown_layer_names[] = {
     [LAYER_BEAUTY] = "full", [LAYER_DIRECT] = "direct", [LAYER_INDIRECT] = "indirect", NULL};
@@ -26,9 +25,9 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     const struct light_plan *plan = &renderer->plan;
     float typical = 0;
-    for (int i = 0; i < plan->sky_starts.count; i++) {
+    for (int i = 0; i < plan->sky_samples.count; i++) {
         struct emitter emitter =
-            sky_group_emitter(&plan->sky, &plan->sky_starts, i, desc->emitters.sky);
+            sky_group_emitter(&plan->sky, &plan->sky_samples, i, desc->emitters.sky);
         typical += typical_irradiance(&emitter, desc->geometry->radius);
     }
     for (int i = 0; i < desc->emitters.count; i++)
@@ -39,7 +38,7 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
 /* NULL where all is diffuse. */
 static const struct texture *direct_specular(const struct renderer *renderer) {
     const struct direct_method *direct = renderer->direct;
-    return renderer->gbuffer.gloss.id ? direct->specular(renderer->direct_state) : NULL;
+    return renderer->gbuffer.specular.id ? direct->specular(renderer->direct_state) : NULL;
 }
 
 /* Passes have samples of their own in each. */
@@ -49,27 +48,23 @@ static const struct antialias_pass *antialias_of(const struct renderer *renderer
 
 struct frame renderer_frame(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    struct frame frame = {
+    return (struct frame){
         .timers = &renderer->timers,
         .view = &renderer->view_buffer,
         .camera = &renderer->camera_view,
         .camera_range = renderer->camera_range,
-        .lights = &renderer->start_buffer,
+        .lights = &renderer->sample_buffer,
         .scene = &renderer->scene,
-        .emitters = &renderer->start_emitters,
-        .light_block = renderer->start_block,
-        .layout = renderer->plan.start_layout,
-        .groups = renderer->starts.groups,
+        .emitters = &renderer->sample_emitters,
+        .light_block = renderer->sample_block,
+        .layout = renderer->plan.sample_layout,
+        .groups = renderer->light_samples.groups,
         .geometry = desc->geometry,
-        .radius = desc->geometry->radius,
-        .picks = &antialias_of(renderer)->picks,
+        .assignment = &antialias_of(renderer)->assignment,
         .edge_samples = &antialias_of(renderer)->edge_samples,
         .pass = renderer->pass,
         .irradiance_scale = renderer_irradiance_scale(renderer),
     };
-    memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
-    memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
-    return frame;
 }
 
 /* The same frame for direct light. */

@@ -17,8 +17,8 @@ void many_lights_begin(const struct many_lights *lights, const struct frame *fra
     gather_pass_clear(&lights->gather);
     if (lights->bounces > 1)
         bounce_pass_find_kept(&lights->bounce, frame);
-    if (lights->gloss_gather.program)
-        gather_pass_clear(&lights->gloss_gather);
+    if (lights->specular_gather.program)
+        gather_pass_clear(&lights->specular_gather);
     if (!lights->adaptive.program)
         return;
     adaptive_pass_render(&lights->adaptive, frame, gbuffer);
@@ -29,19 +29,19 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct gather_inputs all = *inputs;
     all.lists = &lights->adaptive.lists;
-    all.kept = inputs->further ? &lights->bounce.kept : NULL;
+    all.kept = inputs->later ? &lights->bounce.kept : NULL;
     gather_pass_render(&lights->gather, frame, gbuffer, &all);
     if (lights->adaptive.program)
         gather_pass_render(&lights->adaptive_gather, frame, gbuffer, &all);
-    if (lights->gloss_gather.program)
-        gather_pass_render(&lights->gloss_gather, frame, gbuffer, &all);
-    if (lights->gloss_rays.program && inputs->first == 0 && !inputs->further)
-        gloss_rays_pass_render(
-            &lights->gloss_rays, frame, gbuffer,
-            &(struct gloss_rays_inputs){.rsm = lights->rsm,
-                                        .shares = &lights->vpl.shares,
-                                        .radiance = &lights->gloss_gather.irradiance,
-                                        .visibility = inputs->visibility});
+    if (lights->specular_gather.program)
+        gather_pass_render(&lights->specular_gather, frame, gbuffer, &all);
+    if (lights->specular_rays.program && inputs->first == 0 && !inputs->later)
+        specular_rays_pass_render(
+            &lights->specular_rays, frame, gbuffer,
+            &(struct specular_rays_inputs){.rsm = lights->rsm,
+                                           .shares = &lights->vpl.shares,
+                                           .radiance = &lights->specular_gather.irradiance,
+                                           .visibility = inputs->visibility});
 }
 
 static void add_near_field(const struct many_lights *lights, const struct frame *frame,
@@ -61,9 +61,9 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
                         const struct gbuffer *gbuffer) {
     if (lights->near_field.program)
         add_near_field(lights, frame, gbuffer);
-    if (lights->gloss_gather.program)
-        blur_pass_render(&lights->gloss_blur, frame, gbuffer,
-                         &(struct blur_inputs){.source = &lights->gloss_gather.irradiance});
+    if (lights->specular_gather.program)
+        blur_pass_render(&lights->specular_blur, frame, gbuffer,
+                         &(struct blur_inputs){.source = &lights->specular_gather.irradiance});
     if (!lights->blur.pack_program)
         return;
     struct blur_inputs inputs = {.source = &lights->gather.irradiance};
@@ -81,7 +81,7 @@ void many_lights_render_view(const struct many_lights *lights, const struct fram
     many_lights_begin(lights, frame, gbuffer);
     many_lights_gather(lights, frame, gbuffer, &inputs);
     inputs.vpls = &lights->bounce.vpls;
-    inputs.further = true;
+    inputs.later = true;
     if (lights->bounces > 1)
         many_lights_gather(lights, frame, gbuffer, &inputs);
     many_lights_finish(lights, frame, gbuffer);
@@ -92,7 +92,7 @@ struct contribution many_lights_contribution(const void *state) {
     struct contribution contribution = {
         .irradiance =
             lights->blur.pack_program ? &lights->blur.blurred : &lights->gather.irradiance,
-        .radiance = lights->gloss_gather.program ? &lights->gloss_blur.blurred.texture : NULL,
+        .radiance = lights->specular_gather.program ? &lights->specular_blur.blurred.texture : NULL,
     };
     if (lights->adaptive.program &&
         lights->adaptive_gather.desc.list_slots[LIST_EDGE_SAMPLES] > 0) {

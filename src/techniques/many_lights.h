@@ -6,7 +6,7 @@
 #include "passes/gather/blur.h"
 #include "passes/gather/adaptive.h"
 #include "passes/gather/gather.h"
-#include "passes/gather/gloss_rays.h"
+#include "passes/gather/specular_rays.h"
 #include "passes/gather/near_field.h"
 #include "passes/lights/bounce.h"
 #include "passes/lights/vpl.h"
@@ -77,7 +77,7 @@ extern const float many_lights_clamp_value;
     "gather.adaptive=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
 /* Passes after the first: few VPLs, nothing interleaved or blurred. Where rays say what light arrives the mean of many
- * passes is unbiased, but for what patches take from later bounces, and for gloss. */
+ * passes is unbiased, but for what patches take from later bounces, and for specular reflection. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=2048 lights.facets=on gather.interleave=1 gather.clamp=near "  \
     "gather.near-samples=256 blur.radius=0 lights.paths=256"
@@ -109,14 +109,14 @@ struct many_lights {
     struct vpl_buffer vpls;
     int bounces; /* where more than one: */
     struct bounce_pass bounce;
-    struct near_field_pass near_field; /* clamp=near */
-    struct gloss_rays_pass gloss_rays; /* gloss=rays */
+    struct near_field_pass near_field;       /* clamp=near */
+    struct specular_rays_pass specular_rays; /* specular=rays */
     /* As large as the picture: */
     struct gather_pass gather;
     struct adaptive_pass adaptive; /* pixels with few like neighbours gather more */
     struct gather_pass adaptive_gather;
-    struct gather_pass gloss_gather; /* what reflects as by a mirror */
-    struct blur_pass gloss_blur;
+    struct gather_pass specular_gather; /* what reflects as by a mirror */
+    struct blur_pass specular_blur;
     struct blur_pass blur; /* puts tiles in order, too; without it the gather is the result */
 };
 
@@ -140,7 +140,7 @@ int many_lights_blur_radius(const struct settings *settings);
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
 
-/* RSM and VPLs, into lights->vpls; and where there are more bounces, those of all further ones into
+/* RSM and VPLs, into lights->vpls; and where there are more bounces, those of all later ones into
  * lights->bounce.vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
 

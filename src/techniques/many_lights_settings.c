@@ -97,11 +97,11 @@ static const struct option blur_table[] = {
 };
 
 static const struct option caster_table[] = {
-    {"error", 0, OPTION_FLOAT, ROW(caster, error), .00055, 0, 1,
+    {"error", 0, OPTION_FLOAT, ROW(caster, error), CASTER_ERROR, 0, 1,
      .help = "largest deviation of simplified casters in the maps, over the\n"
              "square root of the scene's surface area; 0: no simplification",
      .needs = "technique!=instant-radiosity|row-column, " SHADOWS},
-    {"long", 0, OPTION_INT, ROW(caster, long_count), 500, 0, 10000000,
+    {"long", 0, OPTION_INT, ROW(caster, long_count), CASTER_LONG_COUNT, 0, 10000000,
      .help = "number of triangles, those with the longest edges, whose edges a map\n"
              "bends exactly; raise against bent shadow edges of large triangles",
      .needs = "instant-radiosity.traced!=on, " SHADOWS},

@@ -19,7 +19,7 @@ struct technique_desc {
     struct caster_pool *casters;     /* of the geometry; moved with it */
     int width, height;
     const struct light_layout *lights;
-    bool gloss; /* some materials are specular: the G-buffer has a texture for them */
+    bool specular; /* some materials are specular: the G-buffer has a target for them */
 };
 
 /* A named choice of settings. */

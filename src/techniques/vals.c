@@ -77,7 +77,7 @@ static void free_set(struct val_set *set) {
     correction_pass_free(&set->correction);
 }
 
-/* What the first bounce's set and that of further ones differ in. */
+/* What the first bounce's set and that of later ones differ in. */
 struct set_desc {
     int vpl_count, val_count;
     int clamp;
@@ -208,7 +208,7 @@ static struct visibility_inputs maps_of(const struct val_set *set) {
         .depth = &set->paraboloid.maps,
         .bases = set->convolve ? &set->basis.maps : NULL,
         .tree = set->tree,
-        .correction = set->corrected ? &set->correction.gains : NULL,
+        .correction = set->corrected ? &set->correction.corrections : NULL,
     };
 }
 
@@ -243,12 +243,12 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
         .follow = follow,
         .by_importance = vals->by_importance,
     };
-    struct set_desc further = first;
-    further.vpl_count = lights->paths;
-    further.val_count = own->bounce_vals;
-    further.clamp = GATHER_CLAMP_PATCH;
+    struct set_desc later = first;
+    later.vpl_count = lights->paths;
+    later.val_count = own->bounce_vals;
+    later.clamp = GATHER_CLAMP_PATCH;
     if (!init_set(&vals->first, desc, &first) ||
-        (lights->bounces > 1 && !init_set(&vals->further, desc, &further)))
+        (lights->bounces > 1 && !init_set(&vals->later, desc, &later)))
         return false;
     vals->output = (struct val_output){
         .extremes = &vals->first.cluster.extremes,
@@ -261,19 +261,19 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
 
 void vals_free(struct vals *vals) {
     free_set(&vals->first);
-    free_set(&vals->further);
+    free_set(&vals->later);
 }
 
 bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int height) {
-    struct block_visibility_pass first = {0}, further = {0};
+    struct block_visibility_pass first = {0}, later = {0};
     bool ok = init_blocks(&first, &vals->first, width, height) &&
-              init_blocks(&further, &vals->further, width, height) &&
+              init_blocks(&later, &vals->later, width, height) &&
               many_lights_resize(lights, width, height);
     block_visibility_pass_free(ok ? &vals->first.blocks : &first);
-    block_visibility_pass_free(ok ? &vals->further.blocks : &further);
+    block_visibility_pass_free(ok ? &vals->later.blocks : &later);
     if (ok) {
         vals->first.blocks = first;
-        vals->further.blocks = further;
+        vals->later.blocks = later;
     }
     return ok;
 }
@@ -296,7 +296,7 @@ void vals_render(struct vals *vals, struct many_lights *lights, const struct fra
                  const struct gbuffer *gbuffer) {
     render_set(&vals->first, frame, gbuffer, &lights->vpls);
     if (lights->bounces > 1)
-        render_set(&vals->further, frame, gbuffer, &lights->bounce.vpls);
+        render_set(&vals->later, frame, gbuffer, &lights->bounce.vpls);
     find_centers(vals);
 }
 

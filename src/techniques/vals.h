@@ -43,9 +43,9 @@ struct val_set {
 };
 
 struct vals {
-    bool by_importance;            /* what the camera sees changes them */
-    struct val_set first, further; /* of the first bounce; of further ones, where there are any */
-    struct val_output output;      /* of the first */
+    bool by_importance;          /* what the camera sees changes them */
+    struct val_set first, later; /* of the first bounce; of later ones, where there are any */
+    struct val_output output;    /* of the first */
 };
 
 /* Whether the scene has so few triangles that rays are traced though nobody asked for them: their BVH is built at load,

@@ -134,30 +134,31 @@ static void test_beginning_anew(void **state) {
 
 static struct image trace(const struct stage *stage, double noise) {
     struct path_tracer_progress reached;
-    struct image truth;
+    struct image reference;
     check_ok("tracer",
              picture_trace_paths(stage,
                                  &(struct path_tracer_desc){
                                      .width = SIZE, .height = SIZE, .bounces = 1, .noise = noise},
-                                 &truth, &reached));
-    return truth;
+                                 &reference, &reached));
+    return reference;
 }
 
 /* RMS of the difference of the indirect layers over the mean, where the layers beside them differ. */
-static double error(const struct image *test, const struct image *truth) {
+static double error(const struct image *test, const struct image *reference) {
     int a[3], b[3];
     double sum = 0;
-    assert_true(image_find_layer(test, "indirect", a) && image_find_layer(truth, "indirect", b));
+    assert_true(image_find_layer(test, "indirect", a) &&
+                image_find_layer(reference, "indirect", b));
     for (int i = 0; i < SIZE * SIZE; i++)
         for (int c = 0; c < 3; c++)
             sum += pow((double)(image_at(test, i % SIZE, i / SIZE)[a[c]] -
-                                image_at(truth, i % SIZE, i / SIZE)[b[c]]),
+                                image_at(reference, i % SIZE, i / SIZE)[b[c]]),
                        2);
-    return sqrt(sum / (3. * SIZE * SIZE)) / image_mean(truth, b);
+    return sqrt(sum / (3. * SIZE * SIZE)) / image_mean(reference, b);
 }
 
-static double bias(const struct image *test, const struct image *truth) {
-    return layer_mean(test, "indirect") / layer_mean(truth, "indirect") - 1;
+static double bias(const struct image *test, const struct image *reference) {
+    return layer_mean(test, "indirect") / layer_mean(reference, "indirect") - 1;
 }
 
 /* Towards the path tracer's picture: both are the mean over pixels' areas. */
@@ -170,18 +171,18 @@ static void test_convergence(void **state) {
         struct stage stage;
         open_stage(&stage, scenes[i]);
         struct renderer_desc desc = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
-        struct image truth = trace(&stage, .006), frame = render_layers(&desc);
+        struct image reference = trace(&stage, .006), frame = render_layers(&desc);
         struct image few = render_mean(&desc, 0, 8), many = render_mean(&desc, 0, 32);
-        double first = error(&frame, &truth);
-        double after_few = error(&few, &truth);
-        double after_many = error(&many, &truth);
+        double first = error(&frame, &reference);
+        double after_few = error(&few, &reference);
+        double after_many = error(&many, &reference);
         printf("    %s: error %.4f, of 8 passes %.4f, of 32 %.4f\n", scenes[i], first, after_few,
                after_many);
         check_at_most("8 passes over one", after_few / first, .8);
         check_at_most("32 passes over one", after_many / first, .4);
         check_at_most("32 passes over 8", after_many / after_few, .7); /* K^-.26 */
-        check_near("bias of 32", bias(&many, &truth), 0, .01);
-        struct image *all[] = {&truth, &frame, &few, &many};
+        check_near("bias of 32", bias(&many, &reference), 0, .01);
+        struct image *all[] = {&reference, &frame, &few, &many};
         for (size_t k = 0; k < sizeof all / sizeof *all; k++)
             image_free(all[k]);
         stage_free(&stage);

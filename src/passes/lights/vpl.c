@@ -97,7 +97,7 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
     const struct emitters *emitters = frame->emitters;
     double fluxes[LIGHTS_MAX] = {0};
     for (int i = 0; i < emitters->count; i++)
-        fluxes[i] = emitter_flux(&emitters->items[i], frame->radius);
+        fluxes[i] = emitter_flux(&emitters->items[i], frame->geometry->radius);
     if (pass->light_count == emitters->count && pass->dealt_pass == frame->pass &&
         memcmp(fluxes, pass->fluxes, sizeof fluxes) == 0)
         return;

@@ -45,11 +45,11 @@ static void render_lights(void *state, const struct frame *frame) {
         vals_render(&technique->vals, &technique->lights, frame, NULL);
 }
 
-static void gather(const struct clustered *technique, const struct val_set *vals, bool further,
+static void gather(const struct clustered *technique, const struct val_set *vals, bool later,
                    const struct frame *frame, const struct gbuffer *gbuffer) {
     struct gather_inputs inputs = vals_render_blocks(vals, frame, gbuffer);
     inputs.vpls = &vals->cluster.vpls;
-    inputs.further = further;
+    inputs.later = later;
     many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
 }
 
@@ -60,7 +60,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_begin(&technique->lights, frame, gbuffer);
     gather(technique, &technique->vals.first, false, frame, gbuffer);
     if (technique->lights.bounces > 1)
-        gather(technique, &technique->vals.further, true, frame, gbuffer);
+        gather(technique, &technique->vals.later, true, frame, gbuffer);
     many_lights_finish(&technique->lights, frame, gbuffer);
 }
 

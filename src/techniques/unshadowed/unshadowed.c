@@ -1,5 +1,5 @@
 /* Reflective shadow maps without visibility [Dachsbacher and Stamminger 2005]: what clustering has
- * to beat in truth, and is measured against in time. */
+ * to beat in accuracy, and is measured against in time. */
 #include "base/memory.h"
 #include "techniques/many_lights.h"
 

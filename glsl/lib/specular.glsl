@@ -3,11 +3,11 @@
 
 #include "shared/brdf.h"
 
-vec4 gloss_encode(vec4 gloss) {
-    return vec4(sqrt(clamp(gloss.rgb, 0.0, 1.0)), gloss.a);
+vec4 specular_encode(vec4 specular) {
+    return vec4(sqrt(clamp(specular.rgb, 0.0, 1.0)), specular.a);
 }
 
-vec4 gloss_decode(vec4 code) {
+vec4 specular_decode(vec4 code) {
     return vec4(code.rgb * code.rgb, code.a);
 }
 
@@ -18,6 +18,6 @@ bool is_smooth(float alpha) {
 
 // The share of a lamp's light, which does not graze much, that the specular part reflects, all together: VPLs send it
 // evenly.
-vec3 evenly_reflected(vec4 gloss) {
-    return gloss.rgb * BRDF_MEAN_LOBE(gloss.a);
+vec3 evenly_reflected(vec4 specular) {
+    return specular.rgb * BRDF_MEAN_LOBE(specular.a);
 }

@@ -28,8 +28,8 @@ void sums_add(inout test_sums sum, int val) {
     }
 }
 
-// Of a part of the light; `whole`: the gain of that which it is a part of.
-float gain_of(float all, float found, float due, float square, float whole) {
+// Of a part of the light; `whole`: the correction of that which it is a part of.
+float correction_of(float all, float found, float due, float square, float whole) {
     float expected = found * (1.0 - abs(whole)) + all * max(whole, 0.0), off = due - expected;
     float sure = max(1.0 - CHANCE * square / max(off * off, 1e-30), 0.0);
     float more = expected + sure * off - found, part = more > 0.0 ? all - found : found;
@@ -37,8 +37,8 @@ float gain_of(float all, float found, float due, float square, float whole) {
 }
 
 // Of lookups by pixels and by blocks.
-vec2 gains_of(test_sums sum, vec2 whole) {
+vec2 corrections_of(test_sums sum, vec2 whole) {
     vec4 light = sum.light;
-    return vec2(gain_of(light.r, light.g, light.a, sum.squares.r, whole.r),
-                gain_of(light.r, light.b, light.a, sum.squares.g, whole.g));
+    return vec2(correction_of(light.r, light.g, light.a, sum.squares.r, whole.r),
+                correction_of(light.r, light.b, light.a, sum.squares.g, whole.g));
 }

@@ -1,24 +1,24 @@
 // What a surface that is not diffuse reflects of the light that rays find, sampled by its lobe, in the lights' maps:
 //     L = 1/n sum_j  f_r cos_x / p(l_j)  rho I cos_y / (pi d^2)  share_j
 // A draw fills one tile, whose pixels take the same lights, as in the near field.
-#include "lib/gbuffer_shine.glsl"
+#include "lib/gbuffer_specular.glsl"
 #include "gather/receiver_all.glsl"
-#include "gather/gloss_share.glsl"
+#include "gather/specular_weight.glsl"
 #include "gather/light_march.glsl"
 #include "gather/near_field.glsl"
 #include "lib/vpl_shares.glsl"
-#include "shared/gloss_rays.h"
+#include "shared/specular_rays.h"
 #include "shared/vpl.h"
 #if VAL_COUNT > 0
 #include "visibility/visibility.glsl"
 #endif
 
-layout(binding = UNIT_RSM_GLOSS) uniform sampler2DArray rsm_glosses[LIGHT_MAP_KINDS];
+layout(binding = UNIT_RSM_SPECULAR) uniform sampler2DArray rsm_speculars[LIGHT_MAP_KINDS];
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // the tile's place in the pattern, in its last two
 // The lights that this tile takes, and each one's weight: of a group of many one stands for all.
-layout(location = LOCATION_PICK_COUNT) uniform int pick_count;
-layout(location = LOCATION_PICKS) uniform vec2 picks[LIGHTS];
+layout(location = LOCATION_SLOT_LIGHT_COUNT) uniform int slot_light_count;
+layout(location = LOCATION_SLOT_LIGHTS) uniform vec2 slot_lights[LIGHTS];
 
 layout(location = TARGET_RESULT) out vec4 radiance;
 
@@ -32,27 +32,27 @@ float farthest(vec3 origin, vec3 direction) {
 
 // Two numbers of [0, 1) for each pixel and ray: neighbours' lie far apart, and so do one pixel's.
 vec2 sample_of(ivec2 pixel, int ray) {
-    const vec2 STEP = vec2(GLOSS_STEP_X, GLOSS_STEP_Y);
+    const vec2 STEP = vec2(SPECULAR_STEP_X, SPECULAR_STEP_Y);
     vec2 shift = vec2(dot(vec2(pixel), STEP), dot(vec2(pixel), vec2(0.8191725134, 0.6710436067)));
     return fract(fract(shift) + params.start + float(ray) * STEP);
 }
 
-vec4 hit_gloss(march_hit hit) {
+vec4 hit_specular(march_hit hit) {
     ivec3 place = ivec3(hit.texel, hit.seen_by.layer);
-    return gloss_decode(hit.seen_by.kind == LIGHT_MAP_FACE ? texelFetch(rsm_glosses[LIGHT_MAP_FACE], place, 0)
-                                                          : texelFetch(rsm_glosses[LIGHT_MAP_SINGLE], place, 0));
+    return specular_decode(hit.seen_by.kind == LIGHT_MAP_FACE ? texelFetch(rsm_speculars[LIGHT_MAP_FACE], place, 0)
+                                                              : texelFetch(rsm_speculars[LIGHT_MAP_SINGLE], place, 0));
 }
 
 // What of the light's irradiance the hit surface sends to the receiver, 1/sr times the light's cosine there. Few rays of a
 // rough receiver would find a highlight, as spots: its lobe is as much wider as the receiver's is [Kaplanyan and
 // Dachsbacher 2013].
 vec3 hit_reflects(march_hit hit, vec3 to_light, vec3 to_receiver, float cosine, float receiver_alpha) {
-    vec4 gloss = hit_gloss(hit);
-    vec3 diffuse = max(rsm_albedo(hit.seen_by, hit.texel) - evenly_reflected(gloss), 0.0);
-    float alpha = min(length(vec2(gloss.a * gloss.a, receiver_alpha)), 1.0);
-    shine s = shine(gloss.rgb, reflectance_grazing(gloss.rgb), alpha, hit.end.normal,
-                    facing(hit.end.normal, to_receiver));
-    return diffuse * (cosine / 3.14159265) + (gloss.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
+    vec4 specular = hit_specular(hit);
+    vec3 diffuse = max(rsm_albedo(hit.seen_by, hit.texel) - evenly_reflected(specular), 0.0);
+    float alpha = min(length(vec2(specular.a * specular.a, receiver_alpha)), 1.0);
+    specular_surface s = specular_surface(specular.rgb, reflectance_grazing(specular.rgb), alpha, hit.end.normal,
+                                          facing(hit.end.normal, to_receiver));
+    return diffuse * (cosine / 3.14159265) + (specular.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
 }
 
 // The radiance of the hit surface, and the area that a VPL has there, over the solid angle that it stands for.
@@ -84,7 +84,7 @@ float arrives(surface s, surface end) {
 #endif
 }
 
-vec3 from_light(surface s, shine seen, vec3 direction, float far, int index, float jitter) {
+vec3 from_light(surface s, specular_surface seen, vec3 direction, float far, int index, float jitter) {
     light l = light_at(index);
     light_view v = light_view_at(light_view_index(l, s.position - l.position));
     vec3 origin = s.position + s.normal * (1.5 * march_texel(v, s.position));
@@ -100,9 +100,9 @@ vec3 from_light(surface s, shine seen, vec3 direction, float far, int index, flo
     float visible = 1.0;
     for (int dark = hit.in_light ? 0 : 1; dark > 0; dark--) // what is near counts as unoccluded, as of VPLs
         visible = mix(arrives(s, hit.end), 1.0, near_share(distance2, area, shares.reach));
-    gloss_samples there = gloss_samples_at(seen, direction, -dot(hit.end.normal, direction), distance2, params.rays,
-                                           area * params.vpl_weight);
-    return sent * (gloss_share(there.rays, there.vpls) * visible);
+    specular_densities there = specular_densities_at(seen, direction, -dot(hit.end.normal, direction), distance2,
+                                                     params.rays, area * params.vpl_weight);
+    return sent * (specular_weight(there.rays, there.vpls) * visible);
 }
 
 void main() {
@@ -113,11 +113,11 @@ void main() {
     surface s = receiver_surface(pixel);
     if (!s.present)
         return;
-    shine seen = gbuffer_shine(s, pixel);
+    specular_surface seen = gbuffer_specular(s, pixel);
     if (seen.f90 == vec3(0.0))
         return;
     bool all_lights = is_smooth(seen.alpha);
-    int count = all_lights ? light_count : pick_count;
+    int count = all_lights ? light_count : slot_light_count;
     vec3 facet = receiver_triangle(s, pixel);
     for (int ray = 0; ray < params.rays; ray++) {
         vec2 place = sample_of(pixel, ray);
@@ -128,8 +128,8 @@ void main() {
         float far = farthest(s.position, direction);
         vec3 share = specular_brdf(seen, direction) / density, sum = vec3(0.0);
         for (int i = 0; i < count; i++) {
-            vec2 pick = all_lights ? vec2(float(i), 1.0) : picks[i];
-            sum += pick.y * from_light(s, seen, direction, far, int(pick.x), fract(17.0 * (place.x + place.y)));
+            vec2 item = all_lights ? vec2(float(i), 1.0) : slot_lights[i];
+            sum += item.y * from_light(s, seen, direction, far, int(item.x), fract(17.0 * (place.x + place.y)));
         }
         radiance.rgb += sum * share;
     }

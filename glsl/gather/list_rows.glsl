@@ -8,7 +8,7 @@ layout(std140, binding = BLOCK_LIST_COUNTS) uniform list_counts {
 layout(location = LOCATION_TILE) uniform ivec4 tile; // size, places a side, list
 
 // Where the tile has the list, texel by texel: begin, end; which list it is.
-ivec3 listed_of(ivec2 place) {
+ivec3 list_range_of(ivec2 place) {
     int list = (tile.w * tile.z + place.y) * tile.z + place.x, count = int(counts[list / 4][list % 4]);
     int half_tile = tile.x * tile.y / 2;
     int begin = tile.w == PIXEL_LEVEL_DETAIL ? half_tile - count : tile.w == LIST_EDGE_SAMPLES ? half_tile : 0;
@@ -16,6 +16,6 @@ ivec3 listed_of(ivec2 place) {
 }
 
 // The first one, and the one after the last.
-ivec2 listed_rows(ivec3 listed) {
-    return ivec2(listed.x, listed.y + tile.x - 1) / tile.x;
+ivec2 list_rows(ivec3 list_range) {
+    return ivec2(list_range.x, list_range.y + tile.x - 1) / tile.x;
 }

@@ -19,7 +19,7 @@
 #include <string.h>
 
 struct question {
-    vec4 f0_and_alpha, normal, to_eye, to_light; /* test/support/gloss.comp */
+    vec4 f0_and_alpha, normal, to_eye, to_light; /* test/support/specular.comp */
 };
 
 static void ask(const char *compute, const struct question *questions, int count,
@@ -40,7 +40,7 @@ static void ask(const char *compute, const struct question *questions, int count
     check_ok("answers",
              buffer_init(&answer_buffer, "answers", (size_t)count * sizeof *answers, NULL));
     pass_begin(&untimed,
-               &(struct pass_state){.name = "gloss",
+               &(struct pass_state){.name = "specular",
                                     .program = program,
                                     .textures = {{UNIT_LOBES, lobes.id}},
                                     .blocks = {{BLOCK_LIGHTS, &light_buffer}},
@@ -114,7 +114,7 @@ static void test_same_as_traced(void **state) {
         put(v, questions[i].to_eye);
         put(l, questions[i].to_light);
     }
-    ask("../test/support/gloss.comp", questions, DIRECTIONS, NULL, answers);
+    ask("../test/support/specular.comp", questions, DIRECTIONS, NULL, answers);
     for (uint32_t i = 0; i < DIRECTIONS; i++) {
         make_direction(i, &brdf, &v, &l);
         vec3s expected =
@@ -143,7 +143,7 @@ static void test_sampled_as_traced(void **state) {
         put(any_direction(i, 1, .02F), questions[i].to_eye);
         glm_vec2_copy(sample.raw, questions[i].to_light);
     }
-    ask("../test/support/gloss.comp", questions, DIRECTIONS, NULL, answers);
+    ask("../test/support/specular.comp", questions, DIRECTIONS, NULL, answers);
     for (uint32_t i = 0; i < DIRECTIONS; i++) {
         struct brdf brdf = metal_of(.045F + .955F * (float)i / DIRECTIONS);
         vec2s sample = {{questions[i].to_light[0], questions[i].to_light[1]}};
@@ -233,7 +233,7 @@ static void test_lights(void **state) {
         put(v, questions[i].to_eye);
         questions[i].to_light[3] = (float)(i / VIEWS / ROUGHNESSES);
     }
-    ask("../test/support/gloss.comp", questions, CASES, &block, answers);
+    ask("../test/support/specular.comp", questions, CASES, &block, answers);
     for (int i = 0; i < CASES; i++) {
         vec3s n, v;
         const struct emitter *light = &lights[i / VIEWS / ROUGHNESSES];
@@ -308,16 +308,17 @@ static void test_plane_of_balls(void **state) {
 
 /* --- a picture -------------------------------------------------------------------------------- */
 
-/* Of the layer, over both pictures' pixels: mean |difference| over the mean of the truth. */
-static double relative_mae(const struct image *got, const struct image *truth, const char *layer) {
+/* Of the layer, over both pictures' pixels: mean |difference| over the mean of the reference. */
+static double relative_mae(const struct image *got, const struct image *reference,
+                           const char *layer) {
     char first[64];
     snprintf(first, sizeof first, "%s.R", layer);
-    int a = image_find_channel(got, first), b = image_find_channel(truth, first);
+    int a = image_find_channel(got, first), b = image_find_channel(reference, first);
     double sum = 0, mean = 0;
     for (int y = 0; y < got->height; y++)
         for (int x = 0; x < got->width; x++)
             for (int c = 0; c < 3; c++) {
-                double there = (double)image_at(truth, x, y)[b + c];
+                double there = (double)image_at(reference, x, y)[b + c];
                 sum += fabs((double)image_at(got, x, y)[a + c] - there);
                 mean += there;
             }
@@ -328,7 +329,7 @@ static struct image trace(const struct stage *stage, int size) {
     struct image traced;
     const struct path_tracer_desc desc = {
         .width = size, .height = size, .bounces = 1, .samples = 64, .centers = true};
-    check_ok("truth", picture_trace_paths(stage, &desc, &traced, NULL));
+    check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
     return traced;
 }
 
@@ -337,27 +338,27 @@ static void test_picture(void **state) {
     enum { SIZE = 96 };
     struct stage stage;
     open_stage(&stage, "scenes/gloss.glb");
-    struct image truth = trace(&stage, SIZE);
+    struct image reference = trace(&stage, SIZE);
     struct image rays = render_stage(&stage, "clustered", "", SIZE);
     struct image balls = render_stage(&stage, "clustered", "gather.specular=sphere", SIZE);
     struct image points = render_stage(&stage, "clustered", "gather.specular=point", SIZE);
     struct image diffuse = render_stage(&stage, "clustered", "materials=diffuse", SIZE);
-    check_near("albedo", layer_mean(&balls, "albedo"), layer_mean(&truth, "albedo"), 1e-3);
-    check_at_most("direct", relative_mae(&balls, &truth, "direct"), .1);
-    check_at_most("direct.specular", relative_mae(&balls, &truth, "direct.specular"), .2);
-    double of_balls = relative_mae(&balls, &truth, "indirect.specular");
-    double of_points = relative_mae(&points, &truth, "indirect.specular");
-    double of_rays = relative_mae(&rays, &truth, "indirect.specular");
+    check_near("albedo", layer_mean(&balls, "albedo"), layer_mean(&reference, "albedo"), 1e-3);
+    check_at_most("direct", relative_mae(&balls, &reference, "direct"), .1);
+    check_at_most("direct.specular", relative_mae(&balls, &reference, "direct.specular"), .2);
+    double of_balls = relative_mae(&balls, &reference, "indirect.specular");
+    double of_points = relative_mae(&points, &reference, "indirect.specular");
+    double of_rays = relative_mae(&rays, &reference, "indirect.specular");
     double brightness =
-        layer_mean(&rays, "indirect.specular") / layer_mean(&truth, "indirect.specular");
+        layer_mean(&rays, "indirect.specular") / layer_mean(&reference, "indirect.specular");
     /* Measured: .57 and .3; the tracer's noise is in it. */
     check_at_most("indirect.specular of balls", of_balls, .7);
     check_at_most("balls over points", of_balls / of_points, .95);
     check_at_most("indirect.specular of rays", of_rays, .4);
     check_at_most("rays over balls", of_rays / of_balls, .7);
-    check_near("mean of rays over the truth's", brightness, 1, .1);
+    check_near("mean of rays over the reference's", brightness, 1, .1);
     assert_int_equal(image_find_channel(&diffuse, "specular.R"), -1);
-    image_free(&truth);
+    image_free(&reference);
     image_free(&rays);
     image_free(&balls);
     image_free(&points);
@@ -409,5 +410,5 @@ int main(void) {
         cmocka_unit_test(test_picture),
         cmocka_unit_test(test_mirror_of_bounces),
     };
-    return cmocka_run_group_tests_name("gloss", tests, open_group_context, close_group_context);
+    return cmocka_run_group_tests_name("specular", tests, open_group_context, close_group_context);
 }

@@ -1,4 +1,4 @@
-/* Glossy surfaces in the path tracer: closed forms, and beside a path tracer that knows nothing but to follow
+/* Specular surfaces in the path tracer: closed forms, and beside a path tracer that knows nothing but to follow
  * rays. */
 #include "hand_made.h"
 
@@ -55,10 +55,10 @@ static void test_sky_of_one(void **state) {
         render(&desc, &image);
         printf("    roughness %.2f, cosine %.1f:", (double)rows[i].roughness,
                (double)rows[i].cosine);
-        check_near("specular", mean_of(&image, CHANNEL_PATH_TRACER_END + GLOSS_DIRECT),
+        check_near("specular", mean_of(&image, CHANNEL_PATH_TRACER_END + SPECULAR_DIRECT),
                    rows[i].albedo, 3e-3);
         check_near("all", mean_of(&image, CHANNEL_BEAUTY),
-                   mean_of(&image, CHANNEL_PATH_TRACER_END + GLOSS_ALL), 1e-6);
+                   mean_of(&image, CHANNEL_PATH_TRACER_END + SPECULAR_ALL), 1e-6);
         image_free(&image);
         world_free(&world);
     }
@@ -98,7 +98,8 @@ static void test_lamps_in_mirror(void **state) {
         place_lamp(&world, (enum emitter_shape)shape);
         struct path_tracer_desc desc = describe(&world, 8, 64);
         render(&desc, &image);
-        check_near(names[shape], mean_of(&image, CHANNEL_PATH_TRACER_END + GLOSS_DIRECT), 2, .01);
+        check_near(names[shape], mean_of(&image, CHANNEL_PATH_TRACER_END + SPECULAR_DIRECT), 2,
+                   .01);
         image_free(&image);
         world_free(&world);
     }
@@ -120,7 +121,7 @@ static void test_point_light(void **state) {
     double expected =
         (double)(brdf_eval(&brdf, at(0, 1, 0), at(0, 1, 0), to_light).specular.x * to_light.y) * 3 /
         6.25;
-    check_near("specular", mean_of(&image, CHANNEL_PATH_TRACER_END + GLOSS_DIRECT), expected,
+    check_near("specular", mean_of(&image, CHANNEL_PATH_TRACER_END + SPECULAR_DIRECT), expected,
                1e-3 * expected);
     image_free(&image);
     world_free(&world);
@@ -332,7 +333,7 @@ static void test_under_lamp(void **state) {
 static void test_noise(void **state) {
     (void)state;
     enum { SEEDS = 24, SIZE = 12 };
-    double told = 0, spread = 0, sums[SIZE * SIZE] = {0}, squares[SIZE * SIZE] = {0};
+    double estimated = 0, spread = 0, sums[SIZE * SIZE] = {0}, squares[SIZE * SIZE] = {0};
     struct world world;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
@@ -343,40 +344,40 @@ static void test_noise(void **state) {
         desc.seed = seed;
         render(&desc, &image);
         for (int i = 0; i < SIZE * SIZE; i++) {
-            const float *gloss = image_at(&image, i % SIZE, i / SIZE) + CHANNEL_PATH_TRACER_END;
-            told += pow((double)gloss[GLOSS_STANDARD_ERROR], 2) / SEEDS;
-            sums[i] += (double)gloss[GLOSS_ALL];
-            squares[i] += pow((double)gloss[GLOSS_ALL], 2);
+            const float *specular = image_at(&image, i % SIZE, i / SIZE) + CHANNEL_PATH_TRACER_END;
+            estimated += pow((double)specular[SPECULAR_STANDARD_ERROR], 2) / SEEDS;
+            sums[i] += (double)specular[SPECULAR_ALL];
+            squares[i] += pow((double)specular[SPECULAR_ALL], 2);
         }
         image_free(&image);
     }
     for (int i = 0; i < SIZE * SIZE; i++)
         spread += (squares[i] - sums[i] * sums[i] / SEEDS) / (SEEDS - 1);
-    check_near("variance told over seen", told / spread, 1, .25);
+    check_near("estimated over seen variance", estimated / spread, 1, .25);
     world_free(&world);
 }
 
-/* The other setting shows glossy scenes as diffuse ones of the same colours, bit for bit. */
+/* The other setting shows specular scenes as diffuse ones of the same colours, bit for bit. */
 static void test_diffuse(void **state) {
     (void)state;
     struct world world;
-    struct image glossy, diffuse;
+    struct image specular, diffuse;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
     struct path_tracer_desc desc = describe(&world, 16, 4);
     desc.bounces = 2;
     desc.materials = MATERIALS_DIFFUSE;
-    render(&desc, &glossy);
+    render(&desc, &specular);
     desc.materials = MATERIALS_FULL;
     for (int m = 0; m < MAX_MATERIALS; m++) {
         world.materials[m].metalness = 0;
         world.materials[m].roughness = 1;
     }
     render(&desc, &diffuse);
-    assert_int_equal(glossy.channel_count, diffuse.channel_count);
-    assert_memory_equal(glossy.pixels, diffuse.pixels,
+    assert_int_equal(specular.channel_count, diffuse.channel_count);
+    assert_memory_equal(specular.pixels, diffuse.pixels,
                         sizeof(float) * 16 * 16 * (size_t)diffuse.channel_count);
-    image_free(&glossy);
+    image_free(&specular);
     image_free(&diffuse);
     world_free(&world);
 }

@@ -6,15 +6,15 @@
 layout(binding = UNIT_ADAPTIVE_PIXELS) uniform usampler2D adaptive_pixels;
 layout(binding = UNIT_EDGE_SAMPLES) uniform usampler2D edge_samples;
 
-flat in ivec3 listed; // where this tile has the list, row by row: begin, end; which list it is
+flat in ivec3 list_range; // where this tile has the list, row by row: begin, end; which list it is
 
 #ifdef SCREEN_COMPUTE
-#include "gather/listed.glsl"
+#include "gather/list_rows.glsl"
 
-// The rows that gather/listed.vert covers.
+// The rows that gather/list_rows.vert covers.
 void list_begin(ivec2 place) {
-    listed = listed_of(place);
-    ivec2 rows = listed_rows(listed);
+    list_range = list_range_of(place);
+    ivec2 rows = list_rows(list_range);
     screen_area.yw = ivec2(screen_area.y + rows.x, rows.y - rows.x);
 }
 #define SCREEN_BEGIN list_begin(slot.zw)
@@ -26,7 +26,7 @@ bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     uint code = texelFetch(adaptive_pixels, texel, 0).r;
     pixel = ivec2(code & 0xffffu, code >> 16);
     int at = within.y * pattern.tile.x + within.x;
-    return at >= listed.x && at < listed.y;
+    return at >= list_range.x && at < list_range.y;
 }
 
 surface edge_sample_surface(ivec2 pixel) {
@@ -37,7 +37,7 @@ surface edge_sample_surface(ivec2 pixel) {
 
 surface receiver_surface(ivec2 pixel) {
     surface s;
-    if (listed.z == LIST_EDGE_SAMPLES)
+    if (list_range.z == LIST_EDGE_SAMPLES)
         s = edge_sample_surface(pixel);
     else
         s = gbuffer_surface(pixel);
@@ -45,5 +45,5 @@ surface receiver_surface(ivec2 pixel) {
 }
 
 vec3 receiver_triangle(surface s, ivec2 pixel) {
-    return listed.z == LIST_EDGE_SAMPLES ? s.normal : facet_of(s, pixel);
+    return list_range.z == LIST_EDGE_SAMPLES ? s.normal : facet_of(s, pixel);
 }

@@ -1,4 +1,4 @@
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 
 #include "apps/bench/measure/errors.h"
 #include "base/clock.h"
@@ -8,12 +8,12 @@
 #include <stdio.h>
 
 /* Samples a pixel: from the fewest there are to where a technique's second is far behind. */
-enum { COUNTS = RIVAL_SUBJECTS };
+enum { COUNTS = BASELINE_SUBJECTS };
 static const int sample_counts[COUNTS] = {1, 2, 4, 8, 16};
 
 static bool trace(struct results *results, struct measure_desc *desc, int bounces, int samples,
-                  const struct truth_desc *truth, const char *against,
-                  const struct image *reference) {
+                  const struct reference_desc *reference, const char *against,
+                  const struct image *exact) {
     const struct material_settings *surface =
         settings_of(struct material_settings, &desc->settings, &material_part);
     struct image image;
@@ -22,7 +22,7 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
                                       .bounces = bounces,
                                       .samples = samples,
                                       .materials = surface->materials,
-                                      .centers = truth->kind == TRUTH_CENTERS,
+                                      .centers = reference->kind == REFERENCE_CENTERS,
                                       .denoise = true};
     snprintf(desc->point, sizeof desc->point, "spp=%d", samples);
     bool resumed;
@@ -35,23 +35,23 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
     results_begin(results, desc);
     results_add(results, "clock", "", "ms", clock_ms() - clock);
     results_add(results, "cpu", "", "ms", clock_cpu_ms() - cpu);
-    bool ok = errors_add(results, &image, reference, against);
+    bool ok = errors_add(results, &image, exact, against);
     image_free(&image);
     return ok && results_commit(results);
 }
 
-bool rival_measure(struct results *results, const struct measure_desc *desc,
-                   const struct truth_desc *truth, const char *against) {
-    struct measure_desc rival = measure_default(desc->stage, desc->width, desc->height);
-    struct image reference;
-    settings_copy(&rival.settings, &desc->settings, &material_part);
-    bool ok = truth_get(truth, desc, &reference);
-    rival.technique = NULL;
-    snprintf(rival.variant, sizeof rival.variant, "denoised tracer");
+bool baseline_measure(struct results *results, const struct measure_desc *desc,
+                      const struct reference_desc *reference, const char *against) {
+    struct measure_desc baseline = measure_default(desc->stage, desc->width, desc->height);
+    struct image exact;
+    settings_copy(&baseline.settings, &desc->settings, &material_part);
+    bool ok = reference_get(reference, desc, &exact);
+    baseline.technique = NULL;
+    snprintf(baseline.variant, sizeof baseline.variant, "denoised tracer");
     for (int i = 0; ok && i < COUNTS; i++)
-        ok = trace(results, &rival, measure_bounces(desc), sample_counts[i], truth, against,
-                   &reference);
-    image_free(&reference);
+        ok = trace(results, &baseline, measure_bounces(desc), sample_counts[i], reference, against,
+                   &exact);
+    image_free(&exact);
     return ok;
 }
 
@@ -60,8 +60,8 @@ static void add_ratio(struct results *results, const char *name, const char *err
     const struct result *has = results_find(results, own, error, NULL);
     double cpu[COUNTS], errors[COUNTS];
     for (int i = 0; i < own && count < COUNTS; i++) {
-        const struct subject *rival = &results->subjects[i];
-        if (rival->desc.technique || !subject_is_beside(rival, &results->subjects[own]))
+        const struct subject *baseline = &results->subjects[i];
+        if (baseline->desc.technique || !subject_is_beside(baseline, &results->subjects[own]))
             continue;
         cpu[count] = results_value(results, i, "cpu", NULL);
         errors[count++] = results_value(results, i, error, NULL);
@@ -72,9 +72,9 @@ static void add_ratio(struct results *results, const char *name, const char *err
                         results_value(results, own, "cpu", NULL));
 }
 
-void rival_add_ratios(struct results *results) {
+void baseline_add_ratios(struct results *results) {
     if (!gl.software)
         return;
-    add_ratio(results, "rival-at-rmse", "relative-rmse");
-    add_ratio(results, "rival-at-flip", "ldr-flip");
+    add_ratio(results, "baseline-at-rmse", "relative-rmse");
+    add_ratio(results, "baseline-at-flip", "ldr-flip");
 }

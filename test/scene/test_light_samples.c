@@ -114,8 +114,8 @@ static void test_flux(void **state) {
         stage.emitters.items[0] = lights[i];
         struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 16, 16);
         open_renderer(&renderer, &desc);
-        assert_int_equal(renderer.plan.start_layout.lights, 4);
-        assert_int_equal(renderer.plan.start_layout.groups, 1);
+        assert_int_equal(renderer.plan.sample_layout.lights, 4);
+        assert_int_equal(renderer.plan.sample_layout.groups, 1);
         struct vpl *vpls = read_vpls(&renderer);
         double sum = 0;
         for (int v = 0; v < 4096; v++)
@@ -138,17 +138,17 @@ static void test_wide_lamp(void **state) {
     emitter_aim(spot, (float[]){0, -1, 0});
     glm_vec3_copy((vec3){0, 5.2F, 0}, spot->position);
     spot->size[0] = spot->size[1] = 2.8F;
-    struct image truth = trace_stage(&stage, SIZE, 64);
+    struct image reference = trace_stage(&stage, SIZE, 64);
     double errors[2];
     for (int i = 1; i >= 0; i--) {
         spot->size[0] = spot->size[1] = i ? 2.8F : 0;
         struct image got = render_stage(&stage, "clustered", "", SIZE);
-        errors[i] = relative_rmse(&got, &truth, "indirect");
+        errors[i] = relative_rmse(&got, &reference, "indirect");
         image_free(&got);
     }
     printf("    %-48s %g\n", "RMSE from its middle alone", errors[0]);
     check_at_most("from four places", errors[1], .75 * errors[0]);
-    image_free(&truth);
+    image_free(&reference);
     stage_free(&stage);
 }
 

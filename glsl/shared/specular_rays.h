@@ -1,16 +1,16 @@
-/* passes/gather/gloss_rays.h to its shader. */
-#ifndef SHARED_GLOSS_RAYS_H
-#define SHARED_GLOSS_RAYS_H
+/* passes/gather/specular_rays.h to its shader. */
+#ifndef SHARED_SPECULAR_RAYS_H
+#define SHARED_SPECULAR_RAYS_H
 
 #include "shared/interleaving.h"
 
-#define UNIT_RSM_GLOSS (UNIT_OWN + 0) /* LIGHT_MAP_KINDS of them: shared/light.h */
+#define UNIT_RSM_SPECULAR (UNIT_OWN + 0) /* LIGHT_MAP_KINDS of them: shared/light.h */
 
 /* From one ray's place in the lobe's square to the next one's. */
-#define GLOSS_STEP_X 0.7548776662
-#define GLOSS_STEP_Y 0.5698402910
+#define SPECULAR_STEP_X 0.7548776662
+#define SPECULAR_STEP_Y 0.5698402910
 
-struct gloss_rays_params {
+struct specular_rays_params {
     STRUCT(interleaving) pattern;
     vec3 bounds_min; /* of the scene, metres */
     float scale;     /* of the stored radiance */
@@ -20,6 +20,6 @@ struct gloss_rays_params {
     float vpl_weight; /* of the VPLs that share a receiver with the rays: one stands for so many */
     float unused;
 };
-PASS_BLOCK(gloss_rays_params, 64)
+PASS_BLOCK(specular_rays_params, 64)
 
 #endif

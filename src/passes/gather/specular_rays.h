@@ -8,41 +8,43 @@
  * give as noise. What hides y from x is known as far as light shines on it, and where VALs have maps, by them. Cost: pixels that are not diffuse x
  * rays x groups of lights x steps.
  */
-#ifndef PASSES_GLOSS_RAYS_H
-#define PASSES_GLOSS_RAYS_H
+#ifndef PASSES_SPECULAR_RAYS_H
+#define PASSES_SPECULAR_RAYS_H
 
 #include "lights/view.h"
-#include "passes/light_picks.h"
+#include "passes/slot_lights.h"
 #include "passes/visibility/visibility.h"
 
 struct frame;
 
-struct gloss_rays_desc {
+struct specular_rays_desc {
     int rays;      /* of a pixel */
     bool has_maps; /* of VALs: the one nearest to what a ray meets says what else hides it */
     struct visibility_desc visibility; /* where has_maps */
     struct light_layout lights;
 };
 
-struct gloss_rays_pass {
-    struct gloss_rays_desc desc;
+struct specular_rays_pass {
+    struct specular_rays_desc desc;
     GLuint program;
     struct buffer params, lookup_params;
-    struct light_picks picks;
+    struct slot_lights slot_lights;
 };
 
-bool gloss_rays_pass_init(struct gloss_rays_pass *pass, const struct gloss_rays_desc *desc);
-void gloss_rays_pass_free(struct gloss_rays_pass *pass);
+bool specular_rays_pass_init(struct specular_rays_pass *pass,
+                             const struct specular_rays_desc *desc);
+void specular_rays_pass_free(struct specular_rays_pass *pass);
 
-struct gloss_rays_inputs {
-    const struct gbuffer *rsm;         /* LIGHT_MAP_KINDS of them, with gloss */
+struct specular_rays_inputs {
+    const struct gbuffer *rsm;         /* LIGHT_MAP_KINDS of them, with specular targets */
     const struct buffer *shares;       /* passes/lights/vpl.h's */
     const struct irradiance *radiance; /* to be added to: a gather's with SPECULAR_RAYS */
     struct visibility_inputs visibility;
 };
 
-/* Adds to inputs->radiance. Timer "rays of gloss". */
-void gloss_rays_pass_render(const struct gloss_rays_pass *pass, const struct frame *frame,
-                            const struct gbuffer *gbuffer, const struct gloss_rays_inputs *inputs);
+/* Adds to inputs->radiance. Timer "specular rays". */
+void specular_rays_pass_render(const struct specular_rays_pass *pass, const struct frame *frame,
+                               const struct gbuffer *gbuffer,
+                               const struct specular_rays_inputs *inputs);
 
 #endif

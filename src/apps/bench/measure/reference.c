@@ -1,5 +1,5 @@
 #define _POSIX_C_SOURCE 200809L
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 
 #include "apps/bench/measure/variants.h"
 #include "base/error.h"
@@ -18,9 +18,9 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-const char *const truth_names[] = {"none", "path", "centers", "vpls", "seen", NULL};
+const char *const reference_names[] = {"none", "path", "centers", "vpls", "seen", NULL};
 
-const char truth_vpls[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
+const char reference_vpls[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
 
 static int materials_of(const struct measure_desc *desc) {
     const struct material_settings *surface =
@@ -30,14 +30,14 @@ static int materials_of(const struct measure_desc *desc) {
 
 /* --- where it is kept ------------------------------------------------------------------------- */
 
-/* Of all that the truth depends on; the renderer's own picture on all sources. */
-static uint64_t hash_of(const struct measure_desc *desc, enum truth_kind kind) {
+/* Of all that the reference depends on; the renderer's own picture on all sources. */
+static uint64_t hash_of(const struct measure_desc *desc, enum reference_kind kind) {
     static const char tracer[] = MANYLIGHT_TRACER, all[] = MANYLIGHT_SOURCES;
     const struct stage *stage = desc->stage;
     int materials = materials_of(desc);
     uint64_t sum = scene_hash(&stage->scene, &stage->geometry, &stage->camera, &stage->emitters);
-    hash_bytes(&sum, kind == TRUTH_VPLS ? all : tracer,
-               kind == TRUTH_VPLS ? sizeof all : sizeof tracer);
+    hash_bytes(&sum, kind == REFERENCE_VPLS ? all : tracer,
+               kind == REFERENCE_VPLS ? sizeof all : sizeof tracer);
     if (materials != MATERIALS_FULL)
         hash_bytes(&sum, &materials, sizeof materials);
     return sum;
@@ -50,39 +50,39 @@ static char *default_folder(void) {
     return folder;
 }
 
-char *truth_path(const struct truth_desc *truth, const struct measure_desc *desc) {
-    char *folder = truth->cache ? mem_strdup(truth->cache) : default_folder(), noise[32] = "",
-         bounces[32] = "";
+char *reference_path(const struct reference_desc *reference, const struct measure_desc *desc) {
+    char *folder = reference->cache ? mem_strdup(reference->cache) : default_folder(),
+         noise[32] = "", bounces[32] = "";
     if (!folder)
         return NULL;
     if (measure_bounces(desc) > 1)
         snprintf(bounces, sizeof bounces, "-%d-bounces", measure_bounces(desc));
-    if (truth->kind != TRUTH_VPLS)
-        snprintf(noise, sizeof noise, "-%g", truth->noise);
+    if (reference->kind != REFERENCE_VPLS)
+        snprintf(noise, sizeof noise, "-%g", reference->noise);
     char *path = mem_printf("%s/%s-%dx%d-%s%s%s-%016llx.exr", folder, desc->stage->name,
-                            desc->width, desc->height, truth_names[truth->kind], bounces, noise,
-                            (unsigned long long)hash_of(desc, truth->kind));
+                            desc->width, desc->height, reference_names[reference->kind], bounces,
+                            noise, (unsigned long long)hash_of(desc, reference->kind));
     free(folder);
     return path;
 }
 
 /* --- how it is made --------------------------------------------------------------------------- */
 
-static struct path_tracer_desc tracer_of(const struct truth_desc *truth,
+static struct path_tracer_desc tracer_of(const struct reference_desc *reference,
                                          const struct measure_desc *desc) {
-    bool seen = truth->kind == TRUTH_SEEN;
+    bool seen = reference->kind == REFERENCE_SEEN;
     return (struct path_tracer_desc){.width = desc->width,
                                      .height = desc->height,
                                      .bounces = seen ? 0 : measure_bounces(desc),
-                                     .noise = truth->noise,
+                                     .noise = reference->noise,
                                      .materials = materials_of(desc),
-                                     .centers = seen || truth->kind == TRUTH_CENTERS,
+                                     .centers = seen || reference->kind == REFERENCE_CENTERS,
                                      .seen = seen};
 }
 
-bool truth_trace(const struct truth_desc *truth, const struct measure_desc *desc,
-                 struct image *image) {
-    struct path_tracer_desc tracer = tracer_of(truth, desc);
+bool reference_trace(const struct reference_desc *reference, const struct measure_desc *desc,
+                     struct image *image) {
+    struct path_tracer_desc tracer = tracer_of(reference, desc);
     return picture_trace_paths(desc->stage, &tracer, image, NULL);
 }
 
@@ -92,10 +92,10 @@ static bool show(void *user, const struct path_tracer_progress *progress) {
 }
 
 /* The same, with a line of progress. */
-static bool trace_file(const struct truth_desc *truth, const struct measure_desc *desc,
+static bool trace_file(const struct reference_desc *reference, const struct measure_desc *desc,
                        struct image *image) {
     struct progress progress;
-    struct path_tracer_desc tracer = tracer_of(truth, desc);
+    struct path_tracer_desc tracer = tracer_of(reference, desc);
     tracer.progress = show;
     tracer.user = &progress;
     progress_start(&progress);
@@ -109,31 +109,32 @@ static bool render_all_vpls(const struct measure_desc *desc, struct image *image
     char bounces[32];
     snprintf(bounces, sizeof bounces, "bounces=%d", measure_bounces(desc));
     settings_copy(&all.settings, &desc->settings, &material_part);
-    return variant_apply(&all, truth_vpls) && measure_assign(&all, bounces) &&
+    return variant_apply(&all, reference_vpls) && measure_assign(&all, bounces) &&
            picture_render(&all, image);
 }
 
-static bool make_file(const struct truth_desc *truth, const struct measure_desc *desc,
+static bool make_file(const struct reference_desc *reference, const struct measure_desc *desc,
                       const char *path) {
     struct image image = {0};
     log_note("making reference %s", path);
     bool ok = folder_make_for(path) &&
-              (truth->kind == TRUTH_VPLS ? render_all_vpls(desc, &image)
-                                         : trace_file(truth, desc, &image)) &&
+              (reference->kind == REFERENCE_VPLS ? render_all_vpls(desc, &image)
+                                                 : trace_file(reference, desc, &image)) &&
               image_write(&image, path);
     image_free(&image);
     return ok;
 }
 
 /* Also what was made now comes from its file, which has half floats: figures are the same the first time. */
-bool truth_get(const struct truth_desc *truth, const struct measure_desc *desc,
-               struct image *image) {
+bool reference_get(const struct reference_desc *reference, const struct measure_desc *desc,
+                   struct image *image) {
     *image = (struct image){0};
-    char *path = truth_path(truth, desc);
+    char *path = reference_path(reference, desc);
     if (!path)
         return false;
     log_detail("reference %s", path);
-    bool ok = (access(path, F_OK) == 0 || make_file(truth, desc, path)) && image_read(image, path);
+    bool ok =
+        (access(path, F_OK) == 0 || make_file(reference, desc, path)) && image_read(image, path);
     free(path);
     return ok;
 }
@@ -156,10 +157,10 @@ static double noise_of(const struct image *image, int alpha) {
     return sum > 0 ? sqrt(square_sum / values) / (sum / values) : 0;
 }
 
-double truth_noise(const struct image *image) {
+double reference_noise(const struct image *image) {
     return noise_of(image, -1);
 }
 
-double truth_noise_covered(const struct image *image) {
+double reference_noise_covered(const struct image *image) {
     return noise_of(image, image_find_channel(image, "A"));
 }

@@ -9,7 +9,7 @@ bool is_point(lobe o, float wide, float away) {
     return wide <= LIGHT_SMALL * min(2.0 * o.alpha, 1.0) * away;
 }
 
-vec3 shine_of_point(light l, shine s, vec3 direction, float distance2) {
+vec3 specular_of_point(light l, specular_surface s, vec3 direction, float distance2) {
     vec3 brdf = 3.14159265 * specular_brdf(s, -direction);
     if (l.type == LIGHT_TYPE_DIRECTIONAL)
         return brdf;
@@ -24,9 +24,9 @@ float facing_disk(lobe o, vec3 center, float radius) {
                            vec3(0.0, 0.0, 1.0));
 }
 
-vec3 unshadowed_shine(light l, shine s, vec3 position, vec3 direction, float distance2) {
+vec3 unshadowed_specular(light l, specular_surface s, vec3 position, vec3 direction, float distance2) {
 #ifdef POINTS_ONLY
-    return shine_of_point(l, s, direction, distance2);
+    return specular_of_point(l, s, direction, distance2);
 #endif
     const vec3 Z = vec3(0.0, 0.0, 1.0);
     const float PI = 3.14159265;
@@ -41,7 +41,7 @@ vec3 unshadowed_shine(light l, shine s, vec3 position, vec3 direction, float dis
         return o.albedo * (facing_disk(o, -direction * away, wide) * l.direct_scale / (PI * radius * radius));
     }
     if (l.type != LIGHT_TYPE_AREA || is_point(o, max(l.width, l.height), away))
-        return shine_of_point(l, s, direction, distance2);
+        return specular_of_point(l, s, direction, distance2);
     vec3 center = o.from_world * (l.position - position), right = o.from_world * (l.right * radius);
     vec3 scale = o.albedo * (l.direct_scale / l.extent);
     if (l.shape == LIGHT_SHAPE_RECTANGLE)
