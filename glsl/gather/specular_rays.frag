@@ -9,6 +9,7 @@
 #include "lib/vpl_shares.glsl"
 #include "shared/specular_rays.h"
 #include "shared/vpl.h"
+#include VPL_AREA
 #if VAL_COUNT > 0
 #include "visibility/visibility.glsl"
 #endif
@@ -96,7 +97,7 @@ vec3 from_light(surface s, specular_surface seen, vec3 direction, float far, int
     vec3 path = hit.end.position - s.position;
     float distance2 = dot(path, path);
     vpl_share shares = vpl_share_at(index);
-    area *= shares.measure;
+    area = vpl_area_at(area * shares.measure, index, l, hit.end.position);
     float visible = 1.0;
     for (int dark = hit.in_light ? 0 : 1; dark > 0; dark--) // what is near counts as unoccluded, as of VPLs
         visible = mix(arrives(s, hit.end), 1.0, near_share(distance2, area, shares.reach));

@@ -8,11 +8,14 @@
 #include "scene/camera_range.h"
 #include "scene/gpu/scene_gpu.h"
 
+struct gbuffer;
+
 struct frame {
     struct timers *timers;
     const struct buffer *view; /* for BLOCK_VIEW */
     const struct view *camera; /* what it holds */
     struct camera_range camera_range;
+    const struct gbuffer *gbuffer; /* the camera's, where lights follow it; else NULL */
     /* Lights: for a direct method the lights that shine, for a technique the light samples from which reflected light
      * starts. */
     const struct buffer *lights; /* for BLOCK_LIGHTS */

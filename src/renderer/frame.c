@@ -5,7 +5,10 @@
 #include "renderer/views.h"
 #include "shared/composite.h"
 
+#include <cglm/vec3.h>
+
 #include <assert.h>
+#include <float.h>
 #include <math.h>
 
 const char *const shown_layer_names[] = {
@@ -107,35 +110,72 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
     };
 }
 
+/* The technique that draws this frame, and its state. */
+static const struct technique *current_technique(const struct renderer *renderer, void **state) {
+    const struct refining *refining = &renderer->refining;
+    bool refined = is_refined(renderer);
+    *state = refined ? refining->state : renderer->technique_state;
+    return refined ? refining->technique : renderer->technique;
+}
+
+static bool follows_camera(const struct technique *technique, const void *state) {
+    return technique->follows_camera && technique->follows_camera(state);
+}
+
 /* Direct light and the first pass's are kept; all other passes have lights of their own. */
 static void render_lights(struct renderer *renderer, const struct frame *frame) {
-    const struct refining *refining = &renderer->refining;
     bool keeps = renderer->lights_drawn && renderer->desc.keep_lights;
-    const struct technique *technique =
-        is_refined(renderer) ? refining->technique : renderer->technique;
-    void *state = is_refined(renderer) ? refining->state : renderer->technique_state;
+    void *state;
+    const struct technique *technique = current_technique(renderer, &state);
     if (!keeps && renderer->direct->render_lights) {
         struct frame direct = frame_of_direct(renderer, frame);
         renderer->direct->render_lights(renderer->direct_state, &direct);
     }
-    if ((!keeps || renderer->pass > 0) && technique->render_lights)
+    if ((!keeps || renderer->pass > 0) && technique->render_lights &&
+        !follows_camera(technique, state))
         technique->render_lights(state, frame);
+    if (!keeps)
+        renderer->placed = (struct view){0};
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
+}
+
+/* Near enough that what matters to one view matters to the other. */
+static bool views_are_near(const struct view *a, const struct view *b, float radius) {
+    static const float distance = .05F, cosine = .985F,
+                       zoom = 1.1F; /* over the radius; 10 degrees */
+    float widths =
+        glm_vec3_norm((float *)a->right) / fmaxf(glm_vec3_norm((float *)b->right), FLT_MIN);
+    float turn = glm_vec3_dot((float *)a->forward, (float *)b->forward) /
+                 (glm_vec3_norm((float *)a->forward) * glm_vec3_norm((float *)b->forward));
+    return a->orthographic == b->orthographic && widths < zoom && widths > 1 / zoom &&
+           turn > cosine &&
+           glm_vec3_distance((float *)a->origin, (float *)b->origin) < distance * radius;
+}
+
+/* Lights that follow the camera are drawn for its G-buffer; where lights are kept, not for each small step. */
+static void render_indirect(struct renderer *renderer, const struct frame *frame) {
+    void *state;
+    const struct technique *technique = current_technique(renderer, &state);
+    struct frame seen = *frame;
+    seen.gbuffer = &renderer->gbuffer;
+    bool kept = renderer->pass == 0 && renderer->desc.keep_lights &&
+                views_are_near(&renderer->placed, frame->camera, frame->geometry->radius);
+    if (follows_camera(technique, state) && !kept) {
+        technique->render_lights(state, &seen);
+        renderer->placed = renderer->pass == 0 ? *frame->camera : (struct view){0};
+    }
+    technique->render_view(state, frame, &renderer->gbuffer);
 }
 
 /* All but what makes a picture of it. */
 static void render_frame(struct renderer *renderer, const struct frame *frame) {
-    const struct refining *refining = &renderer->refining;
     struct frame direct = frame_of_direct(renderer, frame);
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
     if (renderer->pass == 0)
         antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
-    if (is_refined(renderer))
-        refining->technique->render_view(refining->state, frame, &renderer->gbuffer);
-    else
-        renderer->technique->render_view(renderer->technique_state, frame, &renderer->gbuffer);
+    render_indirect(renderer, frame);
 }
 
 static void begin_pass(struct renderer *renderer, int pass) {

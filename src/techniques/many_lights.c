@@ -3,9 +3,13 @@
 
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
     geometry_pass_render_lights(&lights->geometry, frame, lights->rsm);
-    vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->vpls);
+    vpl_pass_share_out(&lights->vpl, frame);
+    if (many_lights_follow_camera(lights))
+        importance_map_pass_render(&lights->importance, frame, lights->rsm, &lights->vpl.shares);
+    vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->importance.map, &lights->vpls);
     if (lights->near_field.program)
-        near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares);
+        near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares,
+                                      &lights->importance.map);
     if (lights->bounces == 1)
         return;
     bounce_pass_render(&lights->bounce, frame, &lights->vpls);
@@ -40,6 +44,7 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
             &lights->specular_rays, frame, gbuffer,
             &(struct specular_rays_inputs){.rsm = lights->rsm,
                                            .shares = &lights->vpl.shares,
+                                           .importance = &lights->importance.map,
                                            .radiance = &lights->specular_gather.irradiance,
                                            .visibility = inputs->visibility});
 }
@@ -85,6 +90,11 @@ void many_lights_render_view(const struct many_lights *lights, const struct fram
     if (lights->bounces > 1)
         many_lights_gather(lights, frame, gbuffer, &inputs);
     many_lights_finish(lights, frame, gbuffer);
+}
+
+bool many_lights_follow_camera(const void *state) {
+    const struct many_lights *lights = state;
+    return lights->importance.density_program;
 }
 
 struct contribution many_lights_contribution(const void *state) {

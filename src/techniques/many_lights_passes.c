@@ -3,6 +3,7 @@
 #include "techniques/many_lights.h"
 
 #include "base/error.h"
+#include "scene/animation.h"
 #include "scene/material.h"
 #include "shared/gather.h"
 
@@ -188,6 +189,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .facets = sends_as_facets(desc),
         .occlusion = occlusion,
         .casters = occlusion == NEAR_BY_RAYS ? desc->casters : NULL,
+        .by_importance = many_lights_follow_camera(lights),
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
@@ -232,6 +234,12 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                             });
 }
 
+bool many_lights_may_trace(const struct scene *scene, const struct geometry *geometry) {
+    static const uint32_t most_that_move = 20000, most = 1 << 20;
+    bool moves = scene_duration(scene) > 0;
+    return geometry_triangle_count(geometry) <= (moves ? most_that_move : most);
+}
+
 bool many_lights_check(const struct settings *settings) {
     const struct lights_settings *lights =
         settings_of(struct lights_settings, settings, &lights_part);
@@ -257,6 +265,28 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
     return ok;
 }
 
+/* Where light starts from many light samples, most VPLs lie where the camera sees nothing of their light. */
+static bool wants_importance(const struct many_lights *lights, const struct technique_desc *desc) {
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct light_layout *layout = desc->lights;
+    bool gains =
+        layout->lights > layout->groups && lights->visibility.lookup != VISIBILITY_LOOKUP_NONE;
+    return layout->lights > 0 && (own->importance == IMPORTANCE_ON ||
+                                  (own->importance == IMPORTANCE_AUTO && gains &&
+                                   many_lights_may_trace(desc->scene, desc->geometry)));
+}
+
+static bool init_importance(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    return !wants_importance(lights, desc) ||
+           importance_map_pass_init(&lights->importance,
+                                    &(struct importance_map_desc){.casters = desc->casters,
+                                                                  .lights = desc->lights->lights,
+                                                                  .vpls = own->vpls});
+}
+
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
                       const struct many_lights_visibility *visibility) {
     const struct lights_settings *own =
@@ -269,7 +299,9 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
             &(struct geometry_desc){.has_specular = desc->specular,
                                     .has_mappings = materials_have_mappings(desc->scene),
                                     .facets = sends_as_facets(desc)}) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach}) &&
+        init_importance(lights, desc) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach,
+                                                       many_lights_follow_camera(lights)}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
         init_sized(lights, desc) && init_specular_rays(lights, desc) &&
         init_near_field(lights, desc))
@@ -291,6 +323,7 @@ void many_lights_free(struct many_lights *lights) {
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         gbuffer_free(&lights->rsm[kind]);
     geometry_pass_free(&lights->geometry);
+    importance_map_pass_free(&lights->importance);
     vpl_pass_free(&lights->vpl);
     vpl_buffer_free(&lights->vpls);
     bounce_pass_free(&lights->bounce);

@@ -4,6 +4,8 @@
 
 #define ROW(type, name) offsetof(struct type##_settings, name)
 
+static const char *const importance_names[] = {"off", "auto", "on", NULL};
+
 /* Columns: name, letter, type, field, default, minimum, maximum. */
 static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536,
@@ -23,6 +25,11 @@ static const struct option lights_table[] = {
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help = "emits from flat triangles instead of smooth normals, for VPLs and near\n"
              "field; unbiased but noisier; only in scenes without specular surfaces"},
+    {"importance", 0, OPTION_CHOICE, ROW(lights, importance), IMPORTANCE_AUTO,
+     .choices = importance_names,
+     .help = "places VPLs where their light reaches the picture: off, on, or auto, which is on\n"
+             "where light starts from an environment or a wide lamp; with lights.bounces>1,\n"
+             "VALs lie there too unless off; VPLs or VALs are then made for each view"},
     {NULL},
 };
 

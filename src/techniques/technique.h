@@ -56,6 +56,8 @@ struct technique {
     /* Both cannot fail, allocate or compile. render_lights draws the parts that depend on no camera, once for any number of
      * views (NULL: none); render_view draws the parts for one camera and its G-buffer. */
     void (*render_lights)(void *state, const struct frame *frame);
+    /* Whether render_lights depends on the camera's G-buffer: it is then called for each view (NULL: it does not). */
+    bool (*follows_camera)(const void *state);
     void (*render_view)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
     struct contribution (*contribution)(const void *state);
     /* Adds intermediate results to look at, beside those of the renderer; NULL: none. */

@@ -1,7 +1,6 @@
 #include "techniques/vals.h"
 
 #include "passes/frame.h"
-#include "scene/animation.h"
 
 enum visibility_kind {
     VISIBILITY_CSSM,
@@ -11,18 +10,10 @@ enum visibility_kind {
     VISIBILITY_TRACED,
 };
 
-enum vals_importance {
-    IMPORTANCE_NONE,
-    IMPORTANCE_BOUNCES,
-    IMPORTANCE_ALWAYS,
-};
-
 #define ROW(name) offsetof(struct vals_settings, name)
 
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", "traced", NULL};
-
-static const char *const importance_names[] = {"none", "bounces", "always", NULL};
 
 static const struct option table[] = {
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024,
@@ -41,12 +32,6 @@ static const struct option table[] = {
      .help = "clustering weight of distance over the spread of the VPLs, w_x", .needs = SHADOWS},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
      .help = "clustering weight of the angle between normals over pi, w_alpha", .needs = SHADOWS},
-    {"importance", 0, OPTION_CHOICE, ROW(importance), IMPORTANCE_BOUNCES,
-     .choices = importance_names,
-     .help = "weight of VPLs in clustering by their unoccluded light in the picture, so that\n"
-             "VALs lie where the camera sees their light: never, with lights.bounces > 1, or\n"
-             "always; VALs are then built for each view",
-     .needs = "technique=clustered"},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
      .help =
          "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
@@ -132,12 +117,6 @@ static bool init_blocks(struct block_visibility_pass *blocks, const struct val_s
                                                                  });
 }
 
-bool vals_may_trace(const struct scene *scene, const struct geometry *geometry) {
-    static const uint32_t most_that_move = 20000, most = 1 << 20;
-    bool moves = scene_duration(scene) > 0;
-    return geometry_triangle_count(geometry) <= (moves ? most_that_move : most);
-}
-
 /* Clamps with parameters count as disks: the light only weighs tests. */
 static int clamp_of_tests(int clamp) {
     return clamp == GATHER_CLAMP_NEAR || clamp == GATHER_CLAMP_PATCH ? clamp : GATHER_CLAMP_DISK;
@@ -194,7 +173,7 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc,
         many_lights_lookup(desc->settings, lookup_of_val(lookup, set->block > 0), of->val_count);
     set->casters = desc->casters;
     set->corrected = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
-                     vals_may_trace(desc->scene, desc->geometry);
+                     many_lights_may_trace(desc->scene, desc->geometry);
     return init_cluster(set, desc->settings, of) && (!has_maps(set) || init_maps(set, desc)) &&
            ((lookup != VISIBILITY_LOOKUP_TRACED && !set->corrected) ||
             caster_pool_acquire_tree(set->casters, &set->tree)) &&
@@ -224,9 +203,8 @@ static bool is_by_importance(const struct settings *settings) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
     const struct lights_settings *lights =
         settings_of(struct lights_settings, settings, &lights_part);
-    bool asked = own->visibility != VISIBILITY_TRACED || own->visibility_block > 0;
-    return asked && (own->importance == IMPORTANCE_ALWAYS ||
-                     (own->importance == IMPORTANCE_BOUNCES && lights->bounces > 1));
+    bool tested = own->visibility != VISIBILITY_TRACED || own->visibility_block > 0;
+    return tested && lights->importance != IMPORTANCE_OFF && lights->bounces > 1;
 }
 
 bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow) {

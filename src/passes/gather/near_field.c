@@ -7,6 +7,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/lists.h"
+#include "passes/vpls.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -39,7 +40,9 @@ static bool init_programs(struct near_field_pass *pass) {
     static const char *const tests[] = {[NEAR_UNOCCLUDED] = "near_unoccluded",
                                         [NEAR_BY_VIEWS] = "near_by_views",
                                         [NEAR_BY_RAYS] = "near_by_rays"};
-    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d", room, kinds, pass->desc.facets);
+    char *of_light = mem_printf(
+        "LIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA gather/%s.glsl", room, kinds, pass->desc.facets,
+        pass->desc.by_importance ? "vpl_area_by_importance" : "vpl_area_by_flux");
     static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
     bool by_rays = !pass->desc.adaptive && pass->desc.occlusion == NEAR_BY_RAYS;
     char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],
@@ -124,7 +127,8 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
 
 void near_field_pass_render_lights(struct near_field_pass *pass, const struct frame *frame,
                                    const struct gbuffer rsm[LIGHT_MAP_KINDS],
-                                   const struct buffer *shares) {
+                                   const struct buffer *shares,
+                                   const struct importance_map *importance) {
     struct pass_state state = {
         .name = "near light",
         .program = pass->light_program,
@@ -133,6 +137,8 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
                    {BLOCK_PASS, &pass->params}},
     };
     rsm_add(&state, rsm);
+    if (pass->desc.by_importance)
+        pass_add_texture(&state, UNIT_VPL_DENSITY, importance->densities.id);
     write_params(pass, frame, (struct interleaving){.n = 1});
     timer_begin(frame->timers, "near light");
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)

@@ -21,6 +21,7 @@
 
 struct frame;
 struct pixel_lists;
+struct importance_map;
 
 struct near_field_desc {
     int samples;   /* that the n x n pixels of a pattern share out */
@@ -31,6 +32,7 @@ struct near_field_desc {
     int occlusion;               /* NEAR_...: by views from what is on a list alone */
     struct caster_pool *casters; /* of NEAR_BY_RAYS; must outlive the pass */
     bool facets;                 /* the shadow map's normals are of triangles */
+    bool by_importance;          /* VPLs are as dense as an importance map has it */
     int rsm_size;                /* as lights' settings have it */
     struct light_layout lights;
 };
@@ -52,7 +54,8 @@ void near_field_pass_free(struct near_field_pass *pass);
 /* What the reflective shadow map says, made ready; shares are passes/lights/vpl.h's. Timer "near light". */
 void near_field_pass_render_lights(struct near_field_pass *pass, const struct frame *frame,
                                    const struct gbuffer rsm[LIGHT_MAP_KINDS],
-                                   const struct buffer *shares);
+                                   const struct buffer *shares,
+                                   const struct importance_map *importance);
 
 struct near_field_inputs {
     const struct buffer *shares;         /* passes/lights/vpl.h's */

@@ -5,6 +5,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
+#include "passes/vpls.h"
 #include "shared/specular_rays.h"
 #include "shared/lookup.h"
 
@@ -18,8 +19,10 @@ static bool init_program(struct specular_rays_pass *pass) {
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
     char *lookup = visibility_defines(&pass->desc.visibility);
-    char *defines = mem_printf("%s;LIGHTS %d;MAP_KINDS %d;VAL_COUNT %d", lookup, room, kinds,
-                               pass->desc.has_maps ? pass->desc.visibility.map_count : 0);
+    char *defines =
+        mem_printf("%s;LIGHTS %d;MAP_KINDS %d;VAL_COUNT %d;VPL_AREA gather/%s.glsl", lookup, room,
+                   kinds, pass->desc.has_maps ? pass->desc.visibility.map_count : 0,
+                   pass->desc.by_importance ? "vpl_area_by_importance" : "vpl_area_by_flux");
     bool ok = program_init(
         &pass->program, &(struct program_desc){
                             .screen = {"gather/specular_rays.frag", .blended = true, .tiled = true},
@@ -98,6 +101,8 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
                          inputs->rsm[inputs->rsm[kind].layers ? kind : !kind].specular.id);
     if (pass->desc.has_maps)
         visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
+    if (pass->desc.by_importance)
+        pass_add_texture(&state, UNIT_VPL_DENSITY, inputs->importance->densities.id);
     write_params(pass, frame, radiance);
     int light_count = slot_lights_allocate(&pass->slot_lights, frame, n * n);
     pass_begin(frame->timers, &state);

@@ -16,11 +16,13 @@
 #include "passes/visibility/visibility.h"
 
 struct frame;
+struct importance_map;
 
 struct specular_rays_desc {
     int rays;      /* of a pixel */
     bool has_maps; /* of VALs: the one nearest to what a ray meets says what else hides it */
     struct visibility_desc visibility; /* where has_maps */
+    bool by_importance;                /* as in struct near_field_desc */
     struct light_layout lights;
 };
 
@@ -36,9 +38,10 @@ bool specular_rays_pass_init(struct specular_rays_pass *pass,
 void specular_rays_pass_free(struct specular_rays_pass *pass);
 
 struct specular_rays_inputs {
-    const struct gbuffer *rsm;         /* LIGHT_MAP_KINDS of them, with specular targets */
-    const struct buffer *shares;       /* passes/lights/vpl.h's */
-    const struct irradiance *radiance; /* to be added to: a gather's with SPECULAR_RAYS */
+    const struct gbuffer *rsm;               /* LIGHT_MAP_KINDS of them, with specular targets */
+    const struct buffer *shares;             /* passes/lights/vpl.h's */
+    const struct importance_map *importance; /* where by_importance */
+    const struct irradiance *radiance;       /* to be added to: a gather's with SPECULAR_RAYS */
     struct visibility_inputs visibility;
 };
 

@@ -269,6 +269,7 @@ const struct technique cluster_lights_technique = {
     .free = free_state,
     .resize = resize,
     .render_lights = render_lights,
+    .follows_camera = many_lights_follow_camera,
     .render_view = render_view,
     .contribution = many_lights_contribution,
     .outputs = outputs,

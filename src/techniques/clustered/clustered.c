@@ -90,7 +90,7 @@ static const struct preset presets[] = {
      BY_RAYS, "rays"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
      "clustered.visibility=cssm clustered.visibility-block=0 "
-     "clustered.importance=none " MANY_LIGHTS_AS_PUBLISHED,
+     MANY_LIGHTS_AS_PUBLISHED,
      NULL},
     {NULL}};
 
@@ -106,6 +106,7 @@ const struct technique clustered_technique = {
     .free = free_state,
     .resize = resize,
     .render_lights = render_lights,
+    .follows_camera = many_lights_follow_camera,
     .render_view = render_view,
     .contribution = many_lights_contribution,
     .outputs = outputs,

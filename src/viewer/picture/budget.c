@@ -1,4 +1,4 @@
-#include "techniques/vals.h"
+#include "techniques/many_lights.h"
 #include "viewer/picture/budget.h"
 
 #include <stdlib.h>
@@ -34,7 +34,7 @@ void viewer_follow_budget(struct viewer *viewer) {
         return;
     }
     time_budget_allow_rays(&shown->budget,
-                           vals_may_trace(&viewer->document.scene, &viewer->document.geometry));
+                           many_lights_may_trace(&viewer->document.scene, &viewer->document.geometry));
     if (time_budget_add(&shown->budget, ms))
         take_level(viewer);
     shown->dirty |= !time_budget_holds(&shown->budget); /* at rest, too */
