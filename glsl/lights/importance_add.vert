@@ -1,5 +1,5 @@
 // A candidate lands on its cell with its value over the density of candidates there: of all rounds so far, which is the
-// balance heuristic [Veach and Guibas 1995].
+// balance heuristic [Veach 1997, §9.2.2].
 #include "lights/importance_cells.glsl"
 #include "lights/light_fraction.glsl"
 #if ROUND > 0

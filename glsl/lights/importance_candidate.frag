@@ -12,7 +12,7 @@
 
 layout(location = TARGET_RESULT) out vec4 candidate; // place, light, value
 
-// Multiples of the powers of one root, in 32 bits: evenly spread in four dimensions [Roberts 2018].
+// Multiples of the powers of 1/x, x^5 = x + 1, in 32 bits: evenly spread in four dimensions.
 vec4 numbers_of(int i) {
     const uvec4 STEPS = uvec4(3679391137u, 3152041523u, 2700274806u, 2313257605u);
     return vec4(uint(i) * STEPS >> 8) / 16777216.0;

@@ -27,9 +27,9 @@ static const struct option lights_table[] = {
              "field; unbiased but noisier; only in scenes without specular surfaces"},
     {"importance", 0, OPTION_CHOICE, ROW(lights, importance), IMPORTANCE_AUTO,
      .choices = importance_names,
-     .help = "places VPLs where their light reaches the picture: off, on, or auto, which is on\n"
-             "where light starts from an environment or a wide lamp; with lights.bounces>1,\n"
-             "VALs lie there too unless off; VPLs or VALs are then made for each view"},
+     .help = "places VPLs, and with lights.bounces>1 VALs, where their light reaches the picture;\n"
+             "auto: VPLs of environments and wide lamps, which are then made\n"
+             "for each view; on: those of all lights"},
     {NULL},
 };
 

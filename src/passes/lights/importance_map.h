@@ -1,5 +1,5 @@
 /* Where VPLs matter to the picture: an importance map over the domain of each light, by which VPLs are placed
- * [Segovia et al. 2006; Georgiev and Slusallek 2010; Ritschel et al. 2011].
+ * [Georgiev and Slusallek 2010; Ritschel et al. 2011].
  *
  * Two rounds draw 4096 candidates each, the second round by the map of the first. The value of a candidate is the irradiance
  * that a VPL there gives to 64 pixels of the picture, with one ray for visibility (glsl/lights/importance_candidate.frag).

@@ -89,9 +89,7 @@ static const struct preset presets[] = {
     {"traced", "as high, with 1024 VPLs, 256 at adaptive pixels: the least error of one frame",
      BY_RAYS, "rays"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
-     "clustered.visibility=cssm clustered.visibility-block=0 "
-     MANY_LIGHTS_AS_PUBLISHED,
-     NULL},
+     "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED, NULL},
     {NULL}};
 
 extern const struct technique clustered_technique;
