@@ -163,6 +163,8 @@ static void test_flux(void **state) {
     open_stage(&stage, "scenes/sphere.glb");
     for (int bounces = 2; bounces <= 8; bounces++) {
         double first, further;
+        if (!is_tried_here((size_t)bounces, 4) && bounces != 2)
+            continue;
         read_fluxes(&stage, bounces, &first, &further, &black);
         check_near("flux of later bounces", further / first / (1 - pow(.5, bounces - 1)), 1, .003);
     }
