@@ -321,12 +321,12 @@ static void test_passes_progress(void **state) {
     need_command("script -qec true /dev/null");
     snprintf(
         command, sizeof command,
-        "script -qec '%s render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 8 -o "
+        "script -qec '%s render scenes/moving-spot.glb --size 64x48 --frames 2,5 --passes 4 -o "
         "%s' /dev/null",
         binary_path(), scratch("passes-#.exr"));
     assert_int_equal(run_command(command, output, sizeof output), 0);
     expect_text(" left  frame 2, pass ");
-    expect_text("of 8\033[K");
+    expect_text("of 4\033[K");
     expect_text("2 frames in ");
 }
 
@@ -336,6 +336,8 @@ static void test_strips(void **state) {
     static const char *const sizes[] = {"8x9000", "9000x8", "7x8193"};
     for (int i = 0; i < 3; i++) {
         char arguments[256];
+        if (!is_tried_here((size_t)i, 2))
+            continue;
         snprintf(arguments, sizeof arguments, "scenes/moving-spot.glb --size %s -o %s", sizes[i],
                  scratch("strip.png"));
         expect_command(0, "render", arguments);

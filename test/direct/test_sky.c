@@ -239,13 +239,31 @@ static void test_room(void **state) {
 
 /* --- a day ---------------------------------------------------------------------------------------- */
 
+/* In progressive passes too: other directions in each, the same light on average. */
+static void check_passes(const struct stage *stage, const struct image *reference) {
+    struct image got;
+    struct renderer renderer;
+    struct renderer_desc desc = desc_of(stage, "clustered", "", SIZE, SIZE);
+    int passes = is_long_run() ? 16 : 6;
+    desc.progressive = true;
+    open_renderer(&renderer, &desc);
+    for (int pass = 0; pass < passes; pass++)
+        renderer_add_pass(&renderer, pass);
+    check_ok("layers", renderer_read_layers(&renderer, &got));
+    double mean = layer_mean(reference, "indirect");
+    check_near("indirect light of passes, mean", layer_mean(&got, "indirect"), mean, .08 * mean);
+    check_at_most("its relative RMSE", relative_rmse(&got, reference, "indirect"), .2);
+    renderer_free(&renderer);
+    image_free(&got);
+}
+
 /* Below the table it is too dark: what the map shows is taken to be as deep as keeps courtyards dark. */
 static void test_day(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     set_sky(&stage, paint_day);
-    struct image reference = trace_stage(&stage, SIZE, 256);
+    struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
     struct image got = render_stage(&stage, "clustered", "", SIZE);
     double mean = layer_mean(&reference, "direct");
     check_near("direct light, mean", layer_mean(&got, "direct"), mean, .06 * mean);
@@ -253,6 +271,7 @@ static void test_day(void **state) {
     mean = layer_mean(&reference, "indirect");
     check_near("indirect light, mean", layer_mean(&got, "indirect"), mean, .12 * mean);
     check_at_most("indirect light, relative RMSE", relative_rmse(&got, &reference, "indirect"), .3);
+    check_passes(&stage, &reference);
     image_free(&reference);
     image_free(&got);
     stage_free(&stage);
@@ -277,14 +296,15 @@ static void test_texel(void **state) {
     double solid_angle = environment_solid_angle(sky, TEXEL_ROW);
     environment_direction(sky, TEXEL_COLUMN + .5, TEXEL_ROW + .5, towards);
     struct image got = render_stage(&stage, "unshadowed", "", SIZE);
-    struct image reference = trace_stage(&stage, SIZE, 64);
+    int samples = is_long_run() ? 64 : 16;
+    struct image reference = trace_stage(&stage, SIZE, samples);
     glm_vec3_negate(towards);
     emitter_aim(&sun, towards);
     glm_vec3_broadcast((float)(TEXEL_RADIANCE * solid_angle), sun.intensity);
     sun.size[0] = (float)(2 * sqrt(solid_angle / GLM_PI));
     struct emitters scene_own = stage.emitters;
     stage.emitters = (struct emitters){.items = &sun, .count = 1};
-    struct image traced = trace_stage(&stage, SIZE, 64);
+    struct image traced = trace_stage(&stage, SIZE, samples);
     stage.emitters = scene_own;
     double mean = layer_mean(&traced, "direct");
     printf("    %g sr, %g W/m2\n", solid_angle, (double)sun.intensity[0]);
@@ -324,11 +344,13 @@ static void test_courtyard(void **state) {
 
 static void test_sum(void **state) {
     (void)state;
+    const char *settings =
+        is_long_run() ? "" : "sky.map-size=64 shadow-size=512 rsm-size=64 vpls=64";
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     set_sky(&stage, paint_day);
     for (const struct direct_method *const *method = direct_methods; *method; method++) {
-        struct renderer_desc desc = desc_of(&stage, "unshadowed", "", SIZE, SIZE);
+        struct renderer_desc desc = desc_of(&stage, "unshadowed", settings, SIZE, SIZE);
         struct image layers[3];
         double farthest = 0;
         desc.direct = *method;
@@ -377,36 +399,13 @@ static void test_black(void **state) {
     stage_free(&stage);
 }
 
-/* In passes that converge too: other directions in each, the same light on average. */
-static void test_passes(void **state) {
-    (void)state;
-    struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
-    set_sky(&stage, paint_day);
-    struct image reference = trace_stage(&stage, SIZE, 256), got;
-    struct renderer renderer;
-    struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
-    desc.progressive = true;
-    open_renderer(&renderer, &desc);
-    for (int pass = 0; pass < 16; pass++)
-        renderer_add_pass(&renderer, pass);
-    check_ok("layers", renderer_read_layers(&renderer, &got));
-    double mean = layer_mean(&reference, "indirect");
-    check_near("indirect light of 16 passes, mean", layer_mean(&got, "indirect"), mean, .08 * mean);
-    check_at_most("its relative RMSE", relative_rmse(&got, &reference, "indirect"), .2);
-    renderer_free(&renderer);
-    image_free(&reference);
-    image_free(&got);
-    stage_free(&stage);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_floor),     cmocka_unit_test(test_convex_body),
         cmocka_unit_test(test_wall),      cmocka_unit_test(test_day),
         cmocka_unit_test(test_courtyard), cmocka_unit_test(test_texel),
         cmocka_unit_test(test_sum),       cmocka_unit_test(test_black),
-        cmocka_unit_test(test_passes),    cmocka_unit_test(test_room),
+        cmocka_unit_test(test_room),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

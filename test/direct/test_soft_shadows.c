@@ -371,6 +371,8 @@ static void test_extremes(void **state) {
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
         struct image reference;
         for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
+            if (!is_tried_here(i + m, 2))
+                continue;
             struct image layers = render_lights(&stage, lights[i], methods[m]);
             check_finite(lights[i], &layers);
             image_free(&layers);

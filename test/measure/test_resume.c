@@ -217,7 +217,8 @@ static void test_modes(void **state) {
     (void)state;
     remove_whole();
     for (int i = 0; i < MODES; i++)
-        check_mode(&modes[i], SIGKILL);
+        if (is_tried_here((size_t)i, 2))
+            check_mode(&modes[i], SIGKILL);
 }
 
 static void test_signals(void **state) {

@@ -161,28 +161,46 @@ static double bias(const struct image *test, const struct image *reference) {
     return layer_mean(test, "indirect") / layer_mean(reference, "indirect") - 1;
 }
 
+/* The mean of few passes and of four times as many, by one renderer. */
+static void render_means(const struct renderer_desc *desc, int few, struct image means[2]) {
+    struct renderer renderer;
+    struct renderer_desc progressive = *desc;
+    progressive.progressive = true;
+    check_ok("renderer", renderer_init(&renderer, &progressive));
+    for (int i = 0; i < 4 * few; i++) {
+        renderer_add_pass(&renderer, i);
+        if (i + 1 == few)
+            check_ok("layers", renderer_read_layers(&renderer, &means[0]));
+    }
+    check_ok("layers", renderer_read_layers(&renderer, &means[1]));
+    renderer_free(&renderer);
+}
+
 /* Towards the path tracer's picture: both are the mean over pixels' areas. */
 static void test_convergence(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/cornell-box.glb", "scenes/metaballs.glb"};
+    enum { FEW = 8 };
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!is_tried_here(i, 2))
             continue;
         struct stage stage;
         open_stage(&stage, scenes[i]);
         struct renderer_desc desc = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
-        struct image reference = trace(&stage, .006), frame = render_layers(&desc);
-        struct image few = render_mean(&desc, 0, 8), many = render_mean(&desc, 0, 32);
+        struct image reference = trace(&stage, is_long_run() ? .006 : .015),
+                     frame = render_layers(&desc);
+        struct image means[2];
+        render_means(&desc, FEW, means);
         double first = error(&frame, &reference);
-        double after_few = error(&few, &reference);
-        double after_many = error(&many, &reference);
-        printf("    %s: error %.4f, of 8 passes %.4f, of 32 %.4f\n", scenes[i], first, after_few,
-               after_many);
+        double after_few = error(&means[0], &reference);
+        double after_many = error(&means[1], &reference);
+        printf("    %s: error %.4f, of %d passes %.4f, of %d %.4f\n", scenes[i], first, FEW,
+               after_few, 4 * FEW, after_many);
         check_at_most("8 passes over one", after_few / first, .8);
         check_at_most("32 passes over one", after_many / first, .4);
         check_at_most("32 passes over 8", after_many / after_few, .7); /* K^-.26 */
-        check_near("bias of 32", bias(&many, &reference), 0, .01);
-        struct image *all[] = {&reference, &frame, &few, &many};
+        check_near("bias of 32", bias(&means[1], &reference), 0, .01);
+        struct image *all[] = {&reference, &frame, &means[0], &means[1]};
         for (size_t k = 0; k < sizeof all / sizeof *all; k++)
             image_free(all[k]);
         stage_free(&stage);
@@ -207,7 +225,9 @@ static void read_scratch(struct image *image, const char *name) {
 /* 4 + 4 passes, averaged, are 8 but for the rounding of sums; so are 2 + 6 in other order. */
 static void test_split(void **state) {
     (void)state;
-#define RENDER "render scenes/cornell-box.glb -q --size 48x40 --set \"vpls=256 vals=8\" "
+#define RENDER                                                                                     \
+    "render scenes/cornell-box.glb -q --size 48x40 --set \"vpls=256 vals=8 "                       \
+    "map-size=64 rsm-size=128 shadow-size=256\" "
     char output[2048];
     static const char *const commands[] = {
         RENDER "--passes 8 -o @/whole.exr",

@@ -141,6 +141,8 @@ static struct image run_binary(const char *environment, const struct recipe *rec
 static void test_threads(void **state) {
     (void)state;
     for (int i = 0; i < RECIPES; i++) {
+        if (!is_tried_here((size_t)i, 2))
+            continue;
         struct image one = run_binary("LP_NUM_THREADS=0", &recipes[i], "");
         struct image four = run_binary("LP_NUM_THREADS=4", &recipes[i], "");
         assert_true(same_pixels(&one, &four));

@@ -74,7 +74,7 @@ static void test_scales(void **state) {
         struct image plain = render_stage(&stage, (*t)->name, small, 48);
         stage_free(&stage);
         for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
-            if (!is_tried_here(i, 5)) /* the ends */
+            if (!is_tried_here(i + 5 * (size_t)(t - techniques), 10)) /* an end */
                 continue;
             open_stage(&stage, "scenes/sphere.glb");
             scale_scene(&stage.scene, scales[i]);

@@ -234,12 +234,12 @@ static void compare(const char *path) {
     struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
     struct image drawn = render_layers(&desc), traced, common;
     struct path_tracer_progress reached = {0};
-    check_ok("trace",
-             picture_trace_paths(
-                 &stage,
-                 &(struct path_tracer_desc){
-                     .width = SIZE, .height = SIZE, .samples = 144, .bounces = 1, .centers = true},
-                 &traced, &reached));
+    const struct path_tracer_desc tracer = {.width = SIZE,
+                                            .height = SIZE,
+                                            .samples = is_long_run() ? 144 : 100,
+                                            .bounces = 1,
+                                            .centers = true};
+    check_ok("trace", picture_trace_paths(&stage, &tracer, &traced, &reached));
     common = common_layers(&traced);
     double noise = (double)reached.noise;
     check_at_most("noise", noise, .12);

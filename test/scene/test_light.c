@@ -95,7 +95,8 @@ static void check_technique(const char *technique, const char *more, bool cluste
     for (int n = 0; n < 3; n++)
         for (int i = 0; i < 2; i++)
             for (int m = 0; m < (clusters ? 3 : 1); m++)
-                if (interleaves[i] * interleaves[i] <= vpls[n] && vals[m] <= vpls[n])
+                if (is_tried_here((size_t)(n + i + m + 1), 2) &&
+                    interleaves[i] * interleaves[i] <= vpls[n] && vals[m] <= vpls[n])
                     check_sphere(&stage, &(struct sphere_case){technique, vpls[n], vals[m],
                                                                interleaves[i], mean, worst, more});
     stage_free(&stage);

@@ -11,26 +11,31 @@
 
 enum { WIDTH = 250, HEIGHT = 200, COLUMNS = 5 };
 
-struct pictures {
+/* Of materials.glb, for all tests of it. */
+static struct pictures {
     struct image drawn, traced;
-};
+} pictures;
 
-static void make_pictures(struct pictures *pictures) {
+static int make_pictures(void **state) {
     struct stage stage;
+    if (open_group_context(state) != 0)
+        return -1;
     open_stage(&stage, "scenes/materials.glb");
     struct renderer_desc desc = desc_of(&stage, "clustered", "", WIDTH, HEIGHT);
-    pictures->drawn = render_layers(&desc);
+    pictures.drawn = render_layers(&desc);
     check_ok("trace", picture_trace_paths(
                           &stage,
                           &(struct path_tracer_desc){
                               .width = WIDTH, .height = HEIGHT, .samples = 4, .centers = true},
-                          &pictures->traced, NULL));
+                          &pictures.traced, NULL));
     stage_free(&stage);
+    return 0;
 }
 
-static void free_pictures(struct pictures *pictures) {
-    image_free(&pictures->drawn);
-    image_free(&pictures->traced);
+static int free_pictures(void **state) {
+    image_free(&pictures.drawn);
+    image_free(&pictures.traced);
+    return close_group_context(state);
 }
 
 /* At a place of a panel, metres from its lower left corner. */
@@ -61,9 +66,7 @@ static double distance_at(const struct image *image, const char *layer, int row,
 /* However its picture lies, the dome is the same. */
 static void test_domes(void **state) {
     (void)state;
-    struct pictures pictures;
     double worst = 0, worst_drawn = 0;
-    make_pictures(&pictures);
     for (int column = 0; column < COLUMNS; column++)
         for (int i = 0; i < 8; i++) {
             float angle = GLM_PIf * (float)i / 4, x = .2F * cosf(angle), y = .2F * sinf(angle);
@@ -77,7 +80,6 @@ static void test_domes(void **state) {
         }
     check_at_most("traced normals apart", worst, .08);
     check_at_most("light drawn beside traced", worst_drawn, .03);
-    free_pictures(&pictures);
 }
 
 /* Texels are .15 m wide on the panels; which of the two each is. */
@@ -106,11 +108,8 @@ static void check_wraps(const char *what, const struct image *image) {
 
 static void test_wraps(void **state) {
     (void)state;
-    struct pictures pictures;
-    make_pictures(&pictures);
     check_wraps("drawn", &pictures.drawn);
     check_wraps("traced", &pictures.traced);
-    free_pictures(&pictures);
 }
 
 /* Alpha changes no colour, and where it falls to the cutoff the wall behind begins. */
@@ -131,11 +130,8 @@ static void check_alphas(const char *what, const struct image *image) {
 
 static void test_alphas(void **state) {
     (void)state;
-    struct pictures pictures;
-    make_pictures(&pictures);
     check_alphas("drawn", &pictures.drawn);
     check_alphas("traced", &pictures.traced);
-    free_pictures(&pictures);
 }
 
 /* Beauty is what is emitted and what is reflected. */
@@ -155,11 +151,8 @@ static void check_lamps(const char *what, const struct image *image) {
 
 static void test_lamps(void **state) {
     (void)state;
-    struct pictures pictures;
-    make_pictures(&pictures);
     check_lamps("drawn", &pictures.drawn);
     check_lamps("traced", &pictures.traced);
-    free_pictures(&pictures);
 }
 
 /* --- metal and roughness ---------------------------------------------------------------------- */
@@ -298,5 +291,5 @@ int main(void) {
         cmocka_unit_test(test_domes), cmocka_unit_test(test_wraps),   cmocka_unit_test(test_alphas),
         cmocka_unit_test(test_lamps), cmocka_unit_test(test_spheres), cmocka_unit_test(test_door),
     };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+    return cmocka_run_group_tests(tests, make_pictures, free_pictures);
 }

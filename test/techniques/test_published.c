@@ -34,6 +34,8 @@ static void test_loses_to_no_visibility_nowhere(void **state) {
         char path[64];
         struct stage stage;
         struct image reference = {0};
+        if (!is_tried_here(i, 2))
+            continue;
         snprintf(path, sizeof path, "scenes/%s.glb", scenes[i]);
         open_stage(&stage, path);
         struct measure_desc desc = measure_default(&stage, SIZE, SIZE);

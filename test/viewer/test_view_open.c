@@ -130,6 +130,8 @@ static void test_start_page(void **state) {
     (void)state;
     static const char *const names[] = {"nosuch.glb", "sub", "broken.glb"};
     for (int i = 0; i < 3; i++) {
+        if (!is_tried_here((size_t)i, 2))
+            continue;
         start_empty_viewer(names[i]);
         assert_true(log_has(names[i]));
         printf("    %s: the start page\n", names[i]);

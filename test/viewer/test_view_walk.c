@@ -159,5 +159,5 @@ int main(int argc, char **argv) {
     };
     sheet_path = argc > 1 ? argv[1] : NULL;
     width = sheet_path ? SHEET_WIDTH : WIDTH;
-    return run_some_tests(tests, 2, open_view_stage, close_walk);
+    return run_some_tests(tests, 1, open_view_stage, close_walk);
 }
