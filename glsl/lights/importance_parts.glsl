@@ -16,7 +16,7 @@ vec2 importance_of_light(int light) {
 // Of the quarters 00, 10, 01, 11 of a node: texels of `level` from `cell` on, of the light's tile. A few candidates say
 // little, so each quarter counts as if PRIOR more of the light's mean value had landed there.
 vec4 importance_parts(int light, ivec2 cell, int level) {
-    const float PRIOR = 16.0;
+    const float PRIOR = 4.0;
     ivec2 first = importance_tile(light) * (VPL_DENSITY_SIDE >> level) + cell;
     vec2 mean = importance_of_light(light);
     float cells = float(1 << (2 * level));
