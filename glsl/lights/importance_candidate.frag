@@ -37,12 +37,12 @@ float arriving(vpl v, vec2 shift, float pick) {
 
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    int i = texel.y * CANDIDATES_SIDE + texel.x, light;
+    int i = texel.y * CANDIDATES_SIDE + texel.x, index;
     vec4 number = numbers_of(i + 1);
     vec2 place;
-    vpl_choose(number.xyz, light, place);
-    vpl v = vpl_reflected(light_at(light), vpl_share_at(light).measure, place);
+    vpl_choose(number.xyz, index, place);
+    vpl v = vpl_reflected(light_at(index), vpl_share_at(index).measure, place);
     float power = dot(v.flux, vec3(1.0));
     vec2 shift = fract(number.xy * 31.0 + number.wz);
-    candidate = vec4(place, float(light), power > 0.0 ? power * arriving(v, shift, number.w) : 0.0);
+    candidate = vec4(place, float(index), power > 0.0 ? power * arriving(v, shift, number.w) : 0.0);
 }

@@ -1,8 +1,8 @@
 // Where the lights' domains lie in an importance map.
 #include "shared/vpl_density.h"
 
-ivec2 importance_tile(int light) {
-    return ivec2(light % VPL_DENSITY_ROW, light / VPL_DENSITY_ROW);
+ivec2 importance_tile(int index) {
+    return ivec2(index % VPL_DENSITY_ROW, index / VPL_DENSITY_ROW);
 }
 
 ivec2 importance_cell(vec2 place) {

@@ -9,16 +9,16 @@ layout(binding = UNIT_IMPORTANCE_VALUES) uniform sampler2D importance_values;
 const float IMPORTANCE_LEAST = 0.25;
 
 // Mean value and number over the domain of a light.
-vec2 importance_of_light(int light) {
-    return texelFetch(importance_values, importance_tile(light), VPL_DENSITY_LEVELS - 1).rg;
+vec2 importance_of_light(int index) {
+    return texelFetch(importance_values, importance_tile(index), VPL_DENSITY_LEVELS - 1).rg;
 }
 
 // Of the quarters 00, 10, 01, 11 of a node: texels of `level` from `cell` on, of the light's tile. A few candidates say
 // little, so each quarter counts as if PRIOR more of the light's mean value had landed there.
-vec4 importance_parts(int light, ivec2 cell, int level) {
+vec4 importance_parts(int index, ivec2 cell, int level) {
     const float PRIOR = 4.0;
-    ivec2 first = importance_tile(light) * (VPL_DENSITY_SIDE >> level) + cell;
-    vec2 mean = importance_of_light(light);
+    ivec2 first = importance_tile(index) * (VPL_DENSITY_SIDE >> level) + cell;
+    vec2 mean = importance_of_light(index);
     float cells = float(1 << (2 * level));
     float least = IMPORTANCE_LEAST / (1.0 - IMPORTANCE_LEAST) * mean.r * cells;
     float prior = PRIOR * mean.r / max(mean.g, 1e-30);

@@ -8,23 +8,23 @@
 layout(binding = UNIT_IMPORTANCE_LIGHTS) uniform sampler2D importance_lights;
 
 int light_of(float number) {
-    int last = textureSize(importance_lights, 0).x - 1, light = 0;
-    while (light < last && texelFetch(importance_lights, ivec2(light, 0), 0).g <= number)
-        light++;
-    return light;
+    int last = textureSize(importance_lights, 0).x - 1, index = 0;
+    while (index < last && texelFetch(importance_lights, ivec2(index, 0), 0).g <= number)
+        index++;
+    return index;
 }
 
 // The density there, over the density by flux alone.
-float vpl_choose(vec3 point, out int light, out vec2 place) {
-    light = light_of(point.z);
+float vpl_choose(vec3 point, out int index, out vec2 place) {
+    index = light_of(point.z);
     vec2 within = point.xy;
     ivec2 cell = ivec2(0);
     for (int level = VPL_DENSITY_LEVELS - 2; level >= 0; level--) {
         cell *= 2;
-        vec4 parts = importance_parts(light, cell, level);
+        vec4 parts = importance_parts(index, cell, level);
         int x = take_half(within.x, parts[0] + parts[2], parts[1] + parts[3]);
         cell += ivec2(x, take_half(within.y, parts[x], parts[x + 2]));
     }
     place = (vec2(cell) + within) / float(VPL_DENSITY_SIDE);
-    return vpl_density(light, place);
+    return vpl_density(index, place);
 }

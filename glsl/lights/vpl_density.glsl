@@ -4,7 +4,7 @@
 
 layout(binding = UNIT_VPL_DENSITY) uniform sampler2D vpl_densities;
 
-float vpl_density(int light, vec2 place) {
-    ivec2 cell = importance_tile(light) * VPL_DENSITY_SIDE + importance_cell(place);
+float vpl_density(int index, vec2 place) {
+    ivec2 cell = importance_tile(index) * VPL_DENSITY_SIDE + importance_cell(place);
     return texelFetch(vpl_densities, cell, 0).r;
 }
