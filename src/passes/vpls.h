@@ -23,13 +23,12 @@ struct vpl_weights {
     struct texture values, sum;
 };
 
-/* Where VPLs matter (passes/lights/importance_map.h). Each light's domain is a tile of VPL_DENSITY_SIDE cells a side. */
+/* Where VPLs matter (passes/lights/importance_map.h). Each light's domain is a tile of VPL_DENSITY_SIDE cells a side.
+ * values: of candidates, sum and number in each cell, RG32F; mip levels have means.
+ * lights: a texel a light, RG32F: its VPLs over its VPLs by flux; the fraction of VPLs up to it.
+ * densities: of each cell, VPLs over VPLs by flux alone, R32F. */
 struct importance_map {
-    struct texture
-        values; /* of candidates: sum and number in each cell, RG32F; mip levels have means */
-    struct texture
-        lights; /* a texel a light, RG32F: VPLs over VPLs by flux; fraction of VPLs up to it */
-    struct texture densities; /* of each cell: VPLs over VPLs by flux alone, R32F */
+    struct texture values, lights, densities;
 };
 
 /* A binary tree over VPLs (shared/vpl_tree.h), and the VPL that stands for each node, as many times as there are sets

@@ -32,10 +32,9 @@ struct renderer_desc {
     const struct geometry *geometry;
     struct emitters emitters; /* one at least; the renderer takes a copy */
     struct camera camera;
-    bool
-        keep_lights; /* frames in which only the camera moved use the lights' passes of the one before:
-                         the same picture in less time. VPLs placed by importance are kept as long
-                         as the camera stays near: steadier, and right on the mean */
+    /* Frames in which only the camera moved use the lights' passes of the one before: the same picture in less time. VPLs
+     * placed by importance are kept as long as the camera stays near: steadier, and right on the mean. */
+    bool keep_lights;
     struct background background; /* what is not the scene's hides its sky, in all layers */
     bool progressive;             /* ready for renderer_add_pass */
     bool timed;                   /* measure passes */
