@@ -5,10 +5,7 @@
 #include "renderer/views.h"
 #include "shared/composite.h"
 
-#include <cglm/vec3.h>
-
 #include <assert.h>
-#include <float.h>
 #include <math.h>
 
 const char *const shown_layer_names[] = {
@@ -134,36 +131,17 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
     if ((!keeps || renderer->pass > 0) && technique->render_lights &&
         !follows_camera(technique, state))
         technique->render_lights(state, frame);
-    if (!keeps)
-        renderer->placed = (struct view){0};
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
 }
 
-/* Near enough that what matters to one view matters to the other. */
-static bool views_are_near(const struct view *a, const struct view *b, float radius) {
-    static const float distance = .05F, cosine = .985F,
-                       zoom = 1.1F; /* over the radius; 10 degrees */
-    float widths =
-        glm_vec3_norm((float *)a->right) / fmaxf(glm_vec3_norm((float *)b->right), FLT_MIN);
-    float turn = glm_vec3_dot((float *)a->forward, (float *)b->forward) /
-                 (glm_vec3_norm((float *)a->forward) * glm_vec3_norm((float *)b->forward));
-    return a->orthographic == b->orthographic && widths < zoom && widths > 1 / zoom &&
-           turn > cosine &&
-           glm_vec3_distance((float *)a->origin, (float *)b->origin) < distance * radius;
-}
-
-/* Lights that follow the camera are drawn for its G-buffer; where lights are kept, not for each small step. */
+/* Lights that follow the camera are drawn for its G-buffer. */
 static void render_indirect(struct renderer *renderer, const struct frame *frame) {
     void *state;
     const struct technique *technique = current_technique(renderer, &state);
     struct frame seen = *frame;
     seen.gbuffer = &renderer->gbuffer;
-    bool kept = renderer->pass == 0 && renderer->desc.keep_lights &&
-                views_are_near(&renderer->placed, frame->camera, frame->geometry->radius);
-    if (follows_camera(technique, state) && !kept) {
+    if (follows_camera(technique, state))
         technique->render_lights(state, &seen);
-        renderer->placed = renderer->pass == 0 ? *frame->camera : (struct view){0};
-    }
     technique->render_view(state, frame, &renderer->gbuffer);
 }
 

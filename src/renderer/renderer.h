@@ -32,9 +32,8 @@ struct renderer_desc {
     const struct geometry *geometry;
     struct emitters emitters; /* one at least; the renderer takes a copy */
     struct camera camera;
-    /* Frames in which only the camera moved use the lights' passes of the one before: the same picture in less time. VPLs
-     * placed by importance are kept as long as the camera stays near: steadier, and right on the mean. */
-    bool keep_lights;
+    bool keep_lights; /* frames in which only the camera moved use the lights' passes of the one
+                         before: the same picture in less time */
     struct background background; /* what is not the scene's hides its sky, in all layers */
     bool progressive;             /* ready for renderer_add_pass */
     bool timed;                   /* measure passes */
@@ -65,9 +64,8 @@ struct renderer {
     void *technique_state;
     const struct direct_method *direct; /* desc.direct, or with it environment_direct */
     void *direct_state;
-    bool lights_drawn;  /* what depends on no camera is that of desc */
-    struct view placed; /* that VPLs were last placed for; a spread of 0: for none */
-    int pass;           /* that the last frame was: 0 = the first, or the only one */
+    bool lights_drawn; /* what depends on no camera is that of desc */
+    int pass;          /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
     struct refining {
         const struct technique *technique; /* of passes after the first; NULL: the renderer's own */
