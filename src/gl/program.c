@@ -77,6 +77,8 @@ static bool check_compiled(GLuint shader, const struct glsl_source *source, cons
         return true;
     char message[1500] = "";
     gl.GetShaderInfoLog(shader, sizeof message, NULL, message);
+    if (!message[0]) /* out of memory, mostly */
+        return error_set("shader %s does not compile: the driver gives no reason", file);
     char *explained = glsl_explain(source, message);
     error_set("shader %s does not compile:\n%s", file, explained);
     free(explained);
