@@ -35,8 +35,8 @@ static const struct victim render = {
     {"@/a.exr", "@/a.png"}};
 static const struct victim reference = {
     "reference scenes/cornell-box.glb --size 16x12 --spp 4 -o @/a.exr", {"@/a.exr"}};
-static const struct victim compare = {
-    "compare @/../small.png @/../small.png -o @/a.png", {"@/a.png"}};
+static const struct victim compare = {"compare @/../small.png @/../small.png -o @/a.png",
+                                      {"@/a.png"}};
 static const struct victim bench = {
     "bench times scenes/cornell-box.glb --size 32x24 --frames 1 --set vpls=64 --set map-size=32 "
     "--set vals=4 --csv @/a.csv",
@@ -209,8 +209,7 @@ static void test_compare(void **state) {
     unsigned char rgba[SIDE * SIDE * 4];
     for (int i = 0; i < SIDE * SIDE * 4; i++)
         rgba[i] = (unsigned char)(i * 7);
-    check_ok("small.png",
-             bitmap_write(&(struct bitmap){SIDE, SIDE, rgba}, scratch("small.png")));
+    check_ok("small.png", bitmap_write(&(struct bitmap){SIDE, SIDE, rgba}, scratch("small.png")));
     break_all(&compare);
 }
 

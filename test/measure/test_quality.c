@@ -128,10 +128,8 @@ static void test_estimate(void **state) {
     int few = estimate.samples; /* tell that it is not 100 %, and to a twentieth */
     check_ok("error", estimate_error(&estimate, &renderer, first, &error));
     check_at_most("samples where that does not decide", few, estimate.samples / 2.0);
-    const struct path_tracer_desc desc = {.width = 2 * SIDE,
-                                          .height = 2 * SIDE,
-                                          .bounces = 1,
-                                          .samples = is_long_run() ? 128 : 32};
+    const struct path_tracer_desc desc = {
+        .width = 2 * SIDE, .height = 2 * SIDE, .bounces = 1, .samples = is_long_run() ? 128 : 32};
     check_ok("truth", picture_trace_paths(&box->stage, &desc, &truth, NULL));
     check_ok("layers", renderer_read_layers(&renderer, &picture));
     double all = error_of(&picture, &truth);

@@ -186,7 +186,8 @@ static void test_convergence(void **state) {
         struct stage stage;
         open_stage(&stage, scenes[i]);
         struct renderer_desc desc = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
-        struct image truth = trace(&stage, is_long_run() ? .006 : .015), frame = render_layers(&desc);
+        struct image truth = trace(&stage, is_long_run() ? .006 : .015),
+                     frame = render_layers(&desc);
         struct image means[2];
         render_means(&desc, FEW, means);
         double first = error(&frame, &truth);
@@ -223,7 +224,8 @@ static void read_scratch(struct image *image, const char *name) {
 /* 4 + 4 passes, averaged, are 8 but for the rounding of sums; so are 2 + 6 in other order. */
 static void test_split(void **state) {
     (void)state;
-#define RENDER "render scenes/cornell-box.glb -q --size 48x40 --set \"vpls=256 vals=8 " \
+#define RENDER                                                                                     \
+    "render scenes/cornell-box.glb -q --size 48x40 --set \"vpls=256 vals=8 "                       \
     "map-size=64 rsm-size=128 shadow-size=256\" "
     char output[2048];
     static const char *const commands[] = {

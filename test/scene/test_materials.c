@@ -12,9 +12,7 @@
 enum { WIDTH = 250, HEIGHT = 200, COLUMNS = 5 };
 
 /* Of materials.glb, for all tests of it. */
-static struct pictures {
-    struct image drawn, traced;
-} pictures;
+static struct pictures { struct image drawn, traced; } pictures;
 
 static int make_pictures(void **state) {
     struct stage stage;
