@@ -45,7 +45,7 @@ plain(name) = strstrt(name, "/") ? plain(replace(name, "/", "-")) : strstrt(name
     strstrt(name, '"') ? plain(replace(name, '"', "-")) : strlen(name) ? name : "unnamed"
 place_of(name, faces) = plain(strcol(name)) . " " . strcol(faces)
 
-# The chart that a row belongs to: of a sweep "time", of curves the setting, of a clip what is told.
+# The chart that a row belongs to: of a sweep "time", of curves the setting, of a clip the measured quantity.
 error(what) = what eq "relative-rmse" || what eq "gradient"
 chart_of(mode, what) = \
     mode eq "sweep" && what eq "relative-rmse" && strlen(strcol("frame_ms")) ? "time" : \

@@ -2,9 +2,9 @@
 #
 #     awk -f bench/chosen.awk FILE.csv
 #
-# A cell: the error that was told, the one that there is, and the CPU time over that of the fastest choice that errs no more; in
+# A cell: the estimated error, the measured one, and the CPU time over that of the fastest choice that errs no more; in
 # brackets where no choice of that scene has the error asked for. Below it, how far off that is at most, and how near errors
-# of all choices are told. Scenes without indirect light, whose errors are infinite or nothing, have no row.
+# of all choices are estimated. Scenes without indirect light, whose errors are infinite or nothing, have no row.
 
 BEGIN {
     FS = ","
@@ -29,7 +29,7 @@ FNR > 1 {
         if ($7 != "0 fov=.4" && (!(scene in least) || $13 < least[scene]))
             least[scene] = $13
     } else if ($10 == "told") {
-        told[subject] = $13
+        estimated[subject] = $13
     }
 }
 
@@ -47,7 +47,7 @@ function cell(scene, asked,   point, text, of) {
 }
 
 END {
-    print "| told %, error %, time of the fastest's | 2 % | 4 % | 8 % | 16 % | 30 % |"
+    print "| estimated %, error %, time of the fastest's | 2 % | 4 % | 8 % | 16 % | 30 % |"
     print "|---|---|---|---|---|---|"
     for (s = 1; s <= count; s++) {
         if (!(scenes[s] in lit))
@@ -60,15 +60,15 @@ END {
     }
     printf "\nOf %d points %d can be had; time at most %.2f of the fastest's (%s), error at most %.2f of what was asked for (%s)%s\n", \
         lit_scenes * askeds, points, dearest, dearest_at, worst, worst_at, over
-    for (t in told) {
+    for (t in estimated) {
         if (error[t] !~ /^[0-9]/ || error[t] <= 0)
             continue
         rows++
-        ratio = told[t] / error[t]
+        ratio = estimated[t] / error[t]
         off = ratio > 1 ? ratio : 1 / ratio
         tenth += off <= 1.1
         fifth += off <= 1.2
-        if (off > furthest) { furthest = off; split(t, names, SUBSEP); furthest_at = sprintf("%s, %s: %.1f for %.1f %%", names[1], names[3], told[t], error[t]) }
+        if (off > furthest) { furthest = off; split(t, names, SUBSEP); furthest_at = sprintf("%s, %s: %.1f for %.1f %%", names[1], names[3], estimated[t], error[t]) }
     }
-    printf "Of %d errors told %d are within a tenth, %d within a fifth; furthest off: %s\n\n", rows, tenth, fifth, furthest_at
+    printf "Of %d estimated errors %d are within a tenth, %d within a fifth; furthest off: %s\n\n", rows, tenth, fifth, furthest_at
 }

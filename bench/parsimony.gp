@@ -3,7 +3,7 @@
 #
 #     gnuplot -e "csv='FILE.csv'; folder='DIR'" bench/parsimony.gp
 #
-# DIR/told: errors that are told of choices, against those that they have, of all scenes and cameras. DIR/SCENE-quality: time against error of the
+# DIR/estimated: estimated errors of choices against measured ones, of all scenes and cameras. DIR/SCENE-quality: time against error of the
 # ladder's choices, of fixed settings, and of what was chosen for 2, 4, 8, 16 and 30 %. Each as .svg and .png.
 
 set datafile separator comma
@@ -46,22 +46,22 @@ scenes = ""
 has_error(x) = is("mode", "quality") && is("variant", "ladder") && is("what", "error") && column("value") > 0 && column("value") < 1e9
 stats csv using (has_error(0) ? (scenes = add(scenes, strcol("scene")), 0) : 0) nooutput
 
-# The subject's rows come in order: its error first, then its CPU time, then what was told of it.
+# The subject's rows come in order: its error first, then its CPU time, then its estimated error.
 last_error = NaN
 last_cpu = NaN
 error_of(x) = is("what", "error") ? (last_error = column("value"), NaN) : x
-told(scene) = error_of(is("scene", scene) && is("what", "told") ? last_error : NaN)
+estimated(scene) = error_of(is("scene", scene) && is("what", "told") ? last_error : NaN)
 cpu(scene, variant) = error_of(is("scene", scene) && is("variant", variant) && is("what", "cpu") ? column("value") : NaN)
 
-set title "errors that --max-error tells, and those that there are" noenhanced
-set xlabel "relative RMSE of indirect light against the truth, %"
-set ylabel "told, %"
+set title "estimated and measured errors of --max-error" noenhanced
+set xlabel "relative RMSE of indirect light against the reference, %"
+set ylabel "estimated, %"
 do for [type in "svg png"] {
     eval(value(type))
-    set output folder . "/told." . type
-    plot x with lines lc rgb '#bbbbbb' lw 3 title "as told", \
+    set output folder . "/estimated." . type
+    plot x with lines lc rgb '#bbbbbb' lw 3 title "as estimated", \
         1.2 * x with lines lc rgb '#bbbbbb' dt 2 title "a fifth more or less", x / 1.2 with lines lc rgb '#bbbbbb' dt 2 notitle, \
-        for [i = 1:words(scenes)] csv using (told(word(scenes, i))):(column("value")) \
+        for [i = 1:words(scenes)] csv using (estimated(word(scenes, i))):(column("value")) \
             with points lt i title word(scenes, i)
     unset output
 }

@@ -61,6 +61,8 @@ $(GUESTS)/manylight: $(MAIN_OBJECT) $(GUEST_OBJECTS) $(LIBRARY)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
+$(BUILD)/test/test_guests: | $(GUESTS)/manylight
+
 # LONG=1: all rows of each test, not a few of each kind.
 LONG :=
 test: deps

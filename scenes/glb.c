@@ -80,8 +80,8 @@ int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
     return add_material(glb, name, albedo, 0, 1, sides);
 }
 
-int glb_add_glossy(struct glb *glb, const char *name, const float color[3], float metalness,
-                   float roughness) {
+int glb_add_specular(struct glb *glb, const char *name, const float color[3], float metalness,
+                     float roughness) {
     return add_material(glb, name, color, metalness, roughness, GLB_SINGLE_SIDED);
 }
 

@@ -40,8 +40,8 @@ int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
                      enum glb_sides sides);
 
 /* A single-sided one of that base colour, metal or plastic: metalness 1 or 0. */
-int glb_add_glossy(struct glb *glb, const char *name, const float color[3], float metalness,
-                   float roughness);
+int glb_add_specular(struct glb *glb, const char *name, const float color[3], float metalness,
+                     float roughness);
 
 /* A picture of at most PNG_SIDE_MOST texels a side, RGBA from the top row on, with the members of a sampler in
  * JSON, "" = none; returns the texture's index. */

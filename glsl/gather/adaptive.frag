@@ -3,13 +3,13 @@
 // its second, so that a draw finds them side by side. The order within a list is that of arrival; no pixel's light
 // depends on it.
 //
-// With SHARE_VISIBILITY such pixels are listed, too, that no block speaks for; the others are told which one does. Pixels
-// that are not listed are told their triangle's normal: what draws tiles has no neighbours at hand.
+// With SHARE_VISIBILITY such pixels are adaptive, too, that no block speaks for; the others are told which one does.
+// Pixels that are not adaptive are told their triangle's normal: what draws tiles has no neighbours at hand.
 #include "lib/divide.glsl"
 #include "lib/gbuffer.glsl"
 #include "gather/list_texel.glsl"
 #include "gather/receiver_facet.glsl"
-#include "picture/picks.glsl"
+#include "picture/sample_assignment.glsl"
 #include "shared/adaptive.h"
 #if SHARE_VISIBILITY
 #include "gather/block.glsl"
@@ -17,7 +17,7 @@
 
 layout(r32ui, binding = IMAGE_ADAPTIVE_PIXELS) writeonly uniform uimage2D adaptive_pixels;
 layout(r32ui, binding = IMAGE_EDGE_SAMPLE_TEXELS) writeonly uniform uimage2D edge_sample_texels;
-layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
+layout(binding = UNIT_SAMPLE_ASSIGNMENT) uniform usampler2D sample_assignment;
 layout(std430, binding = STORAGE_LIST_COUNTS) buffer list_counts {
     uint counts[PIXEL_LISTS_MAX];
 };
@@ -73,7 +73,7 @@ void main() {
         imageStore(adaptive_pixels, texel, uvec4(pixel.x | pixel.y << 16));
         list_texel = list_texel_code(texel, level);
     }
-    uvec2 picks = texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
-    if (picks_edge_sample(picks))
+    uvec2 assignment = texelFetch(sample_assignment, min(pixel, textureSize(sample_assignment, 0) - 1), 0).rg;
+    if (has_edge_sample(assignment))
         list_edge_sample(pixel);
 }

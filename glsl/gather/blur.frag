@@ -49,7 +49,7 @@ void main() {
     // Two pixels count for each other between what each counts for its like, so that as much light goes as comes.
     // Pixels of lists take of none beyond their own windows.
     int level = blur_tap_level(center);
-    vec4 radii = level == BLUR_LEVEL_UNLISTED ? params.taken_radii : min(params.radii, of_level(params.radii, level));
+    vec4 radii = level == BLUR_LEVEL_NONE ? params.taken_radii : min(params.radii, of_level(params.radii, level));
     vec4 weights = sqrt(params.weights * of_level(params.weights, level));
     ivec2 along = params.along, across = along.yx;
     vec4 sum = vec4(0.0);

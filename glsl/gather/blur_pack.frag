@@ -20,8 +20,8 @@ bool is_steep(vec3 irradiance, float depth) {
 }
 #endif
 
-#if GLOSS
-#include "lib/gbuffer_shine.glsl"
+#if SPECULAR_BLUR
+#include "lib/gbuffer_specular.glsl"
 #endif
 
 layout(location = TARGET_RESULT) out uvec4 packed_tap;
@@ -31,7 +31,7 @@ void main() {
     vec3 normal = octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg);
     float depth = gbuffer_depth(pixel);
     vec3 irradiance = texelFetch(source, interleaved_texel(params.pattern, pixel), 0).rgb;
-    int level = BLUR_LEVEL_UNLISTED;
+    int level = BLUR_LEVEL_NONE;
 #if ADAPTIVE
     uint code = texelFetch(list_texels, pixel, 0).r;
     if (list_texel_has(code)) {
@@ -41,9 +41,9 @@ void main() {
             level = BLUR_LEVEL_STEEP;
     }
 #endif
-#if GLOSS
-    float roughness = gloss_decode(texelFetch(gbuffer_glosses, ivec3(pixel, 0), 0)).a;
-    level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(0) : BLUR_LEVEL_UNLISTED;
+#if SPECULAR_BLUR
+    float roughness = specular_decode(texelFetch(gbuffer_speculars, ivec3(pixel, 0), 0)).a;
+    level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(0) : BLUR_LEVEL_NONE;
 #endif
     packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,
                                         blur_tap_normal_code(normal), irradiance, level));

@@ -8,11 +8,11 @@ vec2 correction_at(int map, vec2 place) {
 }
 
 // A veil over the visibility, which black makes darker and white lighter: its colour, times alpha, and alpha.
-vec2 correction_veil(float gain) {
-    return vec2(max(gain, 0.0), abs(gain));
+vec2 correction_veil(float amount) {
+    return vec2(max(amount, 0.0), abs(amount));
 }
 
-float corrected(float visible, float gain) {
-    vec2 veil = correction_veil(gain);
+float corrected(float visible, float amount) {
+    vec2 veil = correction_veil(amount);
     return visible * (1.0 - veil.y) + veil.x;
 }

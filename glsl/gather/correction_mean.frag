@@ -1,11 +1,11 @@
-// The gains of all VALs together.
-#include "gather/correction_factor.glsl"
+// The corrections of all VALs together.
+#include "gather/correction_of_tests.glsl"
 
-layout(location = TARGET_RESULT) out vec2 gains;
+layout(location = TARGET_RESULT) out vec2 corrections;
 
 void main() {
     test_sums all = test_sums(vec4(0.0), vec2(0.0));
     for (int val = 0; val < textureSize(sums, 0).z; val++)
         sums_add(all, val);
-    gains = gains_of(all, vec2(0.0));
+    corrections = corrections_of(all, vec2(0.0));
 }

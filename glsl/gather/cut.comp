@@ -11,7 +11,7 @@ PASS_BLOCK(vpl_cut_params, 32)
 
 layout(local_size_x = CUT_GROUP, local_size_y = CUT_GROUP) in;
 layout(r32ui, binding = IMAGE_CUTS) writeonly uniform uimage2DArray cuts;
-layout(binding = UNIT_TREE_PICKS) uniform usampler2DArray tree_picks;
+layout(binding = UNIT_TREE_REPRESENTATIVES) uniform usampler2DArray tree_representatives;
 
 int nodes[CUT_NODES_MAX];
 float bounds[CUT_NODES_MAX], estimates[CUT_NODES_MAX];
@@ -49,7 +49,7 @@ bool block_extent(ivec2 block, out tree_extent extent, out tree_extent middle) {
 
 // What a node gives in the block's middle if nothing hides it.
 float estimate(tree_extent middle, int node, float power) {
-    vpl light = vpl_at(int(texelFetch(tree_picks, tree_texel(node, 0), 0).r));
+    vpl light = vpl_at(int(texelFetch(tree_representatives, tree_texel(node, 0), 0).r));
     tree_node point = tree_node(tree_extent(light.position, light.position, light.normal, 1.0),
                                 light.reach * light.reach * light.area, light.area, light.flux, power);
     return power * cut_bound(middle, point, params.clamp_at);

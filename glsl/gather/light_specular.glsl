@@ -2,24 +2,27 @@
 //     L = Phi / pi  f_r  cos_x  cos_i / (d^2 + r^2 / 2)
 // A point's mirror image would be a spot in the picture: SPHERE spreads the light over the ball around the VPL that
 // holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.
-// With RAYS a point gives no more than what rays do not find better (gather/gloss_rays.frag).
-#include "lib/gbuffer_shine.glsl"
-#include "gather/gloss_share.glsl"
+// With RAYS a point gives no more than what rays do not find better (gather/specular_rays.frag).
+#include "lib/gbuffer_specular.glsl"
+#include "gather/specular_weight.glsl"
 #include "gather/near_field.glsl"
 
-shine receiver_shine = shine(vec3(0.0), vec3(0.0), 1.0, vec3(0.0), vec3(0.0)); // of the pixel at hand
+// Of the pixel at hand.
+specular_surface receiver_specular = specular_surface(vec3(0.0), vec3(0.0), 1.0, vec3(0.0), vec3(0.0));
 
 vec3 specular_light(vpl light, surface s, float area) {
     vec3 to_vpl = light.position - s.position;
     float distance2 = dot(to_vpl, to_vpl);
     vec3 direction = to_vpl * inversesqrt(max(distance2, 1e-30));
     float cosine = -dot(light.normal, direction);
-    if (cosine <= 0.0 || receiver_shine.f90 == vec3(0.0))
+    if (cosine <= 0.0 || receiver_specular.f90 == vec3(0.0))
         return vec3(0.0);
-    shine seen = receiver_shine;
+    specular_surface seen = receiver_specular;
     if (SPECULAR == SPECULAR_RAYS) {
-        gloss_samples there = gloss_samples_at(seen, direction, cosine, distance2, params.gloss_rays, area);
-        return light.flux * specular_brdf(seen, direction) * (cosine / distance2 * gloss_share(there.vpls, there.rays));
+        specular_densities there =
+            specular_densities_at(seen, direction, cosine, distance2, params.specular_rays, area);
+        float of_vpls = specular_weight(there.vpls, there.rays);
+        return light.flux * specular_brdf(seen, direction) * (cosine / distance2 * of_vpls);
     }
     if (SPECULAR == SPECULAR_SPHERE) {
         // Half vectors turn by half of what directions do.
@@ -34,8 +37,8 @@ float given_back() {
 }
 
 bool receives_light(surface s, ivec2 pixel) {
-    receiver_shine = gbuffer_shine(s, pixel);
-    return receiver_shine.f90 != vec3(0.0);
+    receiver_specular = gbuffer_specular(s, pixel);
+    return receiver_specular.f90 != vec3(0.0);
 }
 
 // What is reflected of near VPLs counts as unoccluded.

@@ -6,7 +6,7 @@
 #include "shared/gather.h"
 
 layout(binding = UNIT_CUTS) uniform usampler2DArray cuts;
-layout(binding = UNIT_TREE_PICKS) uniform usampler2DArray tree_picks;
+layout(binding = UNIT_TREE_REPRESENTATIVES) uniform usampler2DArray tree_representatives;
 
 ivec3 cut_texel;
 
@@ -18,7 +18,7 @@ ivec2 lights_of(ivec2 pixel) {
 
 vpl light_at(int i) {
     int node = int(texelFetch(cuts, cut_texel + ivec3(0, 0, i + 1), 0).r);
-    vpl light = vpl_at(int(texelFetch(tree_picks, tree_texel(node, slot.x), 0).r));
+    vpl light = vpl_at(int(texelFetch(tree_representatives, tree_texel(node, slot.x), 0).r));
     light.flux *= tree_row(node, TREE_FLUX).w / max(dot(light.flux, vec3(1.0)), 1e-30);
     return light;
 }

@@ -19,8 +19,8 @@ layout(location = LOCATION_SLOT) uniform ivec4 slot; // samples, in its second; 
 layout(location = LOCATION_NEAR_SHIFT) uniform vec4 shift;
 // The lights that this tile takes, and each one's weight: of a group of many one stands for all, but for what is on
 // a list.
-layout(location = LOCATION_PICK_COUNT) uniform int pick_count;
-layout(location = LOCATION_PICKS) uniform vec2 picks[LIGHTS];
+layout(location = LOCATION_SLOT_LIGHT_COUNT) uniform int slot_light_count;
+layout(location = LOCATION_SLOT_LIGHTS) uniform vec2 slot_lights[LIGHTS];
 
 layout(location = TARGET_RESULT) out vec4 irradiance;
 
@@ -161,11 +161,11 @@ void main() {
     receives = receives && s.present;
     float random = group_random(pixel, params.turn);
 #if LIGHTS == 1 // or none
-    irradiance.rgb = near_field(s, receives && pick_count > 0, light_at(0), vpl_share_at(0), random);
+    irradiance.rgb = near_field(s, receives && slot_light_count > 0, light_at(0), vpl_share_at(0), random);
 #else
-    for (int i = 0; i < pick_count; i++) {
-        int index = int(picks[i].x);
-        irradiance.rgb += picks[i].y * near_field(s, receives, light_at(index), vpl_share_at(index), random);
+    for (int i = 0; i < slot_light_count; i++) {
+        int index = int(slot_lights[i].x);
+        irradiance.rgb += slot_lights[i].y * near_field(s, receives, light_at(index), vpl_share_at(index), random);
     }
 #endif
 }

@@ -5,6 +5,7 @@
 #include "lib/vpl_shares.glsl"
 #include "shared/near_field.h"
 #include "shared/vpl.h"
+#include VPL_AREA
 
 layout(location = LOCATION_FIRST_VIEW) uniform int first_view; // of this kind
 flat in int instance;
@@ -29,7 +30,8 @@ void main() {
     vec3 direction = directional ? v.view.forward : normalize(from_light);
     float cosine = dot(s.normal, -direction);
     float distance2 = directional ? 1.0 : dot(from_light, from_light);
-    float area = vpl_share_at(v.light).measure * distance2 / max(cosine, VPL_COSINE_MIN);
+    float by_flux = vpl_share_at(v.light).measure * distance2 / max(cosine, VPL_COSINE_MIN);
+    float area = vpl_area_at(by_flux, v.light, l, s.position);
     vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
     power *= rsm_albedo(v, texel) * (cosine > 0.0 ? params.power_scale : 0.0);
     power *= ndc_measure(v.view, dot(from_light, v.view.forward) * inversesqrt(dot(from_light, from_light)));

@@ -7,7 +7,7 @@
 #if RECEIVERS == RECEIVERS_ALL
 #include "gather/receiver_all.glsl"
 #elif RECEIVERS == RECEIVERS_ADAPTIVE
-#include "gather/receiver_listed.glsl"
+#include "gather/receiver_adaptive.glsl"
 #else
 #include "gather/receiver_other.glsl"
 #endif

@@ -3,7 +3,7 @@
 #include "shared/brdf.h"
 
 // A surface towards the eye.
-struct shine {
+struct specular_surface {
     vec3 f0, f90;  // reflectance from straight on and grazing; 0 of a diffuse surface
     float alpha;   // roughness^2
     vec3 normal, to_eye;
@@ -20,7 +20,7 @@ float smith_root(float alpha, float cosine) {
 }
 
 // 1/sr, times the cosine of the light; 0 from below the horizon.
-vec3 specular_brdf(shine s, vec3 to_light) {
+vec3 specular_brdf(specular_surface s, vec3 to_light) {
     float n_l = dot(s.normal, to_light);
     if (n_l <= 0.0)
         return vec3(0.0);
@@ -44,7 +44,7 @@ vec3 squeeze(vec3 normal, vec3 direction, float alpha) {
 }
 
 // Where one of the microfacets' normals that the eye sees mirrors it [Heitz 2018]; may lie below the horizon.
-vec3 lobe_sample(shine s, vec2 place) {
+vec3 lobe_sample(specular_surface s, vec2 place) {
     vec3 seen_from = squeeze(s.normal, s.to_eye, s.alpha), right = cross(s.normal, seen_from);
     right = dot(right, right) > 0.0 ? normalize(right) : perpendicular(s.normal);
     vec3 up = cross(seen_from, right);
@@ -56,7 +56,7 @@ vec3 lobe_sample(shine s, vec2 place) {
 }
 
 // Its density, 1/sr.
-float lobe_density(shine s, vec3 to_light) {
+float lobe_density(specular_surface s, vec3 to_light) {
     vec3 h = normalize(s.to_eye + to_light), aside = cross(s.normal, h);
     float n_h = dot(s.normal, h), n_v = dot(s.normal, s.to_eye);
     float across = dot(aside, aside) / s.alpha + n_h * n_h * s.alpha;

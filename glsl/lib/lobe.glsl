@@ -11,7 +11,7 @@ struct lobe {
     float alpha; // the narrower, the larger things are there
 };
 
-lobe lobe_of(shine s) {
+lobe lobe_of(specular_surface s) {
     float cosine = dot(s.normal, s.to_eye), size = float(textureSize(lobes, 0).x);
     vec2 place = vec2(sqrt(max(1.0 - cosine, 0.0)), sqrt(s.alpha));
     place = (place * (size - 1.0) + 0.5) / size;

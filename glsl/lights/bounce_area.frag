@@ -20,7 +20,7 @@ float nearest2(int i, vec3 position, vec3 normal, int first, int last) {
 
 void main() {
     int i = int(gl_FragCoord.x), first = int(gl_FragCoord.y) * RUNS_PER_ROW;
-    int partners = min(params.further, BOUNCE_PARTNERS);
+    int partners = min(params.later, BOUNCE_PARTNERS);
     vec3 position = path_position(i), normal = path_normal(i);
     int last = path_power(i) > 0.0 ? first + RUNS_PER_ROW : first;
     float sum = 0.0;

@@ -9,6 +9,6 @@ float path_area(int i) {
     float sum = 0.0;
     for (int row = 0; row < BOUNCE_ROWS; row++)
         sum += texelFetch(path_areas, ivec2(i, row), 0).r;
-    float share = float(min(params.further, BOUNCE_PARTNERS)) / float(params.further * BOUNCE_RUNS);
+    float share = float(min(params.later, BOUNCE_PARTNERS)) / float(params.later * BOUNCE_RUNS);
     return PI * share * sum / float(BOUNCE_RUNS);
 }

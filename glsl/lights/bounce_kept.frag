@@ -17,7 +17,7 @@ float shrunk(vec2 seen, vec3 squares, float of_all) {
 void main() {
     vec4 sum = vec4(0.0); // seen, all
     vec3 squares = vec3(0.0);
-    for (int i = 0; i < params.further; i++) {
+    for (int i = 0; i < params.later; i++) {
         vec4 own = texelFetch(paths_seen, ivec2(i, 0), 0);
         sum += own;
         squares += vec3(own.x * own.x, own.x * own.y, own.y * own.y);

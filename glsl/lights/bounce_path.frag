@@ -22,7 +22,7 @@ vec3 cosine_direction(vec3 axis, vec2 number) {
     return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
 }
 
-vec3 reflected(tree_hit hit) {
+vec3 reflected(bvh_hit hit) {
     vec4 albedo = texelFetch(albedos, hit.triangle);
     return hit.back ? albedo.rgb * albedo.a : albedo.rgb;
 }
@@ -35,7 +35,7 @@ void main() {
     ivec2 path = ivec2(gl_FragCoord.xy);
     int i = BOUNCE_ROWS * path.x + path.y;
     vec2 choice = number_at(path, BOUNCE_NUMBER_CHOICE);
-    float vpls_per_path = float(params.vpls) / float(BOUNCE_ROWS * params.further);
+    float vpls_per_path = float(params.vpls) / float(BOUNCE_ROWS * params.later);
     vpl light = vpl_at(min(int((float(i) + choice.x) * vpls_per_path), params.vpls - 1));
     vec3 place = light.position + params.start * light.normal, axis = light.normal;
     vec3 carried = light.flux * vpls_per_path;
@@ -48,7 +48,7 @@ void main() {
     int last = path.y == 0 ? params.bounces + 1 : params.bounces;
     for (int bounce = 2; bounce <= last; bounce++) {
         vec3 direction = cosine_direction(axis, number_at(path, BOUNCE_NUMBER_RAYS + bounce - 2));
-        tree_hit hit = tree_meet(place, direction, goes);
+        bvh_hit hit = bvh_meet(place, direction, goes);
         goes = goes && hit.triangle >= 0;
         if (goes && chosen == bounce - 1)
             next = vec4(place + hit.distance * direction, hit.distance);
@@ -72,7 +72,7 @@ void main() {
                 left = own;
                 chosen = bounce;
             }
-            place = met + tree_clearance() * hit.normal;
+            place = met + bvh_clearance() * hit.normal;
             axis = hit.normal;
         }
     }

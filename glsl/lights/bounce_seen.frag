@@ -15,7 +15,7 @@ bool is_seen(vec3 from, vec3 to) {
     vec3 eye = view_position_at(camera, ndc, 0.0);
     float apart = distance(eye, to);
     bool shown = clip.w > 0.0 && all(lessThan(abs(ndc), vec2(1.0))) && apart > 0.0;
-    tree_hit hit = tree_meet(eye, (to - eye) / max(apart, 1e-30), shown);
+    bvh_hit hit = bvh_meet(eye, (to - eye) / max(apart, 1e-30), shown);
     return shown && hit.triangle >= 0 && abs(hit.distance - apart) < SAME * apart && dot(from - to, hit.normal) > 0.0;
 }
 

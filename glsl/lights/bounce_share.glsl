@@ -5,7 +5,7 @@
 // First and past the last of VPL i's.
 ivec2 pool_of(int i) {
     int first = i / BOUNCE_POOL * BOUNCE_POOL;
-    return ivec2(first, min(first + BOUNCE_POOL, params.further));
+    return ivec2(first, min(first + BOUNCE_POOL, params.later));
 }
 
 // The share that is lost: as that of a VPL so far away that it is too far, over the scene's radius.

@@ -1,6 +1,7 @@
 // The number of the VPL where cluster k begins: Halton's point k, warped so that as many lie where the importance is
 // greater [Clarberg et al. 2005]. From all of the light's domain down to a cell: its halves along u, then along v, are
 // stretched to their shares. -1 where the cell has no VPL.
+#include "lights/take_half.glsl"
 #include "shared/importance.h"
 
 layout(binding = UNIT_IMPORTANCE) uniform sampler2D importances; // with means over 2 x 2, 4 x 4 ... cells
@@ -18,15 +19,6 @@ float radical_inverse(int base, int i) {
         digit /= float(base);
     }
     return sum;
-}
-
-// Which half x is in; x is stretched over it.
-int take_half(inout float x, float first, float second) {
-    float share = first / max(first + second, 1e-30);
-    bool is_first = x < share;
-    x = is_first ? x / share : (x - share) / max(1.0 - share, 1e-6);
-    x = min(x, 0.999999);
-    return is_first ? 0 : 1;
 }
 
 void main() {

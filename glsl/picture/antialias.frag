@@ -1,7 +1,7 @@
 // Gives each sample of the pixel to the neighbour whose surface it lies on [Chajdas et al. 2011 §3], and finds an
 // edge sample to shade where it lies on none's.
 #include "lib/edge_sample.glsl"
-#include "picture/picks.glsl"
+#include "picture/sample_assignment.glsl"
 #include "picture/sample_plane.glsl"
 
 layout(binding = UNIT_SAMPLE_NORMAL) uniform sampler2DMSArray sample_normals;
@@ -10,7 +10,7 @@ layout(binding = UNIT_SAMPLE_NORMAL) uniform sampler2DMSArray sample_normals;
 layout(early_fragment_tests) in;
 layout(rgba32ui, binding = IMAGE_EDGE_SAMPLES) writeonly uniform uimage2D edge_samples;
 
-layout(location = TARGET_RESULT) out uvec2 picks;
+layout(location = TARGET_RESULT) out uvec2 assignment;
 
 // A neighbour far off in depth along its own plane is less likely than a near one: a silhouette's plane
 // holds the line of sight, and with it whatever lies behind.
@@ -39,7 +39,7 @@ void read_samples(ivec2 pixel) {
         normal[i] = sample_normal(pixel, i);
         apart[i] = APART_WEIGHT / width * (camera.orthographic ? camera.far : 1.0 / max(depth[i], 1e-30));
         least[i] = depth[i] > 0.0 ? 1e30 : -1.0;
-        best[i] = PICK_NOTHING;
+        best[i] = ASSIGNED_NOTHING;
     }
 }
 
@@ -66,62 +66,62 @@ float unlikelihood(candidate c, int i) {
 }
 
 // The samples that rather lie there than on what was tried before.
-void try_candidate(candidate c, uint pick) {
+void try_candidate(candidate c, uint assigned) {
     for (int i = 0; i < SAMPLES; i++) {
         float unlikely = unlikelihood(c, i);
         bool better = unlikely < least[i];
         least[i] = better ? unlikely : least[i];
-        best[i] = better ? pick : best[i];
+        best[i] = better ? assigned : best[i];
     }
 }
 
 // Of the neighbours, the pixel itself first.
-void try_neighbour(ivec2 pixel, uint pick) {
-    ivec2 offset = clamp(pixel + pick_offset(pick), ivec2(0), gbuffer_size() - 1) - pixel;
-    try_candidate(candidate_of(plane_of(pixel + offset), vec2(offset)), pick);
+void try_neighbour(ivec2 pixel, uint assigned) {
+    ivec2 offset = clamp(pixel + assigned_offset(assigned), ivec2(0), gbuffer_size() - 1) - pixel;
+    try_candidate(candidate_of(plane_of(pixel + offset), vec2(offset)), assigned);
 }
 
 // One of the samples, in values of its own: an array that is read at a place that is not known beforehand lies in
 // memory, all of it.
-struct picked_sample {
+struct unlikely_sample {
     vec2 place;
     float depth;
     vec3 normal;
-    uint pick;
+    uint assigned;
 };
 
 // The one that lies off all neighbours' surfaces most; false where none does.
-bool most_unlikely(out picked_sample found) {
+bool most_unlikely(out unlikely_sample found) {
     float most = UNLIKELY;
-    found = picked_sample(vec2(0.0), 0.0, vec3(0.0), PICK_NOTHING);
+    found = unlikely_sample(vec2(0.0), 0.0, vec3(0.0), ASSIGNED_NOTHING);
     for (int i = 0; i < SAMPLES; i++) {
-        bool more = best[i] != PICK_NOTHING && least[i] > most;
+        bool more = best[i] != ASSIGNED_NOTHING && least[i] > most;
         most = more ? least[i] : most;
         found.place = more ? params.places[i].xy : found.place;
         found.depth = more ? depth[i] : found.depth;
         found.normal = more ? normal[i] : found.normal;
-        found.pick = more ? best[i] : found.pick;
+        found.assigned = more ? best[i] : found.assigned;
     }
     return most > UNLIKELY;
 }
 
 // That sample is the edge sample, and others that rather lie on its surface are lit as it.
-void take_edge_sample(ivec2 pixel, picked_sample chosen) {
-    edge_sample point = edge_sample(chosen.depth, chosen.normal, chosen.place, chosen.pick);
+void take_edge_sample(ivec2 pixel, unlikely_sample chosen) {
+    edge_sample point = edge_sample(chosen.depth, chosen.normal, chosen.place, chosen.assigned);
     imageStore(edge_samples, pixel, edge_sample_pack(point));
     plane p = plane_at(vec2(pixel) + 0.5 + chosen.place, chosen.depth, chosen.normal);
-    try_candidate(candidate_of(p, chosen.place), PICK_EDGE_SAMPLE);
+    try_candidate(candidate_of(p, chosen.place), ASSIGNED_EDGE_SAMPLE);
 }
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     read_samples(pixel);
-    for (uint pick = 0u; pick < 9u; pick++)
-        try_neighbour(pixel, pick);
-    picked_sample chosen;
+    for (uint assigned = 0u; assigned < 9u; assigned++)
+        try_neighbour(pixel, assigned);
+    unlikely_sample chosen;
     if (most_unlikely(chosen))
         take_edge_sample(pixel, chosen);
-    picks = uvec2(0u);
+    assignment = uvec2(0u);
     for (int i = 0; i < SAMPLES; i++)
-        picks[i / 8] |= best[i] << uint(4 * (i % 8));
+        assignment[i / 8] |= best[i] << uint(4 * (i % 8));
 }

@@ -11,12 +11,12 @@ layout(early_fragment_tests) in;
 layout(location = TARGET_RESULT) out vec4 color;
 
 seen seen_in_turn(ivec2 pixel) {
-    uvec2 picks = picks_at(pixel);
+    uvec2 assignment = assignment_at(pixel);
 #ifdef CENTERS
-    gl_FragDepth = picks == uvec2(0u) ? 0.5 : 0.0;
-    picks = uvec2(0u);
+    gl_FragDepth = assignment == uvec2(0u) ? 0.5 : 0.0;
+    assignment = uvec2(0u);
 #endif
-    return seen_by(picks, pixel);
+    return seen_by(assignment, pixel);
 }
 
 void main() {

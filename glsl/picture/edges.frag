@@ -1,4 +1,4 @@
-// Keeps the pixels of whose samples one lies off what the pixel's centre sees: the others need no picks.
+// Keeps the pixels of whose samples one lies off what the pixel's centre sees: the others need no assignment.
 #include "picture/sample_plane.glsl"
 
 // On its own plane a sample stays within this, over the pixel's width there.

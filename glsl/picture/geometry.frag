@@ -1,5 +1,6 @@
 // Writes normal, albedo and what is emitted. Holes of alpha masks are not there; nor, for the camera, is the back of a
-// single-sided surface, which blocks light but reflects none. HAS_GLOSS: materials are not all plain (scene/material.h).
+// single-sided surface, which blocks light but reflects none. HAS_SPECULAR: materials are not all plain
+// (scene/material.h).
 // FACETS: what sends light on is each triangle, not the smooth surface that the normals tell of.
 #include "lib/octahedral.glsl"
 #include "picture/base_color.glsl"
@@ -20,7 +21,7 @@ in vec2 metal_roughness_uv, emission_uv, normal_uv; // picture/mapped_uv.glsl
 #define normal_uv surface_uv
 #endif
 
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
 #include "picture/surface_detail.glsl"
 #else
 #include "picture/surface_diffuse.glsl"

@@ -5,11 +5,11 @@
 #include "picture/layer_medium.glsl"
 #include "picture/layer_radiance.glsl"
 #include "picture/layer_weight.glsl"
-#include "picture/picks.glsl"
+#include "picture/sample_assignment.glsl"
 
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray albedos;
 layout(binding = UNIT_DIRECT) uniform sampler2D directs;
-layout(binding = UNIT_SAMPLE_PICKS) uniform usampler2D sample_picks;
+layout(binding = UNIT_SAMPLE_ASSIGNMENT) uniform usampler2D sample_assignment;
 layout(binding = UNIT_EDGE_SAMPLES) uniform usampler2D edge_samples;
 
 // What the pixel sees, the mean over its samples. Light is irradiance over pi, the radiance of a
@@ -27,26 +27,26 @@ vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
     return through_medium(radiance, texel);
 }
 
-uvec2 picks_at(ivec2 pixel) {
-    return texelFetch(sample_picks, min(pixel, textureSize(sample_picks, 0) - 1), 0).rg;
+uvec2 assignment_at(ivec2 pixel) {
+    return texelFetch(sample_assignment, min(pixel, textureSize(sample_assignment, 0) - 1), 0).rg;
 }
 
-seen seen_by(uvec2 picks, ivec2 pixel) {
+seen seen_by(uvec2 assignment, ivec2 pixel) {
     ivec2 last = gbuffer_size() - 1;
-    int count = picks == uvec2(0u) ? 1 : params.samples;
+    int count = assignment == uvec2(0u) ? 1 : params.samples;
     seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
     vec3 weights = vec3(0.0);
     uint stand_in = 0u;
-    if (picks_edge_sample(picks))
+    if (has_edge_sample(assignment))
         stand_in = texelFetch(edge_samples, pixel, 0).w;
     for (int i = 0; i < count; i++) {
-        uint pick = pick_of(picks, i);
-        if (pick == PICK_NOTHING) {
+        uint assigned = assigned_to(assignment, i);
+        if (assigned == ASSIGNED_NOTHING) {
             sum.radiance += through_medium(background(pixel), pixel);
             continue;
         }
-        bool is_edge_sample = pick == PICK_EDGE_SAMPLE;
-        ivec2 texel = clamp(pixel + pick_offset(is_edge_sample ? stand_in : pick), ivec2(0), last);
+        bool is_edge_sample = assigned == ASSIGNED_EDGE_SAMPLE;
+        ivec2 texel = clamp(pixel + assigned_offset(is_edge_sample ? stand_in : assigned), ivec2(0), last);
         float present = gbuffer_depth(texel) > 0.0 ? 1.0 : 0.0;
         vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
         vec3 direct = texelFetch(directs, texel, 0).rgb;
@@ -69,5 +69,5 @@ seen seen_by(uvec2 picks, ivec2 pixel) {
 }
 
 seen seen_from(ivec2 pixel) {
-    return seen_by(picks_at(pixel), pixel);
+    return seen_by(assignment_at(pixel), pixel);
 }

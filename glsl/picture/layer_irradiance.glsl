@@ -21,8 +21,8 @@ layout(binding = UNIT_EDGE_SAMPLE_IRRADIANCE) uniform sampler2D edge_sample_irra
 vec3 irradiance_at(ivec2 texel, bool is_edge_sample, ivec2 pixel) {
     if (!is_edge_sample)
         return irradiance_of_pixel(texel);
-    ivec2 listed = list_texel_of(texelFetch(edge_sample_texels, pixel, 0).r);
-    return texelFetch(edge_sample_irradiance, listed, 0).rgb;
+    ivec2 place = list_texel_of(texelFetch(edge_sample_texels, pixel, 0).r);
+    return texelFetch(edge_sample_irradiance, place, 0).rgb;
 }
 #else
 vec3 irradiance_at(ivec2 texel, bool is_edge_sample, ivec2 pixel) {

@@ -1,5 +1,5 @@
 // The radiance of a surface beside its diffuse part.
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
 layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_speculars;
 
 vec3 direct_specular(ivec2 texel) {

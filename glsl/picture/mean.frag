@@ -6,7 +6,7 @@
 #include "picture/background.glsl"
 #endif
 
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
 layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYERS];
 #else
 layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYERS_PLAIN];

@@ -1,11 +1,11 @@
 // What a material's textures say beyond its colour. Who includes it has the material's block, and their uv.
-#include "lib/gloss.glsl"
+#include "lib/specular.glsl"
 #include "shared/brdf.h"
 
 layout(binding = UNIT_METAL_ROUGHNESS) uniform sampler2D metal_roughness_texture;
 layout(binding = UNIT_NORMAL_MAP) uniform sampler2D normal_texture;
 
-layout(location = TARGET_GBUFFER_GLOSS) out vec4 gloss_code; // lib/gloss.glsl
+layout(location = TARGET_GBUFFER_SPECULAR) out vec4 specular_code; // lib/specular.glsl
 
 // The normal as the material's map turns it. The map's frame is the triangle's: X along u, Y against v, both laid
 // onto the normal's plane.
@@ -30,8 +30,8 @@ vec3 mapped_normal(vec3 normal) {
 
 // Of that base colour: the albedo of its diffuse part, and the reflectance from straight on and the roughness of its
 // specular part. The same as reference/brdf.c.
-vec3 diffuse_and_gloss(vec3 base, out vec4 gloss) {
-    gloss = vec4(0.0);
+vec3 diffuse_and_specular(vec3 base, out vec4 specular) {
+    specular = vec4(0.0);
     if (material.unlit)
         return vec3(0.0);
     if (material.diffuse)
@@ -48,7 +48,7 @@ vec3 diffuse_and_gloss(vec3 base, out vec4 gloss) {
     }
     float outer_f0 = max(f0.r, max(f0.g, f0.b));
     float f90 = material.specular_glossiness ? min(BRDF_GRAZING_OF * outer_f0, 1.0) : material.specular_f90;
-    gloss = vec4(mix(f0, base, metal_rough.x), metal_rough.y);
+    specular = vec4(mix(f0, base, metal_rough.x), metal_rough.y);
     return base * ((1.0 - metal_rough.x) * (1.0 - mix(outer_f0, f90, BRDF_MEAN_SCHLICK)));
 }
 
@@ -56,14 +56,14 @@ bool is_unlit() {
     return material.unlit;
 }
 
-// Of the diffuse part; of what lights see, with what the rest reflects, as if evenly. Writes the gloss.
+// Of the diffuse part; of what lights see, with what the rest reflects, as if evenly. Writes specular_code.
 vec3 albedo_of(vec3 base, bool of_light, bool is_back) {
-    vec4 gloss;
-    vec3 albedo = diffuse_and_gloss(base, gloss);
+    vec4 specular;
+    vec3 albedo = diffuse_and_specular(base, specular);
     if (of_light)
-        albedo += evenly_reflected(gloss);
+        albedo += evenly_reflected(specular);
     if (of_light && is_back)
-        albedo = gloss.rgb = vec3(0.0);
-    gloss_code = gloss_encode(gloss);
+        albedo = specular.rgb = vec3(0.0);
+    specular_code = specular_encode(specular);
     return albedo;
 }

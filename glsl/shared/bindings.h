@@ -45,7 +45,7 @@
 #define UNIT_GBUFFER_NORMAL 6
 #define UNIT_GBUFFER_ALBEDO 7
 #define UNIT_GBUFFER_EMISSION 8
-#define UNIT_GBUFFER_GLOSS 9
+#define UNIT_GBUFFER_SPECULAR 9
 #define UNIT_RSM_DEPTH 10 /* LIGHT_MAP_KINDS of each: shared/light.h */
 #define UNIT_RSM_NORMAL 12
 #define UNIT_RSM_ALBEDO 14
@@ -56,7 +56,7 @@
 #define UNIT_VPL_VALUES 20
 #define UNIT_VPL_VALUE_SUM 21
 #define UNIT_TREE_NODES 22
-#define UNIT_TREE_PICKS 23
+#define UNIT_TREE_REPRESENTATIVES 23
 #define UNIT_VAL_POSITION 24
 #define UNIT_VAL_NORMAL 25
 #define UNIT_VAL_FLUX 26
@@ -76,10 +76,11 @@
 #define UNIT_DIRECT_SPECULAR 40
 #define UNIT_IRRADIANCE 41
 #define UNIT_RADIANCE 42
-#define UNIT_SAMPLE_PICKS 43
+#define UNIT_SAMPLE_ASSIGNMENT 43
 #define UNIT_EDGE_SAMPLES 44
 #define UNIT_ADAPTIVE_PIXELS 45
 #define UNIT_LIST_TEXELS 46
+#define UNIT_VPL_DENSITY 47
 #define UNIT_OWN 64
 
 /* Attributes of the scene's vertices. UV is of a material's first mapping, the others of the further ones. */
@@ -103,7 +104,7 @@
 #define TARGET_GBUFFER_NORMAL 0
 #define TARGET_GBUFFER_ALBEDO 1
 #define TARGET_GBUFFER_EMISSION 2
-#define TARGET_GBUFFER_GLOSS 3
+#define TARGET_GBUFFER_SPECULAR 3
 #define TARGET_DIRECT_SPECULAR 1
 #define TARGET_BASIS_COS 0
 #define TARGET_BASIS_SIN 1
@@ -131,13 +132,13 @@
 #define LOCATION_LIGHT 5
 #define LOCATION_TILE 6
 #define LOCATION_SET_BACK 7
-#define LOCATION_PICK_COUNT 8
+#define LOCATION_SLOT_LIGHT_COUNT 8
 #define LOCATION_TREE_STEP 9
 #define LOCATION_NEAR_SHIFT 10
 #define LOCATION_CAMERA_RANGE 11
 #define LOCATION_SCREEN_AREA 12 /* of screen passes that are dispatched */
 #define LOCATION_SCREEN_ADDS 14
 #define LOCATION_SCREEN_ROW 15
-#define LOCATION_PICKS 16 /* LIGHTS_MAX of them (shared/light.h) */
+#define LOCATION_SLOT_LIGHTS 16 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

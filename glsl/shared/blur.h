@@ -8,7 +8,7 @@
 #define UNIT_ADAPTIVE_IRRADIANCE (UNIT_OWN + 1)
 
 /* Levels of taps: pixels that no list has; those of lists' levels; and edges where light is steep. */
-#define BLUR_LEVEL_UNLISTED 0
+#define BLUR_LEVEL_NONE 0
 #define BLUR_LEVEL_OF_LIST(level) (1 + (level))
 #define BLUR_LEVEL_STEEP (1 + PIXEL_LEVELS)
 

@@ -29,7 +29,7 @@
 #define BOUNCE_PARTNERS 2048
 
 struct bounce_params {
-    int vpls, further; /* of the first bounce; those that paths leave */
+    int vpls, later; /* of the first bounce; those that paths leave */
     int bounces;
     float start;  /* above a VPL of the light's own map, metres */
     float radius; /* of the scene */

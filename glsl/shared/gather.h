@@ -36,7 +36,7 @@ struct gather_params {
     float sphere2;  /* squared radius of a VPL's ball, over the area that it stands for */
     int cut_block;  /* pixels a side of a block that shares a cut */
     int cut_layer;  /* the first of the cuts that are read */
-    int gloss_rays; /* of a pixel */
+    int specular_rays; /* of a pixel */
     int together;   /* VPLs side by side, of which two test the visibility of all */
     int unused0, unused1, unused2;
 };

@@ -11,7 +11,7 @@ struct bvh_ray {
     vec3 box_origin, box_slope; // in steps of boxes; 1 / the direction
 };
 
-vec3 tree_vector(int texel) {
+vec3 bvh_vector(int texel) {
     return uintBitsToFloat(texelFetch(bvh, texel).xyz);
 }
 
@@ -43,24 +43,24 @@ float met_at(bvh_ray ray, int texel) {
     return met && is_opaque(vec2(u, v), uvec2(first.w, second.w)) ? at : ray.end;
 }
 
-float tree_clearance() {
+float bvh_clearance() {
     return uintBitsToFloat(texelFetch(bvh, 1).w);
 }
 
 bvh_ray bvh_ray_along(vec3 origin, vec3 direction, float end) {
-    vec3 low = tree_vector(0), steps = tree_vector(1), along = direction * steps;
+    vec3 low = bvh_vector(0), steps = bvh_vector(1), along = direction * steps;
     return bvh_ray(origin, direction, end, (origin - low) * steps,
                     1.0 / mix(along, vec3(1e-20), lessThan(abs(along), vec3(1e-20))));
 }
 
 // Texel after the last box.
-int tree_end() {
+int bvh_end() {
     return int(texelFetch(bvh, 0).w);
 }
 
 // On to a leaf that the ray enters, which is its box's number; 0: there is none before the end. A software rasteriser
 // tests triangles for all pixels as soon as one of them has some.
-uint tree_leaf(bvh_ray ray, inout int box, int end) {
+uint bvh_leaf(bvh_ray ray, inout int box, int end) {
     uint leaf = 0u;
     while (box < end && leaf == 0u) {
         uvec4 node = texelFetch(bvh, box);
@@ -81,13 +81,13 @@ int leaf_texel(uint leaf) {
 
 // Between a point of a surface and one of another surface; never where they are one.
 bool is_blocked(vec3 from, vec3 normal, vec3 to) {
-    float clearance = tree_clearance(), way = distance(from, to);
+    float clearance = bvh_clearance(), way = distance(from, to);
     vec3 origin = from + clearance * normal;
     bvh_ray ray = bvh_ray_along(origin, to - origin, 1.0 - clearance / way);
-    int box = STACKLESS_HEADER, end = way > clearance ? tree_end() : 0;
+    int box = STACKLESS_HEADER, end = way > clearance ? bvh_end() : 0;
     bool blocked = false;
     while (box < end) {
-        uint leaf = tree_leaf(ray, box, end);
+        uint leaf = bvh_leaf(ray, box, end);
         int count = leaf_count(leaf), texel = leaf_texel(leaf);
         for (int i = 0; i < count && !blocked; i++)
             blocked = met_at(ray, texel + i * STACKLESS_TRIANGLE) < ray.end;
@@ -97,7 +97,7 @@ bool is_blocked(vec3 from, vec3 normal, vec3 to) {
 }
 
 // What a ray meets first.
-struct tree_hit {
+struct bvh_hit {
     float distance;
     int triangle;    // its number in the geometry; -1: there is none
     vec3 normal;     // unit, of the side that is met
@@ -105,12 +105,12 @@ struct tree_hit {
 };
 
 // Along a unit direction; not where `asks` is false.
-tree_hit tree_meet(vec3 origin, vec3 direction, bool asks) {
+bvh_hit bvh_meet(vec3 origin, vec3 direction, bool asks) {
     const float FAR = 1e30;
     bvh_ray ray = bvh_ray_along(origin, direction, FAR);
-    int box = STACKLESS_HEADER, end = asks ? tree_end() : 0, met = 0;
+    int box = STACKLESS_HEADER, end = asks ? bvh_end() : 0, met = 0;
     while (box < end) {
-        uint leaf = tree_leaf(ray, box, end);
+        uint leaf = bvh_leaf(ray, box, end);
         int count = leaf_count(leaf), texel = leaf_texel(leaf);
         for (int i = 0; i < count; i++) {
             float at = met_at(ray, texel + i * STACKLESS_TRIANGLE);
@@ -118,7 +118,7 @@ tree_hit tree_meet(vec3 origin, vec3 direction, bool asks) {
             ray.end = at;
         }
     }
-    vec3 normal = normalize(cross(tree_vector(met + 1), tree_vector(met + 2)));
+    vec3 normal = normalize(cross(bvh_vector(met + 1), bvh_vector(met + 2)));
     bool back = dot(normal, direction) > 0.0;
-    return tree_hit(ray.end, met > 0 ? int(texelFetch(bvh, met + 2).w) : -1, back ? -normal : normal, back);
+    return bvh_hit(ray.end, met > 0 ? int(texelFetch(bvh, met + 2).w) : -1, back ? -normal : normal, back);
 }

@@ -6,9 +6,9 @@ float arriving(surface s, light l, vec3 direction);
 layout(location = LOCATION_LIGHT) uniform int light_index;
 
 layout(location = TARGET_RESULT) out vec4 direct;
-#ifdef HAS_GLOSS
-#include "lib/gbuffer_shine.glsl"
-#include "lib/unshadowed_shine.glsl"
+#ifdef HAS_SPECULAR
+#include "lib/gbuffer_specular.glsl"
+#include "lib/unshadowed_specular.glsl"
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
 #endif
@@ -22,7 +22,7 @@ bool is_turned_away(surface s, ivec2 pixel, light l, vec3 to_light) {
 
 void main() {
     direct = vec4(0.0);
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
     specular = vec4(0.0);
 #endif
     ivec2 pixel = ivec2(gl_FragCoord.xy);
@@ -37,13 +37,13 @@ void main() {
     float share = unshadowed(l, s.position, s.normal, direction, distance2) * in_range;
     if (is_turned_away(s, pixel, l, l.type == LIGHT_TYPE_DIRECTIONAL ? -direction : to_light))
         share = 0.0;
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
     if (share <= 0.0)
         return;
     float lit = arriving(s, l, direction);
-    vec3 shine = unshadowed_shine(l, gbuffer_shine(s, pixel), s.position, direction, distance2);
+    vec3 reflected = unshadowed_specular(l, gbuffer_specular(s, pixel), s.position, direction, distance2);
     direct.rgb = l.radiance * (share * lit);
-    specular.rgb = l.radiance * shine * lit * in_range;
+    specular.rgb = l.radiance * reflected * lit * in_range;
 #else
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
 #endif

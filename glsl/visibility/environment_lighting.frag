@@ -9,8 +9,8 @@ layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilitie
 layout(binding = UNIT_DIRECT) uniform sampler2D direct; // of all other lights
 
 layout(location = TARGET_RESULT) out vec4 lit;
-#ifdef HAS_GLOSS
-#include "lib/gbuffer_shine.glsl"
+#ifdef HAS_SPECULAR
+#include "lib/gbuffer_specular.glsl"
 #include "lib/lobe.glsl"
 
 layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_specular; // of all other lights
@@ -18,7 +18,7 @@ layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_specular; // of 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
 
 // Of a light that nothing hides, radiance over radiance; to be multiplied by the lobe's albedo.
-float sky_shine(lobe o, int i) {
+float sky_specular(lobe o, int i) {
     polygon_sum p = polygon_sum(0.0, vec3(0.0), vec3(0.0));
     for (int c = 0; c < 4; c++)
         polygon_edge(p, o.from_world * sky_corner(i, c), o.from_world * sky_corner(i, (c + 1) & 3), vec3(0.0, 0.0, 1.0));
@@ -70,7 +70,7 @@ const int LAYERS_TOGETHER = 8; // as many lights as a mask has bits
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     lit = texelFetch(direct, pixel, 0);
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
     specular = texelFetch(direct_specular, pixel, 0);
 #endif
     surface s = gbuffer_surface(pixel);
@@ -82,9 +82,9 @@ void main() {
     for (int i = 0; i < params.count; i++)
         all += max(dot(sky_vector(i), s.normal), 0.0) * sky_radiance(i).a;
     vec3 sum = vec3(0.0);
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
     vec3 shining = vec3(0.0);
-    lobe o = lobe_of(gbuffer_shine(s, pixel));
+    lobe o = lobe_of(gbuffer_specular(s, pixel));
 #endif
     for (int first = 0; first < layers; first += LAYERS_TOGETHER) {
         // A mask and a loop over its bits, no branch in the loop over lights: a software rasteriser runs what a branch
@@ -99,9 +99,9 @@ void main() {
                 visible[k] = ask ? 0.0 : visible[k];
                 asked |= ask ? 1u << (4 * (layer - first) + k) : 0u;
                 sum += radiance.rgb * (shares[k] * visible[k]);
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
                 if (4 * layer + k < params.count)
-                    shining += radiance.rgb * (sky_shine(o, 4 * layer + k) * visible[k]);
+                    shining += radiance.rgb * (sky_specular(o, 4 * layer + k) * visible[k]);
 #endif
             }
         }
@@ -109,13 +109,13 @@ void main() {
             int i = 4 * first + findLSB(asked);
             vec3 seen = sky_radiance(i).rgb * sky_visibility(i, s.position, s.normal);
             sum += seen * sky_shares(s.normal, i / 4)[i % 4];
-#ifdef HAS_GLOSS
-            shining += seen * sky_shine(o, i);
+#ifdef HAS_SPECULAR
+            shining += seen * sky_specular(o, i);
 #endif
         }
     }
     lit.rgb += sum / PI;
-#ifdef HAS_GLOSS
+#ifdef HAS_SPECULAR
     specular.rgb += o.albedo * shining;
 #endif
 }

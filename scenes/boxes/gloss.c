@@ -55,15 +55,15 @@ void make_gloss(struct glb *glb) {
     place_room(glb);
     for (int i = 0; i < ROUGHNESSES; i++) {
         float x = -1.29F + .86F * (float)i;
-        int metal = glb_add_glossy(glb, "metal", gold, 1, roughnesses[i]);
-        int plastic = glb_add_glossy(glb, "plastic", green, 0, roughnesses[i]);
+        int metal = glb_add_specular(glb, "metal", gold, 1, roughnesses[i]);
+        int plastic = glb_add_specular(glb, "plastic", green, 0, roughnesses[i]);
         place_ball(glb, "metal ball", metal, (const float[]){x, 1.06F, -.9F});
         place_ball(glb, "plastic ball", plastic, (const float[]){x, .34F, .3F});
     }
     place_box(glb, "shelf",
               glb_add_material(glb, "wood", (const float[]){.5F, .33F, .2F}, GLB_SINGLE_SIDED),
               (const float[]){-1.8F, .66F, -1.3F}, (const float[]){1.8F, .72F, -.5F});
-    int rail = glb_add_glossy(glb, "steel", steel, 1, .2F);
+    int rail = glb_add_specular(glb, "steel", steel, 1, .2F);
     for (int i = 0; i < 3; i++)
         place_rail(glb, rail, 1.75F + .16F * (float)i);
     place_quad(glb, "lamp", glb_add_lamp(glb, "lamp", (const float[]){14, 13, 11}),

@@ -68,9 +68,9 @@ static void place_balls(struct glb *glb) {
             if (textured)
                 place_textured(glb, add_textured(glb, color, texture), &ball, column, metal);
             else
-                place_surface(glb, "ball",
-                              glb_add_glossy(glb, "by factors", color, metal, roughness_of(column)),
-                              &ball);
+                place_surface(
+                    glb, "ball",
+                    glb_add_specular(glb, "by factors", color, metal, roughness_of(column)), &ball);
         }
     }
 }

@@ -23,7 +23,7 @@ enum { PICTURES_MAX = 4096 };
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
      .help = "picture to write"},
-    FORMAT_OPTION(struct values, format),
+    EXR_FORMAT_OPTION(struct values, format),
     {NULL},
 };
 

@@ -3,7 +3,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "quality/quality.h"
-#include "techniques/vals.h"
+#include "techniques/many_lights.h"
 
 #include <stdlib.h>
 
@@ -39,7 +39,8 @@ static void render_once(struct in_time *in_time, struct renderer *renderer) {
 bool in_time_render(struct in_time *in_time, struct renderer *renderer, struct stage *stage,
                     double time) {
     int tries = in_time->started ? 1 : TRIES;
-    time_budget_allow_rays(&in_time->budget, vals_may_trace(&stage->scene, &stage->geometry));
+    time_budget_allow_rays(&in_time->budget,
+                           many_lights_may_trace(&stage->scene, &stage->geometry));
     for (bool holds = false; !holds && tries > 0; tries--) {
         bool taken = in_time->started && in_time->level == in_time->budget.level;
         if (!taken && !take_level(in_time, renderer, stage, time))

@@ -24,7 +24,7 @@ enum { HELD_MOST = 1 << 16 }; /* bytes of others' messages that are kept until t
 struct relay {
     struct text line, held;
     const char *subcommand;
-    bool told_error; /* a line of ours that is an error, not a note, a warning or a detail */
+    bool has_error; /* a line of ours that is an error, not a note, a warning or a detail */
 };
 
 static bool begins(const struct text *text, const char *with) {
@@ -42,7 +42,7 @@ static bool is_error(const struct relay *relay, const struct text *line) {
 static void pass_line(struct relay *relay) {
     struct text *line = &relay->line;
     if (begins(line, "manylight")) {
-        relay->told_error |= is_error(relay, line);
+        relay->has_error |= is_error(relay, line);
         output_file_put(STDERR_FILENO, line->data, line->length);
     } else if (relay->held.length + line->length < HELD_MOST) {
         text_append(&relay->held, line->data, line->length);
@@ -114,7 +114,7 @@ static _Noreturn void be_parent(const char *subcommand, double gib, int from) {
     if (WIFSIGNALED(status) && !is_lack_of_memory(WTERMSIG(status)))
         end_by(WTERMSIG(status));
     int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-    if (code != 0 && !relay.told_error) {
+    if (code != 0 && !relay.has_error) {
         fprintf(
             stderr,
             "manylight %s: --max-memory %g: too little memory for the work and the OpenGL driver\n",

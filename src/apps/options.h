@@ -55,12 +55,12 @@ struct technique_values {
      .help = "camera by name or number [the first], with changes:\n"                               \
              "\"0 eye=0,1,3 forward=0,0,-1\""},                                                    \
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
-     .help = "lights that shine [all]: \"lamp,2\"; emitters: all area lights; "                    \
-             "sky: the environment;\n"                                                             \
-             "changed: \"0 position=0,2,0 intensity=9,9,9; 1\"; new: \"+area "                     \
-             "size=1,1 position=0,2,0\n"                                                           \
-             "direction=0,-1,0 intensity=9,9,9\"; a name with , ; or = by "                        \
-             "its number (manylight info)"},                                                       \
+     .help = "lights that shine [all]: \"lamp,1\" (manylight info lists them); "                   \
+             "emitters: all area lights;\n"                                                        \
+             "sky: the environment; changed: \"0 position=0,2,0 intensity=9,9,9; 1\"; "            \
+             "new: \"+area\n"                                                                      \
+             "size=1,1 position=0,2,0 direction=0,-1,0 intensity=9,9,9\"; "                        \
+             "a name with , ; or =: by number"},                                                    \
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
      .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2)"},     \
     {"environment-turn", 0, OPTION_FLOAT, offsetof(type, member.environment.turn), 0, -360, 360,   \

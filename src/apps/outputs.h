@@ -20,6 +20,11 @@
     {"format", 0, OPTION_TEXT, offsetof(type, member), .value_name = "png|exr|...",                \
      .help = "format of outputs whose names have no known extension, for example - (standard\n"    \
              "output) or /dev/fd/63"}
+/* Of pictures with all layers. */
+#define EXR_FORMAT_OPTION(type, member)                                                            \
+    {"format", 0, OPTION_TEXT, offsetof(type, member), .value_name = "exr",                        \
+     .help = "exr: needed if the output's name does not end in .exr, for example - (standard\n"    \
+             "output) or /dev/fd/63"}
 /* clang-format on */
 
 /* Call it before outputs are asked for their format; format is NULL without --format. Error: it is not known,

@@ -1,4 +1,4 @@
-/* manylight reference: ground truth, path-traced; or what the GPU's VPLs would make of it if their
+/* manylight reference: the path-traced reference; or what the GPU's VPLs would make of it if their
  * visibility were exact. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
@@ -43,7 +43,7 @@ OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
 static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.exr",
      .help = "picture to write"},
-    FORMAT_OPTION(struct values, format),
+    EXR_FORMAT_OPTION(struct values, format),
     {"size", 0, OPTION_SIZE, offsetof(struct values, tracer.width), 0, 1, 16384, .help = SIZE_HELP},
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
      .choices = reference_techniques,

@@ -435,10 +435,10 @@ static bool render_scene(struct values *values, const struct frames *frames,
 
 /* A choice has one reason. */
 static bool check_choice(const struct values *values) {
-    bool named = values->quality != QUALITY_NORMAL, told = values->max_error > 0;
-    if (named && told)
+    bool named = values->quality != QUALITY_NORMAL, by_error = values->max_error > 0;
+    if (named && by_error)
         return error_set("--quality and --max-error exclude each other");
-    if (values->budget > 0 && (named || told || has_mean(values)))
+    if (values->budget > 0 && (named || by_error || has_mean(values)))
         return error_set("--budget excludes --quality, --max-error and --passes");
     const struct text_list *texts = &values->technique.settings;
     return values->budget == 0 || !quality_is_preset(texts->items, texts->count) ||

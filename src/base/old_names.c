@@ -50,6 +50,7 @@ static const char *const removed[] = {
     "sky.disagree",
     "start.places",
     "start.wide",
+    "clustered.importance",
     "cluster-lights.weight-distance",
     "cluster-lights.weight-facing",
     "cluster-lights.weight-hue",

@@ -15,7 +15,7 @@ struct direct_desc {
     const struct settings *settings;
     int width, height;
     const struct light_layout *lights;
-    bool gloss; /* the G-buffer has it */
+    bool specular; /* the G-buffer has it */
     /* For environment_direct alone (direct/environment.h): */
     struct caster_pool *casters;
     const struct direct_method *lamps;
@@ -36,7 +36,7 @@ struct direct_method {
     void (*render_lights)(void *state, const struct frame *frame);
     void (*render_view)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
     const struct texture *(*light)(const void *state);
-    /* Where desc.gloss, what is not diffuse: RGBA32F, radiance towards the camera, W/(sr m2). NULL: the
+    /* Where desc.specular, what is not diffuse: RGBA32F, radiance towards the camera, W/(sr m2). NULL: the
      * method shows all surfaces as diffuse. */
     const struct texture *(*specular)(const void *state);
 };

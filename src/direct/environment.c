@@ -42,8 +42,9 @@ static const float bias = .1F;
  * 60 lights divided by lights / 60. */
 static const float disagree = .02F;
 
-/* Those that the maps of VALs have, so that both share them. */
-static const struct caster_desc caster = {.error = .00055F, .long_count = 500};
+/* Those that the maps of VALs have by default, so that both share them. */
+static const struct caster_desc caster = {.error = (float)CASTER_ERROR,
+                                          .long_count = CASTER_LONG_COUNT};
 
 struct lighting {
     struct sky_map_pass maps;
@@ -88,7 +89,7 @@ static bool init(void **state, const struct direct_desc *desc) {
                                                                      .ways = own->shadow_rays,
                                                                      .bias = bias,
                                                                      .disagree = disagree,
-                                                                     .gloss = desc->gloss}) &&
+                                                                     .specular = desc->specular}) &&
            buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block, NULL);
 }
 
@@ -120,7 +121,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     const struct direct_method *lamps = lighting->lamps;
     struct environment_lighting_inputs inputs = {&lighting->buffer, &lighting->maps.maps,
                                                  lamps->light(lighting->lamps_state), NULL};
-    if (lighting->light.desc.gloss)
+    if (lighting->light.desc.specular)
         inputs.specular = lamps->specular(lighting->lamps_state);
     lamps->render_view(lighting->lamps_state, frame, gbuffer);
     environment_lighting_pass_render(&lighting->light, frame, gbuffer, &inputs);

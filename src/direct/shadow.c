@@ -30,7 +30,7 @@ bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
     struct direct_light_desc light = *program;
     light.width = desc->width;
     light.height = desc->height;
-    light.gloss = desc->gloss;
+    light.specular = desc->specular;
     light.map_size = program->map_size ? program->map_size : size_of(desc);
     light.bias = receiver_bias;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS_MAX = 256, LOCATIONS = LOCATION_PICKS + LIGHTS_MAX };
+enum { ROWS_MAX = 256, LOCATIONS = LOCATION_SLOT_LIGHTS + LIGHTS_MAX };
 
 /* What GLSL reads as uvec4: the rectangle, then a value of each location. */
 struct cell {

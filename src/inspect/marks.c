@@ -40,7 +40,7 @@ static void write_params(const struct marks *marks, const struct frame *frame,
         .size = size * desc->scale,
         .by_cluster = desc->by_cluster,
         .flux_scale = 1 / fmaxf(desc->usual_flux, 1e-30F),
-        .normal_length = .14F * frame->radius,
+        .normal_length = .14F * frame->geometry->radius,
         .chosen = desc->chosen,
         .only_chosen = desc->only_chosen,
     };

@@ -9,36 +9,37 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Of the truth's mean: it is shown as a middle grey. */
+/* Of the reference's mean: it is shown as a middle grey. */
 static const float shown_mean = .25f;
 
 enum { GAP = 2 }; /* pixels between panels */
 
-/* The truth first. */
-static struct image side_by_side(const struct image *truth, const struct image *tests, int count) {
+/* The reference first. */
+static struct image side_by_side(const struct image *reference, const struct image *tests,
+                                 int count) {
     struct image all;
-    int step = truth->width + GAP;
-    image_init(&all, step * count + truth->width, truth->height, "R G B");
+    int step = reference->width + GAP;
+    image_init(&all, step * count + reference->width, reference->height, "R G B");
     for (int i = 0; i <= count; i++)
-        for (int y = 0; y < truth->height; y++) {
-            const struct image *from = i ? &tests[i - 1] : truth;
+        for (int y = 0; y < reference->height; y++) {
+            const struct image *from = i ? &tests[i - 1] : reference;
             if (from->pixels)
                 memcpy(image_at(&all, i * step, y), image_at(from, 0, y),
-                       3 * (size_t)truth->width * sizeof(float));
+                       3 * (size_t)reference->width * sizeof(float));
         }
     return all;
 }
 
-/* Of every panel but the truth's own, over the truth's mean. */
-static float *differences(const struct image *all, const struct image *truth, double mean) {
+/* Of every panel but the reference's own, over the reference's mean. */
+static float *differences(const struct image *all, const struct image *reference, double mean) {
     float *values = mem_alloc((size_t)all->width * (size_t)all->height, sizeof *values),
           *to = values;
-    int step = truth->width + GAP;
+    int step = reference->width + GAP;
     for (int y = 0; y < all->height; y++)
         for (int x = 0; x < all->width; x++, to++) {
-            if (x < step || x % step >= truth->width)
+            if (x < step || x % step >= reference->width)
                 continue;
-            const float *v = image_at(all, x, y), *r = image_at(truth, x % step, y);
+            const float *v = image_at(all, x, y), *r = image_at(reference, x % step, y);
             double difference = (double)(v[0] - r[0] + v[1] - r[1] + v[2] - r[2]) / 3;
             *to = (float)(mean > 0 ? difference / mean : difference);
         }
@@ -68,11 +69,11 @@ static struct bitmap stack(const struct image *all, const struct bitmap *below, 
     return whole;
 }
 
-bool panels_write(const char *path, const char *title, const struct image *truth,
+bool panels_write(const char *path, const char *title, const struct image *reference,
                   const struct image *tests, int test_count) {
-    struct image all = side_by_side(truth, tests, test_count);
-    double mean = image_mean(truth, (int[]){0, 1, 2});
-    float *values = differences(&all, truth, mean);
+    struct image all = side_by_side(reference, tests, test_count);
+    double mean = image_mean(reference, (int[]){0, 1, 2});
+    float *values = differences(&all, reference, mean);
     struct bitmap below;
     heat_map_draw(&(struct heat_map){.title = title,
                                      .width = all.width,

@@ -1,4 +1,4 @@
-/* Several pictures beside the truth, as one: light above, differences from the truth below. */
+/* Several pictures beside the reference, as one: light above, differences from the reference below. */
 #ifndef METRICS_PANELS_H
 #define METRICS_PANELS_H
 
@@ -6,7 +6,7 @@
 
 /* All three-channel, linear, of one size; a test without pixels has an empty panel. title: what
  * label_draw knows. Error: of the file. */
-bool panels_write(const char *path, const char *title, const struct image *truth,
+bool panels_write(const char *path, const char *title, const struct image *reference,
                   const struct image *tests, int test_count);
 
 #endif

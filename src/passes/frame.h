@@ -1,5 +1,5 @@
 /* What every pass of one frame gets. Passes exchange the structs of the headers in this folder: targets.h, maps.h,
- * vpls.h, lists.h, light_picks.h. No pass includes another. */
+ * vpls.h, lists.h, slot_lights.h. No pass includes another. */
 #ifndef PASSES_FRAME_H
 #define PASSES_FRAME_H
 
@@ -8,26 +8,27 @@
 #include "scene/camera_range.h"
 #include "scene/gpu/scene_gpu.h"
 
+struct gbuffer;
+
 struct frame {
     struct timers *timers;
     const struct buffer *view; /* for BLOCK_VIEW */
     const struct view *camera; /* what it holds */
     struct camera_range camera_range;
-    /* For direct light those that shine, for a technique those that reflected light starts from: */
+    const struct gbuffer *gbuffer; /* the camera's, where lights follow it; else NULL */
+    /* Lights: for a direct method the lights that shine, for a technique the light samples from which reflected light
+     * starts. */
     const struct buffer *lights; /* for BLOCK_LIGHTS */
     const struct scene_gpu *scene;
     const struct emitters *emitters;
     const struct light_block *light_block; /* of the emitters: what the buffer holds */
     struct light_layout layout;            /* of the lights' maps */
     const struct light_group *groups;      /* layout.groups of them; NULL for direct light */
-    const struct geometry *geometry;       /* for views of other lights */
-    float bounds_min[3], bounds_max[3];    /* of the scene, metres */
-    float radius;                          /* of its bounding sphere, metres */
-    /* Of the camera's pixels: which surfaces their samples see (passes/picture/antialias.h), and the further
-     * points of those whose samples have one (lib/edge_sample.glsl). */
-    const struct texture *picks, *edge_samples;
-    int pass; /* of those whose mean the picture is: others lights and samples in each; 0: the first, or
-                 the only one */
+    const struct geometry *geometry; /* the scene's bounds and radius; for views of other lights */
+    /* Of the camera's pixels: sample assignment (passes/picture/antialias.h), and edge samples
+     * (lib/edge_sample.glsl). */
+    const struct texture *assignment, *edge_samples;
+    int pass; /* number of the pass, each with other light samples; 0: the first, or the only one */
     float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that
                                            keeps half floats in range at every scale of scene and light */
 };

@@ -13,7 +13,7 @@ struct pixel_lists {
                               row by row: of one level from its begin, of the other from the end of its first
                               half, of points from there on */
     struct texture texels;             /* R32UI, of each pixel of the picture its texel in the lists
-                              (gather/list_texel.glsl); 0 where it is not listed */
+                              (gather/list_texel.glsl); 0 where no list has it */
     struct texture edge_sample_texels; /* likewise of its edge sample */
     struct buffer counts;              /* of the lists: uint */
     int interleave, tile_width, tile_height;

@@ -22,21 +22,22 @@ bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
     *gbuffer =
         (struct gbuffer){.width = desc->width, .height = desc->height, .layers = desc->layers};
     const struct texture *emission = desc->has_emission ? &gbuffer->emission : NULL;
-    const struct texture *gloss = desc->has_gloss ? &gbuffer->gloss : NULL;
+    const struct texture *specular = desc->has_specular ? &gbuffer->specular : NULL;
     if (init_layer(&gbuffer->normal, label, "normal", GL_RG16, gbuffer) &&
         init_layer(&gbuffer->albedo, label, "albedo", desc->facets ? GL_RGBA16F : GL_RGB10_A2,
                    gbuffer) &&
         init_layer(&gbuffer->depth, label, "depth", GL_DEPTH_COMPONENT32F, gbuffer) &&
         (!desc->has_emission ||
          init_layer(&gbuffer->emission, label, "emission", GL_RGBA16F, gbuffer)) &&
-        (!desc->has_gloss || init_layer(&gbuffer->gloss, label, "gloss", GL_RGBA8, gbuffer)) &&
+        (!desc->has_specular ||
+         init_layer(&gbuffer->specular, label, "specular", GL_RGBA8, gbuffer)) &&
         framebuffer_init(
             &gbuffer->framebuffer,
             &(struct framebuffer_desc){.label = label,
                                        .colors = {[TARGET_GBUFFER_NORMAL] = &gbuffer->normal,
                                                   [TARGET_GBUFFER_ALBEDO] = &gbuffer->albedo,
                                                   [TARGET_GBUFFER_EMISSION] = emission,
-                                                  [TARGET_GBUFFER_GLOSS] = gloss},
+                                                  [TARGET_GBUFFER_SPECULAR] = specular},
                                        .depth = &gbuffer->depth}))
         return true;
     gbuffer_free(gbuffer);
@@ -49,7 +50,7 @@ void gbuffer_free(struct gbuffer *gbuffer) {
     texture_free(&gbuffer->albedo);
     texture_free(&gbuffer->depth);
     texture_free(&gbuffer->emission);
-    texture_free(&gbuffer->gloss);
+    texture_free(&gbuffer->specular);
     *gbuffer = (struct gbuffer){0};
 }
 

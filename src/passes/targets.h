@@ -17,13 +17,13 @@
  *   depth   D32F      reversed (shared/view.h); 0 where nothing is
  *   emission RGBA16F  radiance times irradiance_scale; in the camera's view alone, if a material
  *                     is emissive or not plain (scene/material.h)
- *   gloss   RGBA8     specular reflectance (lib/gloss.glsl), if a material is not plain: in the camera's view,
+ *   specular RGBA8    specular reflectance (lib/specular.glsl), if a material is not plain: in the camera's view,
  *                     and in lights' views if rays read it. The normal is then the bent one. The
  *                     albedo is the diffuse part's. Lights' views add what the specular part
  *                     reflects, as if it were diffuse.
  */
 struct gbuffer {
-    struct texture normal, albedo, depth, emission, gloss;
+    struct texture normal, albedo, depth, emission, specular;
     GLuint framebuffer;
     int width, height, layers;
 };
@@ -63,7 +63,7 @@ struct background {
 struct gbuffer_desc {
     const char *label;
     int width, height, layers;
-    bool has_emission, has_gloss;
+    bool has_emission, has_specular;
     bool facets; /* as geometry_desc's */
 };
 

@@ -2,6 +2,7 @@
 
 #include "gl/framebuffer.h"
 #include "gl/vertex_array.h"
+#include "shared/importance_map.h"
 #include "shared/vpl.h"
 
 /* Four floats of each VPL. */
@@ -50,4 +51,10 @@ void vpl_buffer_free(struct vpl_buffer *vpls) {
         gl.DeleteTextures(1, &vpls->texels);
     buffer_free(&vpls->buffer);
     *vpls = (struct vpl_buffer){0};
+}
+
+void importance_map_add(struct pass_state *state, const struct importance_map *map) {
+    pass_add_texture(state, UNIT_IMPORTANCE_VALUES, map->values.id);
+    pass_add_texture(state, UNIT_IMPORTANCE_LIGHTS, map->lights.id);
+    pass_add_texture(state, UNIT_VPL_DENSITY, map->densities.id);
 }

@@ -3,6 +3,7 @@
 #define PASSES_VPLS_H
 
 #include "gl/buffer.h"
+#include "gl/pass.h"
 #include "gl/texture.h"
 
 /* N virtual point lights: struct vpl (shared/vpl.h), at least as many as a uniform block has room for; and sums
@@ -22,10 +23,18 @@ struct vpl_weights {
     struct texture values, sum;
 };
 
+/* Where VPLs matter (passes/lights/importance_map.h). Each light's domain is a tile of VPL_DENSITY_SIDE cells a side.
+ * values: of candidates, sum and number in each cell, RG32F; mip levels have means.
+ * lights: a texel a light, RG32F: its VPLs over its VPLs by flux; the fraction of VPLs up to it.
+ * densities: of each cell, VPLs over VPLs by flux alone, R32F. */
+struct importance_map {
+    struct texture values, lights, densities;
+};
+
 /* A binary tree over VPLs (shared/vpl_tree.h), and the VPL that stands for each node, as many times as there are sets
  * of pixels: R32UI, a layer a set. */
 struct vpl_tree {
-    struct texture nodes, picks;
+    struct texture nodes, representatives;
     GLuint vpls; /* buffer texture over the VPLs */
     int leaves, sets;
 };
@@ -43,6 +52,9 @@ struct val_targets {
     struct texture position, normal, flux;
     GLuint framebuffer;
 };
+
+/* Binds what lights/vpl_by_importance.glsl reads. */
+void importance_map_add(struct pass_state *state, const struct importance_map *map);
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);
 void vpl_buffer_free(struct vpl_buffer *vpls);

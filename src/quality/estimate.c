@@ -12,7 +12,7 @@
 enum { FIRST_SAMPLES = 32, MOST_SAMPLES = 256, PATHS_PER_SAMPLE = 1 };
 
 /* By how many standard errors a picture must be better or worse than asked for; and which share of its square a
- * standard error may be: of what is good enough, an error is told to a twentieth, of all else to a seventh. */
+ * standard error may be: of what is good enough, an error is estimated to a twentieth, of all else to a seventh. */
 static const double sure = 2, exact = .1, rough = .3;
 
 /* The pixels' squares are as large as that many of them fill the picture. */
@@ -109,7 +109,7 @@ static bool take_pixels(const struct estimate *estimate, const struct image *pic
 struct sums {
     double product;  /* of both differences */
     double variance; /* of that, by the noise alone */
-    double truth;
+    double reference;
 };
 
 /* Of light, where it is as much of the pixel as the half has seen to be covered: nothing is divided by that, so that slivers
@@ -129,36 +129,36 @@ static void add_pixel(struct sums *sums, const float *pixel, const float *a, con
         product += from_a * from_b;
         mixed += (from_a + from_b) / 2 * between;
         squares += between * between;
-        sums->truth += (double)(a[c] + b[c]) / (2 * samples);
+        sums->reference += (double)(a[c] + b[c]) / (2 * samples);
     }
     sums->product += product;
     sums->variance += mixed * mixed + squares * squares / 12;
 }
 
 /* Of the square of the relative RMSE; so is its standard error. */
-struct told {
+struct estimated {
     double square, standard_error;
 };
 
-static struct told tell(const struct estimate *estimate, const struct image *pixels) {
+static struct estimated tell(const struct estimate *estimate, const struct image *pixels) {
     const struct image *halves = estimate->halves;
     struct sums sums = {0};
     for (int y = 0; y < pixels->height; y++)
         for (int x = 0; x < pixels->width; x++)
             add_pixel(&sums, image_at(pixels, x, y), image_at(&halves[0], x, y),
                       image_at(&halves[1], x, y), estimate->samples);
-    if (sums.truth <= 0)
-        return (struct told){sums.product > 0 ? INFINITY : 0, 0};
+    if (sums.reference <= 0)
+        return (struct estimated){sums.product > 0 ? INFINITY : 0, 0};
     double values = 3.0 * pixels->width * pixels->height;
-    double scale = values / (sums.truth * sums.truth);
-    return (struct told){sums.product * scale, sqrt(sums.variance) * scale};
+    double scale = values / (sums.reference * sums.reference);
+    return (struct estimated){sums.product * scale, sqrt(sums.variance) * scale};
 }
 
-static bool is_sure(const struct told *told, double asked) {
-    double over = told->square - asked * asked;
-    return isinf(told->square) ||
-           (fabs(over) > sure * told->standard_error &&
-            told->standard_error <= (over > 0 ? rough : exact) * told->square);
+static bool is_sure(const struct estimated *estimated, double asked) {
+    double over = estimated->square - asked * asked;
+    return isinf(estimated->square) ||
+           (fabs(over) > sure * estimated->standard_error &&
+            estimated->standard_error <= (over > 0 ? rough : exact) * estimated->square);
 }
 
 bool estimate_picture_error(struct estimate *estimate, const struct image *picture, double asked,
@@ -166,17 +166,18 @@ bool estimate_picture_error(struct estimate *estimate, const struct image *pictu
     struct image pixels;
     if (!take_pixels(estimate, picture, &pixels))
         return false;
-    struct told told = tell(estimate, &pixels);
+    struct estimated estimated = tell(estimate, &pixels);
     bool ok = true;
-    while (ok && !is_sure(&told, asked) && estimate->samples < MOST_SAMPLES) {
+    while (ok && !is_sure(&estimated, asked) && estimate->samples < MOST_SAMPLES) {
         ok = add_round(estimate);
         if (ok)
-            told = tell(estimate, &pixels);
+            estimated = tell(estimate, &pixels);
     }
     image_free(&pixels);
-    *error = sqrt(fmax(told.square, 0));
+    *error = sqrt(fmax(estimated.square, 0));
     log_detail("%d x 2 samples tell %.2f %%, square's standard error %.2f %%", estimate->samples,
-               100 * *error, told.square > 0 ? 100 * told.standard_error / told.square : 0);
+               100 * *error,
+               estimated.square > 0 ? 100 * estimated.standard_error / estimated.square : 0);
     return ok;
 }
 

@@ -1,4 +1,4 @@
-/* The error of a frame that has no truth: told from some of its pixels, which are path-traced.
+/* The error of a frame that has no reference: estimated from some of its pixels, which are path-traced.
  *
  * Each of them twice, by paths that have nothing in common. The product of what a picture differs from the one and
  * from the other has the square of its error for its mean, whatever the noise of both: it averages out over the

@@ -117,26 +117,26 @@ static const double gain = .9;
 
 struct climb {
     struct quality_choice choices[QUALITY_CHOICES_MAX];
-    double errors[QUALITY_CHOICES_MAX]; /* of the first `told` */
-    int count, told;
+    double errors[QUALITY_CHOICES_MAX]; /* of the first `tried` */
+    int count, tried;
 };
 
 static double least_error(const struct climb *climb) {
     double least = INFINITY;
-    for (int i = 0; i < climb->told; i++)
+    for (int i = 0; i < climb->tried; i++)
         least = fmin(least, climb->errors[i]);
     return least;
 }
 
-/* Whether the mean that was told last errs hardly less than that of half its passes. */
+/* Whether the mean that was estimated last errs hardly less than that of half its passes. */
 static bool has_converged(const struct climb *climb) {
-    int last = climb->told - 1;
+    int last = climb->tried - 1;
     return last > 0 && climb->choices[last - 1].passes > 1 &&
            climb->errors[last] > gain * climb->errors[last - 1];
 }
 
 static void settle(const struct climb *climb, double error, struct quality_found *found) {
-    int last = climb->told - 1, i = 0;
+    int last = climb->tried - 1, i = 0;
     double least = least_error(climb);
     found->reached = climb->errors[last] <= error;
     while (found->reached ? i < last : climb->errors[i] * gain > least)
@@ -147,17 +147,17 @@ static void settle(const struct climb *climb, double error, struct quality_found
 
 bool quality_climb(double error, int most_passes, const struct costs *costs, quality_teller *tell,
                    void *user, struct quality_found *found) {
-    struct climb climb = {.told = 0};
+    struct climb climb = {.tried = 0};
     bool ok = true, enough = false;
     climb.count = quality_ladder(climb.choices, most_passes, costs);
-    while (ok && !enough && climb.told < climb.count) {
-        const struct quality_choice *choice = &climb.choices[climb.told];
-        double *told = &climb.errors[climb.told++];
+    while (ok && !enough && climb.tried < climb.count) {
+        const struct quality_choice *choice = &climb.choices[climb.tried];
+        double *estimated = &climb.errors[climb.tried++];
         char *what = quality_describe(choice);
-        ok = tell(user, choice, told);
-        enough = *told <= error || has_converged(&climb);
-        if (ok && !isinf(*told))
-            log_note("%s errs %.1f %%", what, 100 * *told);
+        ok = tell(user, choice, estimated);
+        enough = *estimated <= error || has_converged(&climb);
+        if (ok && !isinf(*estimated))
+            log_note("%s errs %.1f %%", what, 100 * *estimated);
         free(what);
     }
     if (ok)

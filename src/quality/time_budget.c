@@ -226,10 +226,10 @@ bool time_budget_add(struct time_budget *budget, double ms) {
     wait_for_slow(budget);
     double off = off_target(budget);
     bool all = budget->count >= TIME_BUDGET_SAMPLES;
-    bool told = all || (!budget->settled && fabs(off) > clear);
+    bool clear_enough = all || (!budget->settled && fabs(off) > clear);
     if (all)
         settle(budget, off);
-    if (is_within(off) || !told)
+    if (is_within(off) || !clear_enough)
         return false;
     if (off > above)
         note_slow(budget);

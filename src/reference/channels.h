@@ -15,7 +15,7 @@
 #define CHANNELS_OF_SEEN                                                                           \
     "unshadowed.R unshadowed.G unshadowed.B visibility.R visibility.G visibility.B "               \
     "standard_error.direct.Y standard_error.visibility.Y"
-#define CHANNELS_OF_GLOSS                                                                          \
+#define CHANNELS_OF_SPECULAR                                                                       \
     "direct.specular.R direct.specular.G direct.specular.B "                                       \
     "indirect.specular.R indirect.specular.G indirect.specular.B "                                 \
     "specular.R specular.G specular.B "                                                            \
@@ -50,13 +50,13 @@ enum cut_channel {
     CHANNEL_CUTS_END = 23,
 };
 
-/* The same, from where the layers of gloss begin: radiance, W/(sr m2). */
-enum gloss_channel {
-    GLOSS_DIRECT = 0,
-    GLOSS_INDIRECT = 3,
-    GLOSS_ALL = 6,
-    GLOSS_STANDARD_ERROR = 9, /* of all */
-    GLOSS_END = 12,
+/* The same, from where the layers of specular reflection begin: radiance, W/(sr m2). */
+enum specular_channel {
+    SPECULAR_DIRECT = 0,
+    SPECULAR_INDIRECT = 3,
+    SPECULAR_ALL = 6,
+    SPECULAR_STANDARD_ERROR = 9, /* of all */
+    SPECULAR_END = 12,
 };
 
 #endif

@@ -64,14 +64,14 @@ static void filter(const struct denoise_desc *desc, const struct atrous_guide *g
     atrous_filter(&atrous, light);
 }
 
-static void write_light(const struct atrous_pixel *light, int gloss, float *channels) {
+static void write_light(const struct atrous_pixel *light, int specular, float *channels) {
     for (int c = 0; c < 3; c++) {
         channels[CHANNEL_INDIRECT + c] = light->light.raw[c];
         channels[CHANNEL_BEAUTY + c] =
             channels[CHANNEL_ALBEDO + c] * (channels[CHANNEL_DIRECT + c] + light->light.raw[c]) +
             channels[CHANNEL_EMITTED + c];
-        if (gloss)
-            channels[CHANNEL_BEAUTY + c] += channels[gloss + GLOSS_ALL + c];
+        if (specular)
+            channels[CHANNEL_BEAUTY + c] += channels[specular + SPECULAR_ALL + c];
     }
 }
 
@@ -80,7 +80,7 @@ void denoise(const struct denoise_desc *desc, struct image *image) {
     struct atrous_pixel *light = mem_alloc(pixel_count(desc), sizeof *light);
     filter(desc, guides, light);
     for (size_t i = 0; i < pixel_count(desc); i++)
-        write_light(&light[i], desc->gloss_channel,
+        write_light(&light[i], desc->specular_channel,
                     &image->pixels[i * (size_t)image->channel_count]);
     free(light);
     free(guides);

@@ -16,9 +16,9 @@
 struct denoise_desc {
     const struct film_pixel *pixels;
     const struct primary_rays *primary;
-    int samples, paths; /* of each pixel, of indirect light from each sample */
-    int threads;        /* 0 = all cores */
-    int gloss_channel;  /* where CHANNELS_OF_GLOSS begin; 0 = there are none */
+    int samples, paths;   /* of each pixel, of indirect light from each sample */
+    int threads;          /* 0 = all cores */
+    int specular_channel; /* where CHANNELS_OF_SPECULAR begin; 0 = there are none */
 };
 
 /* image: developed from the pixels. Writes the indirect layer and beauty; the standard errors stay

@@ -14,14 +14,14 @@ static void add(float sum[3], const float value[3]) {
 
 void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample) {
     vec3s light = glms_vec3_add(sample->direct.diffuse, sample->indirect.diffuse);
-    vec3s shine = glms_vec3_add(sample->direct.specular, sample->indirect.specular);
+    vec3s specular = glms_vec3_add(sample->direct.specular, sample->indirect.specular);
     vec3s weight = glms_vec3_adds(sample->albedo, least_weight);
     pixel->coverage += 1;
     add(pixel->position, sample->position.raw);
     add(pixel->albedo, sample->albedo.raw);
     add(pixel->normal, sample->normal.raw);
     add(pixel->beauty, glms_vec3_add(glms_vec3_mul(sample->albedo, light), sample->emitted).raw);
-    add(pixel->beauty, shine.raw);
+    add(pixel->beauty, specular.raw);
     add(pixel->emitted, sample->emitted.raw);
     add(pixel->direct, glms_vec3_mul(weight, sample->direct.diffuse).raw);
     add(pixel->streams[stream].weight, weight.raw);
@@ -151,13 +151,13 @@ void film_seen_develop(const struct film_seen *sums, const struct film_pixel *pi
     channels[CHANNEL_VISIBILITY_ERROR] = (float)sqrt(seen_variance(sums));
 }
 
-void film_gloss_add(struct film_gloss *sums, int stream, const struct film_sample *sample) {
+void film_specular_add(struct film_specular *sums, int stream, const struct film_sample *sample) {
     add(sums->direct, sample->direct.specular.raw);
     add(sums->all[stream], sample->direct.specular.raw);
     add(sums->all[stream], sample->indirect.specular.raw);
 }
 
-void film_gloss_merge(struct film_gloss *sums, const struct film_gloss *other) {
+void film_specular_merge(struct film_specular *sums, const struct film_specular *other) {
     add(sums->direct, other->direct);
     for (int s = 0; s < FILM_STREAMS; s++)
         add(sums->all[s], other->all[s]);
@@ -168,7 +168,7 @@ static int stream_samples(int stream, int samples) {
     return (samples + FILM_STREAMS - 1 - stream) / FILM_STREAMS;
 }
 
-struct film_estimate film_gloss_estimate(const struct film_gloss *sums, int samples) {
+struct film_estimate film_specular_estimate(const struct film_specular *sums, int samples) {
     struct film_estimate estimate = {0};
     int used = samples < FILM_STREAMS ? samples : FILM_STREAMS;
     for (int c = 0; c < 3; c++) {
@@ -185,14 +185,14 @@ struct film_estimate film_gloss_estimate(const struct film_gloss *sums, int samp
     return estimate;
 }
 
-void film_gloss_develop(const struct film_gloss *sums, int samples, float *channels) {
-    struct film_estimate estimate = film_gloss_estimate(sums, samples);
+void film_specular_develop(const struct film_specular *sums, int samples, float *channels) {
+    struct film_estimate estimate = film_specular_estimate(sums, samples);
     for (int c = 0; c < 3; c++) {
         float direct = sums->direct[c] / (float)samples, all = (float)estimate.mean[c];
-        channels[GLOSS_DIRECT + c] = direct;
-        channels[GLOSS_INDIRECT + c] = all - direct;
-        channels[GLOSS_ALL + c] = all;
-        channels[GLOSS_STANDARD_ERROR + c] = (float)sqrt(estimate.variance[c]);
+        channels[SPECULAR_DIRECT + c] = direct;
+        channels[SPECULAR_INDIRECT + c] = all - direct;
+        channels[SPECULAR_ALL + c] = all;
+        channels[SPECULAR_STANDARD_ERROR + c] = (float)sqrt(estimate.variance[c]);
     }
 }
 

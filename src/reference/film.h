@@ -61,19 +61,19 @@ void film_seen_develop(const struct film_seen *sums, const struct film_pixel *pi
                        float *channels);
 
 /* What a pixel sees of specular reflection, where some surface has it: sums. */
-struct film_gloss {
+struct film_specular {
     float direct[3];
     float all[FILM_STREAMS][3];
 };
 
-void film_gloss_add(struct film_gloss *sums, int stream, const struct film_sample *sample);
-void film_gloss_merge(struct film_gloss *sums, const struct film_gloss *other);
+void film_specular_add(struct film_specular *sums, int stream, const struct film_sample *sample);
+void film_specular_merge(struct film_specular *sums, const struct film_specular *other);
 
 /* Of all specular reflection, the mean and its variance: 0 for a single sample. */
-struct film_estimate film_gloss_estimate(const struct film_gloss *sums, int samples);
+struct film_estimate film_specular_estimate(const struct film_specular *sums, int samples);
 
-/* Writes enum gloss_channel's layers. */
-void film_gloss_develop(const struct film_gloss *sums, int samples, float *channels);
+/* Writes enum specular_channel's layers. */
+void film_specular_develop(const struct film_specular *sums, int samples, float *channels);
 
 /* Of the direct light, the mean of RGB, and the variance of that. */
 struct film_direct_estimate {

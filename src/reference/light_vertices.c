@@ -36,7 +36,7 @@ static void trace(const struct work *work, uint32_t i) {
         vertex->radiance = emission_reflected(&hit, &arrival);
         vertex->found = arrival.found;
     } else {
-        work->vertices.gloss[i] = (struct light_gloss){hit, arrival};
+        work->vertices.specular[i] = (struct light_specular){hit, arrival};
     }
     if (!vertex->diffuse || glms_vec3_norm2(vertex->radiance) > 0)
         vertex->density = arrival.density;
@@ -52,8 +52,8 @@ struct light_vertices light_vertices_trace(const struct emission *emission,
                                            int threads) {
     struct work work = {.emission = emission, .rays = rays, .seed = seed};
     work.vertices.items = mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices.items);
-    if (rays->table->has_gloss)
-        work.vertices.gloss = mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices.gloss);
+    if (rays->table->has_specular)
+        work.vertices.specular = mem_alloc(LIGHT_VERTEX_COUNT, sizeof *work.vertices.specular);
     if (emission->count > 0)
         parallel_for(LIGHT_VERTEX_COUNT / CHUNK, threads, trace_chunk, &work);
     return work.vertices;
@@ -61,6 +61,6 @@ struct light_vertices light_vertices_trace(const struct emission *emission,
 
 void light_vertices_free(struct light_vertices *vertices) {
     free(vertices->items);
-    free(vertices->gloss);
+    free(vertices->specular);
     *vertices = (struct light_vertices){0};
 }

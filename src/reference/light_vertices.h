@@ -20,18 +20,18 @@ struct light_vertex {
     vec3s radiance;         /* reflected by a Lambertian surface, W/(sr m2) */
     float density;          /* of light rays there, 1/m2; 0 where none is reflected */
     float found;            /* struct arrival's */
-    bool diffuse;           /* else what it reflects is in a light_gloss */
+    bool diffuse;           /* else what it reflects is in a light_specular */
 };
 
 /* Of a vertex that reflects otherwise to everyone: the surface and what comes to it. */
-struct light_gloss {
+struct light_specular {
     struct hit hit;
     struct arrival arrival;
 };
 
 struct light_vertices {
     struct light_vertex *items;
-    struct light_gloss *gloss; /* of each; NULL where all surfaces are diffuse */
+    struct light_specular *specular; /* of each; NULL where all surfaces are diffuse */
 };
 
 /* Traces the emission's LIGHT_VERTEX_COUNT rays on some threads (0 = all cores). */

@@ -38,8 +38,8 @@ static vec3s sent_to(const struct light_vertices *lights, uint32_t i, const stru
     *light_found = vertex->found;
     if (vertex->diffuse)
         return vertex->radiance;
-    const struct arrival *arrival = &lights->gloss[i].arrival;
-    struct hit y = lights->gloss[i].hit;
+    const struct arrival *arrival = &lights->specular[i].arrival;
+    struct hit y = lights->specular[i].hit;
     y.towards = glms_vec3_normalize(glms_vec3_sub(x->position, y.position));
     if (arrival->picked > 0)
         *light_found =
@@ -101,7 +101,7 @@ static struct reflected from_light_vertices(const struct ray_scene *rays, const 
 /* A ray that a surface's reflection samples. */
 struct step {
     vec3s direction;
-    float density; /* 1/sr; of glossy surfaces alone */
+    float density; /* 1/sr; of specular surfaces alone */
     struct reflected
         share;   /* of radiance that comes along it, what is reflected over the density */
     bool leaves; /* it does not run into its own surface */

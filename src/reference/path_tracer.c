@@ -17,6 +17,7 @@
 #include <stdlib.h>
 
 /* Samples of a pixel: of the first pass, and how many a forecast expects before it has seen any. */
+/* EXPECTED_SAMPLES: of a usual scene, for a noise of 1 %. */
 enum { FIRST_PASS_SAMPLES = 32, EXPECTED_SAMPLES = 256 };
 
 /* Indirect paths from each point that the camera sees: the noise is in them, not in the camera ray
@@ -31,12 +32,12 @@ struct tracer {
     struct emission emission;
     struct light_vertices lights[FILM_STREAMS];
     struct film_pixel *pixels;
-    struct film_seen *seen;   /* where it is wanted */
-    struct film_gloss *gloss; /* where there is some */
-    struct image *image;      /* once developed */
-    uint32_t done, end;       /* samples of a pixel: of earlier passes, and after the present one */
-    double noise;             /* after the last pass */
-    uint32_t first_done;      /* both after the first */
+    struct film_seen *seen;         /* where it is wanted */
+    struct film_specular *specular; /* where there is some */
+    struct image *image;            /* once developed */
+    uint32_t done, end;  /* samples of a pixel: of earlier passes, and after the present one */
+    double noise;        /* after the last pass */
+    uint32_t first_done; /* both after the first */
     double first_noise;
 };
 
@@ -50,13 +51,13 @@ static struct film_seen *seen_at(const struct tracer *tracer, int x, int y) {
     return &tracer->seen[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
 }
 
-static struct film_gloss *gloss_at(const struct tracer *tracer, int x, int y) {
-    return &tracer->gloss[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
+static struct film_specular *specular_at(const struct tracer *tracer, int x, int y) {
+    return &tracer->specular[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
 }
 
-/* Of the picture's channels, the first of gloss; 0 = it has none. */
-static int gloss_channel(const struct tracer *tracer) {
-    return !tracer->gloss ? 0 : tracer->desc.seen ? CHANNEL_END : CHANNEL_PATH_TRACER_END;
+/* Of the picture's channels, the first of specular reflection; 0 = it has none. */
+static int specular_channel(const struct tracer *tracer) {
+    return !tracer->specular ? 0 : tracer->desc.seen ? CHANNEL_END : CHANNEL_PATH_TRACER_END;
 }
 
 static struct reflected mean_of_paths(const struct tracer *tracer, const struct hit *hit,
@@ -112,7 +113,7 @@ static void add_seen(const struct tracer *tracer, const struct hit *hit, int str
 struct sums {
     struct film_pixel pixel;
     struct film_seen seen;
-    struct film_gloss gloss;
+    struct film_specular specular;
 };
 
 /* Adds what a pixel's i-th sample sees. */
@@ -143,8 +144,8 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
         .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, &hit), hit.unlit),
     };
     film_pixel_add(&sums->pixel, stream, &sample);
-    if (tracer->gloss)
-        film_gloss_add(&sums->gloss, stream, &sample);
+    if (tracer->specular)
+        film_specular_add(&sums->specular, stream, &sample);
     if (desc->seen)
         add_seen(tracer, &hit, stream, &samplers, &sums->seen);
 }
@@ -157,8 +158,8 @@ static void add_pass(const struct tracer *tracer, int px, int py) {
     film_pixel_merge(pixel_at(tracer, px, py), &sums.pixel);
     if (tracer->seen)
         film_seen_merge(seen_at(tracer, px, py), &sums.seen);
-    if (tracer->gloss)
-        film_gloss_merge(gloss_at(tracer, px, py), &sums.gloss);
+    if (tracer->specular)
+        film_specular_merge(specular_at(tracer, px, py), &sums.specular);
 }
 
 /* --- passes --- */
@@ -177,7 +178,7 @@ static double samples_needed(const struct tracer *tracer) {
     if (desc->samples > 0)
         return desc->samples;
     if (tracer->done == 0)
-        return EXPECTED_SAMPLES;
+        return EXPECTED_SAMPLES * pow(.01 / desc->noise, 1 / .75);
     return tracer->done * pow(tracer->noise / desc->noise, 1 / falls_by(tracer));
 }
 
@@ -232,11 +233,12 @@ static double estimate_direct_noise(const struct tracer *tracer) {
 }
 
 /* The same of specular light, but over the beauty's mean: there may be little of it. */
-static double estimate_gloss_noise(const struct tracer *tracer) {
+static double estimate_specular_noise(const struct tracer *tracer) {
     size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
     double beauty_sum = 0, variance_sum = 0, values = 3 * (double)pixel_count;
-    for (size_t i = 0; tracer->gloss && i < pixel_count; i++) {
-        struct film_estimate estimate = film_gloss_estimate(&tracer->gloss[i], (int)tracer->done);
+    for (size_t i = 0; tracer->specular && i < pixel_count; i++) {
+        struct film_estimate estimate =
+            film_specular_estimate(&tracer->specular[i], (int)tracer->done);
         for (int c = 0; c < 3; c++) {
             beauty_sum += (double)tracer->pixels[i].beauty[c] / tracer->done;
             variance_sum += estimate.variance[c];
@@ -252,7 +254,7 @@ static bool render_pass(struct tracer *tracer, uint32_t end) {
         return false;
     tracer->done = end;
     tracer->noise = fmax(estimate_noise(tracer), estimate_direct_noise(tracer));
-    tracer->noise = fmax(tracer->noise, estimate_gloss_noise(tracer));
+    tracer->noise = fmax(tracer->noise, estimate_specular_noise(tracer));
     if (tracer->first_done == 0) {
         tracer->first_done = tracer->done;
         tracer->first_noise = tracer->noise;
@@ -280,8 +282,9 @@ static void develop_row(void *context, int row) {
         film_pixel_develop(pixel_at(tracer, x, row), samples, channels);
         if (tracer->seen)
             film_seen_develop(seen_at(tracer, x, row), pixel_at(tracer, x, row), channels);
-        if (tracer->gloss)
-            film_gloss_develop(gloss_at(tracer, x, row), samples, &channels[gloss_channel(tracer)]);
+        if (tracer->specular)
+            film_specular_develop(specular_at(tracer, x, row), samples,
+                                  &channels[specular_channel(tracer)]);
         struct pixel pixel = path_tracer_pixel(tracer->desc.every, x, row);
         if (primary_hit(&tracer->primary, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
@@ -292,7 +295,8 @@ static bool develop(struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
     char channels[1024];
     snprintf(channels, sizeof channels, "%s%s%s", CHANNELS_OF_PATH_TRACER,
-             desc->seen ? " " CHANNELS_OF_SEEN : "", tracer->gloss ? " " CHANNELS_OF_GLOSS : "");
+             desc->seen ? " " CHANNELS_OF_SEEN : "",
+             tracer->specular ? " " CHANNELS_OF_SPECULAR : "");
     image_init(tracer->image, desc->width, desc->height, channels);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
@@ -357,7 +361,7 @@ static bool render(struct tracer *tracer, const struct hit_table *table) {
                                        .primary = &tracer->primary,
                                        .samples = (int)tracer->done,
                                        .paths = tracer->desc.paths,
-                                       .gloss_channel = gloss_channel(tracer),
+                                       .specular_channel = specular_channel(tracer),
                                        .threads = tracer->desc.threads},
                 tracer->image);
     return true;
@@ -371,7 +375,7 @@ static bool check_memory(const struct path_tracer_desc *desc) {
         of_pixel +=
             sizeof(struct film_seen) + sizeof(float) * (CHANNEL_END - CHANNEL_PATH_TRACER_END);
     if (desc->materials == MATERIALS_FULL && !materials_are_plain(desc->scene))
-        of_pixel += sizeof(struct film_gloss) + sizeof(float) * GLOSS_END;
+        of_pixel += sizeof(struct film_specular) + sizeof(float) * SPECULAR_END;
     return mem_check(pixels * of_pixel) ||
            error_prefix("a reference of %dx%d", desc->width, desc->height);
 }
@@ -398,7 +402,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     size_t pixels = (size_t)desc->width * (size_t)desc->height;
     tracer.pixels = mem_alloc(pixels, sizeof *tracer.pixels);
     tracer.seen = desc->seen ? mem_alloc(pixels, sizeof *tracer.seen) : NULL;
-    tracer.gloss = table.has_gloss ? mem_alloc(pixels, sizeof *tracer.gloss) : NULL;
+    tracer.specular = table.has_specular ? mem_alloc(pixels, sizeof *tracer.specular) : NULL;
     bool ok = render(&tracer, &table);
     if (ok && reached)
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
@@ -406,7 +410,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
         light_vertices_free(&tracer.lights[stream]);
     free(tracer.pixels);
     free(tracer.seen);
-    free(tracer.gloss);
+    free(tracer.specular);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

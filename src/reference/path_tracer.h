@@ -1,4 +1,4 @@
-/* Ground truth: a path tracer for diffuse and glossy surfaces under spots, points, directional and area lights,
+/* The reference: a path tracer for diffuse and specular surfaces under spots, points, directional and area lights,
  * and a sky.
  *
  * A path of b bounces runs camera -> x0 -> x1 ... -> xb -> light. All vertices but the last are
@@ -9,7 +9,7 @@
  * are traced once and shared by all pixels (reference/light_vertices.h). Of several lights each has
  * its own two ways, weighted apart. A light with a size ends each path at another place of it, and
  * its direct light has noise too: the greater of the two counts. To the sky there is a way more, by
- * the cosine at the path's last vertex, weighted with the others; of glossy surfaces, to all lights with a
+ * the cosine at the path's last vertex, weighted with the others; of specular surfaces, to all lights with a
  * size. A light without one that smooth metal throws onto other surfaces, a caustic, is found by light
  * rays' hits alone, and stays noisy.
  *
@@ -66,7 +66,7 @@ struct pixel {
 };
 struct pixel path_tracer_pixel(int every, int x, int y);
 
-/* Renders into a new image with CHANNELS_OF_PATH_TRACER, CHANNELS_OF_SEEN where asked for, and CHANNELS_OF_GLOSS
+/* Renders into a new image with CHANNELS_OF_PATH_TRACER, CHANNELS_OF_SEEN where asked for, and CHANNELS_OF_SPECULAR
  * where some surface has it; reached, unless NULL, tells samples and
  * noise. Error: Embree's own, or "cancelled"; the image is then zeroed. */
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,

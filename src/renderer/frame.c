@@ -7,7 +7,6 @@
 
 #include <assert.h>
 #include <math.h>
-#include <string.h>
 
 const char *const shown_layer_names[] = {
     [LAYER_BEAUTY] = "full", [LAYER_DIRECT] = "direct", [LAYER_INDIRECT] = "indirect", NULL};
@@ -26,9 +25,9 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     const struct light_plan *plan = &renderer->plan;
     float typical = 0;
-    for (int i = 0; i < plan->sky_starts.count; i++) {
+    for (int i = 0; i < plan->sky_samples.count; i++) {
         struct emitter emitter =
-            sky_group_emitter(&plan->sky, &plan->sky_starts, i, desc->emitters.sky);
+            sky_group_emitter(&plan->sky, &plan->sky_samples, i, desc->emitters.sky);
         typical += typical_irradiance(&emitter, desc->geometry->radius);
     }
     for (int i = 0; i < desc->emitters.count; i++)
@@ -39,7 +38,7 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
 /* NULL where all is diffuse. */
 static const struct texture *direct_specular(const struct renderer *renderer) {
     const struct direct_method *direct = renderer->direct;
-    return renderer->gbuffer.gloss.id ? direct->specular(renderer->direct_state) : NULL;
+    return renderer->gbuffer.specular.id ? direct->specular(renderer->direct_state) : NULL;
 }
 
 /* Passes have samples of their own in each. */
@@ -49,27 +48,23 @@ static const struct antialias_pass *antialias_of(const struct renderer *renderer
 
 struct frame renderer_frame(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    struct frame frame = {
+    return (struct frame){
         .timers = &renderer->timers,
         .view = &renderer->view_buffer,
         .camera = &renderer->camera_view,
         .camera_range = renderer->camera_range,
-        .lights = &renderer->start_buffer,
+        .lights = &renderer->sample_buffer,
         .scene = &renderer->scene,
-        .emitters = &renderer->start_emitters,
-        .light_block = renderer->start_block,
-        .layout = renderer->plan.start_layout,
-        .groups = renderer->starts.groups,
+        .emitters = &renderer->sample_emitters,
+        .light_block = renderer->sample_block,
+        .layout = renderer->plan.sample_layout,
+        .groups = renderer->light_samples.groups,
         .geometry = desc->geometry,
-        .radius = desc->geometry->radius,
-        .picks = &antialias_of(renderer)->picks,
+        .assignment = &antialias_of(renderer)->assignment,
         .edge_samples = &antialias_of(renderer)->edge_samples,
         .pass = renderer->pass,
         .irradiance_scale = renderer_irradiance_scale(renderer),
     };
-    memcpy(frame.bounds_min, desc->geometry->bounds_min, sizeof frame.bounds_min);
-    memcpy(frame.bounds_max, desc->geometry->bounds_max, sizeof frame.bounds_max);
-    return frame;
 }
 
 /* The same frame for direct light. */
@@ -112,35 +107,53 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
     };
 }
 
+/* The technique that draws this frame, and its state. */
+static const struct technique *current_technique(const struct renderer *renderer, void **state) {
+    const struct refining *refining = &renderer->refining;
+    bool refined = is_refined(renderer);
+    *state = refined ? refining->state : renderer->technique_state;
+    return refined ? refining->technique : renderer->technique;
+}
+
+static bool follows_camera(const struct technique *technique, const void *state) {
+    return technique->follows_camera && technique->follows_camera(state);
+}
+
 /* Direct light and the first pass's are kept; all other passes have lights of their own. */
 static void render_lights(struct renderer *renderer, const struct frame *frame) {
-    const struct refining *refining = &renderer->refining;
     bool keeps = renderer->lights_drawn && renderer->desc.keep_lights;
-    const struct technique *technique =
-        is_refined(renderer) ? refining->technique : renderer->technique;
-    void *state = is_refined(renderer) ? refining->state : renderer->technique_state;
+    void *state;
+    const struct technique *technique = current_technique(renderer, &state);
     if (!keeps && renderer->direct->render_lights) {
         struct frame direct = frame_of_direct(renderer, frame);
         renderer->direct->render_lights(renderer->direct_state, &direct);
     }
-    if ((!keeps || renderer->pass > 0) && technique->render_lights)
+    if ((!keeps || renderer->pass > 0) && technique->render_lights &&
+        !follows_camera(technique, state))
         technique->render_lights(state, frame);
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
 }
 
+/* Lights that follow the camera are drawn for its G-buffer. */
+static void render_indirect(struct renderer *renderer, const struct frame *frame) {
+    void *state;
+    const struct technique *technique = current_technique(renderer, &state);
+    struct frame seen = *frame;
+    seen.gbuffer = &renderer->gbuffer;
+    if (follows_camera(technique, state))
+        technique->render_lights(state, &seen);
+    technique->render_view(state, frame, &renderer->gbuffer);
+}
+
 /* All but what makes a picture of it. */
 static void render_frame(struct renderer *renderer, const struct frame *frame) {
-    const struct refining *refining = &renderer->refining;
     struct frame direct = frame_of_direct(renderer, frame);
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
     if (renderer->pass == 0)
         antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
-    if (is_refined(renderer))
-        refining->technique->render_view(refining->state, frame, &renderer->gbuffer);
-    else
-        renderer->technique->render_view(renderer->technique_state, frame, &renderer->gbuffer);
+    render_indirect(renderer, frame);
 }
 
 static void begin_pass(struct renderer *renderer, int pass) {

@@ -21,7 +21,7 @@ static const struct layer_row {
     {LAYER_INDIRECT, "RGB", "indirect."},
     {LAYER_ALBEDO, "RGB", "albedo."},
     {LAYER_NORMAL, "XYZ", "normal."},
-    /* Where the G-buffer has gloss: */
+    /* Where the G-buffer has a specular target: */
     {LAYER_SPECULAR, "RGB", "specular."},
     {LAYER_DIRECT_SPECULAR, "RGB", "direct.specular."},
     {LAYER_INDIRECT_SPECULAR, "RGB", "indirect.specular."},
@@ -29,7 +29,7 @@ static const struct layer_row {
 
 static int row_count(const struct renderer *renderer) {
     int all = sizeof layer_rows / sizeof *layer_rows;
-    return renderer->gbuffer.gloss.id ? all : LAYERS_PLAIN;
+    return renderer->gbuffer.specular.id ? all : LAYERS_PLAIN;
 }
 
 static void read_layers(struct renderer *renderer, struct image *image,

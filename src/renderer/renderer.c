@@ -15,7 +15,7 @@ enum part {
     PART_GBUFFER = 1,    /* size */
     PART_GEOMETRY = 2,   /* nothing but shaders */
     PART_DIRECT = 4,     /* method, its settings, layout of lights, lights of the environment */
-    PART_TECHNIQUE = 8,  /* technique, its settings, layout of starts */
+    PART_TECHNIQUE = 8,  /* technique, its settings, layout of light samples */
     PART_ANTIALIAS = 16, /* size, samples */
     PART_COMPOSITE = 32, /* size, what the technique contributes */
     PART_MEAN = 64,      /* size, whether progressive */
@@ -25,8 +25,9 @@ enum part {
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
 };
 
-/* Whether the G-buffer, and all that reads it, has gloss: else all materials are plain (scene/material.h). */
-static bool has_gloss(const struct renderer_desc *desc) {
+/* Whether the G-buffer, and all that reads it, has a specular target: else all materials are plain
+ * (scene/material.h). */
+static bool has_specular(const struct renderer_desc *desc) {
     const struct material_settings *own =
         settings_of(struct material_settings, &desc->settings, &material_part);
     return own->materials == MATERIALS_FULL && !materials_are_plain(desc->scene) &&
@@ -34,7 +35,7 @@ static bool has_gloss(const struct renderer_desc *desc) {
 }
 
 static bool has_emission(const struct renderer_desc *desc) {
-    return desc->scene->surface_count > 0 || has_gloss(desc);
+    return desc->scene->surface_count > 0 || has_specular(desc);
 }
 
 static bool init_antialias(struct renderer *renderer) {
@@ -53,7 +54,7 @@ static bool init_direct(struct renderer *renderer) {
                                                                .width = desc->width,
                                                                .height = desc->height,
                                                                .lights = &renderer->plan.layout,
-                                                               .gloss = has_gloss(desc),
+                                                               .specular = has_specular(desc),
                                                                .casters = renderer->casters,
                                                                .lamps = desc->direct,
                                                                .sky = &renderer->plan.sky,
@@ -71,8 +72,8 @@ static bool make_technique(const struct renderer *renderer, const struct techniq
                                       .casters = renderer->casters,
                                       .width = desc->width,
                                       .height = desc->height,
-                                      .lights = &renderer->plan.start_layout,
-                                      .gloss = has_gloss(desc),
+                                      .lights = &renderer->plan.sample_layout,
+                                      .specular = has_specular(desc),
                                   });
 }
 
@@ -87,7 +88,7 @@ static bool init_mean(struct renderer *renderer) {
     struct refining *refining = &renderer->refining;
     return !desc->progressive ||
            (mean_pass_init(&refining->mean,
-                           &(struct mean_desc){desc->width, desc->height, has_gloss(desc)}) &&
+                           &(struct mean_desc){desc->width, desc->height, has_specular(desc)}) &&
             antialias_pass_init(&refining->centers,
                                 &(struct antialias_desc){desc->width, desc->height, 1}));
 }
@@ -120,7 +121,7 @@ static bool init_composite(struct renderer *renderer) {
                                                         .contributes = contributes,
                                                         .has_sky = desc->scene->environment,
                                                         .has_emission = has_emission(desc),
-                                                        .has_gloss = has_gloss(desc)});
+                                                        .has_specular = has_specular(desc)});
 }
 
 static bool init_gbuffer(struct renderer *renderer) {
@@ -131,7 +132,7 @@ static bool init_gbuffer(struct renderer *renderer) {
                                                .height = desc->height,
                                                .layers = 1,
                                                .has_emission = has_emission(desc),
-                                               .has_gloss = has_gloss(desc)});
+                                               .has_specular = has_specular(desc)});
 }
 
 static bool init_geometry(struct renderer *renderer) {
@@ -139,7 +140,7 @@ static bool init_geometry(struct renderer *renderer) {
     return geometry_pass_init(
         &renderer->geometry,
         &(struct geometry_desc){.has_emission = has_emission(desc),
-                                .has_gloss = has_gloss(desc),
+                                .has_specular = has_specular(desc),
                                 .has_mappings = materials_have_mappings(desc->scene)});
 }
 
@@ -196,20 +197,20 @@ static float place_in_pixel(uint32_t base, int pass) {
 
 /* Each pass's reflective shadow maps lie elsewhere, by a texel of 1024 or less: what no texel's middle sees in one of them
  * another one's does. */
-static void shift_starts(struct renderer *renderer) {
-    const struct light_block *block = renderer->start_block;
+static void shift_light_samples(struct renderer *renderer) {
+    const struct light_block *block = renderer->sample_block;
     const float ndc[2] = {place_in_pixel(5, renderer->pass) / 512,
                           place_in_pixel(7, renderer->pass) / 512};
     for (int i = 0; i < block->single_count + block->face_count; i++)
-        view_shift(&renderer->start_block->views[i].view, ndc);
+        view_shift(&renderer->sample_block->views[i].view, ndc);
 }
 
-static void place_starts(struct renderer *renderer) {
+static void place_light_samples(struct renderer *renderer) {
     const struct light_plan *plan = &renderer->plan;
-    light_samples_place(&renderer->starts, &renderer->desc.emitters,
-                        &(struct light_samples_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
-                        renderer->pass);
-    renderer->start_emitters = light_samples_emitters(&renderer->starts);
+    light_samples_place(&renderer->light_samples, &renderer->desc.emitters,
+                        &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
+                        &plan->light_samples, renderer->pass);
+    renderer->sample_emitters = light_samples_emitters(&renderer->light_samples);
 }
 
 /* Looks at triangles, so only where another view may cut others. */
@@ -234,14 +235,15 @@ void renderer_write_views(struct renderer *renderer) {
     if (renderer->pass > 0)
         view_shift(&renderer->camera_view, place);
     views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);
-    place_starts(renderer);
-    views_of_emitters(renderer->start_block, &renderer->start_emitters, desc->geometry);
+    place_light_samples(renderer);
+    views_of_emitters(renderer->sample_block, &renderer->sample_emitters, desc->geometry);
     if (renderer->pass > 0)
-        shift_starts(renderer);
+        shift_light_samples(renderer);
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
-    buffer_write(&renderer->start_buffer, 0, sizeof *renderer->start_block, renderer->start_block);
-    scene_gpu_set_glow(&renderer->scene, &desc->emitters, has_gloss(desc),
+    buffer_write(&renderer->sample_buffer, 0, sizeof *renderer->sample_block,
+                 renderer->sample_block);
+    scene_gpu_set_glow(&renderer->scene, &desc->emitters, has_specular(desc),
                        renderer_irradiance_scale(renderer));
 }
 
@@ -265,13 +267,14 @@ static void plan_sky(struct light_plan *plan, const struct light_plan *before,
     *wanted = (struct sky_wanted){environment, sky->fit, sky->lights,
                                   sky->directions < room ? sky->directions : room};
     if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
-        before->wanted.lights == wanted->lights && before->wanted.starts == wanted->starts) {
+        before->wanted.lights == wanted->lights &&
+        before->wanted.directions == wanted->directions) {
         plan->sky = before->sky;
-        plan->sky_starts = before->sky_starts;
+        plan->sky_samples = before->sky_samples;
         return;
     }
     environment_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
-    environment_lights_group(&plan->sky_starts, &plan->sky, wanted->starts);
+    environment_lights_group(&plan->sky_samples, &plan->sky, wanted->directions);
 }
 
 /* Light samples of all wide lights together, from which their reflected light starts. */
@@ -283,18 +286,19 @@ static const float wide_light = .3F;
 /* Error: more lights than there is room for. */
 static bool plan_lights(struct light_plan *plan, const struct light_plan *before,
                         const struct renderer_desc *desc) {
-    struct light_samples starts;
+    struct light_samples samples;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
     if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
         return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
                          desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
     plan_sky(plan, before, desc);
-    plan->starts = (struct light_samples_desc){LIGHT_SAMPLES, wide_light, desc->geometry->radius};
-    light_samples_place(&starts, &desc->emitters,
-                        &(struct light_samples_sky){&plan->sky, &plan->sky_starts}, &plan->starts,
-                        0);
-    plan->start_layout = light_samples_layout(&starts);
+    plan->light_samples =
+        (struct light_samples_desc){LIGHT_SAMPLES, wide_light, desc->geometry->radius};
+    light_samples_place(&samples, &desc->emitters,
+                        &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
+                        &plan->light_samples, 0);
+    plan->sample_layout = light_samples_layout(&samples);
     return true;
 }
 
@@ -302,7 +306,7 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     *renderer = (struct renderer){.desc = *desc,
                                   .casters = caster_pool_create(desc->scene, desc->geometry),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
-                                  .start_block = mem_alloc(1, sizeof *renderer->start_block)};
+                                  .sample_block = mem_alloc(1, sizeof *renderer->sample_block)};
     renderer->desc.emitters = emitters_copy(&desc->emitters);
     set_defaults(&renderer->desc);
     timers_init(&renderer->timers, desc->timed, gl.software);
@@ -311,7 +315,7 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
-        buffer_init(&renderer->start_buffer, "light samples", sizeof *renderer->start_block,
+        buffer_init(&renderer->sample_buffer, "light samples", sizeof *renderer->sample_block,
                     NULL)) {
         renderer_write_views(renderer);
         return true;
@@ -343,9 +347,9 @@ void renderer_free(struct renderer *renderer) {
     caster_pool_free(renderer->casters);
     buffer_free(&renderer->view_buffer);
     buffer_free(&renderer->light_buffer);
-    buffer_free(&renderer->start_buffer);
+    buffer_free(&renderer->sample_buffer);
     free(renderer->light_block);
-    free(renderer->start_block);
+    free(renderer->sample_block);
     emitters_free(&renderer->desc.emitters);
     *renderer = (struct renderer){0};
 }
@@ -424,7 +428,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         plan->wanted.environment != renderer->plan.wanted.environment ||
         (plan->sky.count > 0 && !settings_same(&desc->settings, &old->settings, &sky_part)))
         parts |= PART_DIRECT;
-    if (!light_layouts_same(&plan->start_layout, &renderer->plan.start_layout))
+    if (!light_layouts_same(&plan->sample_layout, &renderer->plan.sample_layout))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
     if (picture->samples != renderer_picture(renderer).samples)
         parts |= PART_ANTIALIAS;
@@ -432,7 +436,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_SIZE;
     if (desc->progressive != old->progressive)
         parts |= PART_MEAN | PART_REFINER;
-    if (has_gloss(desc) != has_gloss(old))
+    if (has_specular(desc) != has_specular(old))
         parts |= PART_ALL;
     return parts;
 }

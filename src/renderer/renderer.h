@@ -41,13 +41,13 @@ struct renderer_desc {
 
 /* What maps and programs are made for. */
 struct light_plan {
-    struct light_layout layout, start_layout;
-    struct light_samples_desc starts;
+    struct light_layout layout, sample_layout;
+    struct light_samples_desc light_samples;
     struct environment_lights sky;
-    struct sky_groups sky_starts; /* from which its reflected light starts */
+    struct sky_groups sky_samples; /* from which its reflected light starts */
     struct sky_wanted {
         const struct environment *environment;
-        int fit, lights, starts;
+        int fit, lights, directions;
     } wanted; /* that they were fitted by */
 };
 
@@ -86,10 +86,10 @@ struct renderer {
     struct buffer view_buffer;
     struct light_plan plan;
     /* What shines, for direct light; and what techniques are given for it. */
-    struct light_block *light_block, *start_block;
-    struct buffer light_buffer, start_buffer;
-    struct light_samples starts;
-    struct emitters start_emitters; /* of the starts: nothing to be freed */
+    struct light_block *light_block, *sample_block;
+    struct buffer light_buffer, sample_buffer;
+    struct light_samples light_samples;
+    struct emitters sample_emitters; /* of the light samples: nothing to be freed */
 };
 
 /* Error: driver, shader, size, memory, or more lights than there is room for. */

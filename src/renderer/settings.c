@@ -111,13 +111,18 @@ void renderer_settings_copy_but_samples(struct settings *to, const struct settin
 
 /* --- needs --- */
 
+/* Whether a need of a technique holds; of another setting: true. */
+static bool allows(const struct need *need, const struct technique *technique) {
+    return strcmp(need->name, "technique") != 0 ||
+           need_names(need, technique->name) == (need->sign == '=');
+}
+
 /* Whether the technique reads it: all that its row says of techniques holds. */
 static bool is_read(const struct setting *setting, const struct technique *technique) {
-    for (struct need need = {.word.at = setting->option->needs}; need_next(&need);)
-        if (strcmp(need.name, "technique") == 0 &&
-            need_names(&need, technique->name) != (need.sign == '='))
-            return false;
-    return true;
+    bool all = true;
+    for (struct need need = {.word.at = setting->option->needs}; all && need_next(&need);)
+        all = allows(&need, technique);
+    return all;
 }
 
 static bool technique_has(const struct technique *technique, const struct setting *setting) {
@@ -129,7 +134,7 @@ static bool holds(const struct need *need, const struct settings *settings,
     struct setting setting;
     char value[32];
     if (strcmp(need->name, "technique") == 0)
-        return true; /* is_read */
+        return allows(need, technique);
     bool found = settings_find(settings, need->name, &setting);
     assert(found);
     (void)found;
@@ -145,7 +150,7 @@ static bool holds(const struct need *need, const struct settings *settings,
 
 bool setting_matters(const struct setting *setting, const struct settings *settings,
                      const struct technique *technique) {
-    bool all = is_read(setting, technique);
+    bool all = true;
     for (struct need need = {.word.at = setting->option->needs}; all && need_next(&need);)
         all = holds(&need, settings, technique);
     return all;

@@ -44,9 +44,9 @@ struct place {
 static void plant(struct search *search) {
     const struct geometry *geometry = search->geometry;
     uint32_t count = geometry->index_count / 3;
-    struct tree_triangle *triangles = mem_alloc(count, sizeof *triangles);
+    struct bvh_triangle *triangles = mem_alloc(count, sizeof *triangles);
     for (uint32_t i = 0; i < count; i++) {
-        triangles[i] = (struct tree_triangle){.number = i};
+        triangles[i] = (struct bvh_triangle){.number = i};
         triangles[i].corner =
             corners_edges(geometry, &geometry->indices[3 * i], triangles[i].edges);
     }
@@ -61,7 +61,7 @@ static const struct material *material_of(const struct search *search, uint32_t 
 }
 
 /* Its brightest channel, at a point of the triangle's plane. */
-static float emission_at(const struct search *search, const struct tree_triangle *triangle,
+static float emission_at(const struct search *search, const struct bvh_triangle *triangle,
                          const struct material *material, vec3s position) {
     vec3s color = {{material->emission[0], material->emission[1], material->emission[2]}};
     if (material->emission_texture >= 0) {
@@ -87,7 +87,7 @@ static float emission_at(const struct search *search, const struct tree_triangle
 static bool find_place(const struct search *search, vec3s origin, vec3s direction,
                        struct place *place) {
     for (int i = 0; i < SURFACES; i++) {
-        struct tree_hit hit = bvh_ray_trace(&search->tree, origin, direction);
+        struct bvh_hit hit = bvh_ray_trace(&search->tree, origin, direction);
         if (!hit.triangle)
             return false;
         const struct material *material = material_of(search, hit.triangle->number);
@@ -123,7 +123,7 @@ static float reflected(const struct search *search, const struct emitter *piece,
     /* Sums of what is as small as this do not count either. */
     if (!(radiance > least_radiance / 256))
         return 0;
-    struct tree_hit hit = bvh_ray_trace(&search->tree, place->position, to_light);
+    struct bvh_hit hit = bvh_ray_trace(&search->tree, place->position, to_light);
     return hit.distance < distance - search->clearance ? 0 : radiance;
 }
 

@@ -22,11 +22,11 @@ static float share_of_large(int width, int height) {
     return 1 / (growth * growth);
 }
 
-static int adaptive_slots(const struct gather_desc *listed, const struct settings *settings) {
+static int adaptive_slots(const struct gather_desc *adaptive, const struct settings *settings) {
     const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
-    float share = share_of_large(listed->width, listed->height);
+    float share = share_of_large(adaptive->width, adaptive->height);
     int times = (int)roundf((float)own->adaptive_factor * share);
-    int all = listed->interleave * listed->interleave;
+    int all = adaptive->interleave * adaptive->interleave;
     return times < 1 ? 1 : times < all ? times : all;
 }
 
@@ -91,20 +91,20 @@ bool adaptive_pixels_init(struct many_lights *lights, const struct technique_des
 
 void adaptive_pixels_fit_near_field(const struct many_lights *lights,
                                     struct near_field_desc *near_field) {
-    const struct gather_desc *listed = &lights->adaptive_gather.desc;
-    near_field->listed = lights->adaptive.program;
-    memcpy(near_field->list_slots, listed->list_slots, sizeof near_field->list_slots);
-    near_field->listed_part = fmaxf(share_of_large(listed->width, listed->height), .5F);
+    const struct gather_desc *adaptive = &lights->adaptive_gather.desc;
+    near_field->adaptive = lights->adaptive.program;
+    memcpy(near_field->list_slots, adaptive->list_slots, sizeof near_field->list_slots);
+    near_field->adaptive_part = fmaxf(share_of_large(adaptive->width, adaptive->height), .5F);
 }
 
 /* The more lights a pixel has, the fewer of its neighbours it needs. */
 void adaptive_pixels_fit_blur(const struct many_lights *lights, struct blur_desc *blur) {
-    const struct gather_desc *listed = &lights->adaptive_gather.desc;
+    const struct gather_desc *adaptive = &lights->adaptive_gather.desc;
     float n = (float)lights->gather.desc.interleave;
     blur->adaptive = lights->adaptive.program;
     for (int level = 0; blur->adaptive && level < PIXEL_LEVELS; level++) {
-        float slots = (float)listed->list_slots[level],
-              places = sqrtf(slots) / (float)listed->interleave;
+        float slots = (float)adaptive->list_slots[level],
+              places = sqrtf(slots) / (float)adaptive->interleave;
         blur->level_radius[level] = .5f / places;
         blur->level_weight[level] = places * places * (n * n);
     }

@@ -3,9 +3,13 @@
 
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
     geometry_pass_render_lights(&lights->geometry, frame, lights->rsm);
-    vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->vpls);
+    vpl_pass_share_out(&lights->vpl, frame);
+    if (many_lights_follow_camera(lights))
+        importance_map_pass_render(&lights->importance, frame, lights->rsm, &lights->vpl.shares);
+    vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->importance.map, &lights->vpls);
     if (lights->near_field.program)
-        near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares);
+        near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares,
+                                      &lights->importance.map);
     if (lights->bounces == 1)
         return;
     bounce_pass_render(&lights->bounce, frame, &lights->vpls);
@@ -17,8 +21,8 @@ void many_lights_begin(const struct many_lights *lights, const struct frame *fra
     gather_pass_clear(&lights->gather);
     if (lights->bounces > 1)
         bounce_pass_find_kept(&lights->bounce, frame);
-    if (lights->gloss_gather.program)
-        gather_pass_clear(&lights->gloss_gather);
+    if (lights->specular_gather.program)
+        gather_pass_clear(&lights->specular_gather);
     if (!lights->adaptive.program)
         return;
     adaptive_pass_render(&lights->adaptive, frame, gbuffer);
@@ -29,19 +33,20 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct gather_inputs all = *inputs;
     all.lists = &lights->adaptive.lists;
-    all.kept = inputs->further ? &lights->bounce.kept : NULL;
+    all.kept = inputs->later ? &lights->bounce.kept : NULL;
     gather_pass_render(&lights->gather, frame, gbuffer, &all);
     if (lights->adaptive.program)
         gather_pass_render(&lights->adaptive_gather, frame, gbuffer, &all);
-    if (lights->gloss_gather.program)
-        gather_pass_render(&lights->gloss_gather, frame, gbuffer, &all);
-    if (lights->gloss_rays.program && inputs->first == 0 && !inputs->further)
-        gloss_rays_pass_render(
-            &lights->gloss_rays, frame, gbuffer,
-            &(struct gloss_rays_inputs){.rsm = lights->rsm,
-                                        .shares = &lights->vpl.shares,
-                                        .radiance = &lights->gloss_gather.irradiance,
-                                        .visibility = inputs->visibility});
+    if (lights->specular_gather.program)
+        gather_pass_render(&lights->specular_gather, frame, gbuffer, &all);
+    if (lights->specular_rays.program && inputs->first == 0 && !inputs->later)
+        specular_rays_pass_render(
+            &lights->specular_rays, frame, gbuffer,
+            &(struct specular_rays_inputs){.rsm = lights->rsm,
+                                           .shares = &lights->vpl.shares,
+                                           .importance = &lights->importance.map,
+                                           .radiance = &lights->specular_gather.irradiance,
+                                           .visibility = inputs->visibility});
 }
 
 static void add_near_field(const struct many_lights *lights, const struct frame *frame,
@@ -61,9 +66,9 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
                         const struct gbuffer *gbuffer) {
     if (lights->near_field.program)
         add_near_field(lights, frame, gbuffer);
-    if (lights->gloss_gather.program)
-        blur_pass_render(&lights->gloss_blur, frame, gbuffer,
-                         &(struct blur_inputs){.source = &lights->gloss_gather.irradiance});
+    if (lights->specular_gather.program)
+        blur_pass_render(&lights->specular_blur, frame, gbuffer,
+                         &(struct blur_inputs){.source = &lights->specular_gather.irradiance});
     if (!lights->blur.pack_program)
         return;
     struct blur_inputs inputs = {.source = &lights->gather.irradiance};
@@ -81,10 +86,15 @@ void many_lights_render_view(const struct many_lights *lights, const struct fram
     many_lights_begin(lights, frame, gbuffer);
     many_lights_gather(lights, frame, gbuffer, &inputs);
     inputs.vpls = &lights->bounce.vpls;
-    inputs.further = true;
+    inputs.later = true;
     if (lights->bounces > 1)
         many_lights_gather(lights, frame, gbuffer, &inputs);
     many_lights_finish(lights, frame, gbuffer);
+}
+
+bool many_lights_follow_camera(const void *state) {
+    const struct many_lights *lights = state;
+    return lights->importance.density_program;
 }
 
 struct contribution many_lights_contribution(const void *state) {
@@ -92,7 +102,7 @@ struct contribution many_lights_contribution(const void *state) {
     struct contribution contribution = {
         .irradiance =
             lights->blur.pack_program ? &lights->blur.blurred : &lights->gather.irradiance,
-        .radiance = lights->gloss_gather.program ? &lights->gloss_blur.blurred.texture : NULL,
+        .radiance = lights->specular_gather.program ? &lights->specular_blur.blurred.texture : NULL,
     };
     if (lights->adaptive.program &&
         lights->adaptive_gather.desc.list_slots[LIST_EDGE_SAMPLES] > 0) {

@@ -6,9 +6,10 @@
 #include "passes/gather/blur.h"
 #include "passes/gather/adaptive.h"
 #include "passes/gather/gather.h"
-#include "passes/gather/gloss_rays.h"
+#include "passes/gather/specular_rays.h"
 #include "passes/gather/near_field.h"
 #include "passes/lights/bounce.h"
+#include "passes/lights/importance_map.h"
 #include "passes/lights/vpl.h"
 #include "passes/picture/geometry.h"
 #include "techniques/technique.h"
@@ -21,10 +22,13 @@
 
 enum { RSM_SIZE_MIN = 16 };
 
+enum { IMPORTANCE_OFF, IMPORTANCE_AUTO, IMPORTANCE_ON };
+
 struct lights_settings {
     int vpls; /* N */
     int seed, rsm_size;
     int bounces, paths; /* P */
+    int importance;     /* IMPORTANCE_... */
     bool facets;
 };
 
@@ -74,10 +78,10 @@ extern const float many_lights_clamp_value;
     { "fast", "the defaults", "", "normal" }
 
 #define MANY_LIGHTS_AS_PUBLISHED                                                                   \
-    "gather.adaptive=0 caster.error=0 blur.separable=off blur.cosine=.8"
+    "lights.importance=off gather.adaptive=0 caster.error=0 blur.separable=off blur.cosine=.8"
 
 /* Passes after the first: few VPLs, nothing interleaved or blurred. Where rays say what light arrives the mean of many
- * passes is unbiased, but for what patches take from later bounces, and for gloss. */
+ * passes is unbiased, but for what patches take from later bounces, and for specular reflection. */
 #define MANY_LIGHTS_REFINED                                                                        \
     "lights.vpls=64 lights.rsm-size=2048 lights.facets=on gather.interleave=1 gather.clamp=near "  \
     "gather.near-samples=256 blur.radius=0 lights.paths=256"
@@ -105,24 +109,29 @@ struct many_lights {
     struct many_lights_visibility visibility;
     struct gbuffer rsm[LIGHT_MAP_KINDS];
     struct geometry_pass geometry;
+    struct importance_map_pass importance; /* where VPLs are placed by it */
     struct vpl_pass vpl;
     struct vpl_buffer vpls;
     int bounces; /* where more than one: */
     struct bounce_pass bounce;
-    struct near_field_pass near_field; /* clamp=near */
-    struct gloss_rays_pass gloss_rays; /* gloss=rays */
+    struct near_field_pass near_field;       /* clamp=near */
+    struct specular_rays_pass specular_rays; /* specular=rays */
     /* As large as the picture: */
     struct gather_pass gather;
     struct adaptive_pass adaptive; /* pixels with few like neighbours gather more */
     struct gather_pass adaptive_gather;
-    struct gather_pass gloss_gather; /* what reflects as by a mirror */
-    struct blur_pass gloss_blur;
+    struct gather_pass specular_gather; /* what reflects as by a mirror */
+    struct blur_pass specular_blur;
     struct blur_pass blur; /* puts tiles in order, too; without it the gather is the result */
 };
 
 /* The settings of a lookup. */
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count);
+
+/* Whether the scene has so few triangles that rays are traced though nobody asked for them: their BVH is built at load,
+ * and for each pose anew. */
+bool many_lights_may_trace(const struct scene *scene, const struct geometry *geometry);
 
 /* As technique->check: each place of the pattern takes one VPL at least. */
 bool many_lights_check(const struct settings *settings);
@@ -140,7 +149,7 @@ int many_lights_blur_radius(const struct settings *settings);
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
 
-/* RSM and VPLs, into lights->vpls; and where there are more bounces, those of all further ones into
+/* RSM and VPLs, into lights->vpls; and where there are more bounces, those of all later ones into
  * lights->bounce.vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
 
@@ -157,6 +166,9 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
 /* All of it, where nothing is drawn between: of all bounces, with the tree or without visibility. */
 void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,
                              const struct gbuffer *gbuffer);
+
+/* As technique->follows_camera. */
+bool many_lights_follow_camera(const void *state);
 
 /* As technique->contribution. */
 struct contribution many_lights_contribution(const void *state);

@@ -3,15 +3,16 @@
 #include "techniques/many_lights.h"
 
 #include "base/error.h"
+#include "scene/animation.h"
 #include "scene/material.h"
 #include "shared/gather.h"
 
 #include <math.h>
 
 enum {
-    GLOSS_RAYS = 4,       /* specular rays of a pixel */
-    GLOSS_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
-    FILTER_TAPS = 16,     /* texels of a percentage-closer filter; a blocker search takes half */
+    SPECULAR_RAY_COUNT = 4,  /* specular rays of a pixel */
+    SPECULAR_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
+    FILTER_TAPS = 16,        /* texels of a percentage-closer filter; a blocker search takes half */
 };
 
 /* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the
@@ -62,7 +63,7 @@ static struct visibility_desc lookup_of(const struct settings *settings,
 
 /* 15 degrees: with no more than a pixel to each side the blur is as sharp as the lobe, and within fewer
  * degrees it finds no neighbours on small round things. */
-static const float gloss_cosine = .966F;
+static const float specular_cosine = .966F;
 
 int many_lights_blur_radius(const struct settings *settings) {
     const struct gather_settings *gather =
@@ -88,7 +89,7 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
         .clamp = own->clamp,
         .clamp_value = many_lights_clamp_value,
         .sphere = sphere_radius,
-        .further = lights->bounces > 1,
+        .later = lights->bounces > 1,
     };
     if (!adaptive_pixels_init(lights, desc, &gather_desc))
         return false;
@@ -97,20 +98,20 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
     return gather_pass_init(&lights->gather, &gather_desc);
 }
 
-/* Gloss is sharper than what is diffuse: each pixel takes more VPLs, and is blurred less. It is no
+/* Specular reflection is sharper than diffuse: each pixel takes more VPLs, and is blurred less. It is no
  * share of light that the near field could take: near VPLs are bounded as disks. */
-static bool init_gloss(struct many_lights *lights, const struct technique_desc *desc) {
+static bool init_specular(struct many_lights *lights, const struct technique_desc *desc) {
     const struct gather_settings *own =
         settings_of(struct gather_settings, desc->settings, &gather_part);
     const struct blur_settings *blur =
         settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
-    int n = GLOSS_INTERLEAVE < own->interleave ? GLOSS_INTERLEAVE : own->interleave;
+    int n = SPECULAR_INTERLEAVE < own->interleave ? SPECULAR_INTERLEAVE : own->interleave;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
     gather.cuts = false;
     gather.specular = own->specular + 1;
-    gather.gloss_rays = GLOSS_RAYS;
+    gather.specular_rays = SPECULAR_RAY_COUNT;
     /* What rays show of one bounce stays sharp where it is smooth; VPLs of later bounces show their pattern there. */
     bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
     const struct blur_desc of_blur = {
@@ -118,27 +119,28 @@ static bool init_gloss(struct many_lights *lights, const struct technique_desc *
         .height = desc->height,
         .radius = n / 2,
         .distance = blur->distance,
-        .cosine = gloss_cosine,
-        .gloss = sharp,
+        .cosine = specular_cosine,
+        .specular = sharp,
         .level_radius = {.5F, .5F},
         .level_weight = {1, 1},
         .square = true,
     };
-    return !desc->gloss || (gather_pass_init(&lights->gloss_gather, &gather) &&
-                            blur_pass_init(&lights->gloss_blur, &of_blur));
+    return !desc->specular || (gather_pass_init(&lights->specular_gather, &gather) &&
+                               blur_pass_init(&lights->specular_blur, &of_blur));
 }
 
-static bool init_gloss_rays(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct gather_desc *gather = &lights->gloss_gather.desc;
+static bool init_specular_rays(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct gather_desc *gather = &lights->specular_gather.desc;
     return gather->specular != SPECULAR_RAYS ||
-           gloss_rays_pass_init(&lights->gloss_rays,
-                                &(struct gloss_rays_desc){
-                                    .rays = GLOSS_RAYS,
-                                    .has_maps = !gather->map_per_vpl &&
-                                                gather->visibility.lookup != VISIBILITY_LOOKUP_NONE,
-                                    .visibility = gather->visibility,
-                                    .lights = *desc->lights,
-                                });
+           specular_rays_pass_init(
+               &lights->specular_rays,
+               &(struct specular_rays_desc){
+                   .rays = SPECULAR_RAY_COUNT,
+                   .has_maps =
+                       !gather->map_per_vpl && gather->visibility.lookup != VISIBILITY_LOOKUP_NONE,
+                   .visibility = gather->visibility,
+                   .lights = *desc->lights,
+               });
 }
 
 /* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture, and 64 points no
@@ -155,11 +157,11 @@ static int rsm_size(const struct technique_desc *desc) {
     return size > RSM_SIZE_MIN ? size : RSM_SIZE_MIN;
 }
 
-/* Rays for gloss need the smooth normals of what they meet. */
+/* Specular rays need the smooth normals of what they meet. */
 static bool sends_as_facets(const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
-    return own->facets && !desc->gloss;
+    return own->facets && !desc->specular;
 }
 
 /* A sky's views, and those of places over a wide lamp, are many, and each sees little of what is within a room: rays tell what
@@ -187,6 +189,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .facets = sends_as_facets(desc),
         .occlusion = occlusion,
         .casters = occlusion == NEAR_BY_RAYS ? desc->casters : NULL,
+        .by_importance = many_lights_follow_camera(lights),
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
@@ -211,7 +214,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
 
 /* What is as large as the picture. */
 static bool init_sized(struct many_lights *lights, const struct technique_desc *desc) {
-    return init_gathers(lights, desc) && init_gloss(lights, desc) && init_blur(lights, desc);
+    return init_gathers(lights, desc) && init_specular(lights, desc) && init_blur(lights, desc);
 }
 
 static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {
@@ -223,12 +226,18 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                             &(struct bounce_desc){
                                 .scene = desc->scene,
                                 .geometry = desc->geometry,
-                                .materials = desc->gloss ? MATERIALS_FULL : MATERIALS_DIFFUSE,
+                                .materials = desc->specular ? MATERIALS_FULL : MATERIALS_DIFFUSE,
                                 .casters = desc->casters,
                                 .bounces = own->bounces,
                                 .count = own->paths,
                                 .seed = own->seed,
                             });
+}
+
+bool many_lights_may_trace(const struct scene *scene, const struct geometry *geometry) {
+    static const uint32_t most_that_move = 20000, most = 1 << 20;
+    bool moves = scene_duration(scene) > 0;
+    return geometry_triangle_count(geometry) <= (moves ? most_that_move : most);
 }
 
 bool many_lights_check(const struct settings *settings) {
@@ -245,15 +254,37 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
     const struct gather_settings *gather =
         settings_of(struct gather_settings, desc->settings, &gather_part);
     const struct light_layout *layout = desc->lights;
-    bool ok = true, has_gloss = desc->gloss && gather->specular + 1 == SPECULAR_RAYS;
+    bool ok = true, has_specular = desc->specular && gather->specular + 1 == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
         ok = layers == 0 ||
              gbuffer_init(&lights->rsm[kind], &(struct gbuffer_desc){"rsm", texels, texels, layers,
-                                                                     false, has_gloss, facets});
+                                                                     false, has_specular, facets});
     }
     return ok;
+}
+
+/* Where light starts from many light samples, most VPLs lie where the camera sees nothing of their light. */
+static bool wants_importance(const struct many_lights *lights, const struct technique_desc *desc) {
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    const struct light_layout *layout = desc->lights;
+    bool gains =
+        layout->lights > layout->groups && lights->visibility.lookup != VISIBILITY_LOOKUP_NONE;
+    return layout->lights > 0 && (own->importance == IMPORTANCE_ON ||
+                                  (own->importance == IMPORTANCE_AUTO && gains &&
+                                   many_lights_may_trace(desc->scene, desc->geometry)));
+}
+
+static bool init_importance(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    return !wants_importance(lights, desc) ||
+           importance_map_pass_init(&lights->importance,
+                                    &(struct importance_map_desc){.casters = desc->casters,
+                                                                  .lights = desc->lights->lights,
+                                                                  .vpls = own->vpls});
 }
 
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
@@ -265,12 +296,15 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
             &lights->geometry,
-            &(struct geometry_desc){.has_gloss = desc->gloss,
+            &(struct geometry_desc){.has_specular = desc->specular,
                                     .has_mappings = materials_have_mappings(desc->scene),
                                     .facets = sends_as_facets(desc)}) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach}) &&
+        init_importance(lights, desc) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach,
+                                                       many_lights_follow_camera(lights)}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
-        init_sized(lights, desc) && init_gloss_rays(lights, desc) && init_near_field(lights, desc))
+        init_sized(lights, desc) && init_specular_rays(lights, desc) &&
+        init_near_field(lights, desc))
         return true;
     many_lights_free(lights);
     return false;
@@ -280,8 +314,8 @@ static void free_sized(struct many_lights *lights) {
     gather_pass_free(&lights->gather);
     adaptive_pass_free(&lights->adaptive);
     gather_pass_free(&lights->adaptive_gather);
-    gather_pass_free(&lights->gloss_gather);
-    blur_pass_free(&lights->gloss_blur);
+    gather_pass_free(&lights->specular_gather);
+    blur_pass_free(&lights->specular_blur);
     blur_pass_free(&lights->blur);
 }
 
@@ -289,11 +323,12 @@ void many_lights_free(struct many_lights *lights) {
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         gbuffer_free(&lights->rsm[kind]);
     geometry_pass_free(&lights->geometry);
+    importance_map_pass_free(&lights->importance);
     vpl_pass_free(&lights->vpl);
     vpl_buffer_free(&lights->vpls);
     bounce_pass_free(&lights->bounce);
     near_field_pass_free(&lights->near_field);
-    gloss_rays_pass_free(&lights->gloss_rays);
+    specular_rays_pass_free(&lights->specular_rays);
     free_sized(lights);
 }
 
@@ -302,9 +337,9 @@ bool many_lights_resize(void *state, int width, int height) {
     const struct technique_desc desc = {.settings = &lights->settings,
                                         .width = width,
                                         .height = height,
-                                        .gloss = lights->gloss_gather.program};
-    fresh.gather = fresh.adaptive_gather = fresh.gloss_gather = (struct gather_pass){0};
-    fresh.gloss_blur = fresh.blur = (struct blur_pass){0};
+                                        .specular = lights->specular_gather.program};
+    fresh.gather = fresh.adaptive_gather = fresh.specular_gather = (struct gather_pass){0};
+    fresh.specular_blur = fresh.blur = (struct blur_pass){0};
     fresh.adaptive = (struct adaptive_pass){0};
     bool ok = init_sized(&fresh, &desc);
     free_sized(ok ? lights : &fresh);

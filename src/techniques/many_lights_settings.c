@@ -4,6 +4,8 @@
 
 #define ROW(type, name) offsetof(struct type##_settings, name)
 
+static const char *const importance_names[] = {"off", "auto", "on", NULL};
+
 /* Columns: name, letter, type, field, default, minimum, maximum. */
 static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536,
@@ -23,6 +25,11 @@ static const struct option lights_table[] = {
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help = "emits from flat triangles instead of smooth normals, for VPLs and near\n"
              "field; unbiased but noisier; only in scenes without specular surfaces"},
+    {"importance", 0, OPTION_CHOICE, ROW(lights, importance), IMPORTANCE_AUTO,
+     .choices = importance_names,
+     .help = "places VPLs, and with lights.bounces>1 VALs, where their light reaches the picture;\n"
+             "auto: VPLs of environments and wide lamps, which are then made\n"
+             "for each view; on: those of all lights"},
     {NULL},
 };
 
@@ -97,11 +104,11 @@ static const struct option blur_table[] = {
 };
 
 static const struct option caster_table[] = {
-    {"error", 0, OPTION_FLOAT, ROW(caster, error), .00055, 0, 1,
+    {"error", 0, OPTION_FLOAT, ROW(caster, error), CASTER_ERROR, 0, 1,
      .help = "largest deviation of simplified casters in the maps, over the\n"
              "square root of the scene's surface area; 0: no simplification",
      .needs = "technique!=instant-radiosity|row-column, " SHADOWS},
-    {"long", 0, OPTION_INT, ROW(caster, long_count), 500, 0, 10000000,
+    {"long", 0, OPTION_INT, ROW(caster, long_count), CASTER_LONG_COUNT, 0, 10000000,
      .help = "number of triangles, those with the longest edges, whose edges a map\n"
              "bends exactly; raise against bent shadow edges of large triangles",
      .needs = "instant-radiosity.traced!=on, " SHADOWS},

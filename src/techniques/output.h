@@ -1,12 +1,11 @@
-/* What there is to look at after a frame, as a list of rows: the renderer and the technique each add
- * what they have. Who looks asks by name or by type, and is told NULL where there is none.
- */
+/* Outputs of a frame, for the viewer and --aov: the renderer and the technique each add rows to a list. output_find
+ * finds a row by its name, output_vpls and output_vals by its kind; NULL: there is none. */
 #ifndef TECHNIQUES_OUTPUT_H
 #define TECHNIQUES_OUTPUT_H
 
 #include "passes/visibility/visibility.h"
 
-/* What is shown of an output, and what its source is. */
+/* What is shown of an output, and what its source is. src/inspect/inspect.c draws each kind (mode_of, texture_of). */
 enum output_kind {
     OUTPUT_NORMAL,       /* struct gbuffer: its layers of world normals, where a surface is */
     OUTPUT_ALBEDO,       /* struct texture: layers, square root of the albedo */
@@ -20,6 +19,7 @@ enum output_kind {
     OUTPUT_MAP_DEPTH,    /* struct depth_maps */
     OUTPUT_BASIS,        /* struct texture: layers of paraboloid maps in [0, 1] */
     OUTPUT_SIGNED_BASIS, /* struct texture: the same in [-1, 1] */
+    OUTPUT_KINDS,        /* new kinds stand before it */
 };
 
 /* Virtual area lights, and how the maps from them are looked up. Textures are M x 1. */

@@ -1,7 +1,6 @@
 #include "techniques/vals.h"
 
 #include "passes/frame.h"
-#include "scene/animation.h"
 
 enum visibility_kind {
     VISIBILITY_CSSM,
@@ -11,18 +10,10 @@ enum visibility_kind {
     VISIBILITY_TRACED,
 };
 
-enum vals_importance {
-    IMPORTANCE_NONE,
-    IMPORTANCE_BOUNCES,
-    IMPORTANCE_ALWAYS,
-};
-
 #define ROW(name) offsetof(struct vals_settings, name)
 
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", "traced", NULL};
-
-static const char *const importance_names[] = {"none", "bounces", "always", NULL};
 
 static const struct option table[] = {
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024,
@@ -41,12 +32,6 @@ static const struct option table[] = {
      .help = "clustering weight of distance over the spread of the VPLs, w_x", .needs = SHADOWS},
     {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
      .help = "clustering weight of the angle between normals over pi, w_alpha", .needs = SHADOWS},
-    {"importance", 0, OPTION_CHOICE, ROW(importance), IMPORTANCE_BOUNCES,
-     .choices = importance_names,
-     .help = "weight of VPLs in clustering by their unoccluded light in the picture, so that\n"
-             "VALs lie where the camera sees their light: never, with lights.bounces > 1, or\n"
-             "always; VALs are then built for each view",
-     .needs = "technique=clustered"},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
      .help =
          "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
@@ -77,7 +62,7 @@ static void free_set(struct val_set *set) {
     correction_pass_free(&set->correction);
 }
 
-/* What the first bounce's set and that of further ones differ in. */
+/* What the first bounce's set and that of later ones differ in. */
 struct set_desc {
     int vpl_count, val_count;
     int clamp;
@@ -130,12 +115,6 @@ static bool init_blocks(struct block_visibility_pass *blocks, const struct val_s
                                                                      .block = set->block,
                                                                      .visibility = set->visibility,
                                                                  });
-}
-
-bool vals_may_trace(const struct scene *scene, const struct geometry *geometry) {
-    static const uint32_t most_that_move = 20000, most = 1 << 20;
-    bool moves = scene_duration(scene) > 0;
-    return geometry_triangle_count(geometry) <= (moves ? most_that_move : most);
 }
 
 /* Clamps with parameters count as disks: the light only weighs tests. */
@@ -194,7 +173,7 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc,
         many_lights_lookup(desc->settings, lookup_of_val(lookup, set->block > 0), of->val_count);
     set->casters = desc->casters;
     set->corrected = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
-                     vals_may_trace(desc->scene, desc->geometry);
+                     many_lights_may_trace(desc->scene, desc->geometry);
     return init_cluster(set, desc->settings, of) && (!has_maps(set) || init_maps(set, desc)) &&
            ((lookup != VISIBILITY_LOOKUP_TRACED && !set->corrected) ||
             caster_pool_acquire_tree(set->casters, &set->tree)) &&
@@ -208,7 +187,7 @@ static struct visibility_inputs maps_of(const struct val_set *set) {
         .depth = &set->paraboloid.maps,
         .bases = set->convolve ? &set->basis.maps : NULL,
         .tree = set->tree,
-        .correction = set->corrected ? &set->correction.gains : NULL,
+        .correction = set->corrected ? &set->correction.corrections : NULL,
     };
 }
 
@@ -224,9 +203,8 @@ static bool is_by_importance(const struct settings *settings) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
     const struct lights_settings *lights =
         settings_of(struct lights_settings, settings, &lights_part);
-    bool asked = own->visibility != VISIBILITY_TRACED || own->visibility_block > 0;
-    return asked && (own->importance == IMPORTANCE_ALWAYS ||
-                     (own->importance == IMPORTANCE_BOUNCES && lights->bounces > 1));
+    bool tested = own->visibility != VISIBILITY_TRACED || own->visibility_block > 0;
+    return tested && lights->importance != IMPORTANCE_OFF && lights->bounces > 1;
 }
 
 bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow) {
@@ -243,12 +221,12 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
         .follow = follow,
         .by_importance = vals->by_importance,
     };
-    struct set_desc further = first;
-    further.vpl_count = lights->paths;
-    further.val_count = own->bounce_vals;
-    further.clamp = GATHER_CLAMP_PATCH;
+    struct set_desc later = first;
+    later.vpl_count = lights->paths;
+    later.val_count = own->bounce_vals;
+    later.clamp = GATHER_CLAMP_PATCH;
     if (!init_set(&vals->first, desc, &first) ||
-        (lights->bounces > 1 && !init_set(&vals->further, desc, &further)))
+        (lights->bounces > 1 && !init_set(&vals->later, desc, &later)))
         return false;
     vals->output = (struct val_output){
         .extremes = &vals->first.cluster.extremes,
@@ -261,19 +239,19 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
 
 void vals_free(struct vals *vals) {
     free_set(&vals->first);
-    free_set(&vals->further);
+    free_set(&vals->later);
 }
 
 bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int height) {
-    struct block_visibility_pass first = {0}, further = {0};
+    struct block_visibility_pass first = {0}, later = {0};
     bool ok = init_blocks(&first, &vals->first, width, height) &&
-              init_blocks(&further, &vals->further, width, height) &&
+              init_blocks(&later, &vals->later, width, height) &&
               many_lights_resize(lights, width, height);
     block_visibility_pass_free(ok ? &vals->first.blocks : &first);
-    block_visibility_pass_free(ok ? &vals->further.blocks : &further);
+    block_visibility_pass_free(ok ? &vals->later.blocks : &later);
     if (ok) {
         vals->first.blocks = first;
-        vals->further.blocks = further;
+        vals->later.blocks = later;
     }
     return ok;
 }
@@ -296,7 +274,7 @@ void vals_render(struct vals *vals, struct many_lights *lights, const struct fra
                  const struct gbuffer *gbuffer) {
     render_set(&vals->first, frame, gbuffer, &lights->vpls);
     if (lights->bounces > 1)
-        render_set(&vals->further, frame, gbuffer, &lights->bounce.vpls);
+        render_set(&vals->later, frame, gbuffer, &lights->bounce.vpls);
     find_centers(vals);
 }
 

@@ -19,7 +19,6 @@ struct vals_settings {
     float weight_position, weight_normal; /* w_x, w_alpha */
     int visibility;                       /* enum visibility_kind */
     int visibility_block;                 /* pixels a side; 0 = each pixel looks itself up */
-    int importance;                       /* enum vals_importance */
     int ray_tests;
 };
 
@@ -43,14 +42,10 @@ struct val_set {
 };
 
 struct vals {
-    bool by_importance;            /* what the camera sees changes them */
-    struct val_set first, further; /* of the first bounce; of further ones, where there are any */
-    struct val_output output;      /* of the first */
+    bool by_importance;          /* what the camera sees changes them */
+    struct val_set first, later; /* of the first bounce; of later ones, where there are any */
+    struct val_output output;    /* of the first */
 };
-
-/* Whether the scene has so few triangles that rays are traced though nobody asked for them: their BVH is built at load,
- * and for each pose anew. */
-bool vals_may_trace(const struct scene *scene, const struct geometry *geometry);
 
 /* How a pixel asks for a VPL's visibility. */
 enum visibility_lookup vals_lookup(const struct settings *settings);

@@ -67,7 +67,7 @@ void vpl_maps_render_lights(struct vpl_maps *maps, struct many_lights *lights,
 }
 
 void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
-                     const struct vpl_buffer *vpls, bool further, const struct frame *frame,
+                     const struct vpl_buffer *vpls, bool later, const struct frame *frame,
                      const struct gbuffer *gbuffer) {
     for (int first = 0, count; (count = vpl_maps_render_batch(maps, frame, vpls, first)) > 0;
          first += count)
@@ -75,7 +75,7 @@ void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
                            &(struct gather_inputs){.vpls = vpls,
                                                    .first = first,
                                                    .count = count,
-                                                   .further = further,
+                                                   .later = later,
                                                    .visibility = vpl_maps_inputs(maps)});
 }
 

@@ -27,7 +27,7 @@ struct vpl_maps {
 
 bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc);
 
-/* Maps of every triangle, `batch` at once: for what is to be the plain truth. The pass that draws them is the
+/* Maps of every triangle, `batch` at once: for what is to be the plain reference. The pass that draws them is the
  * caller's, to be freed whatever comes of it. */
 bool vpl_maps_init_true(struct vpl_maps *maps, struct paraboloid_pass *paraboloid,
                         const struct technique_desc *desc, int batch);
@@ -53,7 +53,7 @@ void vpl_maps_drop(struct vpl_maps *maps);
 
 /* Gathers the light of such VPLs, batch by batch. */
 void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
-                     const struct vpl_buffer *vpls, bool further, const struct frame *frame,
+                     const struct vpl_buffer *vpls, bool later, const struct frame *frame,
                      const struct gbuffer *gbuffer);
 
 /* As technique->render_view. */

@@ -110,7 +110,7 @@ static const char *const writers[] = {
     "render " BOX QUICK "-o @/full-disk/a.jpg",
     "render " BOX QUICK "-o @/full-disk/a.exr",
     "render " BOX QUICK "-o @/full-disk/a.##.tga --frames 0..3",
-    "reference " BOX "--size 24x16 --spp 4 -o @/full-disk/truth.exr",
+    "reference " BOX "--size 24x16 --spp 4 -o @/full-disk/reference.exr",
     "bench times " BOX "--size 24x16 --frames 1 --csv @/full-disk/times.csv",
     "bench budget " BOX "--size 24x16 --set vpls=64 --noise 1 --csv @/full-disk/budget.csv "
     "--cache @/cache",

@@ -23,12 +23,16 @@ static void check_page(const char *kind, const char *name,
     char path[256], words[128];
     snprintf(path, sizeof path, "src/%s/%s/README.md", kind, name);
     char *text = file_read_text(path);
-    check_ok(path, text);
+    if (!text)
+        fail_msg("%s is missing: write it with the headings of the array above, as "
+                 "src/techniques/unshadowed/README.md",
+                 path);
     const char *at = text;
     for (size_t i = 0; i < sizeof headings / sizeof *headings; i++) {
         at = strstr(at, headings[i]);
         if (!at)
-            fail_msg("%s: no '%s', or not in its place", path, headings[i]);
+            fail_msg("%s: no heading '%s' after '%s'", path, headings[i],
+                     i ? headings[i - 1] : "the start");
     }
     int named = 0;
     for (; *parts; parts++) {

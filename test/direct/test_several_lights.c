@@ -173,15 +173,15 @@ static void test_split(void **state) {
     stage_free(&stage);
 }
 
-/* --- truth ------------------------------------------------------------------------------------ */
+/* --- reference ------------------------------------------------------------------------------------ */
 
 /* Against the path tracer, by the pixels' centres: both have all three lights. In so small a picture
  * the Cornell box under one spot is 17 and 9 % off. */
-static void test_truth(void **state) {
+static void test_reference(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, three_lights);
-    struct image truth = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
+    struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
     static const struct {
         const char *technique, *settings;
         double direct, mean, indirect;
@@ -195,18 +195,18 @@ static void test_truth(void **state) {
         struct image image =
             render_with(&stage, stage.emitters.items, 3, rows[i].technique, rows[i].settings);
         printf("  %s %s\n", rows[i].technique, rows[i].settings);
-        double mean = layer_mean(&truth, "direct");
+        double mean = layer_mean(&reference, "direct");
         check_near("direct light, mean", layer_mean(&image, "direct"), mean, .005 * mean);
-        check_at_most("direct light, relative RMSE", relative_rmse(&image, &truth, "direct"),
+        check_at_most("direct light, relative RMSE", relative_rmse(&image, &reference, "direct"),
                       rows[i].direct);
-        mean = layer_mean(&truth, "indirect");
+        mean = layer_mean(&reference, "indirect");
         check_near("indirect light, mean", layer_mean(&image, "indirect"), mean,
                    rows[i].mean * mean);
-        check_at_most("indirect light, relative RMSE", relative_rmse(&image, &truth, "indirect"),
-                      rows[i].indirect);
+        check_at_most("indirect light, relative RMSE",
+                      relative_rmse(&image, &reference, "indirect"), rows[i].indirect);
         image_free(&image);
     }
-    image_free(&truth);
+    image_free(&reference);
     stage_free(&stage);
 }
 
@@ -319,10 +319,10 @@ static void test_case(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_layout), cmocka_unit_test(test_dark_lights),
-        cmocka_unit_test(test_sum),    cmocka_unit_test(test_split),
-        cmocka_unit_test(test_truth),  cmocka_unit_test(test_too_many),
-        cmocka_unit_test(test_points), cmocka_unit_test(test_map_share),
+        cmocka_unit_test(test_layout),    cmocka_unit_test(test_dark_lights),
+        cmocka_unit_test(test_sum),       cmocka_unit_test(test_split),
+        cmocka_unit_test(test_reference), cmocka_unit_test(test_too_many),
+        cmocka_unit_test(test_points),    cmocka_unit_test(test_map_share),
         cmocka_unit_test(test_case),
     };
     return cmocka_run_group_tests_name("several lights", tests, open_group_context,

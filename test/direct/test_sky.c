@@ -240,7 +240,7 @@ static void test_room(void **state) {
 /* --- a day ---------------------------------------------------------------------------------------- */
 
 /* In progressive passes too: other directions in each, the same light on average. */
-static void check_passes(const struct stage *stage, const struct image *truth) {
+static void check_passes(const struct stage *stage, const struct image *reference) {
     struct image got;
     struct renderer renderer;
     struct renderer_desc desc = desc_of(stage, "clustered", "", SIZE, SIZE);
@@ -250,9 +250,9 @@ static void check_passes(const struct stage *stage, const struct image *truth) {
     for (int pass = 0; pass < passes; pass++)
         renderer_add_pass(&renderer, pass);
     check_ok("layers", renderer_read_layers(&renderer, &got));
-    double mean = layer_mean(truth, "indirect");
+    double mean = layer_mean(reference, "indirect");
     check_near("indirect light of passes, mean", layer_mean(&got, "indirect"), mean, .08 * mean);
-    check_at_most("its relative RMSE", relative_rmse(&got, truth, "indirect"), .2);
+    check_at_most("its relative RMSE", relative_rmse(&got, reference, "indirect"), .2);
     renderer_free(&renderer);
     image_free(&got);
 }
@@ -263,16 +263,16 @@ static void test_day(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     set_sky(&stage, paint_day);
-    struct image truth = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
+    struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
     struct image got = render_stage(&stage, "clustered", "", SIZE);
-    double mean = layer_mean(&truth, "direct");
+    double mean = layer_mean(&reference, "direct");
     check_near("direct light, mean", layer_mean(&got, "direct"), mean, .06 * mean);
-    check_at_most("direct light, relative RMSE", relative_rmse(&got, &truth, "direct"), .12);
-    mean = layer_mean(&truth, "indirect");
+    check_at_most("direct light, relative RMSE", relative_rmse(&got, &reference, "direct"), .12);
+    mean = layer_mean(&reference, "indirect");
     check_near("indirect light, mean", layer_mean(&got, "indirect"), mean, .12 * mean);
-    check_at_most("indirect light, relative RMSE", relative_rmse(&got, &truth, "indirect"), .3);
-    check_passes(&stage, &truth);
-    image_free(&truth);
+    check_at_most("indirect light, relative RMSE", relative_rmse(&got, &reference, "indirect"), .3);
+    check_passes(&stage, &reference);
+    image_free(&reference);
     image_free(&got);
     stage_free(&stage);
 }
@@ -297,7 +297,7 @@ static void test_texel(void **state) {
     environment_direction(sky, TEXEL_COLUMN + .5, TEXEL_ROW + .5, towards);
     struct image got = render_stage(&stage, "unshadowed", "", SIZE);
     int samples = is_long_run() ? 64 : 16;
-    struct image truth = trace_stage(&stage, SIZE, samples);
+    struct image reference = trace_stage(&stage, SIZE, samples);
     glm_vec3_negate(towards);
     emitter_aim(&sun, towards);
     glm_vec3_broadcast((float)(TEXEL_RADIANCE * solid_angle), sun.intensity);
@@ -308,10 +308,10 @@ static void test_texel(void **state) {
     stage.emitters = scene_own;
     double mean = layer_mean(&traced, "direct");
     printf("    %g sr, %g W/m2\n", solid_angle, (double)sun.intensity[0]);
-    check_near("rays, beside those of a sun", layer_mean(&truth, "direct"), mean, .01 * mean);
+    check_near("rays, beside those of a sun", layer_mean(&reference, "direct"), mean, .01 * mean);
     check_near("mean, beside a sun", layer_mean(&got, "direct"), mean, .02 * mean);
     image_free(&got);
-    image_free(&truth);
+    image_free(&reference);
     image_free(&traced);
     stage_free(&stage);
 }
@@ -321,20 +321,20 @@ static void test_courtyard(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/courtyard.glb");
-    struct image truth = trace_stage(&stage, SIZE, 64);
+    struct image reference = trace_stage(&stage, SIZE, 64);
     struct image got = render_stage(&stage, "clustered", "", SIZE);
-    double mean = layer_mean(&truth, "direct");
+    double mean = layer_mean(&reference, "direct");
     check_near("direct light, mean", layer_mean(&got, "direct"), mean, .08 * mean);
-    double error = relative_rmse(&got, &truth, "direct");
+    double error = relative_rmse(&got, &reference, "direct");
     check_at_most("direct light, relative RMSE", error, .2);
-    mean = layer_mean(&truth, "indirect");
+    mean = layer_mean(&reference, "indirect");
     check_near("indirect light, mean", layer_mean(&got, "indirect"), mean, .1 * mean);
     /* .35 where pixels of detail show the one direction of the sky that they are dealt. */
-    check_at_most("indirect light, relative RMSE", relative_rmse(&got, &truth, "indirect"), .2);
+    check_at_most("indirect light, relative RMSE", relative_rmse(&got, &reference, "indirect"), .2);
     /* Pixels ask for each of many lights, too, though it has little. */
     struct image many = render_stage(&stage, "clustered", "sky.lights=240", SIZE);
-    check_at_most("with 240 lights", relative_rmse(&many, &truth, "direct"), error);
-    image_free(&truth);
+    check_at_most("with 240 lights", relative_rmse(&many, &reference, "direct"), error);
+    image_free(&reference);
     image_free(&got);
     image_free(&many);
     stage_free(&stage);

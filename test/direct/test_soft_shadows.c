@@ -246,16 +246,16 @@ static double unhidden(const struct emission *emission, const struct hit *hit) {
  * share of it means nothing. */
 static const double dim = .03;
 
-/* RMS of the share that is seen over all surfaces that the light could reach, less the truth's. */
+/* RMS of the share that is seen over all surfaces that the light could reach, less the reference's. */
 static double share_error(const struct stage *stage, const char *method, const char *settings,
-                          const struct image *truth) {
+                          const struct image *reference) {
     struct renderer renderer;
     struct emission emission;
     struct image layers = render_method(stage, method, settings, &renderer);
     double squares = 0, count = 0;
     int normal = image_find_channel(&layers, "normal.X"); /* Y and Z follow */
     int direct = image_find_channel(&layers, "direct.R");
-    int true_direct = image_find_channel(truth, "direct.R");
+    int true_direct = image_find_channel(reference, "direct.R");
     emission_init(&emission, &stage->emitters, &stage->geometry, NULL, 0);
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE, y = i / SIZE;
@@ -267,7 +267,7 @@ static double share_error(const struct stage *stage, const char *method, const c
         double most = glms_vec3_norm(hit.normal) > .5F ? unhidden(&emission, &hit) : 0;
         if (most < dim)
             continue;
-        squares += pow((double)(at[direct] - image_at(truth, x, y)[true_direct]) / most, 2);
+        squares += pow((double)(at[direct] - image_at(reference, x, y)[true_direct]) / most, 2);
         count++;
     }
     emission_free(&emission);
@@ -284,19 +284,19 @@ static void test_table(void **state) {
     } methods[] = {{"hard", .08, .3}, {"pcss", 0, .03}, {"samples", 0, .02},
                    {"vssm", 0, .03},  {"msm", 0, .03},  {"cssm", 0, .2}};
     struct stage stage;
-    struct image truth;
+    struct image reference;
     open_stage(&stage, "scenes/table.glb");
-    check_ok("truth",
+    check_ok("reference",
              picture_trace_paths(&stage,
                                  &(struct path_tracer_desc){
                                      .width = SIZE, .height = SIZE, .samples = 64, .centers = true},
-                                 &truth, NULL));
+                                 &reference, NULL));
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
-        double error = share_error(&stage, methods[i].method, "", &truth);
+        double error = share_error(&stage, methods[i].method, "", &reference);
         check_at_most(methods[i].method, error, methods[i].most);
         check_at_most("which is no less than", methods[i].least, error);
     }
-    image_free(&truth);
+    image_free(&reference);
     stage_free(&stage);
 }
 
@@ -369,7 +369,7 @@ static void test_extremes(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
-        struct image truth;
+        struct image reference;
         for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
             if (!is_tried_here(i + m, 2))
                 continue;
@@ -377,13 +377,13 @@ static void test_extremes(void **state) {
             check_finite(lights[i], &layers);
             image_free(&layers);
         }
-        check_ok("truth",
+        check_ok("reference",
                  picture_trace_paths(&stage,
                                      &(struct path_tracer_desc){
                                          .width = 16, .height = 16, .bounces = 1, .samples = 4},
-                                     &truth, NULL));
-        check_finite(lights[i], &truth);
-        image_free(&truth);
+                                     &reference, NULL));
+        check_finite(lights[i], &reference);
+        image_free(&reference);
     }
     stage_free(&stage);
 }

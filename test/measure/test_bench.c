@@ -131,7 +131,7 @@ static void test_sweep_and_cache(void **state) {
     char *text = read_text(csv);
     check_csv(text);
     assert_non_null(strstr(text, "24,16,,denoised tracer,spp=1,,cpu,,ms,"));
-    assert_non_null(strstr(text, ",rival-at-rmse,,x,"));
+    assert_non_null(strstr(text, ",baseline-at-rmse,,x,"));
     assert_non_null(strstr(text, ",fast hard,vals=8,clustered.vals=8 clustered.visibility=hard "
                                  "map.size=32,relative-rmse,path,%,"));
     free(text);
@@ -278,7 +278,7 @@ static double number_of(const char *text, const char *row, int column) {
     return value;
 }
 
-/* The chain from the truth to the frame. Bounds are loose: 48 x 48 pixels, 10 % noise. */
+/* The chain from the reference to the frame. Bounds are loose: 48 x 48 pixels, 10 % noise. */
 static void test_budget(void **state) {
     (void)state;
     char arguments[1024];
@@ -287,7 +287,7 @@ static void test_budget(void **state) {
              "budget scenes/cornell-box.glb --size 48x48 --noise .1 --cache %s --csv %s -q",
              scratch("bench-cache"), csv);
     check_runs(arguments);
-    const char *so_far = strstr(output, "against the truth: ");
+    const char *so_far = strstr(output, "against the reference: ");
     assert_non_null(so_far);
     /* Maps see what rays see: a leak or a shifted map costs tens of percent. */
     check_at_most("hard map per VPL, %", number_of(output, "hard map per VPL", 0), 5);
@@ -307,7 +307,7 @@ static void test_budget(void **state) {
     free(text);
 }
 
-/* What is chosen for an error is no slower than all that errs no more, and errs as was told. Bounds are loose:
+/* What is chosen for an error is no slower than all that errs no more, and errs as was estimated. Bounds are loose:
  * 32 x 32 pixels, 10 % noise. */
 static void test_quality(void **state) {
     (void)state;
@@ -318,8 +318,8 @@ static void test_quality(void **state) {
              "--passes %d --set vpls=64,map.size=32,vals=4",
              scratch("bench-cache"), csv, is_long_run() ? 4 : 1);
     check_runs(arguments);
-    double told = number_of(output, "error=30%", 0), error = number_of(output, "error=30%", 1);
-    check_near("told over measured", told / error, 1, .4);
+    double estimated = number_of(output, "error=30%", 0), error = number_of(output, "error=30%", 1);
+    check_near("estimated over measured", estimated / error, 1, .4);
     check_near("of the error asked for", number_of(output, "error=30%", 2), error / 30, .01);
     check_at_most("CPU ms of 30 %", number_of(output, "error=30%", 3),
                   1.5 * number_of(output, "error=2%", 3));
@@ -332,12 +332,12 @@ static void test_quality(void **state) {
     expect_text("| cornell-box | nothing to learn from | (1.0");
     snprintf(arguments, sizeof arguments,
              "quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s -q --passes 1 "
-             "--set vpls=64,map.size=32,vals=4 --told --camera \"0 fov=.5\"",
+             "--set vpls=64,map.size=32,vals=4 --estimates --camera \"0 fov=.5\"",
              scratch("bench-cache"));
     check_runs(arguments);
     double closer =
         number_of(output, "clustered.vals=4 ", 0) / number_of(output, "clustered.vals=4 ", 1);
-    check_near("told over measured, closer", closer, 1, .2);
+    check_near("estimated over measured, closer", closer, 1, .2);
     assert_null(strstr(output, "automatic"));
 }
 

@@ -17,7 +17,7 @@ static struct failure_desc small_desc(const struct context *context,
         .width = 40,
         .height = 30,
         .settings = settings,
-        .truth = {TRUTH_CENTERS, scratch("references"), .05},
+        .reference = {REFERENCE_CENTERS, scratch("references"), .05},
         .context = context,
         .small = true,
     };

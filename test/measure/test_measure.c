@@ -3,8 +3,8 @@
 #include "render_support.h"
 
 #include "apps/bench/measure/clip.h"
-#include "apps/bench/measure/rival.h"
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/baseline.h"
+#include "apps/bench/measure/reference.h"
 #include "apps/bench/measure/variants.h"
 #include "base/error.h"
 #include "inspect/aov.h"
@@ -121,23 +121,23 @@ static void test_subjects(void **state) {
     assert_false(variant_apply(&desc, "a:vals=x"));
 }
 
-/* --- truths ----------------------------------------------------------------------------------- */
+/* --- references ----------------------------------------------------------------------------------- */
 
 static void check_other_file(const struct measure_desc *desc, const char *first, const char *what,
                              bool other) {
-    char *path = truth_path(&(struct truth_desc){TRUTH_PATH, "cache", .02}, desc);
+    char *path = reference_path(&(struct reference_desc){REFERENCE_PATH, "cache", .02}, desc);
     printf("    %-16s %s\n", what, path);
     assert_int_equal(strcmp(path, first) != 0, other);
     free(path);
 }
 
-/* What a truth shows, and nothing else, has a part in its name. */
-static void test_truth_names(void **state) {
+/* What a reference shows, and nothing else, has a part in its name. */
+static void test_reference_names(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct measure_desc desc = measure_default(&stage, 16, 16);
-    char *first = truth_path(&(struct truth_desc){TRUTH_PATH, "cache", .02}, &desc);
+    char *first = reference_path(&(struct reference_desc){REFERENCE_PATH, "cache", .02}, &desc);
     check_other_file(&desc, first, "the same", false);
     check_ok("setting", measure_assign(&desc, "vals=3"));
     check_other_file(&desc, first, "a setting", false);
@@ -164,48 +164,48 @@ static void test_truth_names(void **state) {
     stage_free(&stage);
 }
 
-/* Diffuse materials are asked of the truth and of the tracer beside a technique, too: neither then has reflections,
+/* Diffuse materials are asked of the reference and of the tracer beside a technique, too: neither then has reflections,
  * and the tracer errs by its noise alone. */
-static void test_matt_truth(void **state) {
+static void test_matt_reference(void **state) {
     (void)state;
     struct stage stage;
-    struct image truths[2];
+    struct image references[2];
     struct results results = {0};
-    struct truth_desc truth = {TRUTH_PATH, scratch("references"), .1};
+    struct reference_desc reference = {REFERENCE_PATH, scratch("references"), .1};
     int channels[3];
     open_stage(&stage, "scenes/gloss.glb");
     struct measure_desc desc = measure_default(&stage, 24, 24);
-    check_ok("full", truth_get(&truth, &desc, &truths[0]));
+    check_ok("full", reference_get(&reference, &desc, &references[0]));
     check_ok("materials", measure_assign(&desc, "materials=diffuse"));
-    check_ok("diffuse", truth_get(&truth, &desc, &truths[1]));
-    assert_true(image_find_layer(&truths[0], "specular", channels));
-    assert_false(image_find_layer(&truths[1], "specular", channels));
-    check_ok("tracer", rival_measure(&results, &desc, &truth, "path"));
+    check_ok("diffuse", reference_get(&reference, &desc, &references[1]));
+    assert_true(image_find_layer(&references[0], "specular", channels));
+    assert_false(image_find_layer(&references[1], "specular", channels));
+    check_ok("tracer", baseline_measure(&results, &desc, &reference, "path"));
     check_near("bias of the tracer with 16 samples, %",
                results_value(&results, results.subject_count - 1, "relative-bias", NULL), 0, 3);
     results_free(&results);
-    image_free(&truths[0]);
-    image_free(&truths[1]);
+    image_free(&references[0]);
+    image_free(&references[1]);
     stage_free(&stage);
 }
 
-/* The truth that was just made is the one that is there the next time, bit for bit. */
-static void test_same_truth(void **state) {
+/* The reference that was just made is the one that is there the next time, bit for bit. */
+static void test_same_reference(void **state) {
     (void)state;
     struct stage stage;
-    struct image truths[2];
-    struct truth_desc truth = {TRUTH_PATH, scratch("fresh-references"), .5};
+    struct image references[2];
+    struct reference_desc reference = {REFERENCE_PATH, scratch("fresh-references"), .5};
     open_stage(&stage, "scenes/cornell-box.glb");
     struct measure_desc desc = measure_default(&stage, 16, 16);
-    char *path = truth_path(&truth, &desc);
+    char *path = reference_path(&reference, &desc);
     remove(path);
     for (int i = 0; i < 2; i++)
-        check_ok("truth", truth_get(&truth, &desc, &truths[i]));
-    assert_int_equal(truths[0].channel_count, truths[1].channel_count);
-    assert_memory_equal(truths[0].pixels, truths[1].pixels,
-                        16 * 16 * (size_t)truths[0].channel_count * sizeof(float));
+        check_ok("reference", reference_get(&reference, &desc, &references[i]));
+    assert_int_equal(references[0].channel_count, references[1].channel_count);
+    assert_memory_equal(references[0].pixels, references[1].pixels,
+                        16 * 16 * (size_t)references[0].channel_count * sizeof(float));
     for (int i = 0; i < 2; i++)
-        image_free(&truths[i]);
+        image_free(&references[i]);
     free(path);
     stage_free(&stage);
 }
@@ -263,7 +263,7 @@ static void test_without_vpls(void **state) {
     stage_free(&stage);
 }
 
-/* --- the rival -------------------------------------------------------------------------------- */
+/* --- the baseline ------------------------------------------------------------------------------ */
 
 static void add_subject(struct results *results, struct measure_desc *desc, int width, double cpu,
                         double error, double flip) {
@@ -274,25 +274,25 @@ static void add_subject(struct results *results, struct measure_desc *desc, int 
     results_add(results, "ldr-flip", "path", "1", flip);
 }
 
-/* Of its scene and size alone: the rival needs 16 ms for an error of 2, and errs by a FLIP of .5 at the
+/* Of its scene and size alone: the baseline needs 16 ms for an error of 2, and errs by a FLIP of .5 at the
  * most. */
-static void test_rival(void **state) {
+static void test_baseline(void **state) {
     (void)state;
     struct stage stage;
     struct results results = {0};
     open_stage(&stage, "scenes/cornell-box.glb");
-    struct measure_desc desc = measure_default(&stage, 16, 16), rival = desc;
-    rival.technique = NULL;
-    add_subject(&results, &rival, 8, 1, 2, .6);
-    add_subject(&results, &rival, 16, 1, 8, .5);
-    add_subject(&results, &rival, 16, 64, 1, .1);
+    struct measure_desc desc = measure_default(&stage, 16, 16), baseline = desc;
+    baseline.technique = NULL;
+    add_subject(&results, &baseline, 8, 1, 2, .6);
+    add_subject(&results, &baseline, 16, 1, 8, .5);
+    add_subject(&results, &baseline, 16, 64, 1, .1);
     add_subject(&results, &desc, 16, 4, 2, .6);
-    rival_add_ratios(&results);
-    check_near("at equal RMSE", results_value(&results, 3, "rival-at-rmse", NULL), 4, 1e-9);
-    check_near("at equal FLIP", results_value(&results, 3, "rival-at-flip", NULL), 0, 0);
+    baseline_add_ratios(&results);
+    check_near("at equal RMSE", results_value(&results, 3, "baseline-at-rmse", NULL), 4, 1e-9);
+    check_near("at equal FLIP", results_value(&results, 3, "baseline-at-flip", NULL), 0, 0);
     add_subject(&results, &desc, 32, 4, 2, .6);
-    rival_add_ratios(&results);
-    assert_null(results_find(&results, 4, "rival-at-rmse", NULL));
+    baseline_add_ratios(&results);
+    assert_null(results_find(&results, 4, "baseline-at-rmse", NULL));
     results_free(&results);
     stage_free(&stage);
 }
@@ -326,16 +326,16 @@ static void test_flicker(void **state) {
     open_stage(&stage, "scenes/moving-spot.glb");
     struct measure_desc r = measure_default(&stage, 16, 16), fast = r;
     struct measure_list subjects = {0};
-    check_ok("R", variant_apply(&r, truth_vpls));
+    check_ok("R", variant_apply(&r, reference_vpls));
     check_ok("fast", variant_apply(&fast, "fast"));
     check_ok("settings", measure_assign(&r, "vpls=64,map-size=32,rsm-size=64"));
     check_ok("settings", measure_assign(&fast, "vpls=64,map-size=32,rsm-size=64"));
     measure_list_add(&subjects, &r);
     measure_list_add(&subjects, &fast);
-    check_ok("clip", clip_measure(&results, &(struct clip_desc){.stage = &stage,
-                                                                .subjects = &subjects,
-                                                                .frames = 3,
-                                                                .reference = r}));
+    check_ok("clip",
+             clip_measure(&results,
+                          &(struct clip_desc){
+                              .stage = &stage, .subjects = &subjects, .frames = 3, .all_vpls = r}));
     assert_true(value_of(&results, "R", "", "flicker") == 0);
     double mean = value_of(&results, "fast", "", "flicker"), sum = 0;
     static const char *const points[] = {"time=0", "time=3.33333", "time=6.66667"};
@@ -358,15 +358,15 @@ static void test_flicker(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_summary),    cmocka_unit_test(test_slope),
-        cmocka_unit_test(test_grids),      cmocka_unit_test(test_grid_refusals),
-        cmocka_unit_test(test_subjects),   cmocka_unit_test(test_truth_names),
-        cmocka_unit_test(test_matt_truth), cmocka_unit_test(test_same_truth),
+        cmocka_unit_test(test_summary),        cmocka_unit_test(test_slope),
+        cmocka_unit_test(test_grids),          cmocka_unit_test(test_grid_refusals),
+        cmocka_unit_test(test_subjects),       cmocka_unit_test(test_reference_names),
+        cmocka_unit_test(test_matt_reference), cmocka_unit_test(test_same_reference),
     };
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_lights),
         cmocka_unit_test(test_without_vpls),
-        cmocka_unit_test(test_rival),
+        cmocka_unit_test(test_baseline),
         cmocka_unit_test(test_flicker),
     };
     return cmocka_run_group_tests_name("measure", tests, NULL, NULL) +

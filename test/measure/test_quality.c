@@ -1,9 +1,9 @@
-/* How good a picture has to be: errors told from some of its pixels, and what is chosen by them. */
+/* How good a picture has to be: errors estimated from some of its pixels, and what is chosen by them. */
 #define _POSIX_C_SOURCE 200809L
 #include "command_support.h"
 #include "render_support.h"
 
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 #include "base/error.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
@@ -93,19 +93,19 @@ static void test_some_pixels(void **state) {
         }
     double values = 3.0 * some.width * some.height;
     check_at_most("some pixels, relative RMSE", sqrt(difference / values) / (sum / values),
-                  2 * (truth_noise(&all) + truth_noise(&some)));
+                  2 * (reference_noise(&all) + reference_noise(&some)));
     image_free(&all);
     image_free(&some);
 }
 
 /* Of all pixels, slivers at silhouettes as far as they are covered. */
-static double error_of(const struct image *picture, const struct image *truth) {
+static double error_of(const struct image *picture, const struct image *reference) {
     struct image layers[2];
     struct comparison comparison = {.test = &layers[0], .reference = &layers[1]};
-    check_ok("layer", layer_extract_covered(&layers[0], picture, "indirect", truth));
-    check_ok("layer", layer_extract_covered(&layers[1], truth, "indirect", truth));
+    check_ok("layer", layer_extract_covered(&layers[0], picture, "indirect", reference));
+    check_ok("layer", layer_extract_covered(&layers[1], reference, "indirect", reference));
     double error = metric_measure(metric_find("relative-rmse"), &comparison, NULL);
-    double noise = truth_noise(truth);
+    double noise = reference_noise(reference);
     image_free(&layers[0]);
     image_free(&layers[1]);
     return sqrt(error * error - noise * noise);
@@ -117,7 +117,7 @@ static void test_estimate(void **state) {
     struct measure_desc measure = box->measure;
     struct estimate estimate;
     struct renderer renderer;
-    struct image picture, truth;
+    struct image picture, reference;
     measure.width = measure.height = 2 * SIDE; /* of which a quarter of the pixels is traced */
     double error, first;
     check_ok("estimate", estimate_init(&estimate, &measure));
@@ -130,25 +130,26 @@ static void test_estimate(void **state) {
     check_at_most("samples where that does not decide", few, estimate.samples / 2.0);
     const struct path_tracer_desc desc = {
         .width = 2 * SIDE, .height = 2 * SIDE, .bounces = 1, .samples = is_long_run() ? 128 : 32};
-    check_ok("truth", picture_trace_paths(&box->stage, &desc, &truth, NULL));
+    check_ok("reference", picture_trace_paths(&box->stage, &desc, &reference, NULL));
     check_ok("layers", renderer_read_layers(&renderer, &picture));
-    double all = error_of(&picture, &truth);
+    double all = error_of(&picture, &reference);
     check_near("of a quarter of the pixels", error, all, .15 * all);
     check_near("by few paths", first, error, .1 * error);
     image_free(&picture);
-    image_free(&truth);
+    image_free(&reference);
     renderer_free(&renderer);
     estimate_free(&estimate);
 }
 
-/* At silhouettes against nothing, the more samples a truth has, the more slivers it knows; what is told hangs on neither. */
+/* At silhouettes against nothing, the more samples a reference has, the more slivers it knows. The estimate depends
+ * on neither. */
 static void test_slivers(void **state) {
     (void)state;
     struct stage stage;
     struct renderer renderer;
     struct estimate estimate;
-    struct image picture, truths[2];
-    double told, errors[2];
+    struct image picture, references[2];
+    double estimated, errors[2];
     open_stage(&stage, "scenes/failures/room.glb");
     struct measure_desc measure = measure_default(&stage, SIDE / 2, SIDE / 2);
     check_ok("renderer", measure_start(&renderer, &measure));
@@ -157,15 +158,15 @@ static void test_slivers(void **state) {
     for (int i = 0; i < 2; i++) {
         struct path_tracer_desc desc = {
             .width = SIDE / 2, .height = SIDE / 2, .bounces = 1, .samples = i ? 512 : 32};
-        check_ok("truth", picture_trace_paths(&stage, &desc, &truths[i], NULL));
-        errors[i] = error_of(&picture, &truths[i]);
+        check_ok("reference", picture_trace_paths(&stage, &desc, &references[i], NULL));
+        errors[i] = error_of(&picture, &references[i]);
     }
     check_near("by many samples", errors[1], errors[0], .05 * errors[0]);
     check_ok("estimate", estimate_init(&estimate, &measure));
-    check_ok("error", estimate_picture_error(&estimate, &picture, errors[1], &told));
-    check_near("told", told, errors[1], .1 * errors[1]);
+    check_ok("error", estimate_picture_error(&estimate, &picture, errors[1], &estimated));
+    check_near("estimated", estimated, errors[1], .1 * errors[1]);
     for (int i = 0; i < 2; i++)
-        image_free(&truths[i]);
+        image_free(&references[i]);
     image_free(&picture);
     estimate_free(&estimate);
     renderer_free(&renderer);
@@ -203,9 +204,9 @@ static void test_climb(void **state) {
     static const struct {
         const char *name;
         double asked, frames[5],
-            passes[3]; /* errors: of all further frames the last; of 4, 8 and 16 passes */
-        int told_frames, told_passes; /* 0 frames: all */
-        int frame, passes_chosen;     /* what is chosen: of a frame the place on the ladder */
+            passes[3]; /* errors: of all later frames the last; of 4, 8 and 16 passes */
+        int tried_frames, tried_passes; /* 0 frames: all */
+        int frame, passes_chosen;       /* what is chosen: of a frame the place on the ladder */
         bool reached;
     } cases[] = {
         {"the first", .3, {.25}, {0}, 1, 0, 0, 1, true},
@@ -227,10 +228,10 @@ static void test_climb(void **state) {
         }
         memcpy(&made_up.errors[frames], cases[i].passes, sizeof cases[i].passes);
         assert_true(quality_climb(cases[i].asked, 16, NULL, tell_made_up, &made_up, &found));
-        printf("    %s: %d told, %d passes of '%s'\n", cases[i].name, made_up.asked,
+        printf("    %s: %d tried, %d passes of '%s'\n", cases[i].name, made_up.asked,
                found.choice.passes, found.choice.settings);
-        assert_int_equal(made_up.asked, (cases[i].told_frames ? cases[i].told_frames : frames) +
-                                            cases[i].told_passes);
+        assert_int_equal(made_up.asked, (cases[i].tried_frames ? cases[i].tried_frames : frames) +
+                                            cases[i].tried_passes);
         assert_int_equal(found.choice.passes, cases[i].passes_chosen);
         if (found.choice.passes == 1)
             assert_string_equal(found.choice.settings, choices[cases[i].frame].settings);

@@ -169,22 +169,23 @@ static void test_heat_map_files(void **state) {
     }
 }
 
-/* Beside a black truth differences are not over its mean; what is not finite has no colour. */
+/* Beside a black reference differences are not over its mean; what is not finite has no colour. */
 static void test_panels(void **state) {
     (void)state;
-    struct image truth, tests[2];
+    struct image reference, tests[2];
     for (int i = 0; i < 3; i++)
-        image_init(i ? &tests[i - 1] : &truth, 4, 3, "R G B");
+        image_init(i ? &tests[i - 1] : &reference, 4, 3, "R G B");
     tests[0].pixels[5] = NAN;
     tests[1].pixels[0] = 1;
-    check_ok("of a black truth", panels_write(scratch("panels.png"), "a b", &truth, tests, 2));
+    check_ok("of a black reference",
+             panels_write(scratch("panels.png"), "a b", &reference, tests, 2));
     for (int i = 0; i < 36; i++)
-        truth.pixels[i] = .5F;
+        reference.pixels[i] = .5F;
     image_free(&tests[1]);
-    check_ok("of a grey one", panels_write(scratch("panels.png"), "a b", &truth, tests, 2));
-    assert_false(panels_write(scratch("none/panels.png"), "a b", &truth, tests, 2));
+    check_ok("of a grey one", panels_write(scratch("panels.png"), "a b", &reference, tests, 2));
+    assert_false(panels_write(scratch("none/panels.png"), "a b", &reference, tests, 2));
     printf("    %s\n", error_get());
-    image_free(&truth);
+    image_free(&reference);
     image_free(&tests[0]);
 }
 

@@ -1,4 +1,4 @@
-/* Pixels with few like neighbours: which are listed, what they gather, and how they are blurred. */
+/* Pixels with few like neighbours: which are adaptive, what they gather, and how they are blurred. */
 #include "render_support.h"
 
 #include "base/memory.h"
@@ -78,7 +78,7 @@ static void make_stripes(struct gbuffer *gbuffer) {
     make_stripes_of(gbuffer, across);
 }
 
-/* Stripes are listed, the plane is not, nor its straight edge; a list has each pixel once. */
+/* Stripes are adaptive, the plane is not, nor its straight edge; a list has each pixel once. */
 static void test_lists(void **state) {
     (void)state;
     struct adaptive_bench bench;
@@ -86,28 +86,28 @@ static void test_lists(void **state) {
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .5f);
     make_stripes(&gbuffer);
     list_pixels(&bench, &gbuffer);
-    int smooth_listed = 0, stripes_left = 0, listed = 0, misplaced = 0, counted = 0;
+    int smooth_adaptive = 0, stripes_left = 0, adaptive = 0, misplaced = 0, counted = 0;
     static GLuint pixels[2 * SIZE * SIZE];
     gl.GetTextureImage(bench.adaptive.lists.pixels.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                        sizeof pixels, pixels);
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE, y = i / SIZE;
         GLuint code = bench.texels[i] & 1 ? bench.texels[i] : 0;
-        smooth_listed += code && x < SIZE / 2;
+        smooth_adaptive += code && x < SIZE / 2;
         stripes_left += !code && x >= SIZE / 2 + RADIUS && x < SIZE - RADIUS;
-        listed += code != 0;
+        adaptive += code != 0;
         if (code)
             misplaced += pixels[(code >> 16 & 0x7fff) * SIZE + (code >> 1 & 0x7fff)] !=
                          (GLuint)(x | y << 16);
     }
     for (int i = 0; i < LISTS * LISTS * LIST_KINDS; i++)
         counted += (int)bench.counts[i];
-    printf("    listed %d, on the plane %d, not of the stripes %d, misplaced %d\n", listed,
-           smooth_listed, stripes_left, misplaced);
-    assert_int_equal(smooth_listed, 0);
+    printf("    adaptive %d, on the plane %d, not of the stripes %d, misplaced %d\n", adaptive,
+           smooth_adaptive, stripes_left, misplaced);
+    assert_int_equal(smooth_adaptive, 0);
     assert_int_equal(stripes_left, 0);
     assert_int_equal(misplaced, 0);
-    assert_int_equal(counted, listed);
+    assert_int_equal(counted, adaptive);
     gbuffer_free(&gbuffer);
     close_bench(&bench);
 }
@@ -119,26 +119,26 @@ static void check_levels(float code, GLuint level_of_stripes) {
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .75f);
     make_stripes_of(&gbuffer, code);
     list_pixels(&bench, &gbuffer);
-    int beside = 0, wrong = 0, smooth_listed = 0;
+    int beside = 0, wrong = 0, smooth_adaptive = 0;
     for (int i = 0; i < SIZE * SIZE; i++) {
         int x = i % SIZE;
         GLuint code = bench.texels[i] & 1 ? bench.texels[i] : 0;
         bool edge = x >= SIZE / 2 && x < SIZE / 2 + RADIUS; /* the first stripe is as the plane */
         bool stripe = x >= SIZE / 2 + RADIUS && x < SIZE - RADIUS;
         beside += edge;
-        smooth_listed += code && x < SIZE / 2;
+        smooth_adaptive += code && x < SIZE / 2;
         wrong += (edge || stripe) &&
                  (!code || code >> 31 != (edge ? PIXEL_LEVEL_EDGE : level_of_stripes));
     }
     printf("    beside the edge %d, of another level %d, on the plane %d\n", beside, wrong,
-           smooth_listed);
+           smooth_adaptive);
     assert_int_equal(wrong, 0);
-    assert_int_equal(smooth_listed, 0);
+    assert_int_equal(smooth_adaptive, 0);
     gbuffer_free(&gbuffer);
     close_bench(&bench);
 }
 
-/* Gentle relief is listed as edges are. */
+/* Gentle relief is adaptive as edges are. */
 static void test_levels(void **state) {
     (void)state;
     check_levels(across, PIXEL_LEVEL_DETAIL);
@@ -183,7 +183,7 @@ static int lists_height(void) {
     return size[1];
 }
 
-/* Weights sum to one, whatever is listed, along lines and in squares. */
+/* Weights sum to one, whatever is adaptive, along lines and in squares. */
 static void test_blur_conserves(void **state) {
     (void)state;
     struct adaptive_bench bench;
@@ -237,7 +237,7 @@ static int away_of(GLuint code) {
     return code > 1 ? (int)code - 4 : (int)code;
 }
 
-/* With blocks that share visibility a pixel that no block speaks for is listed, whatever lies around it; all others
+/* With blocks that share visibility a pixel that no block speaks for is adaptive, whatever lies around it; all others
  * are told one whose centre has their normal. */
 static void test_blocks(void **state) {
     (void)state;
@@ -248,30 +248,31 @@ static void test_blocks(void **state) {
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .25f);
     struct adaptive_desc desc = bench.adaptive.desc;
     make_island(&gbuffer, BLOCK, normal_of);
-    int listed[2] = {0}, left = 0, wrong = 0, others = 0;
+    int adaptive[2] = {0}, left = 0, wrong = 0, others = 0;
     for (int blocks = 0; blocks < 2; blocks++) {
         adaptive_pass_free(&bench.adaptive);
         desc.block = blocks ? BLOCK : 0;
         check_ok("adaptive", adaptive_pass_init(&bench.adaptive, &desc));
         list_pixels(&bench, &gbuffer);
         for (int i = 0; i < SIZE * SIZE; i++)
-            listed[blocks] += (bench.texels[i] & 1) != 0;
+            adaptive[blocks] += (bench.texels[i] & 1) != 0;
     }
     for (int i = 0; i < SIZE * SIZE; i++) {
         GLuint code = bench.texels[i];
-        bool unlisted = !(code & 1);
+        bool in_tiles = !(code & 1);
         int dx = away_of(code >> 1 & 3), dy = away_of(code >> 3 & 3);
         int x = (i % SIZE / BLOCK + dx) * BLOCK + BLOCK / 2,
             y = (i / SIZE / BLOCK + dy) * BLOCK + BLOCK / 2;
-        left += unlisted && normal_of[i] == 2;
-        wrong += unlisted && (x < 0 || y < 0 || x >= SIZE || y >= SIZE ||
+        left += in_tiles && normal_of[i] == 2;
+        wrong += in_tiles && (x < 0 || y < 0 || x >= SIZE || y >= SIZE ||
                               normal_of[y * SIZE + x] != normal_of[i]);
-        others += unlisted && (dx || dy);
+        others += in_tiles && (dx || dy);
     }
-    printf("    listed %d, without blocks %d; of the island unlisted %d; told a wrong block %d, a "
+    printf("    adaptive %d, without blocks %d; of the island not adaptive %d; told a wrong block "
+           "%d, a "
            "neighbour's %d\n",
-           listed[1], listed[0], left, wrong, others);
-    assert_true(listed[1] > listed[0]);
+           adaptive[1], adaptive[0], left, wrong, others);
+    assert_true(adaptive[1] > adaptive[0]);
     assert_int_equal(left, 0);
     assert_int_equal(wrong, 0);
     assert_true(others > BLOCK);
@@ -279,8 +280,8 @@ static void test_blocks(void **state) {
     close_bench(&bench);
 }
 
-/* What is listed with n = 1 takes all VPLs and no blur, as all pixels without interleaving do. */
-static void test_listed_sums(void **state) {
+/* What is adaptive with n = 1 takes all VPLs and no blur, as all pixels without interleaving do. */
+static void test_adaptive_sums(void **state) {
     (void)state;
     struct adaptive_bench bench;
     open_bench(&bench, "scenes/cornell-animal.glb", "vpls=256 interleave=8 adaptive=1", 1);
@@ -288,20 +289,20 @@ static void test_listed_sums(void **state) {
     struct image mixed, plain = render_stage(&bench.stage, "unshadowed",
                                              "vpls=256 interleave=1 blur-radius=0", SIZE);
     check_ok("layers", renderer_read_layers(&bench.renderer, &mixed));
-    int red = image_find_channel(&plain, "indirect.R"), listed = 0, away = 0;
+    int red = image_find_channel(&plain, "indirect.R"), adaptive = 0, away = 0;
     double worst = 0, mean = layer_mean(&plain, "indirect");
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {
             double expected = (double)image_at(&plain, x, y)[red];
             double off = fabs((double)image_at(&mixed, x, y)[red] - expected) / (expected + mean);
-            bool is_listed = (bench.texels[(SIZE - 1 - y) * SIZE + x] & 1) != 0;
-            listed += is_listed;
-            away += !is_listed && off > .002;
-            worst = is_listed ? fmax(worst, off) : worst;
+            bool is_adaptive = (bench.texels[(SIZE - 1 - y) * SIZE + x] & 1) != 0;
+            adaptive += is_adaptive;
+            away += !is_adaptive && off > .002;
+            worst = is_adaptive ? fmax(worst, off) : worst;
         }
-    printf("    listed %d, others that differ %d\n", listed, away);
-    assert_true(listed > 100 && away > 100);
-    check_at_most("worst listed pixel's distance from the sum over all VPLs", worst, .002);
+    printf("    adaptive %d, others that differ %d\n", adaptive, away);
+    assert_true(adaptive > 100 && away > 100);
+    check_at_most("worst adaptive pixel's distance from the sum over all VPLs", worst, .002);
     image_free(&mixed);
     image_free(&plain);
     close_bench(&bench);
@@ -318,7 +319,7 @@ static void test_one_asks_for_all(void **state) {
                                      "interleave=1 blur-radius=0 visibility-block=0", SIZE);
     struct image together =
         render_stage(&bench.stage, "clustered", "interleave=8 adaptive=1", SIZE);
-    int red = image_find_channel(&each, "indirect.R"), differ = 0, listed = 0;
+    int red = image_find_channel(&each, "indirect.R"), differ = 0, adaptive = 0;
     double sum_each = 0, sum_together = 0;
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {
@@ -326,13 +327,13 @@ static void test_one_asks_for_all(void **state) {
                 continue;
             double a = (double)image_at(&each, x, y)[red],
                    b = (double)image_at(&together, x, y)[red];
-            listed++;
+            adaptive++;
             differ += fabs(a - b) > .002 * a;
             sum_each += a;
             sum_together += b;
         }
-    printf("    listed %d, of which with noise %d\n", listed, differ);
-    assert_true(listed > 100 && differ > 50);
+    printf("    adaptive %d, of which with noise %d\n", adaptive, differ);
+    assert_true(adaptive > 100 && differ > 50);
     check_near("their mean, over that of pixels whose VPLs each ask", sum_together / sum_each, 1,
                .005);
     image_free(&each);
@@ -372,7 +373,7 @@ int main(void) {
         cmocka_unit_test(test_lists),
         cmocka_unit_test(test_levels),
         cmocka_unit_test(test_blur_conserves),
-        cmocka_unit_test(test_listed_sums),
+        cmocka_unit_test(test_adaptive_sums),
         cmocka_unit_test(test_one_asks_for_all),
         cmocka_unit_test(test_blocks),
     };

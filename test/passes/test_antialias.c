@@ -203,8 +203,9 @@ static double worst_of_sum(const struct image *image) {
 #define SMOOTH "interleave=1 blur-radius=0 clamp=disk vpls=64 "
 
 static void check_layer(const struct image *center, const struct image *edges,
-                        const struct image *truth, const char *layer, double bound) {
-    double before = relative_rmse(center, truth, layer), after = relative_rmse(edges, truth, layer);
+                        const struct image *reference, const char *layer, double bound) {
+    double before = relative_rmse(center, reference, layer),
+           after = relative_rmse(edges, reference, layer);
     printf("    %s: error %.4f with the centre alone, %.4f with 8 samples\n", layer, before, after);
     check_at_most("their ratio", after / before, bound);
 }
@@ -216,14 +217,14 @@ static void check_layers(const char *path, double albedo, double beauty) {
     open_stage(&stage, path);
     printf("  %s\n", path);
     struct image fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
-    struct image truth = shrink(&fine);
+    struct image reference = shrink(&fine);
     struct image center = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE);
     struct image edges = render_stage(&stage, "unshadowed", SMOOTH "samples=8", SIZE);
-    check_layer(&center, &edges, &truth, "albedo", albedo);
-    check_layer(&center, &edges, &truth, "beauty", beauty);
+    check_layer(&center, &edges, &reference, "albedo", albedo);
+    check_layer(&center, &edges, &reference, "beauty", beauty);
     check_at_most("R - albedo (direct + indirect)", worst_of_sum(&edges), 1e-4);
     image_free(&fine);
-    image_free(&truth);
+    image_free(&reference);
     image_free(&center);
     image_free(&edges);
     stage_free(&stage);
@@ -248,17 +249,17 @@ static void test_edge_samples(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/atrium.glb");
     struct image fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
-    struct image truth = shrink(&fine);
+    struct image reference = shrink(&fine);
     struct image without = render_stage(&stage, "unshadowed", DETAIL "edge-samples=off", SIZE);
     struct image with = render_stage(&stage, "unshadowed", DETAIL, SIZE);
-    double before = relative_rmse(&without, &truth, "indirect"),
-           after = relative_rmse(&with, &truth, "indirect");
+    double before = relative_rmse(&without, &reference, "indirect"),
+           after = relative_rmse(&with, &reference, "indirect");
     printf("    error of indirect light %.4f without edge samples, %.4f with them\n", before,
            after);
     check_at_most("their ratio", after / before, .9);
     check_at_most("R - albedo (direct + indirect)", worst_of_sum(&with), 1e-4);
     image_free(&fine);
-    image_free(&truth);
+    image_free(&reference);
     image_free(&without);
     image_free(&with);
     stage_free(&stage);

@@ -305,8 +305,8 @@ static void check_mapping(const struct vpl_buffer *written, const struct vpl *vp
 }
 
 static struct timers untimed;
-static const struct frame frame = {
-    .timers = &untimed, .bounds_min = {-2, -2, -2}, .bounds_max = {3, 3, 2.5f}};
+static const struct geometry bounds = {.bounds_min = {-2, -2, -2}, .bounds_max = {3, 3, 2.5f}};
+static const struct frame frame = {.timers = &untimed, .geometry = &bounds};
 
 /* Renders a frame of points, and compares all that it leaves with what is expected. */
 static void check_frame(struct clustering *c, const struct vpl *vpls) {
@@ -470,7 +470,8 @@ static void test_views(void **state) {
             double at = expected[k].center[a];
             check_near("place of a view", (double)views[k].center[a], at, 1e-6);
             check_near("axis", (double)views[k].axis[a], expected[k].axis[a], 1e-6);
-            far += pow(fmax(at - (double)frame.bounds_min[a], (double)frame.bounds_max[a] - at), 2);
+            far +=
+                pow(fmax(at - (double)bounds.bounds_min[a], (double)bounds.bounds_max[a] - at), 2);
             across += (double)(views[k].axis[a] * views[k].tangent[a]);
         }
         check_near("extent", (double)views[k].extent, expected[k].extent, 1e-6);

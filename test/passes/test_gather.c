@@ -443,10 +443,10 @@ static void test_near_faces(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     struct image drawn = render_stage(&stage, "clustered", "samples=1", 64);
-    struct image truth = trace_stage(&stage, 64, 64);
-    check_at_most("relative RMSE", relative_rmse(&drawn, &truth, "indirect"), .16);
+    struct image reference = trace_stage(&stage, 64, 64);
+    check_at_most("relative RMSE", relative_rmse(&drawn, &reference, "indirect"), .16);
     image_free(&drawn);
-    image_free(&truth);
+    image_free(&reference);
     stage_free(&stage);
 }
 

@@ -161,18 +161,18 @@ static void trace(const char *arguments, struct image *image) {
     check_ok("read", image_read(image, path));
 }
 
-static double relative_error(const struct image *test, const struct image *truth) {
+static double relative_error(const struct image *test, const struct image *reference) {
     int layer[3];
-    check_ok("layer", image_find_layer(truth, "indirect", layer));
+    check_ok("layer", image_find_layer(reference, "indirect", layer));
     double squares = 0, sum = 0;
-    for (int y = 0; y < truth->height; y++)
-        for (int x = 0; x < truth->width; x++)
+    for (int y = 0; y < reference->height; y++)
+        for (int x = 0; x < reference->width; x++)
             for (int c = 0; c < 3; c++) {
-                float v = image_at(test, x, y)[layer[c]], r = image_at(truth, x, y)[layer[c]];
+                float v = image_at(test, x, y)[layer[c]], r = image_at(reference, x, y)[layer[c]];
                 squares += (double)((v - r) * (v - r));
                 sum += (double)r;
             }
-    return sqrt(squares * 3 * truth->width * truth->height) / sum;
+    return sqrt(squares * 3 * reference->width * reference->height) / sum;
 }
 
 static double energy_of(const struct image *image) {
@@ -190,15 +190,16 @@ static void test_box(void **state) {
         int samples;
         double least_gain;
     } cases[] = {{1, 2.5}, {4, 2}, {16, 1.2}};
-    struct image truth, raw, filtered;
-    trace("--spp 64 --seed 9 -q", &truth);
+    struct image reference, raw, filtered;
+    trace("--spp 64 --seed 9 -q", &reference);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char arguments[64];
         snprintf(arguments, sizeof arguments, "--spp %d --paths 1", cases[i].samples);
         trace(arguments, &raw);
         snprintf(arguments, sizeof arguments, "--spp %d --paths 1 --denoise", cases[i].samples);
         trace(arguments, &filtered);
-        double before = relative_error(&raw, &truth), after = relative_error(&filtered, &truth);
+        double before = relative_error(&raw, &reference),
+               after = relative_error(&filtered, &reference);
         printf("    %d paths: error %g, denoised %g, %g times less\n", cases[i].samples, before,
                after, before / after);
         check_at_most("the gain asked for", cases[i].least_gain, before / after);
@@ -206,7 +207,7 @@ static void test_box(void **state) {
         image_free(&raw);
         image_free(&filtered);
     }
-    image_free(&truth);
+    image_free(&reference);
 }
 
 int main(void) {

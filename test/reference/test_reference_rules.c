@@ -88,7 +88,7 @@ static void test_bounce_off_a_back(void **state) {
     }
     check_near("two bounces under a black back", under[0], 0, 0);
     assert_true(under[1] > 0.01);
-    /* Two noisy pixels of one truth. */
+    /* Two noisy pixels of one reference. */
     check_near("a double-sided back is as good as a front", under[1], under[2], 0.03 * under[2]);
 }
 
@@ -254,14 +254,15 @@ static void test_few_samples(void **state) {
     struct path_tracer_desc desc = describe(&world, 64, 64);
     desc.bounces = 1;
     render(&desc, &image);
-    double truth = mean_of(&image, CHANNEL_INDIRECT);
+    double reference = mean_of(&image, CHANNEL_INDIRECT);
     image_free(&image);
     for (int samples = 1; samples <= 7; samples += 3) {
         desc.samples = samples;
         struct path_tracer_progress reached = render(&desc, &image);
         assert_int_equal(reached.samples, samples);
         /* 4096 pixels of a path each have a noise of 2 %. */
-        check_near("mean", mean_of(&image, CHANNEL_INDIRECT), truth, 0.06 / sqrt(samples) * truth);
+        check_near("mean", mean_of(&image, CHANNEL_INDIRECT), reference,
+                   0.06 / sqrt(samples) * reference);
         if (samples == 1)
             check_near("noise that one sample does not tell", reached.noise, 0, 0);
         else

@@ -75,11 +75,11 @@ static void test_noise(void **state) {
     make_edge(&world);
     struct image image = look(&world, &(struct emitters){.items = &light, .count = 1}, .1F, 32);
     double off = spread_of(&image, CHANNEL_VISIBILITY, .6);
-    double told = spread_of(&image, CHANNEL_VISIBILITY_ERROR, 0);
-    check_near("error told over error, visibility", told / off, 1, .25);
+    double estimated = spread_of(&image, CHANNEL_VISIBILITY_ERROR, 0);
+    check_near("estimated error over error, visibility", estimated / off, 1, .25);
     off = spread_of(&image, CHANNEL_DIRECT, mean_of(&image, CHANNEL_DIRECT));
-    told = spread_of(&image, CHANNEL_DIRECT_ERROR, 0);
-    check_near("direct light", told / off, 1, .25);
+    estimated = spread_of(&image, CHANNEL_DIRECT_ERROR, 0);
+    check_near("direct light", estimated / off, 1, .25);
     image_free(&image);
     world_free(&world);
 }

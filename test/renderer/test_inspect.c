@@ -64,7 +64,13 @@ static void check_pictures(const char *technique, const char *settings) {
         printf("    %-18s %-12s %d layers, %dx%d, %d shades\n", technique, name, layers,
                inspect.canvas.desc.width, inspect.canvas.desc.height,
                count_shades(&inspect.canvas));
-        assert_true(count_shades(&inspect.canvas) > 2);
+        /* Irradiance may be the same everywhere: one shade and the background's. */
+        int least = outputs.items[i].kind == OUTPUT_IRRADIANCE ? 2 : 3;
+        if (count_shades(&inspect.canvas) < least)
+            fail_msg("output '%s' of %s is drawn in too few shades: has its kind a row in mode_of "
+                     "and a case in texture_of (src/inspect/inspect.c), and one in "
+                     "glsl/inspect/inspect.frag?",
+                     name, technique);
         choice.layer = layers - 1;
         check_ok(name, inspect_draw(&inspect, &renderer, &choice));
         assert_int_equal(strspn(name, "abcdefghijklmnopqrstuvwxyz-"), strlen(name));
@@ -76,8 +82,8 @@ static void check_pictures(const char *technique, const char *settings) {
 static void test_pictures(void **state) {
     (void)state;
     check_pictures("clustered", "visibility=cssm");
-    check_pictures("instant-radiosity", "");
-    check_pictures("unshadowed", "");
+    for (const struct technique *const *t = techniques; *t; t++)
+        check_pictures((*t)->name, "");
 }
 
 static void test_missing(void **state) {

@@ -134,30 +134,31 @@ static void test_beginning_anew(void **state) {
 
 static struct image trace(const struct stage *stage, double noise) {
     struct path_tracer_progress reached;
-    struct image truth;
+    struct image reference;
     check_ok("tracer",
              picture_trace_paths(stage,
                                  &(struct path_tracer_desc){
                                      .width = SIZE, .height = SIZE, .bounces = 1, .noise = noise},
-                                 &truth, &reached));
-    return truth;
+                                 &reference, &reached));
+    return reference;
 }
 
 /* RMS of the difference of the indirect layers over the mean, where the layers beside them differ. */
-static double error(const struct image *test, const struct image *truth) {
+static double error(const struct image *test, const struct image *reference) {
     int a[3], b[3];
     double sum = 0;
-    assert_true(image_find_layer(test, "indirect", a) && image_find_layer(truth, "indirect", b));
+    assert_true(image_find_layer(test, "indirect", a) &&
+                image_find_layer(reference, "indirect", b));
     for (int i = 0; i < SIZE * SIZE; i++)
         for (int c = 0; c < 3; c++)
             sum += pow((double)(image_at(test, i % SIZE, i / SIZE)[a[c]] -
-                                image_at(truth, i % SIZE, i / SIZE)[b[c]]),
+                                image_at(reference, i % SIZE, i / SIZE)[b[c]]),
                        2);
-    return sqrt(sum / (3. * SIZE * SIZE)) / image_mean(truth, b);
+    return sqrt(sum / (3. * SIZE * SIZE)) / image_mean(reference, b);
 }
 
-static double bias(const struct image *test, const struct image *truth) {
-    return layer_mean(test, "indirect") / layer_mean(truth, "indirect") - 1;
+static double bias(const struct image *test, const struct image *reference) {
+    return layer_mean(test, "indirect") / layer_mean(reference, "indirect") - 1;
 }
 
 /* The mean of few passes and of four times as many, by one renderer. */
@@ -186,20 +187,20 @@ static void test_convergence(void **state) {
         struct stage stage;
         open_stage(&stage, scenes[i]);
         struct renderer_desc desc = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
-        struct image truth = trace(&stage, is_long_run() ? .006 : .015),
+        struct image reference = trace(&stage, is_long_run() ? .006 : .015),
                      frame = render_layers(&desc);
         struct image means[2];
         render_means(&desc, FEW, means);
-        double first = error(&frame, &truth);
-        double after_few = error(&means[0], &truth);
-        double after_many = error(&means[1], &truth);
+        double first = error(&frame, &reference);
+        double after_few = error(&means[0], &reference);
+        double after_many = error(&means[1], &reference);
         printf("    %s: error %.4f, of %d passes %.4f, of %d %.4f\n", scenes[i], first, FEW,
                after_few, 4 * FEW, after_many);
         check_at_most("8 passes over one", after_few / first, .8);
         check_at_most("32 passes over one", after_many / first, .4);
         check_at_most("32 passes over 8", after_many / after_few, .7); /* K^-.26 */
-        check_near("bias of 32", bias(&means[1], &truth), 0, .01);
-        struct image *all[] = {&truth, &frame, &means[0], &means[1]};
+        check_near("bias of 32", bias(&means[1], &reference), 0, .01);
+        struct image *all[] = {&reference, &frame, &means[0], &means[1]};
         for (size_t k = 0; k < sizeof all / sizeof *all; k++)
             image_free(all[k]);
         stage_free(&stage);

@@ -226,8 +226,8 @@ static const char *write_helmet(void) {
         " [{\"source\": 0}, {\"source\": 1}, {\"source\": 2}, {\"source\": 3}, {\"source\": 4}],");
 }
 
-/* The noise is that of light of lamps and of gloss. Edges of textures and of shadows take the rest: two in a
- * hundred, and of indirect light, of which there is little, as much as the technique errs elsewhere. */
+/* The noise is that of light of lamps and of specular reflection. Edges of textures and of shadows take the rest: two in
+ * a hundred, and of indirect light, of which there is little, as much as the technique errs elsewhere. */
 static void compare(const char *path) {
     struct stage stage;
     open_stage(&stage, path);

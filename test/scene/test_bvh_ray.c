@@ -21,14 +21,13 @@ static vec3s point_of(uint32_t i) {
 }
 
 /* Of a tenth of the box at size .2, in no order. */
-static struct tree_triangle *scatter_triangles(uint32_t count, float size) {
-    struct tree_triangle *triangles = mem_alloc(count, sizeof *triangles);
+static struct bvh_triangle *scatter_triangles(uint32_t count, float size) {
+    struct bvh_triangle *triangles = mem_alloc(count, sizeof *triangles);
     for (uint32_t i = 0; i < count; i++)
-        triangles[i] =
-            (struct tree_triangle){.corner = point_of(3 * i),
-                                   .edges = {glms_vec3_scale(point_of(7 * i + 1), size),
-                                             glms_vec3_scale(point_of(11 * i + 2), size)},
-                                   .number = i};
+        triangles[i] = (struct bvh_triangle){.corner = point_of(3 * i),
+                                             .edges = {glms_vec3_scale(point_of(7 * i + 1), size),
+                                                       glms_vec3_scale(point_of(11 * i + 2), size)},
+                                             .number = i};
     return triangles;
 }
 
@@ -37,7 +36,7 @@ static int nearest_of_all(const struct bvh *tree, vec3s origin, vec3s direction,
     int nearest = -1;
     *distance = INFINITY;
     for (uint32_t i = 0; i < tree->count; i++) {
-        const struct tree_triangle *t = &tree->triangles[i];
+        const struct bvh_triangle *t = &tree->triangles[i];
         vec3s b = glms_vec3_add(t->corner, t->edges[0]), c = glms_vec3_add(t->corner, t->edges[1]);
         float along;
         if (glm_ray_triangle(origin.raw, direction.raw, (float *)t->corner.raw, b.raw, c.raw,
@@ -69,7 +68,7 @@ static void test_nearest(void **state) {
         vec3s direction = direction_of(i);
         float distance;
         int expected = nearest_of_all(&tree, origin, direction, &distance);
-        struct tree_hit hit = bvh_ray_trace(&tree, origin, direction);
+        struct bvh_hit hit = bvh_ray_trace(&tree, origin, direction);
         assert_int_equal(hit.triangle ? (int)hit.triangle->number : -1, expected);
         if (!hit.triangle)
             continue;
@@ -90,19 +89,19 @@ static void test_nearest(void **state) {
 
 enum { MANY = 20000 }; /* so many that subtrees are built in parallel */
 
-static bool holds(const struct tree_box *box, const struct tree_box *other) {
+static bool holds(const struct bvh_box *box, const struct bvh_box *other) {
     bool inside = true;
     for (int c = 0; c < 3; c++)
         inside = inside && box->low[c] <= other->low[c] && box->high[c] >= other->high[c];
     return inside;
 }
 
-static bool holds_triangle(const struct tree_box *box, const struct tree_triangle *t) {
+static bool holds_triangle(const struct bvh_box *box, const struct bvh_triangle *t) {
     const vec3s corners[3] = {t->corner, glms_vec3_add(t->corner, t->edges[0]),
                               glms_vec3_add(t->corner, t->edges[1])};
     bool inside = true;
     for (int i = 0; i < 3; i++) {
-        struct tree_box point;
+        struct bvh_box point;
         memcpy(point.low, corners[i].raw, sizeof point.low);
         memcpy(point.high, corners[i].raw, sizeof point.high);
         inside = inside && holds(box, &point);
@@ -118,7 +117,7 @@ struct below {
 };
 
 static struct below look_below(const struct bvh *tree, uint32_t number) {
-    const struct tree_node *node = &tree->nodes[number];
+    const struct bvh_node *node = &tree->nodes[number];
     struct below below = {node->count, node->count, node->count};
     for (uint32_t i = 0; i < node->count; i++)
         assert_true(holds_triangle(&node->box, &tree->triangles[node->first + i]));
@@ -126,14 +125,14 @@ static struct below look_below(const struct bvh *tree, uint32_t number) {
         return below;
     below.cost = 1;
     for (uint32_t i = 0; i < 2; i++) {
-        const struct tree_box *box = &tree->nodes[node->first + i].box;
+        const struct bvh_box *box = &tree->nodes[node->first + i].box;
         struct below child = look_below(tree, node->first + i);
         assert_true(holds(&node->box, box));
         below.triangles += child.triangles;
         below.largest_leaf =
             child.largest_leaf > below.largest_leaf ? child.largest_leaf : below.largest_leaf;
         below.cost +=
-            child.cost * (double)(tree_box_half_surface(box) / tree_box_half_surface(&node->box));
+            child.cost * (double)(bvh_box_half_surface(box) / bvh_box_half_surface(&node->box));
     }
     return below;
 }
@@ -167,9 +166,9 @@ static void test_one_place(void **state) {
     (void)state;
     enum { COUNT = 40 };
     struct bvh tree;
-    struct tree_triangle *triangles = mem_alloc(COUNT, sizeof *triangles);
+    struct bvh_triangle *triangles = mem_alloc(COUNT, sizeof *triangles);
     for (uint32_t i = 0; i < COUNT; i++)
-        triangles[i] = (struct tree_triangle){
+        triangles[i] = (struct bvh_triangle){
             .edges = {{{1, 0, 0}}, {{0, 1, 0}}},
             .number = i,
         };

@@ -486,29 +486,29 @@ static void test_sizes(void **state) {
     }
 }
 
-/* Where nothing but the direct light of a lamp has noise, that is what is told. */
+/* Where nothing but the direct light of a lamp has noise, that is the estimate. */
 static void test_direct_noise(void **state) {
     (void)state;
     struct world world;
-    struct image truth, quick;
+    struct image reference, quick;
     start_corner(&world);
     place_light(&world, EMITTER_AREA, (vec3s){{.6f, 1.2f, .4f}}, (vec3s){{0, -1, 0}}, 1);
     emitter_aim(&world.light, world.light.direction);
     world.light.size[0] = world.light.size[1] = .5f;
     struct path_tracer_desc desc = describe(&world, SIZE, 4096);
     desc.seed = 7;
-    double least = render(&desc, &truth).noise;
+    double least = render(&desc, &reference).noise;
     desc.seed = 0;
     desc.samples = 16;
-    double told = render(&desc, &quick).noise, squares = 0;
+    double estimated = render(&desc, &quick).noise, squares = 0;
     for (int i = 0; i < SIZE * SIZE; i++)
         squares += pow((double)(image_at(&quick, i % SIZE, i / SIZE)[CHANNEL_DIRECT] -
-                                image_at(&truth, i % SIZE, i / SIZE)[CHANNEL_DIRECT]),
+                                image_at(&reference, i % SIZE, i / SIZE)[CHANNEL_DIRECT]),
                        2);
-    double error = sqrt(squares) / SIZE / mean_of(&truth, CHANNEL_DIRECT);
-    check_at_most("noise of many samples", least, told / 4);
-    check_near("noise told, over the error", told / error, 1, .3);
-    image_free(&truth);
+    double error = sqrt(squares) / SIZE / mean_of(&reference, CHANNEL_DIRECT);
+    check_at_most("noise of many samples", least, estimated / 4);
+    check_near("estimated noise over the error", estimated / error, 1, .3);
+    image_free(&reference);
     image_free(&quick);
     world_free(&world);
 }

@@ -424,7 +424,7 @@ static void test_lacks(void **state) {
     scene_free(&scene);
 }
 
-/* The older model of materials: diffuse colour, reflectance, and gloss; its second texture has both. What
+/* The older model of materials: diffuse colour, reflectance, and glossiness; its second texture has both. What
  * is left out of it is white and smooth, and hardly any reflectance has none when grazing, too. */
 static void test_specular_glossiness(void **state) {
     (void)state;

@@ -90,20 +90,20 @@ static void test_rows(void **state) {
         const struct row *row = &rows[i];
         struct stage stage;
         open_row(&stage, row);
-        struct image truth = trace(&stage);
+        struct image reference = trace(&stage);
         for (const struct direct_method *const *m = direct_methods; *m; m++) {
             if (!is_long_run() && *m != direct_for(&stage.emitters))
                 continue;
             struct image drawn = draw(&stage, *m);
-            double error = relative_rmse(&drawn, &truth, "direct");
+            double error = relative_rmse(&drawn, &reference, "direct");
             printf("    %-30s %-8s RMSE %6.2f %%, mean %+6.2f %%\n", row->what, (*m)->name,
                    100 * error,
-                   100 * (layer_mean(&drawn, "direct") / layer_mean(&truth, "direct") - 1));
+                   100 * (layer_mean(&drawn, "direct") / layer_mean(&reference, "direct") - 1));
             if (*m == direct_for(&stage.emitters))
                 check_at_most(row->what, error, row->rmse);
             image_free(&drawn);
         }
-        image_free(&truth);
+        image_free(&reference);
         stage_free(&stage);
     }
 }

@@ -133,18 +133,18 @@ static void test_reflected(void **state) {
     struct stage stage;
     open_room(&stage, "1.2");
     struct image traced = trace_stage(&stage, SIZE, 64);
-    double truth = layer_mean(&traced, "indirect"), direct = layer_mean(&traced, "direct");
+    double reference = layer_mean(&traced, "indirect"), direct = layer_mean(&traced, "direct");
     for (const struct technique *const *technique = techniques; *technique; technique++) {
         struct image image = render_stage(&stage, (*technique)->name, "", SIZE);
         check_near("direct", layer_mean(&image, "direct") / direct, 1, .02);
-        check_near((*technique)->name, layer_mean(&image, "indirect") / truth, 1, .12);
+        check_near((*technique)->name, layer_mean(&image, "indirect") / reference, 1, .12);
         image_free(&image);
     }
     stage_free(&stage);
     image_free(&traced);
     open_room(&stage, "100");
     traced = trace_stage(&stage, SIZE, 16);
-    check_at_most("light within the range", 1.5 * truth, layer_mean(&traced, "indirect"));
+    check_at_most("light within the range", 1.5 * reference, layer_mean(&traced, "indirect"));
     stage_free(&stage);
     image_free(&traced);
 }

@@ -169,7 +169,7 @@ static void test_matt(void **state) {
     other.specular_f90 = .5F;
     assert_false(material_is_diffuse(&other));
     other = (struct material){.roughness = .25F, .metal_roughness_texture = -1};
-    assert_true(material_is_diffuse(&other)); /* it has no gloss, however smooth it is */
+    assert_true(material_is_diffuse(&other)); /* it has no specular part, however smooth it is */
 }
 
 int main(void) {

@@ -314,10 +314,10 @@ struct image trace_stage(const struct stage *stage, int size, int samples) {
     const struct path_tracer_desc desc = {
         .width = size, .height = size, .bounces = 1, .samples = samples, .centers = true};
     struct image traced;
-    check_ok("truth", picture_trace_paths(stage, &desc, &traced, NULL));
-    struct image truth = common_layers(&traced);
+    check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
+    struct image reference = common_layers(&traced);
     image_free(&traced);
-    return truth;
+    return reference;
 }
 
 void check_finite(const char *what, const struct image *image) {

@@ -1,4 +1,4 @@
-// For test_gloss.c: what balls of VPLs give, over what the VPL is: form factor times pi per area.
+// For test_specular.c: what balls of VPLs give, over what the VPL is: form factor times pi per area.
 #include "gather/sphere.glsl"
 
 layout(local_size_x = 1) in;

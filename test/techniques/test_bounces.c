@@ -90,7 +90,7 @@ static struct vpl *read_buffer(const struct vpl_buffer *buffer) {
 }
 
 /* The VPLs of later bounces; the caller frees them. */
-static struct vpl *read_further(const struct stage *stage, const char *settings, int *count) {
+static struct vpl *read_later(const struct stage *stage, const char *settings, int *count) {
     struct renderer renderer;
     struct output_list outputs;
     struct renderer_desc desc = desc_of(stage, "unshadowed", settings, 32, 32);
@@ -104,7 +104,7 @@ static struct vpl *read_further(const struct stage *stage, const char *settings,
 }
 
 /* What paths leave of all later bounces, and the VPLs of the first one. */
-static void read_fluxes(const struct stage *stage, int bounces, double *first, double *further,
+static void read_fluxes(const struct stage *stage, int bounces, double *first, double *later,
                         int *black) {
     char settings[64];
     struct renderer renderer;
@@ -117,12 +117,12 @@ static void read_fluxes(const struct stage *stage, int bounces, double *first, d
     assert_non_null(output);
     const struct vpl_buffer *buffer = output->source;
     struct vpl *vpls = read_vpls(&renderer), *points = read_buffer(buffer);
-    *first = *further = 0;
+    *first = *later = 0;
     *black = 0;
     for (int i = 0; i < (int)settings_number(&renderer.desc.settings, "vpls"); i++)
         *first += power(&vpls[i]);
     for (int i = 0; i < buffer->count; i++) {
-        *further += power(&points[i]);
+        *later += power(&points[i]);
         *black += points[i].flux[0] == 0 && points[i].flux[1] + points[i].flux[2] > 0;
     }
     free(vpls);
@@ -135,38 +135,38 @@ static void read_fluxes(const struct stage *stage, int bounces, double *first, d
 static void test_energy(void **state) {
     (void)state;
     struct stage stage;
-    double first, further, last, sum = 0, most = .725; /* the white walls, red */
+    double first, later, last, sum = 0, most = .725; /* the white walls, red */
     int black;
     open_stage(&stage, "scenes/cornell-box.glb");
     stage.scene.materials[2].base_color[0] = 0;
-    read_fluxes(&stage, 2, &first, &further, &black);
+    read_fluxes(&stage, 2, &first, &later, &black);
     last = first;
     for (int bounces = 2; bounces <= 5; bounces++) {
-        read_fluxes(&stage, bounces, &first, &further, &black);
-        double own = further - sum;
+        read_fluxes(&stage, bounces, &first, &later, &black);
+        double own = later - sum;
         printf("  bounce %d: %.4g W, %.3f of the one before\n", bounces, own, own / last);
         check_at_most("flux over that of the bounce before", own / last, most);
         assert_true(own > 0);
         last = own;
-        sum = further;
+        sum = later;
     }
     printf("  %d VPLs on the wall without red\n", black);
     assert_true(black > 20);
     stage_free(&stage);
 }
 
-/* Inside a sphere that reflects half of it each further bounce has half of the flux of the one before, to the last. */
+/* Inside a sphere that reflects half of it each later bounce has half of the flux of the one before, to the last. */
 static void test_flux(void **state) {
     (void)state;
     struct stage stage;
     int black;
     open_stage(&stage, "scenes/sphere.glb");
     for (int bounces = 2; bounces <= 8; bounces++) {
-        double first, further;
+        double first, later;
         if (!is_tried_here((size_t)bounces, 4) && bounces != 2)
             continue;
-        read_fluxes(&stage, bounces, &first, &further, &black);
-        check_near("flux of later bounces", further / first / (1 - pow(.5, bounces - 1)), 1, .003);
+        read_fluxes(&stage, bounces, &first, &later, &black);
+        check_near("flux of later bounces", later / first / (1 - pow(.5, bounces - 1)), 1, .003);
     }
     stage_free(&stage);
 }
@@ -204,7 +204,7 @@ static void test_shared(void **state) {
             char settings[64];
             int count;
             snprintf(settings, sizeof settings, "bounces=2 paths=%d seed=%d", counts[n], seed);
-            struct vpl *vpls = read_further(&stage, settings, &count);
+            struct vpl *vpls = read_later(&stage, settings, &count);
             add_eighths(vpls, count, squares, &lights[n]);
             free(vpls);
         }
@@ -422,36 +422,36 @@ static void test_frames(void **state) {
     stage_free(&stage);
 }
 
-/* --- the truth -------------------------------------------------------------------------------- */
+/* --- the reference -------------------------------------------------------------------------------- */
 
 /* In the box two bounces lack a sixth of the light of eight, and one two fifths. */
-static void test_truth(void **state) {
+static void test_reference(void **state) {
     (void)state;
     struct stage stage;
-    struct image truth;
+    struct image reference;
     open_stage(&stage, "scenes/cornell-box.glb");
-    check_ok("truth",
+    check_ok("reference",
              picture_trace_paths(
                  &stage,
                  &(struct path_tracer_desc){.width = 64, .height = 64, .bounces = 8, .samples = 16},
-                 &truth, NULL));
-    double whole = layer_mean(&truth, "indirect");
+                 &reference, NULL));
+    double whole = layer_mean(&reference, "indirect");
     printf("  one bounce: %.3f of eight\n", mean_indirect(&stage, "clustered", "") / whole);
-    check_near("clustered, over the truth", mean_indirect(&stage, "clustered", "bounces=8") / whole,
-               1, .045);
+    check_near("clustered, over the reference",
+               mean_indirect(&stage, "clustered", "bounces=8") / whole, 1, .045);
     check_near("instant radiosity", mean_indirect(&stage, "instant-radiosity", "bounces=8") / whole,
                1, .06);
-    image_free(&truth);
+    image_free(&reference);
     stage_free(&stage);
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_frames),  cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_shared),  cmocka_unit_test(test_shared_along_planes),
-        cmocka_unit_test(test_albedos), cmocka_unit_test(test_seen),
-        cmocka_unit_test(test_truth),
+        cmocka_unit_test(test_furnace),   cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_frames),    cmocka_unit_test(test_flux),
+        cmocka_unit_test(test_shared),    cmocka_unit_test(test_shared_along_planes),
+        cmocka_unit_test(test_albedos),   cmocka_unit_test(test_seen),
+        cmocka_unit_test(test_reference),
     };
     return cmocka_run_group_tests_name("bounces", tests, open_group_context, close_group_context);
 }

@@ -190,6 +190,8 @@ struct maker {
     struct light_rectangle rectangles[LIGHT_RECTANGLES_MAX];
 };
 
+static const struct geometry no_bounds;
+
 static void open_maker(struct maker *maker, int vpl_count, const struct cluster_desc *desc) {
     *maker = (struct maker){0};
     struct cluster_desc cluster = *desc;
@@ -197,6 +199,7 @@ static void open_maker(struct maker *maker, int vpl_count, const struct cluster_
     cluster.metric = CLUSTER_METRIC_SQUARES;
     cluster.means_of_map = true;
     maker->frame.timers = &maker->untimed;
+    maker->frame.geometry = &no_bounds;
     check_ok("points", vpl_buffer_init(&maker->vpls, "points", vpl_count));
     check_ok("clusters", cluster_pass_init(&maker->cluster, &cluster));
     check_ok("lights", cluster_light_pass_init(

@@ -1,5 +1,5 @@
 /* Maps that rays correct: where few VALs let too much light through, or too little, about as much arrives as by rays;
- * where maps are right they stay so. Rays to each VPL are the truth, of the same VPLs. */
+ * where maps are right they stay so. Rays to each VPL are the reference, of the same VPLs. */
 #include "render_support.h"
 
 #include <math.h>
@@ -14,10 +14,10 @@ struct error {
 };
 
 static struct error error_of(const struct stage *stage, const char *settings,
-                             const struct image *truth) {
+                             const struct image *reference) {
     struct image picture = render_stage(stage, "clustered", settings, SIDE);
-    struct error error = {layer_mean(&picture, "indirect") / layer_mean(truth, "indirect") - 1,
-                          relative_rmse(&picture, truth, "indirect")};
+    struct error error = {layer_mean(&picture, "indirect") / layer_mean(reference, "indirect") - 1,
+                          relative_rmse(&picture, reference, "indirect")};
     image_free(&picture);
     printf("    %-40s relative RMSE %.4f, bias %+.4f\n", settings, error.rmse, error.bias);
     return error;
@@ -28,11 +28,11 @@ static void compare(const char *scene, const char *without, const char *with, st
     struct stage stage;
     printf("    %s\n", scene);
     open_stage(&stage, scene);
-    struct image truth =
+    struct image reference =
         render_stage(&stage, "clustered", COMMON "visibility=traced visibility-block=0", SIDE);
-    *before = error_of(&stage, without, &truth);
-    *after = error_of(&stage, with, &truth);
-    image_free(&truth);
+    *before = error_of(&stage, without, &reference);
+    *after = error_of(&stage, with, &reference);
+    image_free(&reference);
     stage_free(&stage);
 }
 

@@ -373,10 +373,10 @@ static void test_filling(void **state) {
 
 /* --- pictures --------------------------------------------------------------------------------- */
 
-static double error_against(const struct image *truth, const struct stage *stage,
+static double error_against(const struct image *reference, const struct stage *stage,
                             const char *technique, const char *settings) {
     struct image image = render_stage(stage, technique, settings, 64);
-    double error = relative_rmse(&image, truth, "indirect");
+    double error = relative_rmse(&image, reference, "indirect");
     printf("  %s %s: %.4f\n", technique, settings, error);
     image_free(&image);
     return error;
@@ -390,20 +390,20 @@ static void test_converges(void **state) {
 #define PLAIN "vpls=64 interleave=1 "
 #define MAP(size, points)                                                                          \
     PLAIN "imperfect-shadow-maps.size=" #size " imperfect-shadow-maps.map-points=" #points " "
-    struct image truth = render_stage(&stage, "instant-radiosity", PLAIN, 64);
-    double none = error_against(&truth, &stage, "unshadowed", PLAIN);
-    double few = error_against(&truth, &stage, name, MAP(64, 256));
-    double some = error_against(&truth, &stage, name, MAP(64, 2048));
-    double many = error_against(&truth, &stage, name, MAP(256, 32768));
-    double square = error_against(&truth, &stage, name, MAP(64, 2048) "shape=square");
-    double filled = error_against(&truth, &stage, name, MAP(64, 2048) "shape=filled");
+    struct image reference = render_stage(&stage, "instant-radiosity", PLAIN, 64);
+    double none = error_against(&reference, &stage, "unshadowed", PLAIN);
+    double few = error_against(&reference, &stage, name, MAP(64, 256));
+    double some = error_against(&reference, &stage, name, MAP(64, 2048));
+    double many = error_against(&reference, &stage, name, MAP(256, 32768));
+    double square = error_against(&reference, &stage, name, MAP(64, 2048) "shape=square");
+    double filled = error_against(&reference, &stage, name, MAP(64, 2048) "shape=filled");
     check_at_most("few points, over no maps", few / none, .8);
     check_at_most("more points, over few", some / few, .6);
     check_at_most("more texels and points, over some", many / some, .7);
     check_at_most("many points", many, .02);
     check_at_most("squares, over no maps", square / none, 1);
     check_at_most("filled ones", filled / none, 1);
-    image_free(&truth);
+    image_free(&reference);
     stage_free(&stage);
 }
 
@@ -412,10 +412,10 @@ static void test_sphere(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/sphere.glb");
-    struct image truth = render_stage(&stage, "unshadowed", "clamp=none", 64);
+    struct image reference = render_stage(&stage, "unshadowed", "clamp=none", 64);
     check_at_most("inside a sphere, against no visibility",
-                  error_against(&truth, &stage, name, "clamp=none"), .01);
-    image_free(&truth);
+                  error_against(&reference, &stage, name, "clamp=none"), .01);
+    image_free(&reference);
     stage_free(&stage);
 }
 

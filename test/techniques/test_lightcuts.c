@@ -108,7 +108,7 @@ static void test_representatives(void **state) {
         light_tree_free(&tree);
     }
     for (int i = 0; i < COUNT; i++) /* within four standard deviations */
-        check_near("share of the picks", picked[i] / (double)SEEDS, (i + 1) / 15., 0.03);
+        check_near("share of the choices", picked[i] / (double)SEEDS, (i + 1) / 15., 0.03);
 }
 
 /* --- bounds ----------------------------------------------------------------------------------- */

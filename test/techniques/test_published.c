@@ -2,19 +2,20 @@
 #include "render_support.h"
 
 #include "apps/bench/measure/errors.h"
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 #include "quality/picture.h"
 
 #include <stdio.h>
 
 enum { SIZE = 100 };
 
-static double error_of(struct measure_desc desc, const char *settings, const struct image *truth) {
+static double error_of(struct measure_desc desc, const char *settings,
+                       const struct image *reference) {
     struct image image = {0};
     struct results results = {0};
     check_ok(settings, measure_assign(&desc, settings) && picture_render(&desc, &image));
     results_begin(&results, &desc);
-    check_ok("errors", errors_add(&results, &image, truth, ""));
+    check_ok("errors", errors_add(&results, &image, reference, ""));
     double error = results_value(&results, 0, "relative-rmse", "");
     results_free(&results);
     image_free(&image);
@@ -32,19 +33,20 @@ static void test_loses_to_no_visibility_nowhere(void **state) {
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         char path[64];
         struct stage stage;
-        struct image truth = {0};
+        struct image reference = {0};
         if (!is_tried_here(i, 2))
             continue;
         snprintf(path, sizeof path, "scenes/%s.glb", scenes[i]);
         open_stage(&stage, path);
         struct measure_desc desc = measure_default(&stage, SIZE, SIZE);
-        check_ok(scenes[i], truth_get(&(struct truth_desc){TRUTH_PATH, scratch("references"), .08},
-                                      &desc, &truth));
-        double none = error_of(desc, "technique=unshadowed,gather.adaptive=0", &truth);
-        double paper = error_of(desc, "technique=clustered,path=paper", &truth);
+        check_ok(scenes[i],
+                 reference_get(&(struct reference_desc){REFERENCE_PATH, scratch("references"), .08},
+                               &desc, &reference));
+        double none = error_of(desc, "technique=unshadowed,gather.adaptive=0", &reference);
+        double paper = error_of(desc, "technique=clustered,path=paper", &reference);
         printf("  %s: unshadowed %.2f %%, path=paper %.2f %%\n", scenes[i], none, paper);
         check_at_most("over unshadowed", paper / none, 1.01);
-        image_free(&truth);
+        image_free(&reference);
         stage_free(&stage);
     }
 }

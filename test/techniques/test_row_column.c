@@ -246,12 +246,12 @@ static void test_all_columns(void **state) {
     for (int i = 0; i < 2; i++) {
         char settings[160];
         snprintf(settings, sizeof settings, PLAIN "%s", more[i]);
-        struct image truth = render_stage(&stage, "instant-radiosity", settings, 48);
+        struct image reference = render_stage(&stage, "instant-radiosity", settings, 48);
         snprintf(settings, sizeof settings, PLAIN "columns=320 rows=%d %s", i ? 10 : 1, more[i]);
         struct image all = render_stage(&stage, name, settings, 48);
         check_at_most("all columns, against instant radiosity",
-                      relative_rmse(&all, &truth, "indirect"), 1e-4);
-        image_free(&truth);
+                      relative_rmse(&all, &reference, "indirect"), 1e-4);
+        image_free(&reference);
         image_free(&all);
     }
     stage_free(&stage);
@@ -268,15 +268,15 @@ static void test_mean(void **state) {
         char all[80], settings[160];
         snprintf(all, sizeof all, PLAIN "seed=%d ", i);
         snprintf(settings, sizeof settings, "%scolumns=%d rows=36", all, i < CHOICES ? 12 : 32);
-        struct image truth = render_stage(&stage, "instant-radiosity", all, 32);
+        struct image reference = render_stage(&stage, "instant-radiosity", all, 32);
         struct image image = render_stage(&stage, name, settings, 32);
-        double mean = layer_mean(&image, "indirect") / layer_mean(&truth, "indirect");
+        double mean = layer_mean(&image, "indirect") / layer_mean(&reference, "indirect");
         if (i < CHOICES) {
             sum += mean;
             squares += mean * mean;
         }
-        errors[i / CHOICES] += relative_rmse(&image, &truth, "indirect") / CHOICES;
-        image_free(&truth);
+        errors[i / CHOICES] += relative_rmse(&image, &reference, "indirect") / CHOICES;
+        image_free(&reference);
         image_free(&image);
     }
     double mean = sum / CHOICES;
@@ -302,14 +302,14 @@ static void test_against_plain(void **state) {
         char all[80], settings[120];
         snprintf(all, sizeof all, "vpls=256 interleave=1 map-size=64 seed=%d ", i);
         snprintf(settings, sizeof settings, "%srows=64 columns=40", all);
-        struct image truth = render_stage(&stage, "instant-radiosity", all, 48);
+        struct image reference = render_stage(&stage, "instant-radiosity", all, 48);
         struct image chosen = render_stage(&stage, name, settings, 48);
-        double own = relative_rmse(&chosen, &truth, "indirect");
+        double own = relative_rmse(&chosen, &reference, "indirect");
         if (i == 0)
-            printf("  40 plain VPLs %.4f\n", relative_rmse(&plain, &truth, "indirect"));
+            printf("  40 plain VPLs %.4f\n", relative_rmse(&plain, &reference, "indirect"));
         printf("  choice %d: %.4f\n", i, own);
         error += own / CHOICES;
-        image_free(&truth);
+        image_free(&reference);
         image_free(&chosen);
     }
     check_at_most("40 columns of 256 VPLs", error, .15);

@@ -14,21 +14,21 @@
 
 enum { SIZE = 200 };
 
-static struct image truth, unshadowed;
+static struct image reference, unshadowed;
 static struct stage stage;
 
-/* The truth: slow, so that all tests share it. */
-static int open_truth(void **state) {
+/* The reference: slow, so that all tests share it. */
+static int open_reference(void **state) {
     if (open_group_context(state) != 0)
         return -1;
     open_stage(&stage, "scenes/cornell-box.glb");
-    truth = render_stage(&stage, "instant-radiosity", "vpls=256", SIZE);
+    reference = render_stage(&stage, "instant-radiosity", "vpls=256", SIZE);
     unshadowed = render_stage(&stage, "unshadowed", "vpls=256", SIZE);
     return 0;
 }
 
-static int close_truth(void **state) {
-    image_free(&truth);
+static int close_reference(void **state) {
+    image_free(&reference);
     image_free(&unshadowed);
     stage_free(&stage);
     return close_group_context(state);
@@ -38,10 +38,10 @@ static double error_of(int vals, const char *more) {
     char settings[128];
     snprintf(settings, sizeof settings, "vpls=256 vals=%d %s", vals, more);
     struct image image = render_stage(&stage, "clustered", settings, SIZE);
-    double error = relative_rmse(&image, &truth, "indirect");
+    double error = relative_rmse(&image, &reference, "indirect");
     printf("    M = %3d: relative RMSE %.4f, gradient error %.4f, mean %.4f\n", vals, error,
-           gradient_error(&image, &truth, "indirect"),
-           layer_mean(&image, "indirect") / layer_mean(&truth, "indirect"));
+           gradient_error(&image, &reference, "indirect"),
+           layer_mean(&image, "indirect") / layer_mean(&reference, "indirect"));
     image_free(&image);
     return error;
 }
@@ -49,7 +49,7 @@ static double error_of(int vals, const char *more) {
 /* The error falls with the number of VALs, and is small beside that of no visibility at all. */
 static void test_convergence(void **state) {
     (void)state;
-    double none = relative_rmse(&unshadowed, &truth, "indirect");
+    double none = relative_rmse(&unshadowed, &reference, "indirect");
     printf("    unshadowed: relative RMSE %.4f\n", none);
     double m2 = error_of(2, "visibility-block=0"), m8 = error_of(8, "visibility-block=0"),
            m30 = error_of(30, "visibility-block=0"), m120 = error_of(120, "visibility-block=0");
@@ -61,7 +61,7 @@ static void test_convergence(void **state) {
     check_at_most("M = 30 over no visibility", m30 / none, .2);
 }
 
-/* A VAL per VPL, of all casters and looked up as hard as the truth is: what is left is the maps' bias. */
+/* A VAL per VPL, of all casters and looked up as hard as the reference is: what is left is the maps' bias. */
 static void test_val_per_vpl(void **state) {
     (void)state;
     /* A map per VPL asks for its casters' planes, where a VAL's asks for the middles of texels. */
@@ -106,18 +106,17 @@ static void test_map_rays(void **state) {
 static void test_banding(void **state) {
     (void)state;
     const char *settings = "vpls=256 vals=8 interleave=1 visibility-block=0 visibility=%s";
-    struct image reference =
-        render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1", SIZE);
+    struct image exact = render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1", SIZE);
     double gradients[2];
     for (int hard = 0; hard < 2; hard++) {
         char text[128];
         snprintf(text, sizeof text, settings, hard ? "hard" : "cssm");
         struct image image = render_stage(&stage, "clustered", text, SIZE);
-        gradients[hard] = gradient_error(&image, &reference, "indirect");
+        gradients[hard] = gradient_error(&image, &exact, "indirect");
         image_free(&image);
     }
     check_at_most("gradient error, soft over hard, M = 8", gradients[0] / gradients[1], .8);
-    image_free(&reference);
+    image_free(&exact);
 }
 
 /* Beside the wall that shines nothing is between: the other wall, within a texel of a map, is no caster. */
@@ -286,17 +285,17 @@ static double light_of_leaning(const struct leaning *lit) {
 /* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it dark, too. */
 static void test_facet(void **state) {
     (void)state;
-#define MATT "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"
+#define DIFFUSE "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"
 #define METAL "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 1, \"roughnessFactor\": 0.5}}]"
     static const struct leaning rows[][2] = {
-        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 30, MATT},
-         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 30, MATT}},
-        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 60, MATT},
-         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 60, MATT}},
+        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 30, DIFFUSE},
+         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 30, DIFFUSE}},
+        {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect", 60, DIFFUSE},
+         {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect", 60, DIFFUSE}},
         {{{"1.5", "-1.5"}, {"0.3", "-0.9"}, "spot", "indirect.specular", 60, METAL},
          {{"1.5", "0.3"}, {"0.3", "0.9"}, "spot", "indirect.specular", 60, METAL}},
-        {{{"9", "0"}, {"4", "-0.05"}, "point", "direct", 30, MATT},
-         {{"9", "0"}, {"4", "0.05"}, "point", "direct", 30, MATT}},
+        {{{"9", "0"}, {"4", "-0.05"}, "point", "direct", 30, DIFFUSE},
+         {{"9", "0"}, {"4", "0.05"}, "point", "direct", 30, DIFFUSE}},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         double below = light_of_leaning(&rows[i][0]), above = light_of_leaning(&rows[i][1]);
@@ -305,7 +304,7 @@ static void test_facet(void **state) {
         assert_true(above > .01);
         check_at_most("from below over from above", below / above, 1e-6);
     }
-#undef MATT
+#undef DIFFUSE
 #undef METAL
 }
 
@@ -317,5 +316,5 @@ int main(void) {
         cmocka_unit_test(test_blocks),       cmocka_unit_test(test_terms),
         cmocka_unit_test(test_flat_blocker), cmocka_unit_test(test_facet),
     };
-    return cmocka_run_group_tests_name("visibility", tests, open_truth, close_truth);
+    return cmocka_run_group_tests_name("visibility", tests, open_reference, close_reference);
 }

@@ -31,7 +31,7 @@ struct bench {
     struct vpl *vpls;
     struct vpl_tree_pass tree;
     float rows[TREE_ROWS][2 * LEAVES][4];
-    GLuint picks[SETS][2 * LEAVES];
+    GLuint representatives[SETS][2 * LEAVES];
 };
 
 static struct bench *open_bench(void) {
@@ -50,8 +50,8 @@ static struct bench *open_bench(void) {
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     gl.GetTextureImage(bench->tree.tree.nodes.id, 0, GL_RGBA, GL_FLOAT, sizeof bench->rows,
                        bench->rows);
-    gl.GetTextureImage(bench->tree.tree.picks.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                       sizeof bench->picks, bench->picks);
+    gl.GetTextureImage(bench->tree.tree.representatives.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                       sizeof bench->representatives, bench->representatives);
     return bench;
 }
 
@@ -102,10 +102,10 @@ static void test_tree(void **state) {
     for (int k = LEAVES; k < 2 * LEAVES; k++) {
         if (power(bench, k) == 0)
             continue;
-        const struct vpl *vpl = &bench->vpls[bench->picks[0][k]];
+        const struct vpl *vpl = &bench->vpls[bench->representatives[0][k]];
         leaves++;
         order += k - LEAVES >= lit;
-        seen[bench->picks[0][k]]++;
+        seen[bench->representatives[0][k]]++;
         for (int above = k; above > 0; above /= 2) {
             struct light_node node = node_at(bench, above);
             outside += !holds(&node, vpl);
@@ -147,20 +147,20 @@ static void test_order(void **state) {
 }
 
 /* A VPL of the node, and over the sets about as often as its share of the flux. */
-static void test_picks(void **state) {
+static void test_representatives(void **state) {
     (void)state;
     struct bench *bench = open_bench();
     int foreign = 0, parents[VPLS];
     double apart = 0;
     for (int k = LEAVES; k < 2 * LEAVES; k++)
         if (power(bench, k) > 0)
-            parents[bench->picks[0][k]] = k;
+            parents[bench->representatives[0][k]] = k;
     for (int k = 1; k < LEAVES; k++) {
         int left = 0;
         if (power(bench, k) == 0)
             continue;
         for (int set = 0; set < SETS; set++) {
-            int above = parents[bench->picks[set][k]], child = above;
+            int above = parents[bench->representatives[set][k]], child = above;
             for (; above > k; above /= 2)
                 child = above;
             foreign += above != k;
@@ -169,8 +169,8 @@ static void test_picks(void **state) {
         double share = (double)(power(bench, 2 * k) / power(bench, k));
         apart = fmax(apart, fabs((double)left / SETS - share));
     }
-    check_near("picks of other nodes", foreign, 0, 0);
-    check_at_most("a child's share of the picks, off its flux's", apart, 1. / SETS + 1e-3);
+    check_near("representatives of other nodes", foreign, 0, 0);
+    check_at_most("a child's share of representatives, off its flux's", apart, 1. / SETS + 1e-3);
     close_bench(bench);
 }
 
@@ -405,7 +405,7 @@ static struct sums sum_at(const struct bench *bench, const struct cut *cut, int 
     for (int i = 0; i < cut->count; i++) {
         int k = (int)cut->nodes[i];
         struct light_node node = node_at(bench, k);
-        const struct vpl *vpl = &bench->vpls[bench->picks[set][k]];
+        const struct vpl *vpl = &bench->vpls[bench->representatives[set][k]];
         sums.cut += (double)(term_of(&disk, place, normal, vpl) * node.power);
         sums.bound +=
             k < LEAVES ? (double)(light_node_bound(&node, &receiver, &disk) * node.power) : 0;
@@ -484,9 +484,12 @@ static void test_all_leaves(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tree),         cmocka_unit_test(test_order),
-        cmocka_unit_test(test_picks),        cmocka_unit_test(test_same_bounds),
-        cmocka_unit_test(test_patch_bounds), cmocka_unit_test(test_cuts),
+        cmocka_unit_test(test_tree),
+        cmocka_unit_test(test_order),
+        cmocka_unit_test(test_representatives),
+        cmocka_unit_test(test_same_bounds),
+        cmocka_unit_test(test_patch_bounds),
+        cmocka_unit_test(test_cuts),
         cmocka_unit_test(test_all_leaves),
     };
     return cmocka_run_group_tests_name("vpl_tree", tests, open_group_context, close_group_context);

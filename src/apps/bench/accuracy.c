@@ -1,23 +1,23 @@
-/* manylight bench budget, curves: the error of the frame, step by step on the way from the truth, and
+/* manylight bench budget, curves: the error of the frame, step by step on the way from the reference, and
  * against M, K, N and the size of maps. */
 #include "apps/bench/bench.h"
 
 #include "apps/bench/measure/accuracy.h"
 #include "apps/bench/measure/errors.h"
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 
 static bool measure_budget(struct bench *bench, const struct measure_list *subjects) {
-    struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
-    bench_expect(bench, budget_subjects() + (bench->values.tracer ? RIVAL_SUBJECTS : 0));
-    return budget_measure(&bench->results, subjects->items, &truth) &&
+    struct reference_desc reference = bench_reference(bench, REFERENCE_PATH);
+    bench_expect(bench, budget_subjects() + (bench->values.tracer ? BASELINE_SUBJECTS : 0));
+    return budget_measure(&bench->results, subjects->items, &reference) &&
            (!bench->values.tracer ||
-            rival_measure(&bench->results, subjects->items, &truth, AGAINST_TRUTH));
+            baseline_measure(&bench->results, subjects->items, &reference, AGAINST_REFERENCE));
 }
 
 static bool measure_curves(struct bench *bench, const struct measure_list *subjects) {
-    struct truth_desc truth = bench_truth(bench, TRUTH_CENTERS);
+    struct reference_desc reference = bench_reference(bench, REFERENCE_CENTERS);
     bench_expect(bench, curves_subjects(subjects->items));
-    return curves_measure(&bench->results, subjects->items, &truth);
+    return curves_measure(&bench->results, subjects->items, &reference);
 }
 
 const struct bench_mode bench_budget = {
@@ -27,8 +27,9 @@ const struct bench_mode bench_budget = {
     .options = "size set tracer noise cache" BENCH_CONTEXT,
     .measure = measure_budget,
     .tables = {{"each step alone, against the one before", {ERROR_COLUMNS(AGAINST_BEFORE)}},
-               {"against the truth", {ERROR_COLUMNS(AGAINST_TRUTH), {"its noise", "noise", NULL}}},
-               {"but for edges: against the truth through pixels' centres",
+               {"against the reference",
+                {ERROR_COLUMNS(AGAINST_REFERENCE), {"its noise", "noise", NULL}}},
+               {"but for edges: against the reference through pixels' centres",
                 {ERROR_COLUMNS(AGAINST_CENTERS)}}},
 };
 

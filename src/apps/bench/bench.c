@@ -57,14 +57,15 @@ bool bench_list(const struct bench *bench, const char *const *variants, const ch
     return ok;
 }
 
-struct truth_desc bench_truth(const struct bench *bench, enum truth_kind kind) {
-    return (struct truth_desc){kind, bench->values.cache, (double)bench->values.noise};
+struct reference_desc bench_reference(const struct bench *bench, enum reference_kind kind) {
+    return (struct reference_desc){kind, bench->values.cache, (double)bench->values.noise};
 }
 
-bool bench_time(struct bench *bench, const struct measure_list *subjects, enum truth_kind kind) {
+bool bench_time(struct bench *bench, const struct measure_list *subjects,
+                enum reference_kind kind) {
     return timing_measure(&bench->results, subjects,
                           &(struct timing_desc){bench->values.warm_up, bench->values.frames,
-                                                bench_truth(bench, kind)});
+                                                bench_reference(bench, kind)});
 }
 
 /* --- the command line ------------------------------------------------------------------------- */
@@ -89,7 +90,7 @@ static const struct option options[] = {
              "ones; 0: 1 on software OpenGL, else 10"},
     {"passes", 0, OPTION_INT, VALUE(passes), 256, 1, 65536,
      .help = "largest number of passes; also measures each power of two below"},
-    {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = truth_names,
+    {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = reference_names,
      .help = "reference with as many bounces: path-traced, path-traced at pixel centres\n"
              "(centers), all VPLs with a map each (vpls; the default for a clip), or\n"
              "the visible fraction of direct light (seen)"},
@@ -101,19 +102,19 @@ static const struct option options[] = {
     {"tables", 0, OPTION_FLAG, VALUE(tables),
      .help = "also print, for a lamp: the cost of one more light with MIP maps and with\n"
              "summed area tables; time of each step of a frame with soft shadows, in percent"},
-    {"told", 0, OPTION_FLAG, VALUE(told),
+    {"estimates", 0, OPTION_FLAG, VALUE(estimates),
      .help = "only estimate the error of each choice: no times, no fixed settings for comparison"},
     {"camera", 0, OPTION_TEXT, VALUE(stage.camera), .value_name = "NAME|N",
      .help = "camera by name or number [the first], with changes: \"0 eye=0,1,3 forward=0,0,-1\""},
     {"light", 0, OPTION_TEXT, VALUE(stage.light), .value_name = "NAME|N,...",
-     .help = "lights that shine [all]: \"emitters\", \"sky\", \"lamp,2\""},
+     .help = "lights that shine [all]: \"emitters\", \"sky\", \"lamp,1\""},
     {"environment", 0, OPTION_TEXT, VALUE(stage.environment.path), .value_name = "FILE",
      .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2)"},
     {"noise", 0, OPTION_FLOAT, VALUE(noise), .01, 1e-4, 1, .value_name = "X%",
      .help = "noise of a path-traced reference: standard error over mean"},
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",
      .help = "folder of the references [$XDG_CACHE_HOME/manylight]"},
-    {"truth", 0, OPTION_TEXT, VALUE(truth), .value_name = "FILE",
+    {"reference-file", 0, OPTION_TEXT, VALUE(reference_file), .value_name = "FILE",
      .help = "file of a reference for the scene in this size, in place of the cache"},
     {"output", 'o', OPTION_TEXT, VALUE(output), .value_name = "DIR", .help = "folder for pictures"},
     {"csv", 0, OPTION_TEXT, VALUE(csv), .value_name = "FILE",

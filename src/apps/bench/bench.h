@@ -4,7 +4,7 @@
 
 #include "apps/arguments.h"
 #include "apps/bench/measure/results.h"
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 #include "apps/bench/measure/variants.h"
 #include "apps/options.h"
 #include "base/progress.h"
@@ -14,10 +14,10 @@ struct bench_values {
     struct common_values common;
     struct context_desc context;
     struct text_list variants, settings, axes;
-    const char *csv, *cache, *output, *truth;
+    const char *csv, *cache, *output, *reference_file;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer, tables, told, restart;
+    bool tracer, tables, estimates, restart;
     struct stage_desc stage; /* without a path */
 };
 
@@ -91,8 +91,8 @@ bool bench_list(const struct bench *bench, const char *const *variants, const ch
 void bench_begin_part(struct bench *bench, int part);
 void bench_expect(struct bench *bench, int subjects);
 
-/* As the options say; errors against a truth of that kind. */
-struct truth_desc bench_truth(const struct bench *bench, enum truth_kind kind);
-bool bench_time(struct bench *bench, const struct measure_list *subjects, enum truth_kind kind);
+/* As the options say; errors against a reference of that kind. */
+struct reference_desc bench_reference(const struct bench *bench, enum reference_kind kind);
+bool bench_time(struct bench *bench, const struct measure_list *subjects, enum reference_kind kind);
 
 #endif

@@ -42,7 +42,7 @@ static bool add_series(const struct bench *bench, const struct series *series,
     return ok;
 }
 
-/* Those of --variant at the points of --vary, through pixels' centres as the truth is; or all methods. */
+/* Those of --variant at the points of --vary, through pixels' centres as the reference is; or all methods. */
 static bool list_methods(const struct bench *bench, const struct measure_list *asked,
                          struct measure_list *list) {
     const struct series *series = bench->stage->emitters.sky ? of_skies : of_lamps;
@@ -60,7 +60,7 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
     struct measure_list list = {0};
     bool ok = list_methods(bench, subjects, &list);
     bench_expect(bench, list.count + (bench->values.tables ? DIRECT_TABLES_SUBJECTS : 0));
-    ok = ok && bench_time(bench, &list, TRUTH_SEEN);
+    ok = ok && bench_time(bench, &list, REFERENCE_SEEN);
     free(list.items);
     return ok && (!bench->values.tables || direct_tables(bench));
 }

@@ -55,7 +55,7 @@ static bool time_filter(struct bench *bench, int filter, int count, double ms[SI
     bool ok = true;
     for (int i = 0; ok && i < SIZES; i++)
         ok = add_subject(bench, &stage, filters[filter], sizes[i], &list);
-    ok = ok && bench_time(bench, &list, TRUTH_NONE);
+    ok = ok && bench_time(bench, &list, REFERENCE_NONE);
     for (int i = 0; ok && i < SIZES; i++)
         ms[i] = results_value(&bench->results, first + i, gl.software ? "cpu" : "clock", NULL);
     emitters_free(&stage.emitters);
@@ -147,7 +147,7 @@ static bool time_shares(struct bench *bench) {
     bool ok = true;
     for (int i = 0; ok && i < SHARES; i++)
         ok = add_subject(bench, &stage, "VSSM:direct=vssm," DIRECT_ALONE, share_sizes[i], &list);
-    ok = ok && bench_time(bench, &list, TRUTH_NONE);
+    ok = ok && bench_time(bench, &list, REFERENCE_NONE);
     if (ok)
         print_shares(&bench->results, first);
     emitters_free(&stage.emitters);

@@ -32,7 +32,7 @@ static bool finish(struct bench *bench) {
     struct failure_desc desc = {.width = bench->values.size[0],
                                 .height = bench->values.size[1],
                                 .settings = &bench->values.settings,
-                                .truth = bench_truth(bench, TRUTH_CENTERS),
+                                .reference = bench_reference(bench, REFERENCE_CENTERS),
                                 .context = bench->context,
                                 .pictures = bench->values.output};
     for (int i = 0; i < bench->argument_count; i++) {

@@ -5,11 +5,11 @@
 #include "apps/bench/measure/passes.h"
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
-    struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
+    struct reference_desc reference = bench_reference(bench, REFERENCE_PATH);
     bool ok = true;
     bench_expect(bench, subjects->count * passes_subjects(bench->values.passes));
     for (int i = 0; ok && i < subjects->count; i++)
-        ok = passes_measure(&bench->results, &subjects->items[i], &truth, bench->values.passes);
+        ok = passes_measure(&bench->results, &subjects->items[i], &reference, bench->values.passes);
     return ok;
 }
 

@@ -2,31 +2,34 @@
 #include "apps/bench/bench.h"
 
 #include "apps/bench/measure/quality_check.h"
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 #include "base/file/image_file.h"
 
 static bool check(struct bench *bench, const struct measure_desc *measure) {
     const struct bench_values *values = &bench->values;
-    struct truth_desc desc = bench_truth(bench, TRUTH_PATH);
-    struct image truth;
-    bool ok = values->truth ? image_read(&truth, values->truth) : truth_get(&desc, measure, &truth);
+    struct reference_desc desc = bench_reference(bench, REFERENCE_PATH);
+    struct image reference;
+    bool ok = values->reference_file ? image_read(&reference, values->reference_file)
+                                     : reference_get(&desc, measure, &reference);
     if (!ok)
         return false;
-    struct quality_check_desc checked = {measure, values->settings.items, values->settings.count,
-                                         &truth,  values->passes,         values->told};
-    bench_expect(bench, quality_check_subjects(&checked) + (values->tracer ? RIVAL_SUBJECTS : 0));
+    struct quality_check_desc checked = {measure,    values->settings.items, values->settings.count,
+                                         &reference, values->passes,         values->estimates};
+    bench_expect(bench,
+                 quality_check_subjects(&checked) + (values->tracer ? BASELINE_SUBJECTS : 0));
     ok = quality_check(&bench->results, &checked);
-    image_free(&truth);
+    image_free(&reference);
     return ok;
 }
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
-    struct truth_desc truth = bench_truth(bench, TRUTH_PATH);
+    struct reference_desc reference = bench_reference(bench, REFERENCE_PATH);
     bool ok = true;
     for (int i = 0; ok && i < subjects->count; i++)
         ok = check(bench, &subjects->items[i]) &&
              (!bench->values.tracer ||
-              rival_measure(&bench->results, &subjects->items[i], &truth, truth_names[truth.kind]));
+              baseline_measure(&bench->results, &subjects->items[i], &reference,
+                               reference_names[reference.kind]));
     return ok;
 }
 
@@ -38,10 +41,11 @@ const struct bench_mode bench_quality = {
         "4, 8, 16 and 30 %: the choice, its estimated error, its error without the noise of the\n"
         "reference, that error over the limit, and its CPU time over that of the fastest choice\n"
         "within the limit. Without SCENE: the paper's four scenes.",
-    .options = "size set camera light noise cache passes told truth tracer" BENCH_CONTEXT,
+    .options =
+        "size set camera light noise cache passes estimates reference-file tracer" BENCH_CONTEXT,
     .measure = measure,
     .tables = {{"--max-error",
-                {{"told %", "told", NULL},
+                {{"estimated %", "told", NULL},
                  {"error %", "error", NULL},
                  {"of asked", "of-asked", NULL},
                  {"CPU ms", "cpu", NULL},

@@ -43,7 +43,7 @@ static bool measure_axis(struct bench *bench, const struct axis *axis) {
     snprintf(sizes, sizeof sizes, "size=%dx%d,%dx%d,%dx%d", (w + 3) / 4, (h + 3) / 4, (w + 1) / 2,
              (h + 1) / 2, w, h);
     bool ok = bench_list(bench, bench_variants, axis->values ? axis->values : sizes, &subjects) &&
-              bench_time(bench, &subjects, TRUTH_NONE);
+              bench_time(bench, &subjects, REFERENCE_NONE);
     for (int i = 0; ok && i < subjects.count; i += SIZES)
         print_growth(&bench->results, first + i, 1, SIZES, axis->name, bench->stage->name);
     free(subjects.items);

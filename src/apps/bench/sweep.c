@@ -2,20 +2,20 @@
 #include "apps/bench/bench.h"
 
 #include "apps/bench/measure/errors.h"
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 #include "base/error.h"
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
-    enum truth_kind kind = (enum truth_kind)bench->values.reference;
-    bench_expect(bench, subjects->count + (bench->values.tracer ? RIVAL_SUBJECTS : 0));
+    enum reference_kind kind = (enum reference_kind)bench->values.reference;
+    bench_expect(bench, subjects->count + (bench->values.tracer ? BASELINE_SUBJECTS : 0));
     if (!bench->values.tracer)
         return bench_time(bench, subjects, kind);
-    if (kind == TRUTH_SEEN)
+    if (kind == REFERENCE_SEEN)
         return error_set("--tracer has no share of the lights that is seen to compare");
-    if (kind == TRUTH_NONE)
-        kind = TRUTH_PATH;
-    struct truth_desc truth = bench_truth(bench, kind);
-    return rival_measure(&bench->results, subjects->items, &truth, truth_names[kind]) &&
+    if (kind == REFERENCE_NONE)
+        kind = REFERENCE_PATH;
+    struct reference_desc reference = bench_reference(bench, kind);
+    return baseline_measure(&bench->results, subjects->items, &reference, reference_names[kind]) &&
            bench_time(bench, subjects, kind);
 }
 
@@ -32,5 +32,5 @@ const struct bench_mode bench_sweep = {
     .tables = {{"times and errors",
                 {{"ms", "clock", NULL}, {"CPU ms", "cpu", NULL}, ERROR_COLUMNS(NULL)}},
                {"CPU time of the denoised tracer over a technique's, where both err alike",
-                {{"by rRMSE", "rival-at-rmse", NULL}, {"by FLIP", "rival-at-flip", NULL}}}},
+                {{"by rRMSE", "baseline-at-rmse", NULL}, {"by FLIP", "baseline-at-flip", NULL}}}},
 };

@@ -21,10 +21,10 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
         .stage = bench->stage,
         .subjects = subjects,
         .frames = bench->values.frames ? bench->values.frames : 50,
-        .truth = bench_truth(bench, (enum truth_kind)bench->values.reference),
+        .reference = bench_reference(bench, (enum reference_kind)bench->values.reference),
     };
     bench_expect(bench, clip_subjects(&clip));
-    return bench_prepare(bench, truth_vpls, &clip.reference) &&
+    return bench_prepare(bench, reference_vpls, &clip.all_vpls) &&
            clip_measure(&bench->results, &clip);
 }
 

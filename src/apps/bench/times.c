@@ -109,7 +109,7 @@ static void print_times(const struct results *results, int subject) {
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     int first = bench->results.subject_count;
     bench_expect(bench, subjects->count);
-    if (!bench_time(bench, subjects, TRUTH_NONE))
+    if (!bench_time(bench, subjects, REFERENCE_NONE))
         return false;
     print_rates(&bench->results, first);
     return true;

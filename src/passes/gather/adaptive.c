@@ -81,7 +81,7 @@ static void write_params(const struct adaptive_pass *pass) {
 
 void adaptive_pass_render(const struct adaptive_pass *pass, const struct frame *frame,
                           const struct gbuffer *gbuffer) {
-    static const GLuint unlisted[4] = {0};
+    static const GLuint none[4] = {0};
     write_params(pass);
     pass_begin(frame->timers,
                &(struct pass_state){
@@ -92,14 +92,14 @@ void adaptive_pass_render(const struct adaptive_pass *pass, const struct frame *
                    .height = pass->desc.height,
                    .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                                 {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                {UNIT_SAMPLE_PICKS, frame->picks->id}},
+                                {UNIT_SAMPLE_ASSIGNMENT, frame->assignment->id}},
                    .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
                    .storages = {{STORAGE_LIST_COUNTS, &pass->lists.counts}},
                    .images = {{IMAGE_ADAPTIVE_PIXELS, &pass->lists.pixels, 0, GL_WRITE_ONLY},
                               {IMAGE_EDGE_SAMPLE_TEXELS, &pass->lists.edge_sample_texels, 0,
                                GL_WRITE_ONLY}},
                });
-    framebuffer_clear_integers(pass->framebuffer, TARGET_RESULT, unlisted);
+    framebuffer_clear_integers(pass->framebuffer, TARGET_RESULT, none);
     pass_draw_fullscreen(1);
     /* Later passes fetch the lists, and read their lengths as uniforms. */
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT);

@@ -2,7 +2,7 @@
  * mouldings. They gather more lights, and are blurred less: the fewer neighbours are like, the more.
  *
  * Such pixels lie scattered, and a software rasteriser (as a wave of a GPU) takes as long for one of
- * eight neighbours as for all: so they are listed, and drawn side by side.
+ * eight neighbours as for all: so lists hold them, and they are drawn side by side.
  */
 #ifndef PASSES_ADAPTIVE_H
 #define PASSES_ADAPTIVE_H
@@ -18,11 +18,11 @@ struct adaptive_desc {
     int radius;     /* of the four neighbours that are asked, pixels along x and y */
     float distance; /* as in struct blur_desc */
     float cosine;
-    float share; /* of like neighbours, below which a pixel is listed */
+    float share; /* of like neighbours, below which a pixel is adaptive */
     /* At most cosine. What lies between is gentle relief, which has neighbours that are unlike on all sides, and needs
      * no more than an edge does: it makes no PIXEL_LEVEL_DETAIL. */
     float sharp_cosine;
-    int block; /* pixels a side of a block that shares its visibility; pixels without one are listed; 0: none does */
+    int block; /* pixels a side of a block that shares its visibility; pixels without one are adaptive; 0: none does */
 };
 
 struct adaptive_pass {

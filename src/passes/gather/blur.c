@@ -21,9 +21,9 @@ static bool init_pack(struct blur_pass *pass) {
     return program_init(&pass->pack_program,
                         &(struct program_desc){
                             .screen = {"gather/blur_pack.frag"},
-                            .defines = pass->desc.gloss      ? "ADAPTIVE 0;GLOSS 1"
-                                       : pass->desc.adaptive ? "ADAPTIVE 1;GLOSS 0"
-                                                             : "ADAPTIVE 0;GLOSS 0",
+                            .defines = pass->desc.specular   ? "ADAPTIVE 0;SPECULAR_BLUR 1"
+                                       : pass->desc.adaptive ? "ADAPTIVE 1;SPECULAR_BLUR 0"
+                                                             : "ADAPTIVE 0;SPECULAR_BLUR 0",
                         });
 }
 
@@ -59,19 +59,19 @@ void blur_pass_free(struct blur_pass *pass) {
 }
 
 /* Of what a list has another pixel takes within the mean of their windows: of its own it would take light that does
- * not come back, and of theirs places of the pattern would be missing, the same ones all along a slanted edge. What is
- * smooth gloss, where it is a level, is never blurred. Of what is steep it takes less far, or light would come that does
- * not go: within an edge's own window. */
+ * not come back, and of theirs places of the pattern would be missing, the same ones all along a slanted edge. Smooth
+ * specular reflection, where it is a level, is never blurred. Of what is steep it takes less far, or light would come that
+ * does not go: within an edge's own window. */
 static float taken_radius(const struct blur_desc *desc, int level) {
     float own = (float)desc->radius, theirs = desc->level_radius[level];
-    return desc->gloss ? fminf(own, theirs) : .5F * (own + theirs);
+    return desc->specular ? fminf(own, theirs) : .5F * (own + theirs);
 }
 
 /* Of all that reflected light starts from, W. */
 static double light_power(const struct frame *frame) {
     double sum = 0;
     for (int i = 0; i < frame->emitters->count; i++)
-        sum += emitter_flux(&frame->emitters->items[i], frame->radius);
+        sum += emitter_flux(&frame->emitters->items[i], frame->geometry->radius);
     return sum;
 }
 
@@ -118,8 +118,8 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
                      {UNIT_IRRADIANCE, inputs->source->texture.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->along_y.params}},
     };
-    if (pass->desc.gloss)
-        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+    if (pass->desc.specular)
+        pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
     if (inputs->lists) {
         pass_add_texture(&state, UNIT_LIST_TEXELS, inputs->lists->texels.id);
         pass_add_texture(&state, UNIT_ADAPTIVE_IRRADIANCE, inputs->adaptive->texture.id);

@@ -21,8 +21,8 @@ struct blur_desc {
     bool adaptive;                    /* there are pixels of lists */
     float level_radius[PIXEL_LEVELS]; /* theirs, smaller; half an edge's where light is steep */
     float level_weight[PIXEL_LEVELS]; /* how many times as many lights as others they have */
-    bool gloss;  /* what is smooth, of a G-buffer with gloss, is of the first level */
-    bool square; /* over all taps of the square at once, as published; else along x, then y */
+    bool specular; /* what is smooth, of a G-buffer with its target, is of the first level */
+    bool square;   /* over all taps of the square at once, as published; else along x, then y */
 };
 
 struct blur_pass {

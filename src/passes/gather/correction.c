@@ -42,9 +42,9 @@ static bool init_programs(struct correction_pass *pass) {
                &(struct program_desc){.screen = {"gather/correction_sum.frag", .layers = true}}) &&
            program_init(&pass->mean_program,
                         &(struct program_desc){.screen = {"gather/correction_mean.frag"}}) &&
-           program_init(&pass->gain_program,
-                        &(struct program_desc){
-                            .screen = {"gather/correction_factor.frag", .layers = true}}) &&
+           program_init(
+               &pass->cell_program,
+               &(struct program_desc){.screen = {"gather/correction_cell.frag", .layers = true}}) &&
            program_init(&pass->block_program,
                         &(struct program_desc){.vertex = "layers.vert",
                                                .fragment = "gather/correct_blocks.frag"});
@@ -70,12 +70,12 @@ static bool init_targets(struct correction_pass *pass) {
                                       .layers = pass->desc.visibility.map_count};
     const struct texture_desc mean = {
         .label = "mean correction", .format = GL_RG32F, .width = 1, .height = 1};
-    struct texture_desc squares = sums, gains = sums;
+    struct texture_desc squares = sums, corrections = sums;
     squares.format = GL_RG32F;
-    gains.label = "correction";
-    gains.format = GL_RG16F;
-    gains.filter = FILTER_LINEAR;
-    gains.wrap_s = gains.wrap_t = GL_CLAMP_TO_EDGE;
+    corrections.label = "correction";
+    corrections.format = GL_RG16F;
+    corrections.filter = FILTER_LINEAR;
+    corrections.wrap_s = corrections.wrap_t = GL_CLAMP_TO_EDGE;
     return init_target(&pass->tests, &pass->test_framebuffer, &tests) &&
            texture_init(&pass->sums, &sums) && texture_init(&pass->squares, &squares) &&
            framebuffer_init(&pass->sum_framebuffer,
@@ -84,7 +84,7 @@ static bool init_targets(struct correction_pass *pass) {
                                 .colors = {[TARGET_CORRECTION_SUM] = &pass->sums,
                                            [TARGET_CORRECTION_SQUARE] = &pass->squares}}) &&
            init_target(&pass->mean, &pass->mean_framebuffer, &mean) &&
-           init_target(&pass->gains, &pass->gain_framebuffer, &gains);
+           init_target(&pass->corrections, &pass->cell_framebuffer, &corrections);
 }
 
 bool correction_pass_init(struct correction_pass *pass, const struct correction_desc *desc) {
@@ -102,17 +102,17 @@ void correction_pass_free(struct correction_pass *pass) {
     program_free(&pass->test_program);
     program_free(&pass->sum_program);
     program_free(&pass->mean_program);
-    program_free(&pass->gain_program);
+    program_free(&pass->cell_program);
     program_free(&pass->block_program);
     framebuffer_free(&pass->test_framebuffer);
     framebuffer_free(&pass->sum_framebuffer);
     framebuffer_free(&pass->mean_framebuffer);
-    framebuffer_free(&pass->gain_framebuffer);
+    framebuffer_free(&pass->cell_framebuffer);
     texture_free(&pass->tests);
     texture_free(&pass->sums);
     texture_free(&pass->squares);
     texture_free(&pass->mean);
-    texture_free(&pass->gains);
+    texture_free(&pass->corrections);
     buffer_free(&pass->params);
     buffer_free(&pass->lookup_params);
     *pass = (struct correction_pass){0};
@@ -167,16 +167,16 @@ static struct pass_state over_sums(const struct correction_pass *pass, GLuint pr
     };
 }
 
-static void find_gains(const struct correction_pass *pass) {
+static void find_corrections(const struct correction_pass *pass) {
     struct pass_state mean =
         over_sums(pass, pass->mean_program, pass->mean_framebuffer, &pass->mean);
     pass_set_state(&mean);
     pass_draw_fullscreen(1);
-    struct pass_state gains =
-        over_sums(pass, pass->gain_program, pass->gain_framebuffer, &pass->gains);
-    pass_add_texture(&gains, UNIT_CORRECTION, pass->mean.id);
-    pass_set_state(&gains);
-    pass_draw_fullscreen(pass->gains.desc.layers);
+    struct pass_state corrections =
+        over_sums(pass, pass->cell_program, pass->cell_framebuffer, &pass->corrections);
+    pass_add_texture(&corrections, UNIT_CORRECTION, pass->mean.id);
+    pass_set_state(&corrections);
+    pass_draw_fullscreen(pass->corrections.desc.layers);
 }
 
 static void correct_blocks(const struct correction_pass *pass, const struct gbuffer *gbuffer,
@@ -188,7 +188,8 @@ static void correct_blocks(const struct correction_pass *pass, const struct gbuf
         .width = blocks->texture.desc.width,
         .height = blocks->texture.desc.height,
         .blend = PASS_BLEND_OVER,
-        .textures = {{UNIT_CORRECTION, pass->gains.id}, {UNIT_GBUFFER_DEPTH, gbuffer->depth.id}},
+        .textures = {{UNIT_CORRECTION, pass->corrections.id},
+                     {UNIT_GBUFFER_DEPTH, gbuffer->depth.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     });
     pass_draw_fullscreen(blocks->texture.desc.layers);
@@ -206,7 +207,7 @@ void correction_pass_render(const struct correction_pass *pass, const struct fra
     buffer_write(&pass->params, 0, sizeof params, &params);
     test(pass, frame, gbuffer, vpls, inputs, blocks);
     sum_tests(pass);
-    find_gains(pass);
+    find_corrections(pass);
     if (blocks)
         correct_blocks(pass, gbuffer, blocks);
     timer_end(frame->timers);

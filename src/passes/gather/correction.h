@@ -29,20 +29,20 @@ struct correction_desc {
 
 struct correction_pass {
     struct correction_desc desc;
-    GLuint test_program, sum_program, mean_program, gain_program, block_program;
-    struct texture tests;   /* RGBA32F: glsl/gather/correction_test.frag */
-    struct texture sums;    /* RGBA32F, CORRECTION_SIDE cells a side, a layer a VAL */
-    struct texture squares; /* RG32F, likewise */
-    struct texture mean;    /* RG32F, one texel: gains of all VALs together */
-    struct texture gains;   /* RG16F, likewise: glsl/gather/correction.glsl */
-    GLuint test_framebuffer, sum_framebuffer, mean_framebuffer, gain_framebuffer;
+    GLuint test_program, sum_program, mean_program, cell_program, block_program;
+    struct texture tests;       /* RGBA32F: glsl/gather/correction_test.frag */
+    struct texture sums;        /* RGBA32F, CORRECTION_SIDE cells a side, a layer a VAL */
+    struct texture squares;     /* RG32F, likewise */
+    struct texture mean;        /* RG32F, one texel: corrections of all VALs together */
+    struct texture corrections; /* RG16F, likewise: glsl/gather/correction.glsl */
+    GLuint test_framebuffer, sum_framebuffer, mean_framebuffer, cell_framebuffer;
     struct buffer params, lookup_params;
 };
 
 bool correction_pass_init(struct correction_pass *pass, const struct correction_desc *desc);
 void correction_pass_free(struct correction_pass *pass);
 
-/* Fills pass->gains, and corrects the blocks by them, where there are any: NULL. Timer "correction". */
+/* Fills pass->corrections, and corrects the blocks by them, where there are any: NULL. Timer "correction". */
 void correction_pass_render(const struct correction_pass *pass, const struct frame *frame,
                             const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
                             const struct visibility_inputs *inputs,

@@ -25,7 +25,7 @@ static const char *visibility_part(const struct gather_desc *desc, int clamp) {
         return "gather/gather_pixel.glsl";
     if (clamp >= GATHER_CLAMP_RECTANGLE)
         return "gather/gather_blocks.glsl";
-    return desc->receivers == RECEIVERS_OTHERS ? "gather/gather_told_block.glsl"
+    return desc->receivers == RECEIVERS_OTHERS ? "gather/gather_given_block.glsl"
                                                : "gather/gather_block.glsl";
 }
 
@@ -41,11 +41,12 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, int cl
     char *defines = mem_printf("%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d", lookup,
                                files, clamp, desc->map_per_vpl, desc->receivers, specular);
     bool ok = program_init(
-        program, &(struct program_desc){
-                     .vertex = desc->receivers == RECEIVERS_ADAPTIVE ? "gather/listed.vert" : NULL,
-                     .screen = {"gather/gather.frag", .blended = true, .tiled = true},
-                     .defines = defines,
-                 });
+        program,
+        &(struct program_desc){
+            .vertex = desc->receivers == RECEIVERS_ADAPTIVE ? "gather/list_rows.vert" : NULL,
+            .screen = {"gather/gather.frag", .blended = true, .tiled = true},
+            .defines = defines,
+        });
     free(lookup);
     free(files);
     free(defines);
@@ -53,13 +54,13 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, int cl
 }
 
 /* Near fields are the first bounce's. */
-static int further_clamp(int clamp) {
+static int later_clamp(int clamp) {
     bool rectangles = clamp == GATHER_CLAMP_RECTANGLE || clamp == GATHER_CLAMP_RECTANGLE_NEAR;
     return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
 }
 
 /* No ray finds what later bounces light: there VPLs are balls. */
-static int further_specular(int specular) {
+static int later_specular(int specular) {
     return specular == SPECULAR_RAYS ? SPECULAR_SPHERE : specular;
 }
 
@@ -69,8 +70,8 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
         pixel_lists_size(size, desc->interleave);
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
-        (!desc->further || init_program(&pass->further_program, desc, further_clamp(desc->clamp),
-                                        further_specular(desc->specular))) &&
+        (!desc->later || init_program(&pass->later_program, desc, later_clamp(desc->clamp),
+                                      later_specular(desc->specular))) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, size[0], size[1],
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
@@ -82,7 +83,7 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
 
 void gather_pass_free(struct gather_pass *pass) {
     program_free(&pass->program);
-    program_free(&pass->further_program);
+    program_free(&pass->later_program);
     irradiance_free(&pass->irradiance);
     buffer_free(&pass->params);
     buffer_free(&pass->lookup_params);
@@ -100,24 +101,24 @@ static const float neighbours = 10;
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
                               const struct gather_inputs *inputs) {
     const struct gather_desc *desc = &pass->desc;
-    bool listed = desc->receivers == RECEIVERS_ADAPTIVE;
+    bool adaptive = desc->receivers == RECEIVERS_ADAPTIVE;
     struct gather_params params = {
         .pattern = irradiance_pattern(&pass->irradiance),
         .scale = frame->irradiance_scale,
-        .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
+        .clamp_at = desc->clamp_value / (frame->geometry->radius * frame->geometry->radius),
         .block = desc->share ? inputs->blocks->block : 1,
         .cut_block = desc->cuts ? inputs->cuts->block : 1,
-        .cut_layer = desc->cuts && listed ? inputs->cuts->adaptive_layer : 0,
+        .cut_layer = desc->cuts && adaptive ? inputs->cuts->adaptive_layer : 0,
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .together = desc->together,
-        .gloss_rays = desc->gloss_rays,
+        .specular_rays = desc->specular_rays,
         .turn = frame_turn(frame),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
 static GLuint program_for(const struct gather_pass *pass, const struct gather_inputs *inputs) {
-    return inputs->further ? pass->further_program : pass->program;
+    return inputs->later ? pass->later_program : pass->program;
 }
 
 static void draw_tile(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
@@ -174,13 +175,13 @@ static void draw_cuts(const struct gather_pass *pass, const struct gather_inputs
 static void add_cuts(struct pass_state *state, const struct vpl_cuts *cuts) {
     pass_add_texture(state, UNIT_CUTS, cuts->texture.id);
     pass_add_texture(state, UNIT_TREE_NODES, cuts->tree->nodes.id);
-    pass_add_texture(state, UNIT_TREE_PICKS, cuts->tree->picks.id);
+    pass_add_texture(state, UNIT_TREE_REPRESENTATIVES, cuts->tree->representatives.id);
 }
 
 static void draw_all(const struct gather_pass *pass, const struct gather_inputs *inputs) {
-    bool listed = pass->desc.receivers == RECEIVERS_ADAPTIVE;
-    for (int list = 0; list < (listed ? LIST_KINDS : 1); list++) {
-        int side = listed ? pass->desc.list_slots[list] : 1;
+    bool adaptive = pass->desc.receivers == RECEIVERS_ADAPTIVE;
+    for (int list = 0; list < (adaptive ? LIST_KINDS : 1); list++) {
+        int side = adaptive ? pass->desc.list_slots[list] : 1;
         for (int slot = 0; side > 0 && slot < pass->desc.interleave * pass->desc.interleave; slot++)
             (pass->desc.cuts ? draw_cuts : draw_slot)(pass, inputs, slot, list, side);
     }
@@ -189,7 +190,7 @@ static void draw_all(const struct gather_pass *pass, const struct gather_inputs 
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct pass_state state = {
-        .name = pass->desc.specular                          ? "gather of gloss"
+        .name = pass->desc.specular                          ? "gather, specular"
                 : pass->desc.receivers == RECEIVERS_ADAPTIVE ? "adaptive gather"
                                                              : "gather",
         .program = program_for(pass, inputs),
@@ -202,7 +203,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     if (pass->desc.specular)
-        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+        pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
     if (pass->desc.share)
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
     if (inputs->kept)

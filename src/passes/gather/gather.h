@@ -31,15 +31,15 @@ struct gather_desc {
     int clamp;         /* GATHER_CLAMP_... */
     float sphere;      /* radius of balls, over the distance within which ten VPLs lie */
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
-    bool further;      /* VPLs of later bounces come too */
-    int specular;   /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
-                          with gloss */
-    int gloss_rays; /* of SPECULAR_RAYS: of each pixel */
+    bool later;        /* VPLs of later bounces come too */
+    int specular; /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer
+                          with a specular target */
+    int specular_rays; /* of SPECULAR_RAYS: of each pixel */
 };
 
 struct gather_pass {
     struct gather_desc desc;
-    GLuint program, further_program;
+    GLuint program, later_program;
     struct irradiance irradiance;
     struct buffer params, lookup_params;
 };
@@ -55,7 +55,7 @@ struct gather_inputs {
     const struct vpl_buffer *vpls;
     int first, count; /* of the VPLs; all of them where count is 0 */
     bool
-        further; /* they are of later bounces, and no near field is theirs: bounded as patches, unless
+        later; /* they are of later bounces, and no near field is theirs: bounded as patches, unless
                      they are rectangles */
     const struct texture *kept;              /* of patches: what they keep of light, a pixel */
     const struct buffer *rectangles;         /* of the lights, with GATHER_CLAMP_RECTANGLE */
@@ -70,7 +70,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
                               const struct gather_inputs *inputs);
 
 /* Adds the VPLs' light to pass->irradiance. Timer "gather", "adaptive gather" or
- * "gather of gloss". */
+ * "gather, specular". */
 void gather_pass_render(const struct gather_pass *pass, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs);
 

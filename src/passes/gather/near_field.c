@@ -7,6 +7,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/lists.h"
+#include "passes/vpls.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,11 +25,11 @@ static int reduced(int all, int wanted, int least) {
 }
 
 /* Fewer than so many are too few for a corner; of one light, where several share them, than so many. */
-static const int listed_least = 32, light_least = 8;
+static const int adaptive_least = 32, light_least = 8;
 
-static int samples_of_listed(const struct near_field_desc *desc, int n, int side) {
+static int samples_of_adaptive(const struct near_field_desc *desc, int n, int side) {
     int all = samples_of_pixel(desc, n, side);
-    return n == 1 ? all : reduced(all, (int)((float)all * desc->listed_part), listed_least);
+    return n == 1 ? all : reduced(all, (int)((float)all * desc->adaptive_part), adaptive_least);
 }
 
 static bool init_programs(struct near_field_pass *pass) {
@@ -39,12 +40,14 @@ static bool init_programs(struct near_field_pass *pass) {
     static const char *const tests[] = {[NEAR_UNOCCLUDED] = "near_unoccluded",
                                         [NEAR_BY_VIEWS] = "near_by_views",
                                         [NEAR_BY_RAYS] = "near_by_rays"};
-    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d", room, kinds, pass->desc.facets);
+    char *of_light = mem_printf(
+        "LIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA gather/%s.glsl", room, kinds, pass->desc.facets,
+        pass->desc.by_importance ? "vpl_area_by_importance" : "vpl_area_by_flux");
     static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
-    bool by_rays = !pass->desc.listed && pass->desc.occlusion == NEAR_BY_RAYS;
+    bool by_rays = !pass->desc.adaptive && pass->desc.occlusion == NEAR_BY_RAYS;
     char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],
-                               pass->desc.listed ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
-    char *listed = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_ADAPTIVE, of_light);
+                               pass->desc.adaptive ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
+    char *adaptive = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_ADAPTIVE, of_light);
     bool ok = program_init(&pass->light_program,
                            &(struct program_desc){
                                .screen = {"gather/near_light.frag", .layers = true},
@@ -54,15 +57,15 @@ static bool init_programs(struct near_field_pass *pass) {
                            &(struct program_desc){
                                .screen = {"gather/near_field.frag", .blended = true, .tiled = true},
                                .defines = defines}) &&
-              (!pass->desc.listed ||
-               program_init(&pass->listed_program,
-                            &(struct program_desc){.vertex = "gather/listed.vert",
+              (!pass->desc.adaptive ||
+               program_init(&pass->adaptive_program,
+                            &(struct program_desc){.vertex = "gather/list_rows.vert",
                                                    .screen = {"gather/near_field.frag",
                                                               .blended = true, .tiled = true},
-                                                   .defines = listed}));
+                                                   .defines = adaptive}));
     free(of_light);
     free(defines);
-    free(listed);
+    free(adaptive);
     return ok;
 }
 
@@ -82,7 +85,7 @@ static bool init_lights(struct near_field_pass *pass, int kind) {
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc) {
     *pass = (struct near_field_pass){.desc = *desc};
-    light_picks_init(&pass->picks, &desc->lights);
+    slot_lights_init(&pass->slot_lights, &desc->lights);
     bool ok =
         (!desc->casters || caster_pool_acquire_tree(desc->casters, &pass->tree)) &&
         init_programs(pass) &&
@@ -98,13 +101,13 @@ void near_field_pass_free(struct near_field_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->tree);
     program_free(&pass->light_program);
     program_free(&pass->program);
-    program_free(&pass->listed_program);
+    program_free(&pass->adaptive_program);
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         texture_free(&pass->lights[kind]);
         framebuffer_free(&pass->lights_framebuffers[kind]);
     }
     buffer_free(&pass->params);
-    light_picks_free(&pass->picks);
+    slot_lights_free(&pass->slot_lights);
     *pass = (struct near_field_pass){0};
 }
 
@@ -113,8 +116,9 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
     double turn = 2 * acos(-1) * SPIRAL_TURN;
     struct near_field_params params = {
         .pattern = pattern,
-        .power_scale = frame->irradiance_scale / (frame->radius * frame->radius),
-        .inverse_radius = 1 / frame->radius,
+        .power_scale =
+            frame->irradiance_scale / (frame->geometry->radius * frame->geometry->radius),
+        .inverse_radius = 1 / frame->geometry->radius,
         .turn = frame_turn(frame),
         .next_turn = {(float)cos(turn), (float)sin(turn)},
     };
@@ -123,7 +127,8 @@ static void write_params(const struct near_field_pass *pass, const struct frame 
 
 void near_field_pass_render_lights(struct near_field_pass *pass, const struct frame *frame,
                                    const struct gbuffer rsm[LIGHT_MAP_KINDS],
-                                   const struct buffer *shares) {
+                                   const struct buffer *shares,
+                                   const struct importance_map *importance) {
     struct pass_state state = {
         .name = "near light",
         .program = pass->light_program,
@@ -132,6 +137,8 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
                    {BLOCK_PASS, &pass->params}},
     };
     rsm_add(&state, rsm);
+    if (pass->desc.by_importance)
+        pass_add_texture(&state, UNIT_VPL_DENSITY, importance->densities.id);
     write_params(pass, frame, (struct interleaving){.n = 1});
     timer_begin(frame->timers, "near light");
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
@@ -148,8 +155,8 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
 /* A tile of a slot of the pattern, or one of its lists. */
 struct near_draw {
     int slot, list;
-    int picks, picked; /* whose lights it takes, and how many they are */
-    int samples;       /* of each light */
+    int lights_of, light_count; /* the slot whose lights it takes, and how many they are */
+    int samples;                /* of each light */
     int pass;
 };
 
@@ -157,7 +164,7 @@ struct near_draw {
 static int lights_of_draw(const struct near_field_pass *pass, const struct near_draw *draw) {
     enum { RAYS_MAX = NEAR_SAMPLES_MAX / NEAR_TOGETHER };
     int rays = (draw->samples + NEAR_TOGETHER - 1) / NEAR_TOGETHER;
-    return pass->desc.occlusion == NEAR_BY_RAYS ? RAYS_MAX / rays : draw->picked;
+    return pass->desc.occlusion == NEAR_BY_RAYS ? RAYS_MAX / rays : draw->light_count;
 }
 
 static void set_samples(int x, int y, int samples, int pass) {
@@ -177,9 +184,10 @@ static void draw_tile(const struct near_field_pass *pass, const struct near_fiel
                   irradiance->tile_width, irradiance->tile_height);
     set_samples(slot % n, slot / n, draw.samples, draw.pass);
     int together = lights_of_draw(pass, &draw);
-    for (int light = 0; light < draw.picked; light += together) {
-        int rest = draw.picked - light;
-        light_picks_set(&pass->picks, draw.picks, light, rest < together ? rest : together);
+    for (int light = 0; light < draw.light_count; light += together) {
+        int rest = draw.light_count - light;
+        slot_lights_set(&pass->slot_lights, draw.lights_of, light,
+                        rest < together ? rest : together);
         if (inputs->of_lists)
             pixel_lists_draw(inputs->lists, draw.list);
         else
@@ -190,32 +198,34 @@ static void draw_tile(const struct near_field_pass *pass, const struct near_fiel
 static void draw_all(const struct near_field_pass *pass, const struct frame *frame,
                      const struct near_field_inputs *inputs) {
     int n = inputs->irradiance->interleave, slots = n * n;
-    int picked = light_picks_deal(&pass->picks, frame, slots);
+    int light_count = slot_lights_allocate(&pass->slot_lights, frame, slots);
     for (int slot = 0; slot < slots; slot++)
         draw_tile(pass, inputs,
                   (struct near_draw){.slot = slot,
-                                     .picks = slot,
-                                     .picked = picked,
+                                     .lights_of = slot,
+                                     .light_count = light_count,
                                      .samples = samples_of_pixel(&pass->desc, n, 1),
                                      .pass = frame->pass});
 }
 
 /* What is on a list has few neighbours that are like it, and shows the lights that it takes itself: it takes all of a group,
- * and as many samples of them together as of those that it would be dealt. */
+ * and as many samples of them together as of those that it would be allocated. */
 static void draw_lists(const struct near_field_pass *pass, const struct frame *frame,
                        const struct near_field_inputs *inputs) {
     int n = inputs->irradiance->interleave, slots = n * n;
-    int dealt = light_picks_deal(&pass->picks, frame, slots);
-    int picked = light_picks_deal(&pass->picks, frame, 1);
+    int allocated = slot_lights_allocate(&pass->slot_lights, frame, slots);
+    int light_count = slot_lights_allocate(&pass->slot_lights, frame, 1);
     for (int list = 0; list < LIST_KINDS; list++) {
         int side = pass->desc.list_slots[list];
-        int all = samples_of_listed(&pass->desc, n, side);
-        int samples = picked > dealt ? reduced(all, all * dealt / picked, light_least) : all;
+        int all = samples_of_adaptive(&pass->desc, n, side);
+        int samples = light_count > allocated
+                          ? reduced(all, all * allocated / light_count, light_least)
+                          : all;
         for (int slot = 0; side > 0 && slot < slots; slot++)
             draw_tile(pass, inputs,
                       (struct near_draw){.slot = slot,
                                          .list = list,
-                                         .picked = picked,
+                                         .light_count = light_count,
                                          .samples = samples,
                                          .pass = frame->pass});
     }
@@ -226,7 +236,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     const struct irradiance *irradiance = inputs->irradiance;
     struct pass_state state = {
         .name = inputs->of_lists ? "adaptive near field" : "near field",
-        .program = inputs->of_lists ? pass->listed_program : pass->program,
+        .program = inputs->of_lists ? pass->adaptive_program : pass->program,
         .framebuffer = irradiance->framebuffer,
         .width = irradiance->texture.desc.width,
         .height = irradiance->texture.desc.height,
@@ -242,9 +252,9 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
         pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,
                          pass->lights[pass->lights[kind].id ? kind : !kind].id);
     pixel_lists_add(&state, inputs->lists,
-                    inputs->of_lists    ? RECEIVERS_ADAPTIVE
-                    : pass->desc.listed ? RECEIVERS_OTHERS
-                                        : RECEIVERS_ALL);
+                    inputs->of_lists      ? RECEIVERS_ADAPTIVE
+                    : pass->desc.adaptive ? RECEIVERS_OTHERS
+                                          : RECEIVERS_ALL);
     if (inputs->of_lists)
         pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
     if (pass->tree)

@@ -14,23 +14,25 @@
 #define PASSES_NEAR_FIELD_H
 
 #include "lights/view.h"
-#include "passes/light_picks.h"
+#include "passes/slot_lights.h"
 #include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
 #include "shared/near_field.h"
 
 struct frame;
 struct pixel_lists;
+struct importance_map;
 
 struct near_field_desc {
-    int samples; /* that the n x n pixels of a pattern share out */
-    bool listed; /* pixels of lists come by themselves, and not with all others */
+    int samples;   /* that the n x n pixels of a pattern share out */
+    bool adaptive; /* pixels of lists come by themselves, and not with all others */
     int list_slots
-        [LIST_KINDS];  /* what is on a list takes as many samples as so many slots have; 0: none */
-    float listed_part; /* of them, of patterns of more than a pixel */
-    int occlusion;     /* NEAR_...: by views from what is on a list alone */
+        [LIST_KINDS]; /* what is on a list takes as many samples as so many slots have; 0: none */
+    float adaptive_part;         /* of them, of patterns of more than a pixel */
+    int occlusion;               /* NEAR_...: by views from what is on a list alone */
     struct caster_pool *casters; /* of NEAR_BY_RAYS; must outlive the pass */
     bool facets;                 /* the shadow map's normals are of triangles */
+    bool by_importance;          /* VPLs are as dense as an importance map has it */
     int rsm_size;                /* as lights' settings have it */
     struct light_layout lights;
 };
@@ -38,12 +40,12 @@ struct near_field_desc {
 struct near_field_pass {
     struct near_field_desc desc;
     const struct caster_bvh *tree; /* of desc.casters */
-    GLuint light_program, program, listed_program;
+    GLuint light_program, program, adaptive_program;
     struct texture lights[LIGHT_MAP_KINDS]; /* RGBA32UI, maps as the shadow map's,
                                                glsl/gather/near_light.glsl */
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
     struct buffer params;
-    struct light_picks picks;
+    struct slot_lights slot_lights;
 };
 
 bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_desc *desc);
@@ -52,12 +54,13 @@ void near_field_pass_free(struct near_field_pass *pass);
 /* What the reflective shadow map says, made ready; shares are passes/lights/vpl.h's. Timer "near light". */
 void near_field_pass_render_lights(struct near_field_pass *pass, const struct frame *frame,
                                    const struct gbuffer rsm[LIGHT_MAP_KINDS],
-                                   const struct buffer *shares);
+                                   const struct buffer *shares,
+                                   const struct importance_map *importance);
 
 struct near_field_inputs {
     const struct buffer *shares;         /* passes/lights/vpl.h's */
     const struct irradiance *irradiance; /* to be added to */
-    const struct pixel_lists *lists;     /* where desc.listed */
+    const struct pixel_lists *lists;     /* where desc.adaptive */
     bool of_lists; /* the tiles are these lists', not those of all other pixels */
 };
 

@@ -36,7 +36,7 @@ bool vpl_cut_pass_init(struct vpl_cut_pass *pass, const struct vpl_cut_desc *des
     assert(desc->nodes <= CUT_NODES_MAX);
     *pass = (struct vpl_cut_pass){.desc = *desc};
     if (init_program(&pass->program, desc->clamp) &&
-        (!desc->further || init_program(&pass->further_program, desc->further_clamp)) &&
+        (!desc->later || init_program(&pass->later_program, desc->later_clamp)) &&
         init_cuts(&pass->cuts, desc) &&
         buffer_init(&pass->params, "cut parameters", sizeof(struct vpl_cut_params), NULL))
         return true;
@@ -46,7 +46,7 @@ bool vpl_cut_pass_init(struct vpl_cut_pass *pass, const struct vpl_cut_desc *des
 
 void vpl_cut_pass_free(struct vpl_cut_pass *pass) {
     program_free(&pass->program);
-    program_free(&pass->further_program);
+    program_free(&pass->later_program);
     texture_free(&pass->cuts.texture);
     buffer_free(&pass->params);
     *pass = (struct vpl_cut_pass){0};
@@ -61,25 +61,25 @@ static void write_params(const struct vpl_cut_pass *pass, const struct frame *fr
         .nodes = desc->nodes,
         .more_nodes = CUT_NODES_MAX,
         .tolerance = desc->tolerance,
-        .clamp_at = desc->clamp_value / (frame->radius * frame->radius),
+        .clamp_at = desc->clamp_value / (frame->geometry->radius * frame->geometry->radius),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
 void vpl_cut_pass_render(struct vpl_cut_pass *pass, const struct frame *frame,
-                         const struct gbuffer *gbuffer, const struct vpl_tree *tree, bool further) {
+                         const struct gbuffer *gbuffer, const struct vpl_tree *tree, bool later) {
     const struct texture_desc *blocks = &pass->cuts.texture.desc;
     pass->cuts.tree = tree;
     write_params(pass, frame);
     pass_begin(frame->timers,
                &(struct pass_state){
                    .name = "cuts",
-                   .program = further ? pass->further_program : pass->program,
+                   .program = later ? pass->later_program : pass->program,
                    .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                                 {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                                 {UNIT_VPLS, tree->vpls},
                                 {UNIT_TREE_NODES, tree->nodes.id},
-                                {UNIT_TREE_PICKS, tree->picks.id}},
+                                {UNIT_TREE_REPRESENTATIVES, tree->representatives.id}},
                    .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
                    .images = {{IMAGE_CUTS, &pass->cuts.texture, 0, GL_WRITE_ONLY}},
                    .barriers = GL_TEXTURE_FETCH_BARRIER_BIT,

@@ -19,13 +19,13 @@ struct vpl_cut_desc {
     float tolerance;   /* of a node's error, over the sum that is not shadowed */
     int clamp;         /* GATHER_CLAMP_...; balls count as disks */
     float clamp_value; /* as in struct gather_desc */
-    bool further;      /* VPLs of later bounces come too */
-    int further_clamp; /* theirs */
+    bool later;        /* VPLs of later bounces come too */
+    int later_clamp;   /* theirs */
 };
 
 struct vpl_cut_pass {
     struct vpl_cut_desc desc;
-    GLuint program, further_program;
+    GLuint program, later_program;
     struct vpl_cuts cuts;
     struct buffer params;
 };
@@ -35,6 +35,6 @@ void vpl_cut_pass_free(struct vpl_cut_pass *pass);
 
 /* Fills pass->cuts. Timer "cuts". */
 void vpl_cut_pass_render(struct vpl_cut_pass *pass, const struct frame *frame,
-                         const struct gbuffer *gbuffer, const struct vpl_tree *tree, bool further);
+                         const struct gbuffer *gbuffer, const struct vpl_tree *tree, bool later);
 
 #endif

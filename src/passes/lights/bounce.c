@@ -182,10 +182,10 @@ void bounce_pass_free(struct bounce_pass *pass) {
 /* Where there is no memory for metaballs that have grown, the old albedos serve: those past their end are black. */
 static void follow(struct bounce_pass *pass, const struct frame *frame, int vpls) {
     struct bounce_params params = {.vpls = vpls,
-                                   .further = pass->desc.count,
+                                   .later = pass->desc.count,
                                    .bounces = pass->desc.bounces,
-                                   .start = start_above * frame->radius,
-                                   .radius = frame->radius};
+                                   .start = start_above * frame->geometry->radius,
+                                   .radius = frame->geometry->radius};
     if (pass->dealt_pass != frame->pass)
         deal_numbers(pass, frame->pass);
     if (pass->laid_out != frame->geometry->laid_out) {

@@ -113,8 +113,8 @@ static void write_params(const struct cluster_pass *pass, const struct frame *fr
         .near_clip = desc->near_clip,
         .reseed = desc->start == CLUSTER_START_RESEED,
     };
-    memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
-    memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
+    memcpy(params.bounds_min, frame->geometry->bounds_min, sizeof frame->geometry->bounds_min);
+    memcpy(params.bounds_max, frame->geometry->bounds_max, sizeof frame->geometry->bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 

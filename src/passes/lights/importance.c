@@ -97,8 +97,8 @@ static void warp(const struct importance_pass *pass) {
 void importance_pass_render(const struct importance_pass *pass, const struct frame *frame,
                             const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
                             GLuint points) {
-    struct importance_params params = {.clamp_at = pass->desc.clamp_value /
-                                                   (frame->radius * frame->radius)};
+    struct importance_params params = {
+        .clamp_at = pass->desc.clamp_value / (frame->geometry->radius * frame->geometry->radius)};
     struct pass_state cells = {
         .name = "importance",
         .vertex_array = points,

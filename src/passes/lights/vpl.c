@@ -20,14 +20,18 @@
 /* What a VPL is made of: ATTRIBUTE_VPL_POINT. */
 struct vpl_point {
     float halton[2];
-    float light; /* a whole number */
+    float light; /* a whole number; by importance a number that chooses one */
 };
 
 static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
+    const struct program_desc vpl = {.vertex = "lights/vpl.vert",
+                                     .defines = pass->desc.by_importance
+                                                    ? "VPL_CHOICE lights/vpl_by_importance.glsl"
+                                                    : "VPL_CHOICE lights/vpl_by_flux.glsl"};
     bool ok =
-        program_init(&pass->program, &(struct program_desc){.vertex = "lights/vpl.vert"}) &&
+        program_init(&pass->program, &vpl) &&
         program_init(&pass->sums_program, &(struct program_desc){.vertex = "lights/vpl_sums.vert",
                                                                  .fragment = "lights/vpl_sums.frag",
                                                                  .defines = defines});
@@ -92,12 +96,29 @@ static void deal_points(struct vpl_pass *pass, int frame_pass) {
     free(dealt);
 }
 
+/* Light and place in three dimensions: which light is chosen by importance, on the GPU. */
+static void spread_points(struct vpl_pass *pass, int frame_pass) {
+    static const uint32_t bases[] = {2, 3, 5};
+    int count = pass->desc.count;
+    uint32_t first = (uint32_t)frame_pass * (uint32_t)count;
+    for (int i = 0; i < count; i++) {
+        double numbers[3];
+        for (int axis = 0; axis < 3; axis++)
+            numbers[axis] = fmod(radical_inverse(bases[axis], first + (uint32_t)i) +
+                                     (axis < 2 ? shift(pass->desc.seed, 0, axis) : 0),
+                                 1);
+        pass->points[i] =
+            (struct vpl_point){{(float)numbers[0], (float)numbers[1]}, (float)numbers[2]};
+    }
+    buffer_write(&pass->samples, 0, (size_t)count * sizeof *pass->points, pass->points);
+}
+
 /* In most clips the fluxes stay what they are, and so do the points. */
 static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
     const struct emitters *emitters = frame->emitters;
     double fluxes[LIGHTS_MAX] = {0};
     for (int i = 0; i < emitters->count; i++)
-        fluxes[i] = emitter_flux(&emitters->items[i], frame->radius);
+        fluxes[i] = emitter_flux(&emitters->items[i], frame->geometry->radius);
     if (pass->light_count == emitters->count && pass->dealt_pass == frame->pass &&
         memcmp(fluxes, pass->fluxes, sizeof fluxes) == 0)
         return;
@@ -105,6 +126,8 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
     pass->dealt_pass = frame->pass;
     memcpy(pass->fluxes, fluxes, sizeof fluxes);
     deal_points(pass, frame->pass);
+    if (pass->desc.by_importance)
+        spread_points(pass, frame->pass);
 }
 
 /* As far as is asked for, but no farther from its point in the light's view than 45 degrees, where
@@ -160,16 +183,22 @@ static void add_maps(const struct vpl_pass *pass, struct pass_state *state,
     rsm_add(state, lit ? rsm : blank);
 }
 
-void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
-                     const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct vpl_buffer *vpls) {
+void vpl_pass_share_out(struct vpl_pass *pass, const struct frame *frame) {
     follow_fluxes(pass, frame);
     write_shares(pass, frame);
+}
+
+void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
+                     const struct gbuffer rsm[LIGHT_MAP_KINDS],
+                     const struct importance_map *importance, const struct vpl_buffer *vpls) {
     struct pass_state state = {
         .name = "vpls",
         .program = pass->program,
         .vertex_array = pass->vertices,
         .blocks = {{BLOCK_LIGHTS, frame->lights}, {BLOCK_VPL_SHARES, &pass->shares}},
     };
+    if (pass->desc.by_importance)
+        importance_map_add(&state, importance);
     add_maps(pass, &state, rsm);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);

@@ -17,6 +17,7 @@
 
 struct frame;
 struct vpl_buffer;
+struct importance_map;
 
 /* How many VPLs all others are measured from: as many as say what all would. */
 enum { VPL_PARTNERS_MAX = 256 };
@@ -25,6 +26,7 @@ struct vpl_desc {
     int count;   /* N */
     int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
     float reach; /* of the near field that is asked for, in spacings of VPLs */
+    bool by_importance;
 };
 
 struct vpl_pass {
@@ -42,9 +44,14 @@ struct vpl_pass {
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc);
 void vpl_pass_free(struct vpl_pass *pass);
 
-/* Fills vpls (C(i) = 0), with their sums, and pass->shares. Timer "vpls". */
-void vpl_pass_render(struct vpl_pass *pass, const struct frame *frame,
-                     const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct vpl_buffer *vpls);
+/* Fills pass->shares. */
+void vpl_pass_share_out(struct vpl_pass *pass, const struct frame *frame);
+
+/* Fills vpls (C(i) = 0), with their sums; after vpl_pass_share_out. `importance` is read where desc.by_importance. Timer
+ * "vpls". */
+void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
+                     const struct gbuffer rsm[LIGHT_MAP_KINDS],
+                     const struct importance_map *importance, const struct vpl_buffer *vpls);
 
 /* Sets the sums of other VPLs: as many as the pass makes, or VPL_PARTNERS_MAX at least. */
 void vpl_pass_sum_up(const struct vpl_pass *pass, const struct vpl_buffer *vpls);

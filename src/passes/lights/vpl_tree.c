@@ -17,7 +17,8 @@ static bool init_programs(struct vpl_tree_pass *pass) {
         {&pass->sort_program, {.compute = "lights/tree_sort.comp"}},
         {&pass->leaves_program, {.compute = "lights/tree_nodes.comp", .defines = "LEAVES"}},
         {&pass->nodes_program, {.compute = "lights/tree_nodes.comp"}},
-        {&pass->picks_program, {.screen = {"lights/tree_picks.frag", .layers = true}}},
+        {&pass->representatives_program,
+         {.screen = {"lights/tree_representatives.frag", .layers = true}}},
     };
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof rows / sizeof *rows; i++)
@@ -45,10 +46,11 @@ static bool init_tree(struct vpl_tree_pass *pass) {
         tree->leaves *= 2;
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &tree->vpls);
     return init_nodes(&tree->nodes, "tree of VPLs", GL_RGBA32F, 2 * tree->leaves, TREE_ROWS) &&
-           init_nodes(&tree->picks, "picked VPLs", GL_R32UI, 2 * tree->leaves, tree->sets) &&
-           framebuffer_init(
-               &pass->picks_framebuffer,
-               &(struct framebuffer_desc){.label = "picked VPLs", .colors = {&tree->picks}});
+           init_nodes(&tree->representatives, "representatives", GL_R32UI, 2 * tree->leaves,
+                      tree->sets) &&
+           framebuffer_init(&pass->representatives_framebuffer,
+                            &(struct framebuffer_desc){.label = "representatives",
+                                                       .colors = {&tree->representatives}});
 }
 
 bool vpl_tree_pass_init(struct vpl_tree_pass *pass, const struct vpl_tree_desc *desc) {
@@ -67,10 +69,10 @@ void vpl_tree_pass_free(struct vpl_tree_pass *pass) {
     program_free(&pass->sort_program);
     program_free(&pass->leaves_program);
     program_free(&pass->nodes_program);
-    program_free(&pass->picks_program);
-    framebuffer_free(&pass->picks_framebuffer);
+    program_free(&pass->representatives_program);
+    framebuffer_free(&pass->representatives_framebuffer);
     texture_free(&pass->tree.nodes);
-    texture_free(&pass->tree.picks);
+    texture_free(&pass->tree.representatives);
     if (pass->tree.vpls)
         gl.DeleteTextures(1, &pass->tree.vpls);
     buffer_free(&pass->keys);
@@ -81,8 +83,8 @@ void vpl_tree_pass_free(struct vpl_tree_pass *pass) {
 static void write_params(const struct vpl_tree_pass *pass, const struct frame *frame) {
     struct vpl_tree_params params = {.vpl_count = pass->desc.vpl_count,
                                      .leaves = pass->tree.leaves};
-    memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
-    memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
+    memcpy(params.bounds_min, frame->geometry->bounds_min, sizeof frame->geometry->bounds_min);
+    memcpy(params.bounds_max, frame->geometry->bounds_max, sizeof frame->geometry->bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
@@ -128,15 +130,15 @@ static void build(const struct vpl_tree_pass *pass) {
         step(pass, pass->nodes_program, level, level, level);
 }
 
-static void pick(const struct vpl_tree_pass *pass) {
-    struct pass_state state = state_of(pass, pass->picks_program);
-    state.framebuffer = pass->picks_framebuffer;
-    state.width = pass->tree.picks.desc.width;
-    state.height = pass->tree.picks.desc.height;
+static void choose_representatives(const struct vpl_tree_pass *pass) {
+    struct pass_state state = state_of(pass, pass->representatives_program);
+    state.framebuffer = pass->representatives_framebuffer;
+    state.width = pass->tree.representatives.desc.width;
+    state.height = pass->tree.representatives.desc.height;
     state.barriers |= GL_TEXTURE_FETCH_BARRIER_BIT;
     pass_add_texture(&state, UNIT_TREE_NODES, pass->tree.nodes.id);
     pass_set_state(&state);
-    gl.ProgramUniform1i(pass->picks_program, LOCATION_FIRST_LAYER, 0);
+    gl.ProgramUniform1i(pass->representatives_program, LOCATION_FIRST_LAYER, 0);
     pass_draw_fullscreen(pass->tree.sets);
 }
 
@@ -147,6 +149,6 @@ void vpl_tree_pass_render(const struct vpl_tree_pass *pass, const struct frame *
     write_params(pass, frame);
     sort(pass);
     build(pass);
-    pick(pass);
+    choose_representatives(pass);
     timer_end(frame->timers);
 }

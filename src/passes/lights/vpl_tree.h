@@ -18,8 +18,8 @@ struct vpl_tree_desc {
 
 struct vpl_tree_pass {
     struct vpl_tree_desc desc;
-    GLuint keys_program, sort_program, leaves_program, nodes_program, picks_program;
-    GLuint picks_framebuffer;
+    GLuint keys_program, sort_program, leaves_program, nodes_program, representatives_program;
+    GLuint representatives_framebuffer;
     struct buffer keys, params;
     struct vpl_tree tree;
 };

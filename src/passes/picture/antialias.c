@@ -23,7 +23,7 @@ static bool init_programs(struct antialias_pass *pass) {
                         &(struct program_desc){.vertex = "fullscreen.vert",
                                                .fragment = "picture/edges.frag",
                                                .defines = samples}) &&
-           program_init(&pass->pick_program,
+           program_init(&pass->assignment_program,
                         &(struct program_desc){.screen = {"picture/antialias.frag", .masked = true},
                                                .defines = samples});
 }
@@ -60,21 +60,21 @@ static bool init_picture(const struct antialias_pass *pass, struct texture *text
                                                         .height = all ? pass->desc.height : 1});
 }
 
-static const GLuint itself[4] = {0}; /* picks where there is no edge */
+static const GLuint itself[4] = {0}; /* the assignment where there is no edge */
 
-static bool init_picks(struct antialias_pass *pass) {
+static bool init_assignment(struct antialias_pass *pass) {
     if (!init_picture(pass, &pass->edges, "edges", GL_DEPTH_COMPONENT16) ||
-        !init_picture(pass, &pass->picks, "picks of samples", GL_RG32UI) ||
+        !init_picture(pass, &pass->assignment, "sample assignment", GL_RG32UI) ||
         !init_picture(pass, &pass->edge_samples, "edge samples", GL_RGBA32UI) ||
         !framebuffer_init(&pass->edge_framebuffer,
                           &(struct framebuffer_desc){.label = "edges", .depth = &pass->edges}) ||
-        !framebuffer_init(&pass->pick_framebuffer,
-                          &(struct framebuffer_desc){.label = "picks of samples",
-                                                     .colors = {&pass->picks},
+        !framebuffer_init(&pass->assignment_framebuffer,
+                          &(struct framebuffer_desc){.label = "sample assignment",
+                                                     .colors = {&pass->assignment},
                                                      .depth = &pass->edges}))
         return false;
     /* No program is in use that could draw integers: a driver warns of a framebuffer that is cleared then. */
-    gl.ClearTexImage(pass->picks.id, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, itself);
+    gl.ClearTexImage(pass->assignment.id, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, itself);
     return true;
 }
 
@@ -119,7 +119,7 @@ bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_des
     *pass = (struct antialias_pass){.desc = *desc};
     pass->layers = (desc->samples + SAMPLES_PER_LAYER - 1) / SAMPLES_PER_LAYER;
     pass->samples = desc->samples > 1 ? pass->layers * SAMPLES_PER_LAYER : 1;
-    if (init_picks(pass) &&
+    if (init_assignment(pass) &&
         (pass->samples == 1 || (init_programs(pass) && init_samples(pass) && init_params(pass))))
         return true;
     antialias_pass_free(pass);
@@ -130,14 +130,14 @@ void antialias_pass_free(struct antialias_pass *pass) {
     program_free(&pass->solid_program);
     program_free(&pass->masked_program);
     program_free(&pass->edge_program);
-    program_free(&pass->pick_program);
+    program_free(&pass->assignment_program);
     framebuffer_free(&pass->sample_framebuffer);
     framebuffer_free(&pass->edge_framebuffer);
-    framebuffer_free(&pass->pick_framebuffer);
+    framebuffer_free(&pass->assignment_framebuffer);
     texture_free(&pass->depths);
     texture_free(&pass->normals);
     texture_free(&pass->edges);
-    texture_free(&pass->picks);
+    texture_free(&pass->assignment);
     texture_free(&pass->edge_samples);
     buffer_free(&pass->params);
     *pass = (struct antialias_pass){0};
@@ -177,12 +177,12 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     pass_end(frame->timers);
 }
 
-/* Most pixels have no edge. A depth test leaves them out of the picks, as a branch in a shader would not: a software
- * rasteriser executes both sides. */
-static void render_picks(const struct antialias_pass *pass, const struct frame *frame,
-                         const struct gbuffer *gbuffer) {
+/* Most pixels have no edge. A depth test leaves them out of the assignment, as a branch in a shader would not: a
+ * software rasteriser executes both sides. */
+static void render_assignment(const struct antialias_pass *pass, const struct frame *frame,
+                              const struct gbuffer *gbuffer) {
     struct pass_state state = {
-        .name = "picks",
+        .name = "sample assignment",
         .program = pass->edge_program,
         .framebuffer = pass->edge_framebuffer,
         .width = pass->desc.width,
@@ -195,13 +195,13 @@ static void render_picks(const struct antialias_pass *pass, const struct frame *
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
         .images = {{IMAGE_EDGE_SAMPLES, &pass->edge_samples, 0, GL_WRITE_ONLY}},
     };
-    timer_begin(frame->timers, "picks");
-    framebuffer_clear_integers(pass->pick_framebuffer, TARGET_RESULT, itself);
+    timer_begin(frame->timers, "sample assignment");
+    framebuffer_clear_integers(pass->assignment_framebuffer, TARGET_RESULT, itself);
     framebuffer_clear_depth(pass->edge_framebuffer, 1);
     pass_set_state(&state);
     pass_draw_fullscreen(1);
-    state.program = pass->pick_program;
-    state.framebuffer = pass->pick_framebuffer;
+    state.program = pass->assignment_program;
+    state.framebuffer = pass->assignment_framebuffer;
     state.depth = PASS_DEPTH_EQUAL;
     pass_set_state(&state);
     pass_draw_fullscreen(1);
@@ -215,6 +215,6 @@ void antialias_pass_render(const struct antialias_pass *pass, const struct frame
         return;
     timer_begin(frame->timers, "antialias");
     render_samples(pass, frame);
-    render_picks(pass, frame, gbuffer);
+    render_assignment(pass, frame, gbuffer);
     timer_end(frame->timers);
 }

@@ -22,14 +22,16 @@ struct antialias_desc {
 
 struct antialias_pass {
     struct antialias_desc desc;
-    GLuint solid_program, masked_program, edge_program, pick_program;
+    GLuint solid_program, masked_program, edge_program, assignment_program;
     int layers, samples; /* drawn: whole layers, or the one centre */
     struct texture depths,
-        normals;          /* D32F; RGBA8, 0.5 + 0.5 n: a layer of four samples after another */
-    struct texture edges; /* D16, 0 where there is one, else 1: picks are tested against it */
-    struct texture picks; /* RG32UI, picture/picks.glsl; 0 = itself; 1 x 1 if samples is 1 */
+        normals; /* D32F; RGBA8, 0.5 + 0.5 n: a layer of four samples after another */
+    struct texture
+        edges; /* D16, 0 where there is one, else 1: the assignment is tested against it */
+    struct texture
+        assignment; /* RG32UI, picture/sample_assignment.glsl; 0 = itself; 1 x 1 if samples is 1 */
     struct texture edge_samples; /* RGBA32UI, lib/edge_sample.glsl; likewise */
-    GLuint sample_framebuffer, edge_framebuffer, pick_framebuffer;
+    GLuint sample_framebuffer, edge_framebuffer, assignment_framebuffer;
     struct buffer params;
 };
 
@@ -37,7 +39,7 @@ struct antialias_pass {
 bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_desc *desc);
 void antialias_pass_free(struct antialias_pass *pass);
 
-/* Fills pass->picks. Timer "antialias". */
+/* Fills pass->assignment. Timer "antialias". */
 void antialias_pass_render(const struct antialias_pass *pass, const struct frame *frame,
                            const struct gbuffer *gbuffer);
 

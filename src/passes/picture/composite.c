@@ -28,7 +28,7 @@ static bool init_programs(struct composite_pass *pass) {
              has & HAS_EDGE_SAMPLES ? "HAS_EDGE_SAMPLES;" : "",
              has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "",
              pass->desc.has_sky ? "HAS_SKY;" : "", pass->desc.has_emission ? "HAS_EMISSION;" : "",
-             pass->desc.has_gloss ? "HAS_GLOSS;" : "");
+             pass->desc.has_specular ? "HAS_SPECULAR;" : "");
     snprintf(centers, sizeof centers, "%sCENTERS", defines);
     return program_init(&pass->display_program,
                         &(struct program_desc){
@@ -79,13 +79,14 @@ void composite_pass_free(struct composite_pass *pass) {
     *pass = (struct composite_pass){0};
 }
 
-/* A pass of an accumulated picture may have no edge samples. Its picks ask for none, but samplers must have a texture. */
+/* A pass of an accumulated picture may have no edge samples. Its assignment asks for none, but samplers must have a
+ * texture. */
 static void add_edge_samples(struct pass_state *state, const struct frame *frame,
                              const struct contribution *contribution) {
     const struct irradiance *irradiance = contribution->edge_sample_irradiance;
     const struct texture *texels = contribution->edge_sample_texels;
     irradiance = irradiance ? irradiance : contribution->irradiance;
-    texels = texels ? texels : frame->picks;
+    texels = texels ? texels : frame->assignment;
     pass_add_texture(state, UNIT_EDGE_SAMPLE_IRRADIANCE, irradiance->texture.id);
     pass_add_texture(state, UNIT_EDGE_SAMPLE_TEXELS, texels->id);
 }
@@ -139,7 +140,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
                      {UNIT_GBUFFER_NORMAL, inputs->gbuffer->normal.id},
                      {UNIT_GBUFFER_ALBEDO, inputs->gbuffer->albedo.id},
                      {UNIT_DIRECT, inputs->direct->id},
-                     {UNIT_SAMPLE_PICKS, frame->picks->id},
+                     {UNIT_SAMPLE_ASSIGNMENT, frame->assignment->id},
                      {UNIT_EDGE_SAMPLES, frame->edge_samples->id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
@@ -147,7 +148,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
         pass_add_texture(&state, UNIT_SKY, frame->scene->sky.id);
     if (pass->desc.has_emission)
         pass_add_texture(&state, UNIT_GBUFFER_EMISSION, inputs->gbuffer->emission.id);
-    if (pass->desc.has_gloss)
+    if (pass->desc.has_specular)
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
     if (pass->desc.contributes & HAS_EDGE_SAMPLES)

@@ -19,7 +19,7 @@ struct composite_desc {
     unsigned contributes; /* HAS_..., as composite_kinds tells */
     bool has_sky;         /* the scene has an environment */
     bool has_emission;    /* the G-buffer has */
-    bool has_gloss;       /* likewise */
+    bool has_specular;    /* likewise */
 };
 
 struct composite_pass {
@@ -31,11 +31,11 @@ struct composite_pass {
     struct buffer params;
 };
 
-/* What the picture is made of, beside the frame's picks and edge samples. */
+/* What the picture is made of, beside the frame's sample assignment and edge samples. */
 struct composite_inputs {
     const struct gbuffer *gbuffer;
     const struct texture *direct;          /* direct/direct.h */
-    const struct texture *direct_specular; /* where has_gloss */
+    const struct texture *direct_specular; /* where has_specular */
     struct contribution contribution;
     const struct environment *sky; /* where it is seen; NULL: nothing is, behind all surfaces */
     struct background background;  /* of the display */

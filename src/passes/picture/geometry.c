@@ -12,13 +12,13 @@
 bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc) {
     *pass = (struct geometry_pass){0};
     const char *mappings = desc->has_mappings ? ";HAS_MAPPINGS" : "";
-    char *camera =
-        mem_printf("%s%s", desc->has_gloss ? "HAS_EMISSION;HAS_GLOSS" : "HAS_EMISSION", mappings);
-    char *light = desc->has_gloss ? mem_printf("LIGHT_VIEW;HAS_GLOSS%s", mappings) : NULL;
+    char *camera = mem_printf(
+        "%s%s", desc->has_specular ? "HAS_EMISSION;HAS_SPECULAR" : "HAS_EMISSION", mappings);
+    char *light = desc->has_specular ? mem_printf("LIGHT_VIEW;HAS_SPECULAR%s", mappings) : NULL;
     struct program_desc camera_desc = {.vertex = "picture/geometry.vert",
                                        .fragment = "picture/geometry.frag",
-                                       .defines =
-                                           desc->has_gloss || desc->has_emission ? camera : NULL};
+                                       .defines = desc->has_specular || desc->has_emission ? camera
+                                                                                           : NULL};
     struct program_desc light_desc = camera_desc;
     light_desc.defines = light ? light : desc->facets ? "LIGHT_VIEW;FACETS" : "LIGHT_VIEW";
     bool ok = program_init(&pass->camera_program, &camera_desc) &&
@@ -49,8 +49,8 @@ static void render(struct pass_state state, const struct frame *frame,
     framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, zero);
     if (gbuffer->emission.id)
         framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_EMISSION, zero);
-    if (gbuffer->gloss.id)
-        framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_GLOSS, zero);
+    if (gbuffer->specular.id)
+        framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_SPECULAR, zero);
     framebuffer_clear_depth(gbuffer->framebuffer, 0);
     scene_gpu_draw_shaded(frame->scene, &views);
 }

@@ -15,11 +15,11 @@ struct geometry_pass {
     GLuint camera_program, light_program;
 };
 
-/* What the camera's G-buffers have; of lights', has_gloss: materials are not all plain. facets, where
+/* What the camera's G-buffers have; of lights', has_specular: materials are not all plain. facets, where
  * they are: what lights see sends light on as its triangles, and not as the smooth surface that shading
  * normals tell of. has_mappings: materials_have_mappings. */
 struct geometry_desc {
-    bool has_emission, has_gloss, has_mappings, facets;
+    bool has_emission, has_specular, has_mappings, facets;
 };
 
 bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc);

@@ -23,13 +23,13 @@ static bool init_sums(struct mean_pass *pass) {
 }
 
 bool mean_pass_init(struct mean_pass *pass, const struct mean_desc *desc) {
-    *pass = (struct mean_pass){.desc = *desc, .layers = desc->gloss ? LAYERS : LAYERS_PLAIN};
+    *pass = (struct mean_pass){.desc = *desc, .layers = desc->specular ? LAYERS : LAYERS_PLAIN};
     /* Drawn: in compute shaders llvmpipe 22.3 reads zeros by an index of sums[] that varies. */
     struct program_desc program = {.vertex = "fullscreen.vert",
                                    .fragment = "picture/mean.frag",
-                                   .defines = desc->gloss ? "HAS_GLOSS" : NULL};
+                                   .defines = desc->specular ? "HAS_SPECULAR" : NULL};
     struct program_desc display = program;
-    display.defines = desc->gloss ? "DISPLAY;HAS_GLOSS" : "DISPLAY";
+    display.defines = desc->specular ? "DISPLAY;HAS_SPECULAR" : "DISPLAY";
     if (program_init(&pass->layer_program, &program) &&
         program_init(&pass->display_program, &display) && init_sums(pass) &&
         buffer_init(&pass->params, "mean parameters", sizeof(struct composite_params), NULL))

@@ -17,7 +17,7 @@ struct frame;
 
 struct mean_desc {
     int width, height;
-    bool gloss; /* all LAYERS; else LAYERS_PLAIN */
+    bool specular; /* all LAYERS; else LAYERS_PLAIN */
 };
 
 struct mean_pass {

@@ -15,13 +15,13 @@ static bool init_light(struct texture *texture, const char *label, int width, in
                      .label = label, .format = GL_RGBA32F, .width = width, .height = height});
 }
 
-static bool init_target(struct direct_light_target *target, bool gloss, int width, int height) {
+static bool init_target(struct direct_light_target *target, bool specular, int width, int height) {
     *target = (struct direct_light_target){0};
     struct framebuffer_desc desc = {.label = "direct", .colors = {&target->light}};
-    if (gloss)
+    if (specular)
         desc.colors[TARGET_DIRECT_SPECULAR] = &target->specular;
     return init_light(&target->light, "direct", width, height) &&
-           (!gloss || init_light(&target->specular, "direct specular", width, height)) &&
+           (!specular || init_light(&target->specular, "direct specular", width, height)) &&
            framebuffer_init(&target->framebuffer, &desc);
 }
 
@@ -32,8 +32,9 @@ static void free_target(struct direct_light_target *target) {
 }
 
 static bool init_program(GLuint *program, const struct direct_light_desc *desc, int projection) {
-    char *defines = mem_printf("%s%sPROJECTION %d", desc->defines, desc->gloss ? "HAS_GLOSS;" : "",
-                               desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
+    char *defines =
+        mem_printf("%s%sPROJECTION %d", desc->defines, desc->specular ? "HAS_SPECULAR;" : "",
+                   desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
     bool ok =
         program_init(program, &(struct program_desc){.screen = {desc->fragment, .blended = true},
                                                      .defines = defines});
@@ -60,7 +61,7 @@ bool direct_light_pass_init(struct direct_light_pass *pass, const struct direct_
     *pass = (struct direct_light_pass){0};
     bool ok = init_program(&pass->perspective_program, desc, PROJECTION_PERSPECTIVE) &&
               init_program(&pass->orthographic_program, desc, PROJECTION_ORTHOGRAPHIC) &&
-              init_target(&pass->target, desc->gloss, desc->width, desc->height) &&
+              init_target(&pass->target, desc->specular, desc->width, desc->height) &&
               init_lookups(pass, desc);
     if (!ok)
         direct_light_pass_free(pass);
@@ -109,7 +110,7 @@ static void draw_light(const struct direct_light_pass *pass, const struct frame 
     for (int i = 0; i < DIRECT_LIGHT_TEXTURES_MAX && inputs->more[i].texture; i++)
         pass_add_texture(&state, inputs->more[i].unit, inputs->more[i].texture);
     if (pass->target.specular.id) {
-        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+        pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
     }
     if (inputs->block.buffer)

@@ -17,7 +17,7 @@ struct direct_light_desc {
     float map_bias;       /* where distances are compared, of the distance */
     float contact;        /* casters so near are compared one by one, of the distance */
     float shift, gain;    /* struct lookup_params' */
-    bool gloss;           /* the G-buffer has it: what is not diffuse goes to a target of its own */
+    bool specular;        /* the G-buffer has it: what is not diffuse goes to a target of its own */
     const char *fragment; /* with visibility/direct_light.glsl; of one light, for each PROJECTION */
     const char *defines;  /* for it, each with a semicolon behind */
 };
@@ -35,7 +35,7 @@ struct direct_light_pass {
     GLuint perspective_program, orthographic_program;
     struct direct_light_target {
         struct texture light;    /* RGBA32F, irradiance over pi, W/(sr m2) */
-        struct texture specular; /* RGBA32F, radiance towards the eye, where desc.gloss */
+        struct texture specular; /* RGBA32F, radiance towards the eye, where desc.specular */
         GLuint framebuffer;
     } target;
     struct buffer lookups[LIGHT_MAP_KINDS];

@@ -22,7 +22,7 @@ static float disagree_of(const struct environment_lighting_desc *desc) {
 static bool init_programs(struct environment_lighting_pass *pass) {
     char *maps = sky_map_defines(&pass->desc.maps);
     char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
-    char *light_defines = mem_printf("%s%s", defines, pass->desc.gloss ? ";HAS_GLOSS" : "");
+    char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
     bool ok =
         program_init(
             &pass->share_program,
@@ -69,8 +69,8 @@ static bool init_light(struct environment_lighting_pass *pass, struct texture *t
 /* What is as large as the picture. */
 static bool init_targets(struct environment_lighting_pass *pass) {
     const struct environment_lighting_desc *desc = &pass->desc;
-    struct framebuffer_desc light = {.label = "sky light", .colors = {&pass->light}};
-    if (desc->gloss)
+    struct framebuffer_desc light = {.label = "environment lighting", .colors = {&pass->light}};
+    if (desc->specular)
         light.colors[TARGET_DIRECT_SPECULAR] = &pass->specular;
     return texture_init(
                &pass->blocks,
@@ -80,8 +80,9 @@ static bool init_targets(struct environment_lighting_pass *pass) {
                                       .width = (desc->width + desc->block - 1) / desc->block,
                                       .height = (desc->height + desc->block - 1) / desc->block,
                                       .layers = layers(desc)}) &&
-           init_light(pass, &pass->light, "sky light") &&
-           (!desc->gloss || init_light(pass, &pass->specular, "specular sky light")) &&
+           init_light(pass, &pass->light, "environment lighting") &&
+           (!desc->specular ||
+            init_light(pass, &pass->specular, "environment lighting, specular")) &&
            framebuffer_init(
                &pass->block_framebuffer,
                &(struct framebuffer_desc){.label = "sky blocks", .colors = {&pass->blocks}}) &&
@@ -170,15 +171,15 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(layers(&pass->desc));
     pass_end(frame->timers);
-    state.name = "sky light";
+    state.name = "environment lighting";
     state.program = pass->light_program;
     state.framebuffer = pass->light_framebuffer;
     state.width = pass->light.desc.width;
     state.height = pass->light.desc.height;
     pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
     pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
-    if (pass->desc.gloss) {
-        pass_add_texture(&state, UNIT_GBUFFER_GLOSS, gbuffer->gloss.id);
+    if (pass->desc.specular) {
+        pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
     }

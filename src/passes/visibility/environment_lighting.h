@@ -19,7 +19,7 @@ struct environment_lighting_desc {
     int ways;       /* to points of a light that a lookup follows */
     float bias;     /* texels: what is no higher above a receiver's plane hides nothing */
     float disagree; /* of light, for few lights: where blocks do by more, a pixel looks itself up */
-    bool gloss;     /* the G-buffer has it */
+    bool specular;  /* the G-buffer has it */
 };
 
 struct environment_lighting_pass {
@@ -28,7 +28,7 @@ struct environment_lighting_pass {
     struct texture shares;   /* RGBA32F, a layer four lights; visibility/sky_shares.frag */
     struct texture blocks;   /* RGBA8, the same */
     struct texture light;    /* RGBA32F, irradiance over pi, W/(sr m2) */
-    struct texture specular; /* where desc.gloss: radiance towards the eye, RGBA32F */
+    struct texture specular; /* where desc.specular: radiance towards the eye, RGBA32F */
     GLuint share_framebuffer, block_framebuffer, light_framebuffer;
     struct buffer params;
 };
@@ -53,7 +53,7 @@ void environment_lighting_pass_render_lights(const struct environment_lighting_p
                                              const struct frame *frame,
                                              const struct buffer *lights);
 
-/* Fills pass->light and pass->specular. Timers "sky blocks" and "sky light". */
+/* Fills pass->light and pass->specular. Timers "sky blocks" and "environment lighting". */
 void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
                                       const struct frame *frame, const struct gbuffer *gbuffer,
                                       const struct environment_lighting_inputs *inputs);

@@ -30,8 +30,8 @@ void vpl_views_pass_free(struct vpl_views_pass *pass) {
 
 static void write_params(const struct vpl_views_pass *pass, const struct frame *frame) {
     struct vpl_views_params params = {.near_clip = pass->near_clip};
-    memcpy(params.bounds_min, frame->bounds_min, sizeof frame->bounds_min);
-    memcpy(params.bounds_max, frame->bounds_max, sizeof frame->bounds_max);
+    memcpy(params.bounds_min, frame->geometry->bounds_min, sizeof frame->geometry->bounds_min);
+    memcpy(params.bounds_max, frame->geometry->bounds_max, sizeof frame->geometry->bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 

@@ -126,7 +126,7 @@ static float place_weight(const struct emitter *light, const struct hit *hit, fl
 }
 
 /* The density with which emission_place picks a place of a light, 1/sr; 0 where nobody asks, as none but a
- * glossy surface's rays look for such lights. weight, solid_angle: as place_weight has them. */
+ * specular surface's rays look for such lights. weight, solid_angle: as place_weight has them. */
 static float picked_density(const struct emitter *light, const struct hit *hit, float weight,
                             float solid_angle) {
     if (hit->brdf.diffuse || emitter_shape(light) == EMITTER_IS_POINT)

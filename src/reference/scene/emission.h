@@ -69,7 +69,7 @@ vec2s emission_even_place(const struct emission *emission, int n, vec2s sample,
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
                     struct arrival *arrival);
 
-/* Whether rays that leave the surface may come to some light by chance: of glossy surfaces, to any that
+/* Whether rays that leave the surface may come to some light by chance: of specular surfaces, to any that
  * has a size. */
 bool emission_can_be_found(const struct emission *emission, const struct hit *hit);
 

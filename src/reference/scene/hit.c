@@ -80,7 +80,7 @@ static vec3s mapped_normal(const struct hit_table *table, const struct material 
 static struct brdf reflection_at(const struct hit_table *table, const struct material *material,
                                  const struct corners *corners) {
     vec3s color = glms_vec3(base_color(table, material, corners));
-    if (!table->has_gloss)
+    if (!table->has_specular)
         return brdf_lambertian(color);
     struct reflectance at = corners_reflectance(corners, table->scene, table->geometry,
                                                 table->srgb_to_linear, material);
@@ -106,7 +106,7 @@ void hit_table_init(struct hit_table *table, const struct scene *scene,
         table->normal_of[i] = winding_normal(geometry, &geometry->indices[3 * i]);
     for (int b = 0; b < geometry->batch_count; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];
-        table->has_gloss |=
+        table->has_specular |=
             materials == MATERIALS_FULL && !material_is_diffuse(&scene->materials[batch->material]);
         for (uint32_t i = 0; i < batch->index_count / 3; i++)
             table->material_of[batch->first_index / 3 + i] = batch->material;

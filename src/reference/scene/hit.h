@@ -36,9 +36,9 @@ struct hit_table {
     const struct scene *scene;
     const struct geometry *geometry;
     enum materials materials;
-    bool has_gloss;   /* some surface is not Lambertian */
-    int *material_of; /* of each triangle */
-    vec3s *normal_of; /* the same: geometric, unit, by the winding; zero where there is no area */
+    bool has_specular; /* some surface is not Lambertian */
+    int *material_of;  /* of each triangle */
+    vec3s *normal_of;  /* the same: geometric, unit, by the winding; zero where there is no area */
     float srgb_to_linear[256];
 };
 

@@ -36,7 +36,7 @@ const tinygltf::Value *specular_glossiness(const tinygltf::Material &from) {
 }
 
 /* That extension as the standard's own model: its diffuse colour, no metal, and the roughness of its
- * gloss. Its second texture takes the place of that of metals: load_textures. */
+ * glossiness. Its second texture takes the place of that of metals: load_textures. */
 tinygltf::Material as_metallic_roughness(const tinygltf::Material &from) {
     const tinygltf::Value *old = specular_glossiness(from);
     if (!old)

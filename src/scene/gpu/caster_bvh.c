@@ -15,8 +15,8 @@ static void add_opaque(struct opaque_triangles *list, const struct geometry *geo
                        const struct geometry_batch *batch) {
     for (uint32_t i = 0; i < batch->index_count; i += 3) {
         const uint32_t *index = &geometry->indices[batch->first_index + i];
-        struct tree_triangle triangle = {.opaque = {~0U, ~0U},
-                                         .number = (batch->first_index + i) / 3};
+        struct bvh_triangle triangle = {.opaque = {~0U, ~0U},
+                                        .number = (batch->first_index + i) / 3};
         triangle.corner = corners_edges(geometry, index, triangle.edges);
         opaque_triangles_add(list, &triangle);
     }

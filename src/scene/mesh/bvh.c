@@ -22,18 +22,18 @@ static const float traversal_cost = 1;
 
 /* --- boxes ------------------------------------------------------------------------------------ */
 
-static struct tree_box empty_box(void) {
-    return (struct tree_box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
+static struct bvh_box empty_box(void) {
+    return (struct bvh_box){{FLT_MAX, FLT_MAX, FLT_MAX}, {-FLT_MAX, -FLT_MAX, -FLT_MAX}};
 }
 
-static void box_add(struct tree_box *box, const struct tree_box *other) {
+static void box_add(struct bvh_box *box, const struct bvh_box *other) {
     for (int c = 0; c < 3; c++) {
         box->low[c] = float_min(other->low[c], box->low[c]);
         box->high[c] = float_max(other->high[c], box->high[c]);
     }
 }
 
-float tree_box_half_surface(const struct tree_box *box) {
+float bvh_box_half_surface(const struct bvh_box *box) {
     float x = box->high[0] - box->low[0], y = box->high[1] - box->low[1],
           z = box->high[2] - box->low[2];
     return x < 0 ? 0 : x * y + y * z + z * x;
@@ -41,12 +41,12 @@ float tree_box_half_surface(const struct tree_box *box) {
 
 /* A triangle while the tree is built. */
 struct item {
-    struct tree_box box;
+    struct bvh_box box;
     float middle[3]; /* of the box */
     uint32_t triangle;
 };
 
-static struct item item_of(const struct tree_triangle *triangle, uint32_t number) {
+static struct item item_of(const struct bvh_triangle *triangle, uint32_t number) {
     struct item item = {.triangle = number};
     for (int c = 0; c < 3; c++) {
         float at = triangle->corner.raw[c], a = triangle->edges[0].raw[c],
@@ -61,13 +61,13 @@ static struct item item_of(const struct tree_triangle *triangle, uint32_t number
 /* --- splits ----------------------------------------------------------------------------------- */
 
 struct bin {
-    struct tree_box box;
+    struct bvh_box box;
     uint32_t count;
 };
 
 /* Bins over the middles of items, along each axis. */
 struct binning {
-    struct tree_box middles;
+    struct bvh_box middles;
     int count; /* along each axis; few items need few */
     float bins_per_metre[3];
     struct bin bins[3][BINS];
@@ -113,13 +113,13 @@ static void improve_split(struct split *best, const struct binning *binning, int
     for (int bin = binning->count - 1; bin > 0; bin--) {
         box_add(&sum.box, &bins[bin].box);
         sum.count += bins[bin].count;
-        after[bin] = sum.count ? tree_box_half_surface(&sum.box) * (float)sum.count : INFINITY;
+        after[bin] = sum.count ? bvh_box_half_surface(&sum.box) * (float)sum.count : INFINITY;
     }
     sum = (struct bin){empty_box(), 0};
     for (int bin = 0; bin < binning->count - 1; bin++) {
         box_add(&sum.box, &bins[bin].box);
         sum.count += bins[bin].count;
-        float cost = tree_box_half_surface(&sum.box) * (float)sum.count + after[bin + 1];
+        float cost = bvh_box_half_surface(&sum.box) * (float)sum.count + after[bin + 1];
         if (sum.count > 0 && cost < best->cost)
             *best = (struct split){axis, bin, cost};
     }
@@ -127,14 +127,14 @@ static void improve_split(struct split *best, const struct binning *binning, int
 
 /* How many items the first child has, which come first then; 0 = they stay one leaf: their middles lie at one place, or a
  * split costs more than it saves. */
-static uint32_t divide(struct item *items, uint32_t count, const struct tree_box *box) {
+static uint32_t divide(struct item *items, uint32_t count, const struct bvh_box *box) {
     struct binning binning;
     struct split split = {.cost = INFINITY};
     binning_init(&binning, items, count);
     for (int axis = 0; axis < 3; axis++)
         if (binning.bins_per_metre[axis] > 0)
             improve_split(&split, &binning, axis);
-    float surface = tree_box_half_surface(box);
+    float surface = bvh_box_half_surface(box);
     bool pays = count > LEAF || traversal_cost * surface + split.cost < surface * (float)count;
     uint32_t first = 0;
     for (uint32_t i = 0; pays && isfinite(split.cost) && i < count; i++)
@@ -156,7 +156,7 @@ struct task {
 
 struct builder {
     struct item *items;
-    struct tree_node *nodes;
+    struct bvh_node *nodes;
     _Atomic uint32_t node_count;
     uint32_t task_size; /* items */
     struct task tasks[4 * TASKS];
@@ -166,7 +166,7 @@ struct builder {
 /* Subtrees that are small enough are left as tasks where there is room for them. */
 static void build(struct builder *builder, struct task task, bool makes_tasks) {
     struct item *items = builder->items + task.first;
-    struct tree_box box = empty_box();
+    struct bvh_box box = empty_box();
     if (makes_tasks && task.count <= builder->task_size && builder->task_count < 4 * TASKS) {
         builder->tasks[builder->task_count++] = task;
         return;
@@ -175,11 +175,11 @@ static void build(struct builder *builder, struct task task, bool makes_tasks) {
         box_add(&box, &items[i].box);
     uint32_t half = task.count > 1 && task.depth < DEPTH ? divide(items, task.count, &box) : 0;
     if (half == 0) {
-        builder->nodes[task.at] = (struct tree_node){box, task.first, task.count};
+        builder->nodes[task.at] = (struct bvh_node){box, task.first, task.count};
         return;
     }
     uint32_t children = atomic_fetch_add(&builder->node_count, 2);
-    builder->nodes[task.at] = (struct tree_node){box, children, 0};
+    builder->nodes[task.at] = (struct bvh_node){box, children, 0};
     build(builder, (struct task){children, task.first, half, task.depth + 1}, makes_tasks);
     build(builder,
           (struct task){children + 1, task.first + half, task.count - half, task.depth + 1},
@@ -193,14 +193,14 @@ static void build_task(void *context, size_t i) {
 
 /* Leaf by leaf. */
 static void order_triangles(struct bvh *tree, const struct item *items) {
-    struct tree_triangle *ordered = mem_alloc(tree->count, sizeof *ordered);
+    struct bvh_triangle *ordered = mem_alloc(tree->count, sizeof *ordered);
     for (uint32_t i = 0; i < tree->count; i++)
         ordered[i] = tree->triangles[items[i].triangle];
     free(tree->triangles);
     tree->triangles = ordered;
 }
 
-void bvh_init(struct bvh *tree, struct tree_triangle *triangles, uint32_t count) {
+void bvh_init(struct bvh *tree, struct bvh_triangle *triangles, uint32_t count) {
     struct builder builder = {
         .items = mem_alloc(count, sizeof *builder.items),
         .nodes = mem_alloc(2 * (size_t)count + 1, sizeof *builder.nodes),

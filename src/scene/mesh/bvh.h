@@ -11,32 +11,32 @@
 #include <stdint.h>
 
 /* By its corners: the front is where they go counter-clockwise. */
-struct tree_triangle {
+struct bvh_triangle {
     vec3s corner, edges[2]; /* from the corner to the two others, metres */
     uint32_t opaque[2];     /* which of its 64 parts are (scene/mesh/opacity.h) */
     uint32_t number;        /* in the geometry */
 };
 
-struct tree_box {
+struct bvh_box {
     float low[3], high[3];
 };
 
-struct tree_node {
-    struct tree_box box;
+struct bvh_node {
+    struct bvh_box box;
     uint32_t first; /* triangle of a leaf; else the first of two children, which are contiguous */
     uint32_t count; /* 0: no leaf */
 };
 
 struct bvh {
-    struct tree_triangle *triangles; /* leaf by leaf */
-    struct tree_node *nodes;         /* the root first */
+    struct bvh_triangle *triangles; /* leaf by leaf */
+    struct bvh_node *nodes;         /* the root first */
     uint32_t count, node_count;
 };
 
-float tree_box_half_surface(const struct tree_box *box);
+float bvh_box_half_surface(const struct bvh_box *box);
 
 /* Takes the triangles, an array of the heap. */
-void bvh_init(struct bvh *tree, struct tree_triangle *triangles, uint32_t count);
+void bvh_init(struct bvh *tree, struct bvh_triangle *triangles, uint32_t count);
 void bvh_free(struct bvh *tree);
 
 #endif

@@ -12,7 +12,7 @@ struct ray {
 
 /* The distance at which a ray enters a box, INFINITY where it does not before its end. One along a side of the box has
  * 0 / 0 there, which bounds nothing. */
-static float entry(const struct tree_box *box, const struct ray *ray, float end) {
+static float entry(const struct bvh_box *box, const struct ray *ray, float end) {
     float from = 0;
     for (int c = 0; c < 3; c++) {
         float a = (box->low[c] - ray->origin.raw[c]) * ray->inverse.raw[c];
@@ -24,7 +24,7 @@ static float entry(const struct tree_box *box, const struct ray *ray, float end)
 }
 
 /* [Möller and Trumbore 1997] */
-static void meet(struct tree_hit *nearest, const struct tree_triangle *triangle,
+static void meet(struct bvh_hit *nearest, const struct bvh_triangle *triangle,
                  const struct ray *ray) {
     vec3s across = glms_vec3_cross(ray->direction, triangle->edges[1]);
     float volume = glms_vec3_dot(triangle->edges[0], across);
@@ -37,7 +37,7 @@ static void meet(struct tree_hit *nearest, const struct tree_triangle *triangle,
     float v = glms_vec3_dot(ray->direction, around) * inverse;
     float distance = glms_vec3_dot(triangle->edges[1], around) * inverse;
     if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest->distance)
-        *nearest = (struct tree_hit){triangle, distance, volume > 0};
+        *nearest = (struct bvh_hit){triangle, distance, volume > 0};
 }
 
 /* A node that the ray enters at so far. */
@@ -54,7 +54,7 @@ struct pending {
 /* The farther child first. */
 static void push_children(struct pending *pending, const struct bvh *tree, uint32_t first,
                           const struct ray *ray, float end) {
-    const struct tree_node *child = &tree->nodes[first];
+    const struct bvh_node *child = &tree->nodes[first];
     struct entered nearer = {first, entry(&child[0].box, ray, end)},
                    farther = {first + 1, entry(&child[1].box, ray, end)};
     if (farther.distance < nearer.distance) {
@@ -68,20 +68,20 @@ static void push_children(struct pending *pending, const struct bvh *tree, uint3
         pending->nodes[pending->count++] = nearer;
 }
 
-struct tree_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction) {
+struct bvh_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction) {
     struct ray ray = {origin, direction, glms_vec3_div(glms_vec3_one(), direction)};
-    struct tree_hit nearest = {NULL, INFINITY, false};
+    struct bvh_hit nearest = {NULL, INFINITY, false};
     struct pending pending;
     pending.nodes[0] = (struct entered){0, 0};
     pending.count = 1;
     for (uint32_t tests = 0; pending.count > 0;) {
         struct entered entered = pending.nodes[--pending.count];
-        const struct tree_node *node = &tree->nodes[entered.node];
+        const struct bvh_node *node = &tree->nodes[entered.node];
         if (entered.distance > nearest.distance)
             continue;
         tests += node->count;
         if (tests > BVH_RAY_TESTS)
-            return (struct tree_hit){NULL, INFINITY, false};
+            return (struct bvh_hit){NULL, INFINITY, false};
         for (uint32_t i = 0; i < node->count; i++)
             meet(&nearest, &tree->triangles[node->first + i], &ray);
         if (node->count == 0)

@@ -6,15 +6,15 @@
 
 #include "scene/mesh/bvh.h"
 
-struct tree_hit {
-    const struct tree_triangle *triangle; /* NULL = the ray meets none */
-    float distance;                       /* over the direction's length */
-    bool front;                           /* else it comes from behind */
+struct bvh_hit {
+    const struct bvh_triangle *triangle; /* NULL = the ray meets none */
+    float distance;                      /* over the direction's length */
+    bool front;                          /* else it comes from behind */
 };
 
 /* The nearest triangle beyond the origin, opaque or not, from either side; none where the ray would ask more than so many,
  * as where a file has thousands in one place. The tree has one at least. */
 enum { BVH_RAY_TESTS = 2048 };
-struct tree_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction);
+struct bvh_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction);
 
 #endif

@@ -38,6 +38,10 @@ struct caster {
     int batch_count;
 };
 
+/* The defaults of maps' casters, so that direct and indirect light share one set. */
+#define CASTER_ERROR .00055
+enum { CASTER_LONG_COUNT = 500 };
+
 struct caster_desc {
     float error;    /* how far rigid opaque parts may stray (scene/mesh/simplify.h), over the root
                     of the area of all; 0 = not at all */

@@ -66,7 +66,7 @@ static void add(struct opaque_triangles *list, const struct masked *masked, cons
         places[k] = corners_vector(&corners, masked->geometry->position);
     }
     uint32_t number = (uint32_t)(masked->index - masked->geometry->indices) / 3;
-    opaque_triangles_add(list, &(struct tree_triangle){
+    opaque_triangles_add(list, &(struct bvh_triangle){
                                    .corner = places[0],
                                    .edges = {glms_vec3_sub(places[1], places[0]),
                                              glms_vec3_sub(places[2], places[0])},
@@ -122,7 +122,7 @@ static int depth_of(const struct masked *masked) {
     return depth;
 }
 
-void opaque_triangles_add(struct opaque_triangles *list, const struct tree_triangle *triangle) {
+void opaque_triangles_add(struct opaque_triangles *list, const struct bvh_triangle *triangle) {
     if (list->count == list->room) {
         list->room = list->room ? 2 * list->room : 1024;
         list->items = mem_resize(list->items, list->room, sizeof *list->items);

@@ -9,11 +9,11 @@
 
 /* Those that are found. */
 struct opaque_triangles {
-    struct tree_triangle *items; /* of the heap; its owner's */
+    struct bvh_triangle *items; /* of the heap; its owner's */
     uint32_t count, room;
 };
 
-void opaque_triangles_add(struct opaque_triangles *list, const struct tree_triangle *triangle);
+void opaque_triangles_add(struct opaque_triangles *list, const struct bvh_triangle *triangle);
 
 /* Adds what an alpha mask leaves of the triangles of a batch that has one. */
 void opaque_triangles_add_masked(struct opaque_triangles *list, const struct scene *scene,

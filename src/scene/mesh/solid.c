@@ -54,7 +54,7 @@ static vec3s way(vec3s normal, float x, float y) {
     return glms_vec3_muladds(normal, sqrtf(1 - x), along);
 }
 
-static vec3s normal_of(const struct tree_triangle *triangle) {
+static vec3s normal_of(const struct bvh_triangle *triangle) {
     return glms_vec3_normalize(glms_vec3_cross(triangle->edges[0], triangle->edges[1]));
 }
 
@@ -68,7 +68,7 @@ static bool probes_meet_backs(const struct search *search, vec3s place, vec3s no
         const float *point = search->points[i];
         vec3s direction = way(normal, fraction(point[WAY_X] + scatter(key)),
                               fraction(point[WAY_Y] + scatter(key + 1)));
-        struct tree_hit hit = bvh_ray_trace(&search->tree, place, direction);
+        struct bvh_hit hit = bvh_ray_trace(&search->tree, place, direction);
         bool back = hit.triangle && !hit.front;
         backs += back;
         others += !back;
@@ -77,7 +77,7 @@ static bool probes_meet_backs(const struct search *search, vec3s place, vec3s no
 }
 
 static bool ends_within(const struct search *search, vec3s origin, vec3s direction, uint32_t key) {
-    struct tree_hit hit = bvh_ray_trace(&search->tree, origin, direction);
+    struct bvh_hit hit = bvh_ray_trace(&search->tree, origin, direction);
     if (!hit.triangle || !hit.front)
         return hit.triangle;
     vec3s normal = normal_of(hit.triangle);
@@ -86,7 +86,7 @@ static bool ends_within(const struct search *search, vec3s origin, vec3s directi
     return probes_meet_backs(search, place, normal, key);
 }
 
-static bool back_is_within(const struct search *search, const struct tree_triangle *triangle) {
+static bool back_is_within(const struct search *search, const struct bvh_triangle *triangle) {
     vec3s back = glms_vec3_negate(normal_of(triangle));
     vec3s above = glms_vec3_muladds(back, search->mesh->clearance, triangle->corner);
     bool within = glms_vec3_norm2(back) > 0;
@@ -106,7 +106,7 @@ static bool back_is_within(const struct search *search, const struct tree_triang
 static void search_run(void *context, size_t run) {
     const struct search *search = context;
     for (uint32_t i = (uint32_t)run * RUN; i < (run + 1) * RUN && i < search->tree.count; i++) {
-        const struct tree_triangle *triangle = &search->tree.triangles[i];
+        const struct bvh_triangle *triangle = &search->tree.triangles[i];
         search->within[triangle->number] = back_is_within(search, triangle);
     }
 }
@@ -119,7 +119,7 @@ static void ask_eye(const struct search *search, const float eye[3]) {
         float z = 1 - 2 * ((float)i + .5F) / EYE_RAYS, radius = sqrtf(1 - z * z);
         float angle = 2 * GLM_PIf * (float)radical_inverse(2, i);
         vec3s direction = {{radius * cosf(angle), radius * sinf(angle), z}};
-        struct tree_hit hit = bvh_ray_trace(&search->tree, origin, direction);
+        struct bvh_hit hit = bvh_ray_trace(&search->tree, origin, direction);
         all += hit.triangle != NULL;
         if (!hit.triangle || hit.front || !search->within[hit.triangle->number])
             continue;
@@ -130,14 +130,14 @@ static void ask_eye(const struct search *search, const float eye[3]) {
         memset(search->within, 0, search->tree.count);
 }
 
-static struct tree_triangle *copy_triangles(const struct solid_mesh *mesh) {
-    struct tree_triangle *triangles = mem_alloc(mesh->triangle_count, sizeof *triangles);
+static struct bvh_triangle *copy_triangles(const struct solid_mesh *mesh) {
+    struct bvh_triangle *triangles = mem_alloc(mesh->triangle_count, sizeof *triangles);
     for (uint32_t i = 0; i < mesh->triangle_count; i++) {
         vec3s corners[3];
         for (int c = 0; c < 3; c++)
             memcpy(&corners[c], mesh->position[mesh->indices[3 * i + (uint32_t)c]],
                    sizeof corners[c]);
-        triangles[i] = (struct tree_triangle){
+        triangles[i] = (struct bvh_triangle){
             .corner = corners[0],
             .edges = {glms_vec3_sub(corners[1], corners[0]), glms_vec3_sub(corners[2], corners[0])},
             .number = i};

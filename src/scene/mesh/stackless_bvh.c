@@ -29,17 +29,17 @@ static uint32_t bits(float value) {
 }
 
 /* Whole numbers from 0 up: cutting the fraction off is rounding down. */
-static uint32_t step_below(const struct layout *layout, const struct tree_box *box, int axis) {
+static uint32_t step_below(const struct layout *layout, const struct bvh_box *box, int axis) {
     float at = (box->low[axis] - layout->low[axis]) * layout->steps[axis];
     return (uint32_t)float_min(float_max(at - margin, 0), (float)STACKLESS_STEPS);
 }
 
-static uint32_t step_above(const struct layout *layout, const struct tree_box *box, int axis) {
+static uint32_t step_above(const struct layout *layout, const struct bvh_box *box, int axis) {
     float at = (box->high[axis] - layout->low[axis]) * layout->steps[axis];
     return (uint32_t)float_min(float_max(ceilf(at + margin), 0), (float)STACKLESS_STEPS);
 }
 
-static uint32_t *lay_box(struct layout *layout, const struct tree_box *box) {
+static uint32_t *lay_box(struct layout *layout, const struct bvh_box *box) {
     uint32_t *texel = layout->texels[layout->next++];
     for (int c = 0; c < 3; c++)
         texel[c] = step_below(layout, box, c) | step_above(layout, box, c) << 16;
@@ -47,7 +47,7 @@ static uint32_t *lay_box(struct layout *layout, const struct tree_box *box) {
 }
 
 /* More triangles than a number has room for, all of them at one place, are several leaves. */
-static void lay_leaf(struct layout *layout, const struct tree_node *node) {
+static void lay_leaf(struct layout *layout, const struct bvh_node *node) {
     for (uint32_t i = 0, count; i < node->count; i += count) {
         uint32_t rest = node->count - i;
         count = rest < STACKLESS_COUNT_MOST ? rest : STACKLESS_COUNT_MOST;
@@ -59,17 +59,17 @@ static void lay_leaf(struct layout *layout, const struct tree_node *node) {
 /* The larger child first: it is the likelier to block, and a blocked ray is done. A box that is entered nearly whenever
  * that around it is, of that half surface, saves less than it costs, and is left out. */
 static void lay_node(struct layout *layout, uint32_t number, float around) {
-    const struct tree_node *node = &layout->tree->nodes[number];
+    const struct bvh_node *node = &layout->tree->nodes[number];
     if (node->count > 0) {
         lay_leaf(layout, node);
         return;
     }
-    float surface = tree_box_half_surface(&node->box);
+    float surface = bvh_box_half_surface(&node->box);
     bool is_laid = surface < worth_a_box * around;
     uint32_t *past = is_laid ? lay_box(layout, &node->box) : NULL;
-    const struct tree_node *children = &layout->tree->nodes[node->first];
+    const struct bvh_node *children = &layout->tree->nodes[node->first];
     uint32_t larger =
-        tree_box_half_surface(&children[1].box) > tree_box_half_surface(&children[0].box);
+        bvh_box_half_surface(&children[1].box) > bvh_box_half_surface(&children[0].box);
     lay_node(layout, node->first + larger, is_laid ? surface : around);
     lay_node(layout, node->first + 1 - larger, is_laid ? surface : around);
     if (is_laid)
@@ -77,7 +77,7 @@ static void lay_node(struct layout *layout, uint32_t number, float around) {
 }
 
 static void lay_triangle(struct layout *layout, uint32_t number) {
-    const struct tree_triangle *triangle = &layout->tree->triangles[number];
+    const struct bvh_triangle *triangle = &layout->tree->triangles[number];
     uint32_t(*texels)[4] = layout->texels + layout->triangles + number * STACKLESS_TRIANGLE;
     for (int c = 0; c < 3; c++) {
         texels[0][c] = bits(triangle->corner.raw[c]);

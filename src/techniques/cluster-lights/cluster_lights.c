@@ -67,7 +67,7 @@ struct light_set {
 struct cluster_lights {
     struct many_lights lights;
     struct vals vals;
-    struct light_set first, further;
+    struct light_set first, later;
     struct importance_pass importance; /* of the first bounce's */
     bool has_vals, by_importance;
 };
@@ -84,7 +84,7 @@ static void free_state(void *state) {
         many_lights_free(&technique->lights);
         vals_free(&technique->vals);
         free_set(&technique->first);
-        free_set(&technique->further);
+        free_set(&technique->later);
         importance_pass_free(&technique->importance);
     }
     free(technique);
@@ -119,7 +119,7 @@ static int clamp_of(const struct cluster_lights_settings *own) {
     return own->near > 0 ? GATHER_CLAMP_RECTANGLE_NEAR : GATHER_CLAMP_RECTANGLE;
 }
 
-/* The gather of many lights, but each pixel takes all of them; those that are listed look themselves up. */
+/* The gather of many lights, but each pixel takes all of them; adaptive pixels look themselves up. */
 static struct settings gather_settings(const struct settings *settings) {
     const struct cluster_lights_settings *own =
         settings_of(struct cluster_lights_settings, settings, &own_part);
@@ -170,7 +170,7 @@ static bool init(void **state, const struct technique_desc *desc) {
     }
     return init_first(technique, desc) &&
            (lights->bounces == 1 ||
-            init_set(&technique->further, desc->settings, lights->paths, NULL)) &&
+            init_set(&technique->later, desc->settings, lights->paths, NULL)) &&
            many_lights_init(&technique->lights, &with_settings, &visibility);
 }
 
@@ -203,20 +203,20 @@ static void render_lights(void *state, const struct frame *frame) {
     if (!technique->by_importance)
         render_first(technique, frame);
     if (lights->bounces > 1)
-        render_set(&technique->further, frame, &lights->bounce.vpls,
-                   technique->has_vals ? &technique->vals.further : NULL);
+        render_set(&technique->later, frame, &lights->bounce.vpls,
+                   technique->has_vals ? &technique->vals.later : NULL);
 }
 
-static void gather(const struct cluster_lights *technique, bool further, const struct frame *frame,
+static void gather(const struct cluster_lights *technique, bool later, const struct frame *frame,
                    const struct gbuffer *gbuffer) {
-    const struct light_set *set = further ? &technique->further : &technique->first;
-    const struct val_set *vals = further ? &technique->vals.further : &technique->vals.first;
+    const struct light_set *set = later ? &technique->later : &technique->first;
+    const struct val_set *vals = later ? &technique->vals.later : &technique->vals.first;
     struct gather_inputs inputs = {0};
     if (technique->has_vals)
         inputs = vals_render_blocks(vals, frame, gbuffer);
     inputs.vpls = technique->has_vals ? &set->lights : &set->shape.lights;
     inputs.rectangles = &set->shape.rectangles;
-    inputs.further = further;
+    inputs.later = later;
     many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
 }
 
@@ -269,6 +269,7 @@ const struct technique cluster_lights_technique = {
     .free = free_state,
     .resize = resize,
     .render_lights = render_lights,
+    .follows_camera = many_lights_follow_camera,
     .render_view = render_view,
     .contribution = many_lights_contribution,
     .outputs = outputs,

@@ -45,11 +45,11 @@ static void render_lights(void *state, const struct frame *frame) {
         vals_render(&technique->vals, &technique->lights, frame, NULL);
 }
 
-static void gather(const struct clustered *technique, const struct val_set *vals, bool further,
+static void gather(const struct clustered *technique, const struct val_set *vals, bool later,
                    const struct frame *frame, const struct gbuffer *gbuffer) {
     struct gather_inputs inputs = vals_render_blocks(vals, frame, gbuffer);
     inputs.vpls = &vals->cluster.vpls;
-    inputs.further = further;
+    inputs.later = later;
     many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
 }
 
@@ -60,7 +60,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     many_lights_begin(&technique->lights, frame, gbuffer);
     gather(technique, &technique->vals.first, false, frame, gbuffer);
     if (technique->lights.bounces > 1)
-        gather(technique, &technique->vals.further, true, frame, gbuffer);
+        gather(technique, &technique->vals.later, true, frame, gbuffer);
     many_lights_finish(&technique->lights, frame, gbuffer);
 }
 
@@ -89,9 +89,7 @@ static const struct preset presets[] = {
     {"traced", "as high, with 1024 VPLs, 256 at adaptive pixels: the least error of one frame",
      BY_RAYS, "rays"},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
-     "clustered.visibility=cssm clustered.visibility-block=0 "
-     "clustered.importance=none " MANY_LIGHTS_AS_PUBLISHED,
-     NULL},
+     "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED, NULL},
     {NULL}};
 
 extern const struct technique clustered_technique;
@@ -106,6 +104,7 @@ const struct technique clustered_technique = {
     .free = free_state,
     .resize = resize,
     .render_lights = render_lights,
+    .follows_camera = many_lights_follow_camera,
     .render_view = render_view,
     .contribution = many_lights_contribution,
     .outputs = outputs,

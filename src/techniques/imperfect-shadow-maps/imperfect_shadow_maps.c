@@ -135,6 +135,7 @@ const struct technique imperfect_shadow_maps_technique = {
     .free = free_state,
     .resize = many_lights_resize,
     .render_lights = render_lights,
+    .follows_camera = many_lights_follow_camera,
     .render_view = render_view,
     .contribution = many_lights_contribution,
     .outputs = outputs,

@@ -33,7 +33,7 @@ static const struct settings_part own_part = {"lightcuts", "cuts through a tree 
 struct lightcuts {
     struct many_lights lights;
     struct vals vals;
-    struct vpl_tree_pass first, further; /* of the first bounce's VPLs; of further ones' */
+    struct vpl_tree_pass first, later; /* of the first bounce's VPLs; of later ones' */
     struct vpl_cut_pass cut;
 };
 
@@ -43,7 +43,7 @@ static void free_state(void *state) {
         many_lights_free(&technique->lights);
         vals_free(&technique->vals);
         vpl_tree_pass_free(&technique->first);
-        vpl_tree_pass_free(&technique->further);
+        vpl_tree_pass_free(&technique->later);
         vpl_cut_pass_free(&technique->cut);
     }
     free(technique);
@@ -57,7 +57,7 @@ static bool init_trees(struct lightcuts *technique, const struct technique_desc 
     int sets = gather->interleave * gather->interleave;
     return vpl_tree_pass_init(&technique->first, &(struct vpl_tree_desc){lights->vpls, sets}) &&
            (lights->bounces == 1 ||
-            vpl_tree_pass_init(&technique->further, &(struct vpl_tree_desc){lights->paths, sets}));
+            vpl_tree_pass_init(&technique->later, &(struct vpl_tree_desc){lights->paths, sets}));
 }
 
 static bool init_cut(struct lightcuts *technique, const struct technique_desc *desc) {
@@ -75,8 +75,8 @@ static bool init_cut(struct lightcuts *technique, const struct technique_desc *d
                                                   .tolerance = own->tolerance,
                                                   .clamp = gather->clamp,
                                                   .clamp_value = many_lights_clamp_value,
-                                                  .further = lights->bounces > 1,
-                                                  .further_clamp = GATHER_CLAMP_PATCH,
+                                                  .later = lights->bounces > 1,
+                                                  .later_clamp = GATHER_CLAMP_PATCH,
                                               });
 }
 
@@ -114,18 +114,18 @@ static void render_lights(void *state, const struct frame *frame) {
     vals_render(&technique->vals, &technique->lights, frame, NULL);
     vpl_tree_pass_render(&technique->first, frame, &technique->vals.first.cluster.vpls);
     if (technique->lights.bounces > 1)
-        vpl_tree_pass_render(&technique->further, frame, &technique->vals.further.cluster.vpls);
+        vpl_tree_pass_render(&technique->later, frame, &technique->vals.later.cluster.vpls);
 }
 
-static void gather(struct lightcuts *technique, bool further, const struct frame *frame,
+static void gather(struct lightcuts *technique, bool later, const struct frame *frame,
                    const struct gbuffer *gbuffer) {
-    const struct vpl_tree_pass *tree = further ? &technique->further : &technique->first;
-    const struct val_set *vals = further ? &technique->vals.further : &technique->vals.first;
+    const struct vpl_tree_pass *tree = later ? &technique->later : &technique->first;
+    const struct val_set *vals = later ? &technique->vals.later : &technique->vals.first;
     struct gather_inputs inputs = vals_render_blocks(vals, frame, gbuffer);
-    vpl_cut_pass_render(&technique->cut, frame, gbuffer, &tree->tree, further);
+    vpl_cut_pass_render(&technique->cut, frame, gbuffer, &tree->tree, later);
     inputs.vpls = &vals->cluster.vpls;
     inputs.cuts = &technique->cut.cuts;
-    inputs.further = further;
+    inputs.later = later;
     many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
 }
 
@@ -162,6 +162,7 @@ const struct technique lightcuts_technique = {
     .free = free_state,
     .resize = resize,
     .render_lights = render_lights,
+    .follows_camera = many_lights_follow_camera,
     .render_view = render_view,
     .contribution = many_lights_contribution,
     .outputs = outputs,

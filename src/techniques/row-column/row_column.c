@@ -40,8 +40,8 @@ static const struct option table[] = {
 static const struct settings_part own_part = {"row-column", "rows and columns", table,
                                               sizeof(struct row_column_settings)};
 
-/* VPLs of the first bounce; of further ones. */
-enum { FIRST, FURTHER, KINDS };
+/* VPLs of the first bounce; of later ones. */
+enum { FIRST, LATER, KINDS };
 
 struct row_column {
     struct many_lights lights;
@@ -109,8 +109,8 @@ static bool init_rows(struct row_column *technique, const struct technique_desc 
                                                 .rows = own->rows,
                                                 .lights = lights,
                                                 .clamp = gather->clamp,
-                                                .further = GATHER_CLAMP_PATCH,
-                                                .has_further = gather->further,
+                                                .later = GATHER_CLAMP_PATCH,
+                                                .has_later = gather->later,
                                                 .visibility = gather->visibility,
                                             });
 }
@@ -130,7 +130,7 @@ static bool init_choice(struct row_column *technique, const struct technique_des
     technique->room = mem_alloc((size_t)own->columns, sizeof *technique->room);
     columns_init(&technique->columns, &(struct columns_desc){lights, own->rows, own->columns});
     return vpl_buffer_init(&technique->chosen[FIRST], "chosen VPLs", own->columns) &&
-           vpl_buffer_init(&technique->chosen[FURTHER], "chosen VPLs of bounces", own->columns);
+           vpl_buffer_init(&technique->chosen[LATER], "chosen VPLs of bounces", own->columns);
 }
 
 /* As many samples of the near field for each pixel as with the pattern that all have. */
@@ -183,7 +183,7 @@ static void render_rows(struct row_column *technique, const struct frame *frame,
         rows_pass_render(&technique->rows, frame, &inputs);
         inputs.vpls = &lights->bounce.vpls;
         inputs.first_light = lights->vpls.count;
-        inputs.further = true;
+        inputs.later = true;
         if (lights->bounces > 1)
             rows_pass_render(&technique->rows, frame, &inputs);
     }
@@ -237,8 +237,8 @@ static void choose_columns(struct row_column *technique, const struct frame *fra
     columns_cluster(&technique->columns, (const float(*)[4])technique->matrix,
                     technique->rows.pixels.count, technique->powers, seed);
     int count = columns_choose(&technique->columns, seed, technique->list);
-    int further = write_chosen(technique, FIRST, 0, count, technique->lights.vpls.count);
-    write_chosen(technique, FURTHER, further, count, all);
+    int later = write_chosen(technique, FIRST, 0, count, technique->lights.vpls.count);
+    write_chosen(technique, LATER, later, count, all);
     timer_end(frame->timers);
 }
 
@@ -259,7 +259,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
     for (int kind = 0; kind < KINDS; kind++) {
         struct vpl_buffer chosen = with_sums_of(
             &technique->chosen[kind], kind == FIRST ? &lights->vpls : &lights->bounce.vpls);
-        vpl_maps_gather(&technique->maps, lights, &chosen, kind == FURTHER, frame, gbuffer);
+        vpl_maps_gather(&technique->maps, lights, &chosen, kind == LATER, frame, gbuffer);
         vpl_maps_drop(&technique->maps);
     }
     many_lights_finish(lights, frame, gbuffer);
@@ -293,6 +293,7 @@ const struct technique row_column_technique = {
     .free = free_state,
     .resize = many_lights_resize,
     .render_lights = render_lights,
+    .follows_camera = many_lights_follow_camera,
     .render_view = render_view,
     .contribution = many_lights_contribution,
     .outputs = outputs,

@@ -27,7 +27,7 @@ static bool init_programs(struct rows_pass *pass) {
     return program_init(&pass->pick_program,
                         &(struct program_desc){.vertex = "techniques/row-column/rows_pick.vert"}) &&
            init_program(&pass->program, desc, desc->clamp) &&
-           (!desc->has_further || init_program(&pass->further_program, desc, desc->further));
+           (!desc->has_later || init_program(&pass->later_program, desc, desc->later));
 }
 
 static bool init_matrix(struct rows_pass *pass) {
@@ -62,7 +62,7 @@ bool rows_pass_init(struct rows_pass *pass, const struct rows_desc *desc) {
 void rows_pass_free(struct rows_pass *pass) {
     program_free(&pass->pick_program);
     program_free(&pass->program);
-    program_free(&pass->further_program);
+    program_free(&pass->later_program);
     vertex_array_free(&pass->place_vertices);
     buffer_free(&pass->places);
     vpl_buffer_free(&pass->pixels);
@@ -115,7 +115,7 @@ void rows_pass_render(const struct rows_pass *pass, const struct frame *frame,
                       const struct rows_inputs *inputs) {
     struct pass_state state = {
         .name = "rows",
-        .program = inputs->further ? pass->further_program : pass->program,
+        .program = inputs->later ? pass->later_program : pass->program,
         .framebuffer = pass->framebuffer,
         .x = inputs->first_light,
         .y = inputs->first,

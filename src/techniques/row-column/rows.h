@@ -7,16 +7,16 @@
 #include "passes/vpls.h"
 
 struct rows_desc {
-    int rows;           /* r, at most */
-    int lights;         /* VPLs of all bounces */
-    int clamp, further; /* of those of the first bounce, and of others */
-    bool has_further;
+    int rows;         /* r, at most */
+    int lights;       /* VPLs of all bounces */
+    int clamp, later; /* of those of the first bounce, and of others */
+    bool has_later;
     struct visibility_desc visibility;
 };
 
 struct rows_pass {
     struct rows_desc desc;
-    GLuint pick_program, program, further_program;
+    GLuint pick_program, program, later_program;
     struct buffer places;
     GLuint place_vertices;
     struct vpl_buffer pixels; /* count: r of the last picture; they have no spread of their own */
@@ -35,7 +35,7 @@ void rows_pass_pick(struct rows_pass *pass, const struct frame *frame,
 
 struct rows_inputs {
     const struct vpl_buffer *vpls;
-    bool further;
+    bool later;
     int first_light;                    /* their first column */
     int first, count;                   /* rows whose maps are there */
     const struct buffer *gather_params; /* what gather_pass_write_params wrote */

@@ -1,5 +1,5 @@
 /* Reflective shadow maps without visibility [Dachsbacher and Stamminger 2005]: what clustering has
- * to beat in truth, and is measured against in time. */
+ * to beat in accuracy, and is measured against in time. */
 #include "base/memory.h"
 #include "techniques/many_lights.h"
 
@@ -52,6 +52,7 @@ const struct technique unshadowed_technique = {
     .free = free_state,
     .resize = many_lights_resize,
     .render_lights = render_lights,
+    .follows_camera = many_lights_follow_camera,
     .render_view = render_view,
     .contribution = many_lights_contribution,
     .outputs = outputs,

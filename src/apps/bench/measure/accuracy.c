@@ -8,9 +8,9 @@
 #include <stdlib.h>
 
 /* What a picture is held against; the first is made with the pictures, the others once. */
-enum { BEFORE, TRUTH, CENTERS, RAYS, STANDARDS };
+enum { BEFORE, REFERENCE, CENTERS, RAYS, STANDARDS };
 
-static const char *const standard_names[STANDARDS] = {AGAINST_BEFORE, AGAINST_TRUTH,
+static const char *const standard_names[STANDARDS] = {AGAINST_BEFORE, AGAINST_REFERENCE,
                                                       AGAINST_CENTERS, AGAINST_RAYS};
 
 struct step {
@@ -29,7 +29,7 @@ struct step {
 #define MAP_PER_VPL "technique=instant-radiosity,"
 #define MAP_PER_VAL "technique=clustered,"
 
-enum { ON_THE_WAY = 1U << BEFORE | 1U << TRUTH };
+enum { ON_THE_WAY = 1U << BEFORE | 1U << REFERENCE };
 
 static const struct step budget[] = {
     /* A pixel's centre stands for all of it. */
@@ -82,7 +82,7 @@ static const struct step curves[] = {
 struct run {
     struct results *results;
     const struct measure_desc *desc;
-    const struct truth_desc *truth;
+    const struct reference_desc *reference;
     struct image standards[STANDARDS]; /* those made so far */
     /* The picture before, which is drawn again where it was resumed. NULL: there is none. */
     const struct step *before_step;
@@ -91,8 +91,9 @@ struct run {
 
 static bool trace_centers(const struct run *run, const struct measure_desc *desc,
                           struct image *image) {
-    return truth_get(&(struct truth_desc){TRUTH_CENTERS, run->truth->cache, run->truth->noise},
-                     desc, image);
+    return reference_get(
+        &(struct reference_desc){REFERENCE_CENTERS, run->reference->cache, run->reference->noise},
+        desc, image);
 }
 
 static bool draw(const struct run *run, const struct step *step, const struct measure_desc *desc,
@@ -107,8 +108,8 @@ static bool need(struct run *run, int standard) {
     struct image *image = &run->standards[standard];
     struct measure_desc exact = *run->desc;
     return image->pixels ||
-           (standard == BEFORE  ? draw(run, run->before_step, &run->before, image)
-            : standard == TRUTH ? truth_get(run->truth, run->desc, image)
+           (standard == BEFORE      ? draw(run, run->before_step, &run->before, image)
+            : standard == REFERENCE ? reference_get(run->reference, run->desc, image)
             : standard == CENTERS
                 ? trace_centers(run, run->desc, image)
                 : measure_assign(&exact, HARD) && picture_trace(&exact, NULL, NULL, NULL, image));
@@ -117,7 +118,7 @@ static bool need(struct run *run, int standard) {
 static bool add_errors(struct run *run, unsigned against, const struct image *picture) {
     bool ok = true;
     for (int i = 0; ok && i < STANDARDS; i++) {
-        int standard = i == BEFORE && !run->before_step ? TRUTH : i;
+        int standard = i == BEFORE && !run->before_step ? REFERENCE : i;
         if (against >> i & 1)
             ok = need(run, standard) &&
                  errors_add(run->results, picture, &run->standards[standard], standard_names[i]);
@@ -177,18 +178,18 @@ static bool measure_steps(struct run *run, const struct step *steps) {
 }
 
 bool budget_measure(struct results *results, const struct measure_desc *desc,
-                    const struct truth_desc *truth) {
-    struct run run = {.results = results, .desc = desc, .truth = truth};
+                    const struct reference_desc *reference) {
+    struct run run = {.results = results, .desc = desc, .reference = reference};
     struct measure_desc exact = *desc;
     bool resumed;
-    snprintf(exact.variant, sizeof exact.variant, "the truth");
+    snprintf(exact.variant, sizeof exact.variant, "the reference");
     if (!results_resume(results, &exact, &resumed))
         return false;
     if (!resumed) {
-        if (!need(&run, TRUTH))
+        if (!need(&run, REFERENCE))
             return false;
         results_begin(results, &exact);
-        results_add(results, "noise", "", "%", 100 * truth_noise(&run.standards[TRUTH]));
+        results_add(results, "noise", "", "%", 100 * reference_noise(&run.standards[REFERENCE]));
         if (!results_commit(results))
             return false;
     }
@@ -196,7 +197,7 @@ bool budget_measure(struct results *results, const struct measure_desc *desc,
 }
 
 int budget_subjects(void) {
-    return sizeof budget / sizeof *budget; /* its end stands for the truth */
+    return sizeof budget / sizeof *budget; /* its end stands for the reference */
 }
 
 int curves_subjects(const struct measure_desc *desc) {
@@ -210,7 +211,7 @@ int curves_subjects(const struct measure_desc *desc) {
 }
 
 bool curves_measure(struct results *results, const struct measure_desc *desc,
-                    const struct truth_desc *truth) {
-    struct run run = {.results = results, .desc = desc, .truth = truth};
+                    const struct reference_desc *reference) {
+    struct run run = {.results = results, .desc = desc, .reference = reference};
     return measure_steps(&run, curves);
 }

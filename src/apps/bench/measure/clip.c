@@ -37,7 +37,7 @@ struct run {
 };
 
 static bool is_traced(const struct clip_desc *clip) {
-    return clip->truth.kind == TRUTH_PATH || clip->truth.kind == TRUTH_CENTERS;
+    return clip->reference.kind == REFERENCE_PATH || clip->reference.kind == REFERENCE_CENTERS;
 }
 
 static bool track_start(struct track *track, const struct measure_desc *desc, int frames) {
@@ -104,7 +104,7 @@ enum { EARLY, LATE, LOOKS };
 
 static struct measure_desc memory_desc(const struct run *run, int look) {
     static const char *const looks[LOOKS] = {"after a tenth of the clip", "at its end"};
-    struct measure_desc desc = run->clip->reference;
+    struct measure_desc desc = run->clip->all_vpls;
     snprintf(desc.variant, sizeof desc.variant, "memory");
     snprintf(desc.point, sizeof desc.point, "%s", looks[look]);
     return desc;
@@ -146,8 +146,9 @@ static void next_frame(struct track *track) {
 static bool make_reference(struct run *run, int of_r[3]) {
     struct track *r = &run->reference;
     next_frame(r);
-    if (!(is_traced(run->clip) ? truth_trace(&run->clip->truth, &run->clip->reference, &r->image)
-                               : render_frame(r)) ||
+    if (!(is_traced(run->clip)
+              ? reference_trace(&run->clip->reference, &run->clip->all_vpls, &r->image)
+              : render_frame(r)) ||
         !image_find_layer(&r->image, "indirect", of_r))
         return false;
     run->mean_r += image_mean(&r->image, of_r) / run->clip->frames;
@@ -194,7 +195,7 @@ static bool run_frames(struct run *run) {
             ok = track_frame(&run->tracks[t], &run->reference, of_r, i);
         if (i == clip->frames / 10)
             add_memory(run, EARLY);
-        struct measure_desc at = frame_desc(run, &clip->reference, i);
+        struct measure_desc at = frame_desc(run, &clip->all_vpls, i);
         results_tell_work(run->results, &at, (i + 1.) / clip->frames * clip_subjects(clip));
     }
     add_memory(run, LATE);
@@ -277,7 +278,7 @@ bool clip_measure(struct results *results, const struct clip_desc *clip) {
     if (resumed)
         return true;
     run.tracks = mem_alloc((size_t)clip->subjects->count, sizeof *run.tracks);
-    bool ok = is_traced(clip) || track_start(&run.reference, &clip->reference, clip->frames);
+    bool ok = is_traced(clip) || track_start(&run.reference, &clip->all_vpls, clip->frames);
     for (int t = 0; ok && t < clip->subjects->count; t++)
         ok = track_start(&run.tracks[t], &clip->subjects->items[t], clip->frames);
     ok = ok && run_frames(&run);

@@ -11,15 +11,16 @@
 #define APPS_BENCH_MEASURE_CLIP_H
 
 #include "apps/bench/measure/results.h"
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 #include "apps/bench/measure/variants.h"
 
 struct clip_desc {
     struct stage *stage; /* of all subjects; is posed */
     const struct measure_list *subjects;
-    int frames;                    /* spread over the clip; at least 2 */
-    struct measure_desc reference; /* what is R, unless the truth is path-traced */
-    struct truth_desc truth;       /* TRUTH_PATH or TRUTH_CENTERS: R; its cache has no part in it */
+    int frames;                   /* spread over the clip; at least 2 */
+    struct measure_desc all_vpls; /* what is R, unless the reference is path-traced */
+    struct reference_desc
+        reference; /* REFERENCE_PATH or REFERENCE_CENTERS: R; its cache has no part in it */
 };
 
 /* Adds for each subject and frame, whose point is "time=SECONDS":

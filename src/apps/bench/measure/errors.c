@@ -14,13 +14,13 @@ static const struct error_row {
 };
 
 static bool add(struct results *results, const struct error_row *row, const struct image *test,
-                const struct image *truth, const char *against) {
+                const struct image *reference, const char *against) {
     struct image layers[2] = {{0}};
     struct comparison comparison = {.test = &layers[0],
                                     .reference = &layers[1],
                                     .pixels_per_degree = DEFAULT_PIXELS_PER_DEGREE};
     bool ok = (layer_extract(&layers[0], test, row->layer) || error_prefix("frame")) &&
-              (layer_extract(&layers[1], truth, row->layer) || error_prefix("reference"));
+              (layer_extract(&layers[1], reference, row->layer) || error_prefix("reference"));
     if (ok)
         results_add(results, row->metric, against, row->unit,
                     row->scale * metric_measure(metric_find(row->metric), &comparison, NULL));
@@ -29,10 +29,10 @@ static bool add(struct results *results, const struct error_row *row, const stru
     return ok;
 }
 
-bool errors_add(struct results *results, const struct image *test, const struct image *truth,
+bool errors_add(struct results *results, const struct image *test, const struct image *reference,
                 const char *against) {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        if (!add(results, &rows[i], test, truth, against))
+        if (!add(results, &rows[i], test, reference, against))
             return false;
     return true;
 }

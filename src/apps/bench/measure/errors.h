@@ -1,15 +1,15 @@
-/* How far a picture is from the truth. */
+/* How far a picture is from the reference. */
 #ifndef APPS_BENCH_MEASURE_ERRORS_H
 #define APPS_BENCH_MEASURE_ERRORS_H
 
 #include "apps/bench/measure/results.h"
 #include "base/image.h"
 
-/* Adds relative-rmse, relative-mae, relative-bias (% of the truth's mean) and gradient of the
+/* Adds relative-rmse, relative-mae, relative-bias (% of the reference's mean) and gradient of the
  * indirect layer, and ldr-flip of the picture: few wrong pixels make the first, many the second,
- * and the last says whether they are seen. against: what results call the truth. Error: a layer is
+ * and the last says whether they are seen. against: what results call the reference. Error: a layer is
  * missing, or a value is not finite. */
-bool errors_add(struct results *results, const struct image *test, const struct image *truth,
+bool errors_add(struct results *results, const struct image *test, const struct image *reference,
                 const char *against);
 
 /* The columns of these errors, for the table of a results_print. */

@@ -45,8 +45,8 @@ struct run {
     const struct failure_row *row;
     const struct failure_desc *desc;
     struct stage stage;
-    struct image picture;                       /* the truth, all layers */
-    struct image truth, tests[FAILURE_COLUMNS]; /* indirect layers */
+    struct image picture;                           /* the reference, all layers */
+    struct image reference, tests[FAILURE_COLUMNS]; /* indirect layers */
 };
 
 static int count_non_finite(const struct image *image) {
@@ -80,9 +80,9 @@ static bool prepare(const struct run *run, const char *column, struct measure_de
            measure_assign(subject, row->settings);
 }
 
-static bool get_truth(struct run *run, const struct measure_desc *subject) {
-    return run->truth.pixels || (truth_get(&run->desc->truth, subject, &run->picture) &&
-                                 layer_extract(&run->truth, &run->picture, "indirect"));
+static bool get_reference(struct run *run, const struct measure_desc *subject) {
+    return run->reference.pixels || (reference_get(&run->desc->reference, subject, &run->picture) &&
+                                     layer_extract(&run->reference, &run->picture, "indirect"));
 }
 
 /* Of a picture whose values are all finite. */
@@ -90,8 +90,8 @@ static bool add_errors(struct results *results, const struct run *run, const str
                        struct image *test) {
     if (!layer_extract(test, picture, "indirect"))
         return false;
-    add_worst(results, &(struct comparison){.test = test, .reference = &run->truth});
-    return errors_add(results, picture, &run->picture, truth_names[TRUTH_CENTERS]);
+    add_worst(results, &(struct comparison){.test = test, .reference = &run->reference});
+    return errors_add(results, picture, &run->picture, reference_names[REFERENCE_CENTERS]);
 }
 
 static void add_bound(struct results *results, const struct bound *bound, bool sound) {
@@ -111,7 +111,7 @@ static bool measure(struct results *results, struct run *run, int column) {
     if (!prepare(run, failure_columns[column], &subject, &bound))
         return false;
     results_tell_work(results, &subject, column);
-    if (!get_truth(run, &subject) || !picture_render(&subject, &picture))
+    if (!get_reference(run, &subject) || !picture_render(&subject, &picture))
         return false;
     messages = context_message_count(run->desc->context) - messages;
     int non_finite = count_non_finite(&picture);
@@ -129,7 +129,7 @@ static bool draw(const struct run *run) {
         return true;
     char *path = mem_printf("%s/%s.png", run->desc->pictures, run->row->name);
     bool ok = folder_make_for(path) &&
-              panels_write(path, run->row->name, &run->truth, run->tests, FAILURE_COLUMNS);
+              panels_write(path, run->row->name, &run->reference, run->tests, FAILURE_COLUMNS);
     free(path);
     return ok;
 }
@@ -172,7 +172,7 @@ bool failure_measure(struct results *results, const struct failure_row *row,
     ok = ok && resume(results, &run, &resumed) && (resumed || measure_all(results, &run));
     for (int i = 0; i < FAILURE_COLUMNS; i++)
         image_free(&run.tests[i]);
-    image_free(&run.truth);
+    image_free(&run.reference);
     image_free(&run.picture);
     stage_free(&run.stage);
     return ok || error_prefix("%s", row->name);

@@ -10,7 +10,7 @@
 #define APPS_BENCH_MEASURE_FAILURES_H
 
 #include "apps/bench/measure/results.h"
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 #include "gl/context/context.h"
 
 struct failure_row {
@@ -35,7 +35,7 @@ const struct failure_row *failure_row_find(const char *name);
 struct failure_desc {
     int width, height;
     const struct text_list *settings; /* of all columns, below the row's; NULL = none */
-    struct truth_desc truth;          /* TRUTH_CENTERS: without the error of edges */
+    struct reference_desc reference;  /* REFERENCE_CENTERS: without the error of edges */
     const struct context *context;    /* its messages count */
     bool small;                       /* hold results to the bounds of small pictures */
     unsigned columns;                 /* bits of failure_columns; 0 = all, as pictures need */
@@ -46,7 +46,7 @@ struct failure_desc {
  *     what errors_add adds, worst (pixel: |v - r| over the reference's mean) in %, non-finite
  *     (values), messages (of OpenGL), rmse-bound, bias-bound, and holds: 1 where it is finite,
  *     silent and within bounds
- * Errors over a black truth are infinite. Error: of the scene, the renderer or a file. */
+ * Errors over a black reference are infinite. Error: of the scene, the renderer or a file. */
 bool failure_measure(struct results *results, const struct failure_row *row,
                      const struct failure_desc *desc);
 

@@ -13,16 +13,16 @@ static struct measure_desc point_of(const struct measure_desc *desc, int passes)
 
 /* What is shown now: the mean of so many passes. */
 static bool add_mean(struct results *results, const struct measure_desc *point,
-                     struct renderer *renderer, const struct image *truth) {
+                     struct renderer *renderer, const struct image *reference) {
     struct image mean;
-    double noise = 100 * truth_noise(truth);
+    double noise = 100 * reference_noise(reference);
     if (!renderer_read_layers(renderer, &mean))
         return false;
     results_begin(results, point);
-    bool ok = errors_add(results, &mean, truth, truth_names[TRUTH_PATH]);
+    bool ok = errors_add(results, &mean, reference, reference_names[REFERENCE_PATH]);
     double all = results_value(results, results->subject_count - 1, "relative-rmse", NULL);
     results_add(results, "noise", "", "%", noise);
-    results_add(results, "error", truth_names[TRUTH_PATH], "%",
+    results_add(results, "error", reference_names[REFERENCE_PATH], "%",
                 sqrt(fmax(all * all - noise * noise, 0)));
     image_free(&mean);
     return ok && results_commit(results);
@@ -51,7 +51,8 @@ static bool resume(struct results *results, const struct measure_desc *desc, int
 
 /* All passes are drawn; those before the first number of them make no row. */
 static bool add_means(struct results *results, const struct measure_desc *desc,
-                      struct renderer *renderer, const struct image *truth, int first, int count) {
+                      struct renderer *renderer, const struct image *reference, int first,
+                      int count) {
     int next = first, subjects = passes_subjects(count), added = passes_subjects(first - 1);
     for (int pass = 1; next <= count; pass++) {
         struct measure_desc point = point_of(desc, next);
@@ -60,7 +61,7 @@ static bool add_means(struct results *results, const struct measure_desc *desc,
         results_tell_work(results, &point, (double)pass / count * subjects - added);
         if (pass < next)
             continue;
-        if (!add_mean(results, &point, renderer, truth))
+        if (!add_mean(results, &point, renderer, reference))
             return false;
         next *= 2;
         added++;
@@ -69,7 +70,7 @@ static bool add_means(struct results *results, const struct measure_desc *desc,
 }
 
 bool passes_measure(struct results *results, const struct measure_desc *desc,
-                    const struct truth_desc *truth, int count) {
+                    const struct reference_desc *reference, int count) {
     struct renderer renderer;
     struct image exact;
     int first;
@@ -77,7 +78,7 @@ bool passes_measure(struct results *results, const struct measure_desc *desc,
         return false;
     if (first > count)
         return true;
-    if (!truth_get(truth, desc, &exact))
+    if (!reference_get(reference, desc, &exact))
         return false;
     bool ok = measure_start_mean(&renderer, desc);
     if (ok) {

@@ -3,13 +3,13 @@
 #define APPS_BENCH_MEASURE_PASSES_H
 
 #include "apps/bench/measure/results.h"
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 
 /* Adds a subject for each power of two up to `count` passes, whose point is "passes=K", with the errors
- * of the mean of K; "noise", the truth's; and "error", the relative RMSE of the indirect layer without
- * that noise, as squares. desc: what is drawn. Error: of the truth or the renderer. */
+ * of the mean of K; "noise", the reference's; and "error", the relative RMSE of the indirect layer without
+ * that noise, as squares. desc: what is drawn. Error: of the reference or the renderer. */
 int passes_subjects(int count); /* how many they are */
 bool passes_measure(struct results *results, const struct measure_desc *desc,
-                    const struct truth_desc *truth, int count);
+                    const struct reference_desc *reference, int count);
 
 #endif

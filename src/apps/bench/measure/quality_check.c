@@ -1,6 +1,6 @@
 #include "apps/bench/measure/quality_check.h"
 
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 #include "base/clock.h"
 #include "base/memory.h"
 #include "metrics/layer.h"
@@ -58,8 +58,8 @@ struct check {
     const struct quality_check_desc *desc;
     struct results *results;
     struct estimate estimate;
-    double asked;       /* now */
-    struct image truth; /* its indirect layer, as far as it is covered */
+    double asked;           /* now */
+    struct image reference; /* its indirect layer, as far as it is covered */
     double noise;
     struct tried tried[TRIED_MAX];
     int count, ladder; /* the first ones are the ladder's */
@@ -71,9 +71,9 @@ static double without_noise(double error, double noise) {
 
 static bool measure_error(struct check *check, struct tried *tried) {
     struct image layer;
-    if (!layer_extract_covered(&layer, &tried->picture, "indirect", check->desc->truth))
+    if (!layer_extract_covered(&layer, &tried->picture, "indirect", check->desc->reference))
         return false;
-    struct comparison comparison = {.test = &layer, .reference = &check->truth};
+    struct comparison comparison = {.test = &layer, .reference = &check->reference};
     double error = metric_measure(metric_find("relative-rmse"), &comparison, NULL);
     tried->error = without_noise(error, check->noise);
     image_free(&layer);
@@ -118,7 +118,7 @@ static bool try_frame(struct check *check, struct tried *tried) {
     if (!start(check, tried, measure_start, &renderer))
         return false;
     renderer_render(&renderer); /* compiles */
-    if (!check->desc->told && !tried->resumed)
+    if (!check->desc->estimates && !tried->resumed)
         time_frames(&renderer, tried);
     bool ok = renderer_read_layers(&renderer, &tried->picture) && measure_error(check, tried);
     renderer_free(&renderer);
@@ -167,7 +167,7 @@ static void list_choices(struct check *check) {
     for (int i = 0; i < count; i++)
         add_choice(check, &choices[i]);
     check->ladder = check->count;
-    for (int i = 0; i < OTHERS && !check->desc->told; i++)
+    for (int i = 0; i < OTHERS && !check->desc->estimates; i++)
         add_choice(check, &others[i]);
 }
 
@@ -190,8 +190,8 @@ static struct measure_desc describe(const struct check *check, const struct trie
 static void begin(struct check *check, const struct tried *tried,
                   const struct measure_desc *measure) {
     results_begin(check->results, measure);
-    results_add(check->results, "error", truth_names[TRUTH_PATH], "%", 100 * tried->error);
-    if (!check->desc->told) {
+    results_add(check->results, "error", reference_names[REFERENCE_PATH], "%", 100 * tried->error);
+    if (!check->desc->estimates) {
         results_add(check->results, "clock", "", "ms", tried->ms);
         results_add(check->results, "cpu", "", "ms", tried->cpu);
     }
@@ -232,7 +232,7 @@ static bool add_asked(struct check *check, double error, const struct quality_fo
     return results_commit(check->results);
 }
 
-/* Told in any case: the estimate learns from each picture, for those that follow. */
+/* Estimated in any case: the estimate learns from each picture, for those that follow. */
 static bool ask(struct check *check, double error) {
     struct quality_found found;
     char point[32];
@@ -249,7 +249,7 @@ static bool ask(struct check *check, double error) {
 
 static struct measure_desc describe_tried(const struct check *check, int i) {
     const char *camera = check->desc->measure->stage->camera_text;
-    const char *rung = check->desc->told && camera ? camera : "ladder";
+    const char *rung = check->desc->estimates && camera ? camera : "ladder";
     return describe(check, &check->tried[i], i < check->ladder ? rung : "fixed", NULL);
 }
 
@@ -257,15 +257,15 @@ static struct measure_desc describe_tried(const struct check *check, int i) {
 static bool add_tried(struct check *check, int i) {
     struct measure_desc measure = describe_tried(check, i);
     struct tried *tried = &check->tried[i];
-    double told;
+    double estimated;
     if (i < check->ladder &&
-        !estimate_picture_error(&check->estimate, &tried->picture, INFINITY, &told))
+        !estimate_picture_error(&check->estimate, &tried->picture, INFINITY, &estimated))
         return false;
     if (tried->resumed)
         return true;
     begin(check, tried, &measure);
     if (i < check->ladder)
-        results_add(check->results, "told", "", "%", 100 * told);
+        results_add(check->results, "told", "", "%", 100 * estimated);
     return results_commit(check->results);
 }
 
@@ -317,7 +317,7 @@ static bool try_all(struct check *check) {
         count = count_at(check, i);
         ok = try_at(check, i, count);
     }
-    for (int i = 0; ok && !check->desc->told && i < ASKED; i++)
+    for (int i = 0; ok && !check->desc->estimates && i < ASKED; i++)
         ok = ask(check, asked[i]);
     return ok;
 }
@@ -325,19 +325,20 @@ static bool try_all(struct check *check) {
 int quality_check_subjects(const struct quality_check_desc *desc) {
     struct check check = {.desc = desc};
     list_choices(&check);
-    return check.count + (desc->told ? 0 : ASKED);
+    return check.count + (desc->estimates ? 0 : ASKED);
 }
 
 bool quality_check(struct results *results, const struct quality_check_desc *desc) {
     struct check check = {
-        .desc = desc, .results = results, .noise = truth_noise_covered(desc->truth)};
+        .desc = desc, .results = results, .noise = reference_noise_covered(desc->reference)};
     list_choices(&check);
-    bool ok = resume(&check) &&
-              layer_extract_covered(&check.truth, desc->truth, "indirect", desc->truth) &&
-              estimate_init(&check.estimate, desc->measure) && try_all(&check);
+    bool ok =
+        resume(&check) &&
+        layer_extract_covered(&check.reference, desc->reference, "indirect", desc->reference) &&
+        estimate_init(&check.estimate, desc->measure) && try_all(&check);
     for (int i = 0; i < check.count; i++)
         image_free(&check.tried[i].picture);
     estimate_free(&check.estimate);
-    image_free(&check.truth);
+    image_free(&check.reference);
     return ok;
 }

@@ -1,4 +1,4 @@
-/* Whether errors are as they are told, and what is chosen by them as cheap as it can be. */
+/* Compares estimated errors with measured ones, and the choices by them with the cheapest possible ones. */
 #ifndef APPS_BENCH_MEASURE_QUALITY_CHECK_H
 #define APPS_BENCH_MEASURE_QUALITY_CHECK_H
 
@@ -9,18 +9,18 @@ struct quality_check_desc {
     const struct measure_desc *measure; /* as quality_desc's, with settings */
     const char *const *texts;
     int text_count;
-    const struct image *truth; /* of all pixels */
+    const struct image *reference; /* of all pixels */
     int most_passes;
-    bool told; /* only the ladder: each choice drawn once, and no times */
+    bool estimates; /* only the ladder: each choice drawn once, and no times */
 };
 
-/* Draws each choice of the quality ladder, in the order in which the program comes, and fixed settings and techniques beside it: a subject each, of variant
- * "ladder" or "fixed", with its "error" (relative RMSE of the indirect layer as far as pixels are covered, the truth's noise taken off),
- * "clock" and "cpu", and of the ladder the error that is told, "told". Then, of variant "automatic", one for each
- * error that may be asked for ("error=8%"), with what the ladder's choice has; besides "told", the error that was told
- * of it, "of-asked", its error over the one asked for, and "of-fastest", its CPU time over that of the fastest that errs
- * no more. Where only what is told is wanted, the variant is the camera, if one is named. Error: of a renderer or the
- * tracer. */
+/* Draws each choice of the quality ladder, in the order in which the program comes, and fixed settings and techniques
+ * beside it: a subject each, of variant "ladder" or "fixed", with its "error" (relative RMSE of the indirect layer as far
+ * as pixels are covered, the reference's noise taken off), "clock" and "cpu", and of the ladder "told", the estimated
+ * error. Then, of variant "automatic", one for each error that may be asked for ("error=8%"), with what the ladder's
+ * choice has; besides "told", the error that was estimated for it, "of-asked", its error over the one asked for, and
+ * "of-fastest", its CPU time over that of the fastest that errs no more. With estimates alone, the variant is the camera,
+ * if one is named. Error: of a renderer or the tracer. */
 int quality_check_subjects(const struct quality_check_desc *desc); /* how many they are */
 bool quality_check(struct results *results, const struct quality_check_desc *desc);
 

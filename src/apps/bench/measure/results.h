@@ -8,7 +8,7 @@
 struct result {
     int subject;
     char what[TIMER_PATH_SIZE]; /* "frame/gather", "clock", "relative-rmse" */
-    const char *against;        /* of an error: what holds the truth; else "" */
+    const char *against;        /* of an error: what holds the reference; else "" */
     const char *unit;           /* "ms", "MiB", "%", "1" ... */
     struct summary figure;
 };

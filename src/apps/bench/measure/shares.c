@@ -1,6 +1,6 @@
 #include "apps/bench/measure/shares.h"
 
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 #include "base/error.h"
 
 #include <math.h>
@@ -19,9 +19,9 @@ static bool find_layer(const struct image *image, const char *name, int *first) 
     return true;
 }
 
-static bool find_noise(const struct image *truth, bool of_sky, int *channel) {
+static bool find_noise(const struct image *reference, bool of_sky, int *channel) {
     const char *name = of_sky ? "standard_error.direct.Y" : "standard_error.visibility.Y";
-    *channel = image_find_channel(truth, name);
+    *channel = image_find_channel(reference, name);
     return *channel >= 0 || error_set("no channel %s", name);
 }
 
@@ -35,11 +35,11 @@ static double share_of(double light, double unshadowed) {
     return fmin(fmax(light / unshadowed, 0), 1);
 }
 
-static double brightest(const struct image *truth, int first) {
+static double brightest(const struct image *reference, int first) {
     double most = 0;
-    for (int y = 0; y < truth->height; y++)
-        for (int x = 0; x < truth->width; x++)
-            most = fmax(most, grey(truth, x, y, first));
+    for (int y = 0; y < reference->height; y++)
+        for (int x = 0; x < reference->width; x++)
+            most = fmax(most, grey(reference, x, y, first));
     return most;
 }
 
@@ -63,7 +63,7 @@ static double rms(const struct sums *sums) {
 }
 
 static void add_all(struct results *results, const struct sums *all, const struct sums *bright) {
-    const char *against = truth_names[TRUTH_SEEN];
+    const char *against = reference_names[REFERENCE_SEEN];
     results_add(results, "visible-share", against, "%", rms(bright));
     results_add(results, "visible-bias", against, "%", 100 * bright->sum / fmax(bright->count, 1));
     results_add(results, "visible-share-all", against, "%", rms(all));
@@ -71,24 +71,25 @@ static void add_all(struct results *results, const struct sums *all, const struc
                 percent(bright->noise_squares, bright->count));
 }
 
-bool shares_add(struct results *results, const struct image *test, const struct image *truth,
+bool shares_add(struct results *results, const struct image *test, const struct image *reference,
                 bool of_sky) {
     struct layers at;
     struct sums all = {0}, bright = {0};
-    if (!find_layer(test, "direct", &at.test) || !find_layer(truth, "direct", &at.direct) ||
-        !find_layer(truth, "unshadowed", &at.unshadowed) ||
-        !find_layer(truth, "visibility", &at.visibility) || !find_noise(truth, of_sky, &at.noise))
+    if (!find_layer(test, "direct", &at.test) || !find_layer(reference, "direct", &at.direct) ||
+        !find_layer(reference, "unshadowed", &at.unshadowed) ||
+        !find_layer(reference, "visibility", &at.visibility) ||
+        !find_noise(reference, of_sky, &at.noise))
         return error_prefix("visible share");
-    double least = .01 * brightest(truth, at.unshadowed);
-    for (int y = 0; y < truth->height; y++)
-        for (int x = 0; x < truth->width; x++) {
-            double unshadowed = grey(truth, x, y, at.unshadowed);
+    double least = .01 * brightest(reference, at.unshadowed);
+    for (int y = 0; y < reference->height; y++)
+        for (int x = 0; x < reference->width; x++) {
+            double unshadowed = grey(reference, x, y, at.unshadowed);
             if (!(unshadowed > 0))
                 continue;
-            double seen = of_sky ? share_of(grey(truth, x, y, at.direct), unshadowed)
-                                 : grey(truth, x, y, at.visibility);
+            double seen = of_sky ? share_of(grey(reference, x, y, at.direct), unshadowed)
+                                 : grey(reference, x, y, at.visibility);
             double off = share_of(grey(test, x, y, at.test), unshadowed) - seen;
-            double noise = (double)image_at(truth, x, y)[at.noise] / (of_sky ? unshadowed : 1);
+            double noise = (double)image_at(reference, x, y)[at.noise] / (of_sky ? unshadowed : 1);
             add(&all, off, noise);
             if (unshadowed >= least)
                 add(&bright, off, noise);

@@ -1,7 +1,7 @@
 #include "apps/bench/measure/timing.h"
 
 #include "apps/bench/measure/errors.h"
-#include "apps/bench/measure/rival.h"
+#include "apps/bench/measure/baseline.h"
 #include "apps/bench/measure/shares.h"
 #include "base/clock.h"
 #include "base/log.h"
@@ -101,17 +101,18 @@ static void add_times(struct results *results, struct run *run, int first) {
     results_add(results, "gpu-memory", "", "MiB", run->gpu_memory);
 }
 
-static bool add_errors(struct results *results, struct run *run, const struct truth_desc *truth) {
-    struct image frame = {0}, reference = {0};
-    bool ok =
-        truth->kind == TRUTH_NONE ||
-        (truth_get(truth, run->desc, &reference) && renderer_read_layers(&run->renderer, &frame) &&
-         (truth->kind == TRUTH_SEEN
-              ? shares_add(results, &frame, &reference, run->desc->stage->emitters.sky)
-              : errors_add(results, &frame, &reference, truth_names[truth->kind])));
+static bool add_errors(struct results *results, struct run *run,
+                       const struct reference_desc *reference) {
+    struct image frame = {0}, exact = {0};
+    bool ok = reference->kind == REFERENCE_NONE ||
+              (reference_get(reference, run->desc, &exact) &&
+               renderer_read_layers(&run->renderer, &frame) &&
+               (reference->kind == REFERENCE_SEEN
+                    ? shares_add(results, &frame, &exact, run->desc->stage->emitters.sky)
+                    : errors_add(results, &frame, &exact, reference_names[reference->kind])));
     image_free(&frame);
-    image_free(&reference);
-    rival_add_ratios(results);
+    image_free(&exact);
+    baseline_add_ratios(results);
     return ok;
 }
 
@@ -176,7 +177,7 @@ static int measure_group(struct results *results, int first, const struct measur
     for (int i = 0; i < group.count; i++) {
         if (ok) {
             add_times(results, &group.runs[i], first);
-            ok = add_errors(results, &group.runs[i], &timing->truth) && results_commit(results);
+            ok = add_errors(results, &group.runs[i], &timing->reference) && results_commit(results);
         }
         run_free(&group.runs[i]);
     }

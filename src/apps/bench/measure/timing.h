@@ -4,18 +4,19 @@
 #define APPS_BENCH_MEASURE_TIMING_H
 
 #include "apps/bench/measure/results.h"
-#include "apps/bench/measure/truth.h"
+#include "apps/bench/measure/reference.h"
 #include "apps/bench/measure/variants.h"
 
 struct timing_desc {
     int warm_up, frames; /* of each subject; 0 = by the context: few on the CPU, many on a GPU */
-    struct truth_desc truth; /* for errors of the last frame, too; zeroed = none */
+    struct reference_desc reference; /* for errors of the last frame, too; zeroed = none */
 };
 
 /* Measures subjects of one stage, up to TIMING_GROUP with a renderer each at the same time, fewer where frames are slow.
  * Commits each when its group is done. Adds
  * the medians of all passes ("frame", "frame/gather" ...), "clock" and "cpu" (a frame without
- * timers; of all cores together), "gpu-memory", errors (against TRUTH_SEEN shares_add's), and rival_add_ratios's. Error: of a renderer or of the truth. */
+ * timers; of all cores together), "gpu-memory", errors (against REFERENCE_SEEN shares_add's), and
+ * baseline_add_ratios's. Error: of a renderer or of the reference. */
 enum { TIMING_GROUP = 8, TIMING_GROUP_LEAST = 2 };
 bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing);

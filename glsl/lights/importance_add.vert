@@ -1,0 +1,24 @@
+// A candidate lands on its cell with its value over the density of candidates there: of all rounds so far, which is the
+// balance heuristic [Veach 1997, §9.2.2].
+#include "lights/importance_cells.glsl"
+#include "lights/light_fraction.glsl"
+#if ROUND > 0
+#include "lights/vpl_density.glsl"
+#endif
+
+layout(binding = UNIT_CANDIDATES) uniform sampler2D candidates;
+
+flat out float value;
+
+void main() {
+    vec4 candidate = texelFetch(candidates, ivec2(gl_VertexID % CANDIDATES_SIDE, gl_VertexID / CANDIDATES_SIDE), 0);
+    int index = int(candidate.z);
+    float density = 1.0 / max(float(light_count) * light_fraction(index), 1e-30);
+#if ROUND > 0
+    density += vpl_density(index, candidate.xy);
+#endif
+    value = candidate.w / density;
+    ivec2 cell = importance_tile(index) * VPL_DENSITY_SIDE + importance_cell(candidate.xy);
+    vec2 ndc = (vec2(cell) + 0.5) / vec2(params.tiles * VPL_DENSITY_SIDE) * 2.0 - 1.0;
+    gl_Position = value > 0.0 ? vec4(ndc, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
+}

@@ -1,0 +1,48 @@
+// Candidate i: a place of a light's domain, and the irradiance that a VPL there gives to the picture. This is its flux times
+// the sum of geometry terms with pixels spread evenly over the picture, other pixels for each candidate. One ray tests
+// visibility for all of them: to a pixel picked in proportion to its term, so that the estimate is unbiased.
+#define CLAMP GATHER_CLAMP_DISK
+#include "gather/geometry_term.glsl"
+#include "lib/vpl_shares.glsl"
+#include "lights/seen_pixel.glsl"
+#include "lights/vpl_reflected.glsl"
+#include "shared/importance_map.h"
+#include "visibility/bvh.glsl"
+#include VPL_CHOICE
+
+layout(location = TARGET_RESULT) out vec4 candidate; // place, light, value
+
+// Multiples of the powers of 1/x, x^5 = x + 1, in 32 bits: evenly spread in four dimensions.
+vec4 numbers_of(int i) {
+    const uvec4 STEPS = uvec4(3679391137u, 3152041523u, 2700274806u, 2313257605u);
+    return vec4(uint(i) * STEPS >> 8) / 16777216.0;
+}
+
+float arriving(vpl v, vec2 shift, float pick) {
+    float sum = 0.0;
+    vec3 position = vec3(0.0), normal = vec3(0.0);
+    for (int j = 0; j < CANDIDATE_PIXELS; j++) {
+        surface s = seen_pixel(j, shift);
+        float term = s.present ? light_term(0, v.position - s.position, s.normal, v) : 0.0;
+        sum += term;
+        float fraction = term > 0.0 ? term / sum : 0.0;
+        bool taken = pick < fraction;
+        pick = taken ? pick / fraction : (pick - fraction) / max(1.0 - fraction, 1e-6);
+        position = taken ? s.position : position;
+        normal = taken ? s.normal : normal;
+    }
+    vec3 end = sum > 0.0 ? v.position : position; // no way, no ray
+    return is_blocked(position, normal, end) ? 0.0 : sum;
+}
+
+void main() {
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    int i = texel.y * CANDIDATES_SIDE + texel.x, index;
+    vec4 number = numbers_of(i + 1);
+    vec2 place;
+    vpl_choose(number.xyz, index, place);
+    vpl v = vpl_reflected(light_at(index), vpl_share_at(index).measure, place);
+    float power = dot(v.flux, vec3(1.0));
+    vec2 shift = fract(number.xy * 31.0 + number.wz);
+    candidate = vec4(place, float(index), power > 0.0 ? power * arriving(v, shift, number.w) : 0.0);
+}

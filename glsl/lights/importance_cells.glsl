@@ -1,0 +1,10 @@
+// Where the lights' domains lie in an importance map.
+#include "shared/vpl_density.h"
+
+ivec2 importance_tile(int index) {
+    return ivec2(index % VPL_DENSITY_ROW, index / VPL_DENSITY_ROW);
+}
+
+ivec2 importance_cell(vec2 place) {
+    return clamp(ivec2(place * float(VPL_DENSITY_SIDE)), ivec2(0), ivec2(VPL_DENSITY_SIDE - 1));
+}

@@ -1,0 +1,21 @@
+// Which of the 3 x 3 pixels around it a pixel's samples take their shading from: four bits a sample.
+// 0 is the pixel itself, 1 .. 8 its neighbours, ASSIGNED_EDGE_SAMPLE its edge sample, ASSIGNED_NOTHING where the
+// sample sees no surface.
+const uint ASSIGNED_EDGE_SAMPLE = 9u;
+const uint ASSIGNED_NOTHING = 15u;
+
+// Row by row, the pixel itself taken out of its place and put first.
+ivec2 assigned_offset(uint assigned) {
+    int at = assigned == 0u ? 4 : int(assigned) - (assigned <= 4u ? 1 : 0);
+    return ivec2(at % 3, at / 3) - 1;
+}
+
+uint assigned_to(uvec2 assignment, int index) {
+    return assignment[index / 8] >> uint(4 * (index % 8)) & 15u;
+}
+
+// Whether any of the samples does: one of the fours of bits is zero without ASSIGNED_EDGE_SAMPLE, and borrows.
+bool has_edge_sample(uvec2 assignment) {
+    uvec2 others = assignment ^ 0x11111111u * ASSIGNED_EDGE_SAMPLE;
+    return ((others - 0x11111111u) & ~others & 0x88888888u) != uvec2(0u);
+}

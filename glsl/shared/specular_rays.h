@@ -1,0 +1,25 @@
+/* passes/gather/specular_rays.h to its shader. */
+#ifndef SHARED_SPECULAR_RAYS_H
+#define SHARED_SPECULAR_RAYS_H
+
+#include "shared/interleaving.h"
+
+#define UNIT_RSM_SPECULAR (UNIT_OWN + 0) /* LIGHT_MAP_KINDS of them: shared/light.h */
+
+/* From one ray's place in the lobe's square to the next one's. */
+#define SPECULAR_STEP_X 0.7548776662
+#define SPECULAR_STEP_Y 0.5698402910
+
+struct specular_rays_params {
+    STRUCT(interleaving) pattern;
+    vec3 bounds_min; /* of the scene, metres */
+    float scale;     /* of the stored radiance */
+    vec3 bounds_max;
+    int rays;         /* of a pixel */
+    vec2 start;       /* of a pass's first ray, in [0, 1): others in each pass of many */
+    float vpl_weight; /* of the VPLs that share a receiver with the rays: one stands for so many */
+    float unused;
+};
+PASS_BLOCK(specular_rays_params, 64)
+
+#endif

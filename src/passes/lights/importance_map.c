@@ -1,0 +1,195 @@
+#include "passes/lights/importance_map.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "passes/frame.h"
+#include "shared/importance_map.h"
+
+static_assert(VPL_DENSITY_SIDE == 1 << (VPL_DENSITY_LEVELS - 1), "levels down to one cell");
+
+enum { CANDIDATES = CANDIDATES_SIDE * CANDIDATES_SIDE }; /* of a round */
+
+static bool init_round(struct importance_map_pass *pass, int round) {
+    static const char *const choices[IMPORTANCE_ROUNDS] = {
+        "VPL_CHOICE lights/candidate_by_light.glsl", "VPL_CHOICE lights/vpl_by_importance.glsl"};
+    static const char *const rounds[IMPORTANCE_ROUNDS] = {"ROUND 0", "ROUND 1"};
+    return program_init(&pass->candidate_programs[round],
+                        &(struct program_desc){.screen = {"lights/importance_candidate.frag"},
+                                               .defines = choices[round]}) &&
+           program_init(&pass->add_programs[round],
+                        &(struct program_desc){.vertex = "lights/importance_add.vert",
+                                               .fragment = "lights/importance_add.frag",
+                                               .defines = rounds[round]});
+}
+
+static bool init_programs(struct importance_map_pass *pass) {
+    return init_round(pass, 0) && init_round(pass, 1) &&
+           program_init(&pass->light_program,
+                        &(struct program_desc){.screen = {"lights/importance_light.frag"}}) &&
+           program_init(&pass->density_program,
+                        &(struct program_desc){.screen = {"lights/importance_density.frag"}});
+}
+
+static bool init_target(struct texture *texture, GLuint *framebuffer,
+                        const struct texture_desc *desc) {
+    return texture_init(texture, desc) &&
+           framebuffer_init(framebuffer,
+                            &(struct framebuffer_desc){.label = desc->label, .colors = {texture}});
+}
+
+/* Numbers along both sides are powers of two, so that mip levels halve each tile. */
+static void find_tiles(int lights, ivec2 tiles) {
+    tiles[0] = tiles[1] = 1;
+    while (tiles[0] < lights && tiles[0] < VPL_DENSITY_ROW)
+        tiles[0] *= 2;
+    while (tiles[1] * VPL_DENSITY_ROW < lights)
+        tiles[1] *= 2;
+}
+
+static bool init_targets(struct importance_map_pass *pass) {
+    ivec2 tiles;
+    find_tiles(pass->desc.lights, tiles);
+    struct importance_map *map = &pass->map;
+    const struct texture_desc candidates = {.label = "VPL candidates",
+                                            .format = GL_RGBA32F,
+                                            .width = CANDIDATES_SIDE,
+                                            .height = IMPORTANCE_ROUNDS * CANDIDATES_SIDE},
+                              values = {.label = "importance values",
+                                        .format = GL_RG32F,
+                                        .width = tiles[0] * VPL_DENSITY_SIDE,
+                                        .height = tiles[1] * VPL_DENSITY_SIDE,
+                                        .levels = VPL_DENSITY_LEVELS,
+                                        .filter = FILTER_TRILINEAR},
+                              lights = {.label = "importance of lights",
+                                        .format = GL_RG32F,
+                                        .width = pass->desc.lights,
+                                        .height = 1},
+                              densities = {.label = "VPL densities",
+                                           .format = GL_R32F,
+                                           .width = values.width,
+                                           .height = values.height};
+    return init_target(&pass->candidates, &pass->candidate_framebuffer, &candidates) &&
+           init_target(&map->values, &pass->value_framebuffer, &values) &&
+           init_target(&map->lights, &pass->light_framebuffer, &lights) &&
+           init_target(&map->densities, &pass->density_framebuffer, &densities);
+}
+
+bool importance_map_pass_init(struct importance_map_pass *pass,
+                              const struct importance_map_desc *desc) {
+    *pass = (struct importance_map_pass){.desc = *desc};
+    if (caster_pool_acquire_tree(desc->casters, &pass->bvh) && init_programs(pass) &&
+        init_targets(pass) &&
+        buffer_init(&pass->params, "importance map parameters",
+                    sizeof(struct importance_map_params), NULL))
+        return true;
+    importance_map_pass_free(pass);
+    return false;
+}
+
+void importance_map_pass_free(struct importance_map_pass *pass) {
+    caster_pool_release_tree(pass->desc.casters, &pass->bvh);
+    for (int round = 0; round < IMPORTANCE_ROUNDS; round++) {
+        program_free(&pass->candidate_programs[round]);
+        program_free(&pass->add_programs[round]);
+    }
+    program_free(&pass->light_program);
+    program_free(&pass->density_program);
+    framebuffer_free(&pass->candidate_framebuffer);
+    framebuffer_free(&pass->value_framebuffer);
+    framebuffer_free(&pass->light_framebuffer);
+    framebuffer_free(&pass->density_framebuffer);
+    texture_free(&pass->candidates);
+    texture_free(&pass->map.values);
+    texture_free(&pass->map.lights);
+    texture_free(&pass->map.densities);
+    buffer_free(&pass->params);
+    *pass = (struct importance_map_pass){0};
+}
+
+static void draw_candidates(const struct importance_map_pass *pass, const struct frame *frame,
+                            const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct buffer *shares,
+                            int round) {
+    struct pass_state state = {
+        .name = "importance map",
+        .program = pass->candidate_programs[round],
+        .framebuffer = pass->candidate_framebuffer,
+        .y = round * CANDIDATES_SIDE,
+        .width = CANDIDATES_SIDE,
+        .height = CANDIDATES_SIDE,
+        .textures = {{UNIT_GBUFFER_DEPTH, frame->gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, frame->gbuffer->normal.id},
+                     {UNIT_BVH, pass->bvh->texels}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_PASS, &pass->params},
+                   {BLOCK_VPL_SHARES, shares}},
+    };
+    rsm_add(&state, rsm);
+    if (round > 0)
+        importance_map_add(&state, &pass->map);
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+}
+
+/* All candidates so far, as points onto cells. */
+static void add_values(const struct importance_map_pass *pass, const struct frame *frame,
+                       const struct buffer *shares, int round) {
+    struct pass_state state = {
+        .name = "importance map",
+        .program = pass->add_programs[round],
+        .framebuffer = pass->value_framebuffer,
+        .width = pass->map.values.desc.width,
+        .height = pass->map.values.desc.height,
+        .blend = PASS_BLEND_ADD,
+        .textures = {{UNIT_CANDIDATES, pass->candidates.id}},
+        .blocks = {{BLOCK_PASS, &pass->params},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_VPL_SHARES, shares}},
+    };
+    if (round > 0)
+        pass_add_texture(&state, UNIT_VPL_DENSITY, pass->map.densities.id);
+    framebuffer_clear_color(pass->value_framebuffer, TARGET_RESULT, (float[]){0, 0, 0, 0});
+    pass_set_state(&state);
+    pass_draw(GL_POINTS, (round + 1) * CANDIDATES, 1);
+    gl.GenerateTextureMipmap(pass->map.values.id);
+}
+
+static void find_densities(const struct importance_map_pass *pass, const struct frame *frame,
+                           const struct buffer *shares) {
+    struct pass_state state = {
+        .name = "importance map",
+        .program = pass->light_program,
+        .framebuffer = pass->light_framebuffer,
+        .width = pass->map.lights.desc.width,
+        .height = 1,
+        .textures = {{UNIT_IMPORTANCE_VALUES, pass->map.values.id}},
+        .blocks = {{BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_PASS, &pass->params},
+                   {BLOCK_VPL_SHARES, shares}},
+    };
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+    state.program = pass->density_program;
+    state.framebuffer = pass->density_framebuffer;
+    state.width = pass->map.densities.desc.width;
+    state.height = pass->map.densities.desc.height;
+    pass_add_texture(&state, UNIT_IMPORTANCE_LIGHTS, pass->map.lights.id);
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+}
+
+void importance_map_pass_render(const struct importance_map_pass *pass, const struct frame *frame,
+                                const struct gbuffer rsm[LIGHT_MAP_KINDS],
+                                const struct buffer *shares) {
+    struct importance_map_params params = {.vpls = (float)pass->desc.vpls};
+    find_tiles(pass->desc.lights, params.tiles);
+    timer_begin(frame->timers, "importance map");
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    for (int round = 0; round < IMPORTANCE_ROUNDS; round++) {
+        draw_candidates(pass, frame, rsm, shares, round);
+        add_values(pass, frame, shares, round);
+        find_densities(pass, frame, shares);
+    }
+    timer_end(frame->timers);
+}
