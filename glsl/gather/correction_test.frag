@@ -33,7 +33,7 @@ void main() {
         vpl v = vpl_at(i);
         float strength = strength_of(i, v, s, facet);
         light += strength;
-        bool taken = group_takes(strength, light, random);
+        bool taken = weighted_pick(strength, light, random);
         place = taken ? v.position : place;
         val = taken ? v.val : val;
     }

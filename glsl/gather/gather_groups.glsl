@@ -34,7 +34,7 @@ vec3 light_together(surface s, int first, int last, vec2 hue, float random) {
         bool is_red = light.flux.r * hue.g > light.flux.g * hue.r;
         float own_strength = dot(own + back, vec3(1.0));
         float strength = own_strength + (is_red ? redder.strength : greener.strength);
-        bool taken = group_takes(own_strength, strength, random);
+        bool taken = weighted_pick(own_strength, strength, random);
         float map = float(map_of(i, light));
         group_add(redder, is_red, own, back, strength, taken, light.position, map);
         group_add(greener, !is_red, own, back, strength, taken, light.position, map);

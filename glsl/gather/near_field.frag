@@ -108,7 +108,7 @@ vec3 light_together(surface s, light l, inout near_spiral around, int count, flo
         float own_strength = dot(own.light, vec3(1.0));
         sum += own.light;
         strength += own_strength;
-        bool taken = group_takes(own_strength, strength, random);
+        bool taken = weighted_pick(own_strength, strength, random);
         representative.light = taken ? own.light : representative.light;
         representative.position = taken ? own.position : representative.position;
         representative.view_index = taken ? own.view_index : representative.view_index;

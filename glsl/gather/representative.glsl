@@ -1,5 +1,6 @@
 // Of a group of lights one, taken by how much it gives, tests visibility for all: on average each counts as if it had
 // tested its own.
+#include "lib/weighted_pick.glsl"
 
 // A number of [0, 1) for a pixel's first group: pixels side by side have numbers far apart. turn: from pass to pass.
 float group_random(ivec2 pixel, float turn) {
@@ -9,15 +10,6 @@ float group_random(ivec2 pixel, float turn) {
 // For the next group, as one number has no digits for more.
 float group_random_next(float random) {
     return fract(random + 0.6180339887);
-}
-
-// Whether the light represents all up to it, which give `sum`. One number serves all: within the part that it fell into
-// it is as random as before.
-bool group_takes(float own, float sum, inout float random) {
-    float share = own / max(sum, 1e-30);
-    bool taken = random < share;
-    random = (taken ? random : random - share) / max(taken ? share : 1.0 - share, 1e-6);
-    return taken;
 }
 
 // What arrives of the group's sum, by its strength, by what its representative gives and by whether that arrives.

@@ -4,6 +4,7 @@
 #include "visibility/bvh.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_texels.glsl"
+#include "lib/weighted_pick.glsl"
 #include "shared/bounce.h"
 
 layout(binding = UNIT_PATH_NUMBERS) uniform sampler2D path_numbers;
@@ -59,11 +60,7 @@ void main() {
             float own = dot(carried, vec3(1.0));
             goes = own > 0.0;
             all += own;
-            float share = goes ? own / all : 0.0;
-            // One number for all: within the part that it fell into it is as random as before.
-            bool taken = pick < share;
-            pick = taken ? pick / share : (pick - share) / max(1.0 - share, 1e-6);
-            if (taken) {
+            if (weighted_pick(own, all, pick)) {
                 // No packed normal is a float that is not a number.
                 position = vec4(met, uintBitsToFloat(packSnorm4x8(vec4(hit.normal, 0.5))));
                 next.w = -1.0;

@@ -4,6 +4,7 @@
 #define CLAMP GATHER_CLAMP_DISK
 #include "gather/geometry_term.glsl"
 #include "lib/vpl_shares.glsl"
+#include "lib/weighted_pick.glsl"
 #include "lights/seen_pixel.glsl"
 #include "lights/vpl_reflected.glsl"
 #include "shared/importance_map.h"
@@ -25,9 +26,7 @@ float arriving(vpl v, vec2 shift, float pick) {
         surface s = seen_pixel(j, shift);
         float term = s.present ? light_term(0, v.position - s.position, s.normal, v) : 0.0;
         sum += term;
-        float fraction = term > 0.0 ? term / sum : 0.0;
-        bool taken = pick < fraction;
-        pick = taken ? pick / fraction : (pick - fraction) / max(1.0 - fraction, 1e-6);
+        bool taken = weighted_pick(term, sum, pick);
         position = taken ? s.position : position;
         normal = taken ? s.normal : normal;
     }
