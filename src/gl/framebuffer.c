@@ -71,6 +71,13 @@ bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc) 
     return error_set("framebuffer '%s' is refused by the driver (0x%x)", desc->label, status);
 }
 
+bool framebuffer_init_target(struct texture *texture, GLuint *framebuffer,
+                             const struct texture_desc *desc) {
+    return texture_init(texture, desc) &&
+           framebuffer_init(framebuffer,
+                            &(struct framebuffer_desc){.label = desc->label, .colors = {texture}});
+}
+
 void framebuffer_free(GLuint *framebuffer) {
     if (*framebuffer)
         gl.DeleteFramebuffers(1, framebuffer);

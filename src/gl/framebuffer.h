@@ -17,6 +17,10 @@ struct framebuffer_desc {
 bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc);
 void framebuffer_free(GLuint *framebuffer);
 
+/* A texture, and a framebuffer of its label that draws into it alone. */
+bool framebuffer_init_target(struct texture *texture, GLuint *framebuffer,
+                             const struct texture_desc *desc);
+
 /* What it attaches: for passes that store to its textures in place of drawing (gl/screen.h). */
 struct framebuffer_targets {
     struct framebuffer_target {

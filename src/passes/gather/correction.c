@@ -50,13 +50,6 @@ static bool init_programs(struct correction_pass *pass) {
                                                .fragment = "gather/correct_blocks.frag"});
 }
 
-static bool init_target(struct texture *texture, GLuint *framebuffer,
-                        const struct texture_desc *desc) {
-    return texture_init(texture, desc) &&
-           framebuffer_init(framebuffer,
-                            &(struct framebuffer_desc){.label = desc->label, .colors = {texture}});
-}
-
 static bool init_targets(struct correction_pass *pass) {
     const struct texture_desc tests = {.label = "correction tests",
                                        .format = GL_RGBA32F,
@@ -76,15 +69,15 @@ static bool init_targets(struct correction_pass *pass) {
     corrections.format = GL_RG16F;
     corrections.filter = FILTER_LINEAR;
     corrections.wrap_s = corrections.wrap_t = GL_CLAMP_TO_EDGE;
-    return init_target(&pass->tests, &pass->test_framebuffer, &tests) &&
+    return framebuffer_init_target(&pass->tests, &pass->test_framebuffer, &tests) &&
            texture_init(&pass->sums, &sums) && texture_init(&pass->squares, &squares) &&
            framebuffer_init(&pass->sum_framebuffer,
                             &(struct framebuffer_desc){
                                 .label = sums.label,
                                 .colors = {[TARGET_CORRECTION_SUM] = &pass->sums,
                                            [TARGET_CORRECTION_SQUARE] = &pass->squares}}) &&
-           init_target(&pass->mean, &pass->mean_framebuffer, &mean) &&
-           init_target(&pass->corrections, &pass->cell_framebuffer, &corrections);
+           framebuffer_init_target(&pass->mean, &pass->mean_framebuffer, &mean) &&
+           framebuffer_init_target(&pass->corrections, &pass->cell_framebuffer, &corrections);
 }
 
 bool correction_pass_init(struct correction_pass *pass, const struct correction_desc *desc) {

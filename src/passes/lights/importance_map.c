@@ -31,13 +31,6 @@ static bool init_programs(struct importance_map_pass *pass) {
                         &(struct program_desc){.screen = {"lights/importance_density.frag"}});
 }
 
-static bool init_target(struct texture *texture, GLuint *framebuffer,
-                        const struct texture_desc *desc) {
-    return texture_init(texture, desc) &&
-           framebuffer_init(framebuffer,
-                            &(struct framebuffer_desc){.label = desc->label, .colors = {texture}});
-}
-
 /* Numbers along both sides are powers of two, so that mip levels halve each tile. */
 static void find_tiles(int lights, ivec2 tiles) {
     tiles[0] = tiles[1] = 1;
@@ -69,10 +62,10 @@ static bool init_targets(struct importance_map_pass *pass) {
                                            .format = GL_R32F,
                                            .width = values.width,
                                            .height = values.height};
-    return init_target(&pass->candidates, &pass->candidate_framebuffer, &candidates) &&
-           init_target(&map->values, &pass->value_framebuffer, &values) &&
-           init_target(&map->lights, &pass->light_framebuffer, &lights) &&
-           init_target(&map->densities, &pass->density_framebuffer, &densities);
+    return framebuffer_init_target(&pass->candidates, &pass->candidate_framebuffer, &candidates) &&
+           framebuffer_init_target(&map->values, &pass->value_framebuffer, &values) &&
+           framebuffer_init_target(&map->lights, &pass->light_framebuffer, &lights) &&
+           framebuffer_init_target(&map->densities, &pass->density_framebuffer, &densities);
 }
 
 bool importance_map_pass_init(struct importance_map_pass *pass,
