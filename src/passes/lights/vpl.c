@@ -92,11 +92,10 @@ static void deal_points(struct vpl_pass *pass, int frame_pass) {
                 (float)fmod(point + shift(pass->desc.seed, light, axis), 1);
         }
     }
-    buffer_write(&pass->samples, 0, (size_t)count * sizeof *pass->points, pass->points);
     free(dealt);
 }
 
-/* Light and place in three dimensions: which light is chosen by importance, on the GPU. */
+/* In three dimensions, of which the third chooses the light by importance, on the GPU. */
 static void spread_points(struct vpl_pass *pass, int frame_pass) {
     static const uint32_t bases[] = {2, 3, 5};
     int count = pass->desc.count;
@@ -110,7 +109,6 @@ static void spread_points(struct vpl_pass *pass, int frame_pass) {
         pass->points[i] =
             (struct vpl_point){{(float)numbers[0], (float)numbers[1]}, (float)numbers[2]};
     }
-    buffer_write(&pass->samples, 0, (size_t)count * sizeof *pass->points, pass->points);
 }
 
 /* In most clips the fluxes stay what they are, and so do the points. */
@@ -128,6 +126,7 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
     deal_points(pass, frame->pass);
     if (pass->desc.by_importance)
         spread_points(pass, frame->pass);
+    buffer_write(&pass->samples, 0, (size_t)pass->desc.count * sizeof *pass->points, pass->points);
 }
 
 /* As far as is asked for, but no farther from its point in the light's view than 45 degrees, where

@@ -3,7 +3,7 @@
  * paper's. The paper has no visibility; here VALs may give it, as it proposes. */
 #include "base/memory.h"
 #include "passes/lights/cluster_light.h"
-#include "passes/lights/importance.h"
+#include "passes/lights/seed_importance.h"
 #include "shared/cluster.h"
 #include "shared/light_rectangle.h"
 #include "shared/near_field.h"
@@ -68,7 +68,7 @@ struct cluster_lights {
     struct many_lights lights;
     struct vals vals;
     struct light_set first, later;
-    struct importance_pass importance; /* of the first bounce's */
+    struct seed_importance_pass importance; /* of the first bounce's */
     bool has_vals, by_importance;
 };
 
@@ -85,7 +85,7 @@ static void free_state(void *state) {
         vals_free(&technique->vals);
         free_set(&technique->first);
         free_set(&technique->later);
-        importance_pass_free(&technique->importance);
+        seed_importance_pass_free(&technique->importance);
     }
     free(technique);
 }
@@ -142,10 +142,10 @@ static bool init_first(struct cluster_lights *technique, const struct technique_
     const struct lights_settings *lights =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     technique->by_importance = own->seeds == LIGHT_SEEDS_IMPORTANCE;
-    struct importance_desc importance = {.count = own->lights,
-                                         .clamp_value = many_lights_clamp_value};
+    struct seed_importance_desc importance = {.count = own->lights,
+                                              .clamp_value = many_lights_clamp_value};
     return (!technique->by_importance ||
-            importance_pass_init(&technique->importance, &importance)) &&
+            seed_importance_pass_init(&technique->importance, &importance)) &&
            init_set(&technique->first, desc->settings, lights->vpls,
                     technique->by_importance ? &technique->importance.seeds : NULL);
 }
@@ -223,8 +223,8 @@ static void gather(const struct cluster_lights *technique, bool later, const str
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct cluster_lights *technique = state;
     if (technique->by_importance) {
-        importance_pass_render(&technique->importance, frame, gbuffer, &technique->lights.vpls,
-                               technique->lights.vpl.vertices);
+        seed_importance_pass_render(&technique->importance, frame, gbuffer, &technique->lights.vpls,
+                                    technique->lights.vpl.vertices);
         render_first(technique, frame);
     }
     many_lights_begin(&technique->lights, frame, gbuffer);

@@ -2,7 +2,7 @@
 // [Prutkin 2012 §4; Ritschel et al. 2011]: its flux times the sum of bounded geometry terms with pixels that are even
 // over the picture. With NUMBERS it lands there with its number.
 #include "lib/vpl_texels.glsl"
-#include "shared/importance.h"
+#include "shared/seed_importance.h"
 #if !NUMBERS
 #include "lights/seen_pixel.glsl"
 #endif
@@ -25,7 +25,7 @@ float geometry_term(vpl v, surface s) {
 
 float value_of(vpl v) {
     float sum = 0.0;
-    for (int j = 0; j < IMPORTANCE_PIXELS; j++) {
+    for (int j = 0; j < SEED_IMPORTANCE_PIXELS; j++) {
         surface s = seen_pixel(j, vec2(0.0));
         sum += s.present ? geometry_term(v, s) : 0.0;
     }
@@ -35,7 +35,7 @@ float value_of(vpl v) {
 
 void main() {
     vpl v = vpl_at(gl_VertexID);
-    vec2 cell = floor(place_and_light.xy * float(IMPORTANCE_SIDE)) + 0.5;
+    vec2 cell = floor(place_and_light.xy * float(SEED_IMPORTANCE_SIDE)) + 0.5;
     value = v.reach > 0.0 ? value_of(v) : 0.0;
-    gl_Position = v.reach > 0.0 ? vec4(cell * (2.0 / float(IMPORTANCE_SIDE)) - 1.0, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
+    gl_Position = v.reach > 0.0 ? vec4(cell * (2.0 / float(SEED_IMPORTANCE_SIDE)) - 1.0, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -2,9 +2,9 @@
 // greater [Clarberg et al. 2005]. From all of the light's domain down to a cell: its halves along u, then along v, are
 // stretched to their shares. -1 where the cell has no VPL.
 #include "lights/take_half.glsl"
-#include "shared/importance.h"
+#include "shared/seed_importance.h"
 
-layout(binding = UNIT_IMPORTANCE) uniform sampler2D importances; // with means over 2 x 2, 4 x 4 ... cells
+layout(binding = UNIT_SEED_IMPORTANCE) uniform sampler2D importances; // with means over 2 x 2, 4 x 4 ... cells
 layout(binding = UNIT_VPL_NUMBERS) uniform sampler2D numbers;
 
 layout(location = TARGET_RESULT) out float seed;
@@ -24,9 +24,9 @@ float radical_inverse(int base, int i) {
 void main() {
     int k = int(gl_FragCoord.x);
     vec2 place = vec2(radical_inverse(2, k + 1), radical_inverse(3, k + 1));
-    float least = max(LEAST * texelFetch(importances, ivec2(0), IMPORTANCE_LEVELS - 1).r, 1e-30);
+    float least = max(LEAST * texelFetch(importances, ivec2(0), SEED_IMPORTANCE_LEVELS - 1).r, 1e-30);
     ivec2 cell = ivec2(0);
-    for (int level = IMPORTANCE_LEVELS - 2; level >= 0; level--) {
+    for (int level = SEED_IMPORTANCE_LEVELS - 2; level >= 0; level--) {
         cell *= 2;
         vec4 part; // 00, 10, 01, 11
         for (int i = 0; i < 4; i++)

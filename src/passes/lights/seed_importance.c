@@ -1,59 +1,54 @@
-#include "passes/lights/importance.h"
+#include "passes/lights/seed_importance.h"
 
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
 #include "passes/vpls.h"
-#include "shared/importance.h"
+#include "shared/seed_importance.h"
 
-static_assert(IMPORTANCE_SIDE == 1 << (IMPORTANCE_LEVELS - 1), "levels down to one cell");
+static_assert(SEED_IMPORTANCE_SIDE == 1 << (SEED_IMPORTANCE_LEVELS - 1), "levels down to one cell");
 
-static bool init_programs(struct importance_pass *pass) {
-    struct program_desc value = {.vertex = "lights/importance.vert",
-                                 .fragment = "lights/importance.frag",
+static bool init_programs(struct seed_importance_pass *pass) {
+    struct program_desc value = {.vertex = "lights/seed_importance.vert",
+                                 .fragment = "lights/seed_importance.frag",
                                  .defines = "NUMBERS 0"};
     struct program_desc number = value;
     number.defines = "NUMBERS 1";
     return program_init(&pass->value_program, &value) &&
            program_init(&pass->number_program, &number) &&
            program_init(&pass->seed_program,
-                        &(struct program_desc){.screen = {"lights/importance_seed.frag"}});
+                        &(struct program_desc){.screen = {"lights/seed_importance_warp.frag"}});
 }
 
-static bool init_target(struct texture *texture, GLuint *framebuffer,
-                        const struct texture_desc *desc) {
-    return texture_init(texture, desc) &&
-           framebuffer_init(framebuffer,
-                            &(struct framebuffer_desc){.label = desc->label, .colors = {texture}});
-}
-
-static bool init_targets(struct importance_pass *pass) {
+static bool init_targets(struct seed_importance_pass *pass) {
     struct texture_desc cells = {.label = "importance",
                                  .format = GL_R32F,
-                                 .width = IMPORTANCE_SIDE,
-                                 .height = IMPORTANCE_SIDE};
+                                 .width = SEED_IMPORTANCE_SIDE,
+                                 .height = SEED_IMPORTANCE_SIDE};
     struct texture_desc pyramid = cells, row = cells;
-    pyramid.levels = IMPORTANCE_LEVELS;
+    pyramid.levels = SEED_IMPORTANCE_LEVELS;
     pyramid.filter = FILTER_TRILINEAR;
     row.width = pass->desc.count;
     row.height = 1;
-    return init_target(&pass->values, &pass->value_framebuffer, &pyramid) &&
-           init_target(&pass->numbers, &pass->number_framebuffer, &cells) &&
-           init_target(&pass->seeds, &pass->seed_framebuffer, &row);
+    return framebuffer_init_target(&pass->values, &pass->value_framebuffer, &pyramid) &&
+           framebuffer_init_target(&pass->numbers, &pass->number_framebuffer, &cells) &&
+           framebuffer_init_target(&pass->seeds, &pass->seed_framebuffer, &row);
 }
 
-bool importance_pass_init(struct importance_pass *pass, const struct importance_desc *desc) {
-    *pass = (struct importance_pass){.desc = *desc};
+bool seed_importance_pass_init(struct seed_importance_pass *pass,
+                               const struct seed_importance_desc *desc) {
+    *pass = (struct seed_importance_pass){.desc = *desc};
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->vpl_texture);
     if (init_programs(pass) && init_targets(pass) &&
-        buffer_init(&pass->params, "importance parameters", sizeof(struct importance_params), NULL))
+        buffer_init(&pass->params, "importance parameters", sizeof(struct seed_importance_params),
+                    NULL))
         return true;
-    importance_pass_free(pass);
+    seed_importance_pass_free(pass);
     return false;
 }
 
-void importance_pass_free(struct importance_pass *pass) {
+void seed_importance_pass_free(struct seed_importance_pass *pass) {
     program_free(&pass->value_program);
     program_free(&pass->number_program);
     program_free(&pass->seed_program);
@@ -66,7 +61,7 @@ void importance_pass_free(struct importance_pass *pass) {
     texture_free(&pass->numbers);
     texture_free(&pass->seeds);
     buffer_free(&pass->params);
-    *pass = (struct importance_pass){0};
+    *pass = (struct seed_importance_pass){0};
 }
 
 /* VPLs as points, onto the cells. */
@@ -81,7 +76,7 @@ static void scatter(const struct pass_state *common, GLuint program, GLuint fram
     pass_draw(GL_POINTS, count, 1);
 }
 
-static void warp(const struct importance_pass *pass) {
+static void warp(const struct seed_importance_pass *pass) {
     gl.GenerateTextureMipmap(pass->values.id);
     pass_set_state(&(struct pass_state){
         .name = "importance",
@@ -89,21 +84,21 @@ static void warp(const struct importance_pass *pass) {
         .framebuffer = pass->seed_framebuffer,
         .width = pass->desc.count,
         .height = 1,
-        .textures = {{UNIT_IMPORTANCE, pass->values.id}, {UNIT_VPL_NUMBERS, pass->numbers.id}},
+        .textures = {{UNIT_SEED_IMPORTANCE, pass->values.id}, {UNIT_VPL_NUMBERS, pass->numbers.id}},
     });
     pass_draw_fullscreen(1);
 }
 
-void importance_pass_render(const struct importance_pass *pass, const struct frame *frame,
-                            const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
-                            GLuint points) {
-    struct importance_params params = {
+void seed_importance_pass_render(const struct seed_importance_pass *pass, const struct frame *frame,
+                                 const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
+                                 GLuint points) {
+    struct seed_importance_params params = {
         .clamp_at = pass->desc.clamp_value / (frame->geometry->radius * frame->geometry->radius)};
     struct pass_state cells = {
         .name = "importance",
         .vertex_array = points,
-        .width = IMPORTANCE_SIDE,
-        .height = IMPORTANCE_SIDE,
+        .width = SEED_IMPORTANCE_SIDE,
+        .height = SEED_IMPORTANCE_SIDE,
         .textures = {{UNIT_VPLS, pass->vpl_texture},
                      {UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
