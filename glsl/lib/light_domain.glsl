@@ -1,5 +1,5 @@
-// The domain of a light, two numbers in [0, 1]: of the cone of a spot, the half space of an area light and the sphere of a
-// point light uniform in solid angle, of a directional light uniform in the area of its view.
+// The domain of a light: the unit square, even over what the light shines into. This is solid angle for a spot's cone, an
+// area light's half space and a point light's sphere. It is the area of the view for a directional light.
 #include "lib/light.glsl"
 
 const float LIGHT_DOMAIN_PI = 3.14159265358979;

@@ -15,12 +15,14 @@ struct quality_check_desc {
 };
 
 /* Draws each choice of the quality ladder, in the order in which the program comes, and fixed settings and techniques
- * beside it: a subject each, of variant "ladder" or "fixed", with its "error" (relative RMSE of the indirect layer as far
- * as pixels are covered, the reference's noise taken off), "clock" and "cpu", and of the ladder "told", the estimated
- * error. Then, of variant "automatic", one for each error that may be asked for ("error=8%"), with what the ladder's
- * choice has; besides "told", the error that was estimated for it, "of-asked", its error over the one asked for, and
- * "of-fastest", its CPU time over that of the fastest that errs no more. With estimates alone, the variant is the camera,
- * if one is named. Error: of a renderer or the tracer. */
+ * beside it. Each is a subject, of variant "ladder" or "fixed". It has "error", the relative RMSE of the indirect layer
+ * as far as pixels are covered, without the reference's noise. It has "clock" and "cpu", and of the ladder "told", the
+ * estimated error.
+ *
+ * Then each error that may be asked for ("error=8%") is a subject of variant "automatic", with what the ladder's choice
+ * has. Its "told" is the error that was estimated. "of-asked" is its error over the one asked for. "of-fastest" is its CPU
+ * time over that of the fastest that errs no more. With estimates alone, the variant is the camera, if one is named.
+ * Error: of a renderer or the tracer. */
 int quality_check_subjects(const struct quality_check_desc *desc); /* how many they are */
 bool quality_check(struct results *results, const struct quality_check_desc *desc);
 
