@@ -13,12 +13,6 @@
 
 enum { CELLS = VPL_DENSITY_SIDE * VPL_DENSITY_SIDE, SETS = 5, SIZE = 32 };
 
-static struct image picture(struct renderer *renderer, const struct stage *stage,
-                            const char *technique, const char *settings) {
-    struct renderer_desc desc = desc_of(stage, technique, settings, SIZE, SIZE);
-    return follow_layers(renderer, &desc);
-}
-
 /* --- the map ----------------------------------------------------------------------------------- */
 
 static float *read_texels(const struct texture *texture, GLenum format, int channels) {
@@ -90,8 +84,7 @@ static double add_pixels(const struct image *image, double *sums, double *square
     return sum / (3 * SIZE * SIZE);
 }
 
-static struct sets measure_sets(const struct stage *stage, const char *technique,
-                                const char *importance) {
+static struct sets measure_sets(const struct stage *stage, const char *importance) {
     static double sums[3 * SIZE * SIZE], squares[3 * SIZE * SIZE];
     struct renderer renderer = {0};
     struct sets sets = {0};
@@ -101,7 +94,8 @@ static struct sets measure_sets(const struct stage *stage, const char *technique
     for (int seed = 1; seed <= SETS; seed++) {
         char *settings =
             mem_printf("lights.importance=%s lights.seed=%d lights.vpls=512", importance, seed);
-        struct image image = picture(&renderer, stage, technique, settings);
+        struct renderer_desc desc = desc_of(stage, "clustered", settings, SIZE, SIZE);
+        struct image image = follow_layers(&renderer, &desc);
         double mean = add_pixels(&image, sums, squares);
         sets.mean += mean / SETS;
         square += mean * mean / SETS;
@@ -112,18 +106,10 @@ static struct sets measure_sets(const struct stage *stage, const char *technique
     for (int i = 0; i < 3 * SIZE * SIZE; i++)
         sets.spread += sqrt(fmax(squares[i] - sums[i] * sums[i], 0)) / (sums[i] + .01 * sets.mean);
     sets.spread /= 3 * SIZE * SIZE;
-    printf("    %-10s importance=%-4s mean %.4f +- %.4f, spread over sets %.3f\n", technique,
-           importance, sets.mean, sets.error, sets.spread);
+    printf("    importance=%-4s mean %.4f +- %.4f, spread over sets %.3f\n", importance, sets.mean,
+           sets.error, sets.spread);
     renderer_free(&renderer);
     return sets;
-}
-
-static void check_sets(const struct stage *stage, const char *technique, double spread) {
-    struct sets off = measure_sets(stage, technique, "off"),
-                on = measure_sets(stage, technique, "on");
-    double error = hypot(off.error, on.error);
-    check_at_most("means apart, standard errors", fabs(on.mean - off.mean) / error, 3);
-    check_at_most("spread, over that by flux alone", on.spread / off.spread, spread);
 }
 
 /* Under a sky most VPLs by flux lie on roofs and outer walls. */
@@ -133,7 +119,10 @@ static void test_sky(void **state) {
     check_ok("stage", stage_init(&stage, &(struct stage_desc){.path = "scenes/atrium.glb",
                                                               .light = "sky",
                                                               .environment = {"scenes/day.hdr"}}));
-    check_sets(&stage, "clustered", .9);
+    struct sets off = measure_sets(&stage, "off"), on = measure_sets(&stage, "on");
+    double error = hypot(off.error, on.error);
+    check_at_most("means apart, standard errors", fabs(on.mean - off.mean) / error, 3);
+    check_at_most("spread, over that by flux alone", on.spread / off.spread, .9);
     stage_free(&stage);
 }
 
