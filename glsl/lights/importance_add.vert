@@ -18,7 +18,6 @@ void main() {
     density += vpl_density(index, candidate.xy);
 #endif
     value = candidate.w / density;
-    ivec2 cell = importance_tile(index) * VPL_DENSITY_SIDE + importance_cell(candidate.xy);
-    vec2 ndc = (vec2(cell) + 0.5) / vec2(params.tiles * VPL_DENSITY_SIDE) * 2.0 - 1.0;
+    vec2 ndc = (vec2(importance_texel(index, candidate.xy)) + 0.5) / vec2(params.tiles * VPL_DENSITY_SIDE) * 2.0 - 1.0;
     gl_Position = value > 0.0 ? vec4(ndc, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -5,6 +5,5 @@
 layout(binding = UNIT_VPL_DENSITY) uniform sampler2D vpl_densities;
 
 float vpl_density(int index, vec2 place) {
-    ivec2 cell = importance_tile(index) * VPL_DENSITY_SIDE + importance_cell(place);
-    return texelFetch(vpl_densities, cell, 0).r;
+    return texelFetch(vpl_densities, importance_texel(index, place), 0).r;
 }

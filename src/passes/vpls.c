@@ -53,6 +53,10 @@ void vpl_buffer_free(struct vpl_buffer *vpls) {
     *vpls = (struct vpl_buffer){0};
 }
 
+const char *vpl_area_file(bool by_importance) {
+    return by_importance ? "gather/vpl_area_by_importance.glsl" : "gather/vpl_area_by_flux.glsl";
+}
+
 void importance_map_add(struct pass_state *state, const struct importance_map *map) {
     pass_add_texture(state, UNIT_IMPORTANCE_VALUES, map->values.id);
     pass_add_texture(state, UNIT_IMPORTANCE_LIGHTS, map->lights.id);

@@ -53,6 +53,9 @@ struct val_targets {
     GLuint framebuffer;
 };
 
+/* The file of the define VPL_AREA, which tells the area of a VPL at a point: by an importance map, or by flux alone. */
+const char *vpl_area_file(bool by_importance);
+
 /* Binds what lights/vpl_by_importance.glsl reads. */
 void importance_map_add(struct pass_state *state, const struct importance_map *map);
 

@@ -164,12 +164,16 @@ static bool sends_as_facets(const struct technique_desc *desc) {
     return own->facets && !desc->specular;
 }
 
+/* Some of the lights are light samples of one: of a sky, or of a wide lamp. */
+static bool has_light_samples(const struct light_layout *layout) {
+    return layout->lights > layout->groups;
+}
+
 /* A sky's views, and those of places over a wide lamp, are many, and each sees little of what is within a room: rays tell what
  * is between, where there is a tree for them anyway, of what is on lists. */
 static bool asks_by_rays(const struct many_lights *lights, const struct light_layout *layout) {
-    bool has_groups = layout->lights > layout->groups;
     return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
-           (lights->visibility.corrected && lights->adaptive.program && has_groups);
+           (lights->visibility.corrected && lights->adaptive.program && has_light_samples(layout));
 }
 
 /* As VPLs are. */
@@ -270,8 +274,7 @@ static bool wants_importance(const struct many_lights *lights, const struct tech
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     const struct light_layout *layout = desc->lights;
-    bool gains =
-        layout->lights > layout->groups && lights->visibility.lookup != VISIBILITY_LOOKUP_NONE;
+    bool gains = has_light_samples(layout) && lights->visibility.lookup != VISIBILITY_LOOKUP_NONE;
     return layout->lights > 0 && (own->importance == IMPORTANCE_ON ||
                                   (own->importance == IMPORTANCE_AUTO && gains &&
                                    many_lights_may_trace(desc->scene, desc->geometry)));

@@ -40,9 +40,8 @@ static bool init_programs(struct near_field_pass *pass) {
     static const char *const tests[] = {[NEAR_UNOCCLUDED] = "near_unoccluded",
                                         [NEAR_BY_VIEWS] = "near_by_views",
                                         [NEAR_BY_RAYS] = "near_by_rays"};
-    char *of_light = mem_printf(
-        "LIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA gather/%s.glsl", room, kinds, pass->desc.facets,
-        pass->desc.by_importance ? "vpl_area_by_importance" : "vpl_area_by_flux");
+    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA %s", room, kinds,
+                                pass->desc.facets, vpl_area_file(pass->desc.by_importance));
     static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
     bool by_rays = !pass->desc.adaptive && pass->desc.occlusion == NEAR_BY_RAYS;
     char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],

@@ -19,10 +19,9 @@ static bool init_program(struct specular_rays_pass *pass) {
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
     char *lookup = visibility_defines(&pass->desc.visibility);
-    char *defines =
-        mem_printf("%s;LIGHTS %d;MAP_KINDS %d;VAL_COUNT %d;VPL_AREA gather/%s.glsl", lookup, room,
-                   kinds, pass->desc.has_maps ? pass->desc.visibility.map_count : 0,
-                   pass->desc.by_importance ? "vpl_area_by_importance" : "vpl_area_by_flux");
+    char *defines = mem_printf("%s;LIGHTS %d;MAP_KINDS %d;VAL_COUNT %d;VPL_AREA %s", lookup, room,
+                               kinds, pass->desc.has_maps ? pass->desc.visibility.map_count : 0,
+                               vpl_area_file(pass->desc.by_importance));
     bool ok = program_init(
         &pass->program, &(struct program_desc){
                             .screen = {"gather/specular_rays.frag", .blended = true, .tiled = true},
