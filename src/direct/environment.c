@@ -100,8 +100,8 @@ static void render_lights(void *state, const struct frame *frame) {
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct lighting *lighting = state;
     const struct direct_method *lamps = lighting->lamps;
-    struct environment_lighting_inputs inputs = {
-        &lighting->buffer, lamps->light(lighting->lamps_state), NULL};
+    struct environment_lighting_inputs inputs = {&lighting->buffer,
+                                                 lamps->light(lighting->lamps_state), NULL};
     if (lighting->light.desc.specular)
         inputs.specular = lamps->specular(lighting->lamps_state);
     lamps->render_view(lighting->lamps_state, frame, gbuffer);

@@ -344,8 +344,7 @@ static void test_courtyard(void **state) {
 
 static void test_sum(void **state) {
     (void)state;
-    const char *settings =
-        is_long_run() ? "" : "shadow-size=512 rsm-size=64 vpls=64";
+    const char *settings = is_long_run() ? "" : "shadow-size=512 rsm-size=64 vpls=64";
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     set_sky(&stage, paint_day);

@@ -99,7 +99,8 @@ bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
     *pass = (struct environment_lighting_pass){.desc = *desc};
     struct environment_lighting_params params = {
         .count = desc->lights, .block = desc->block, .disagree = disagree_of(desc)};
-    if (caster_pool_acquire_tree(desc->casters, &pass->bvh) && init_programs(pass) && init_shares(pass) && init_targets(pass) &&
+    if (caster_pool_acquire_tree(desc->casters, &pass->bvh) && init_programs(pass) &&
+        init_shares(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "sky parameters", sizeof params, &params))
         return true;
     environment_lighting_pass_free(pass);

@@ -13,7 +13,7 @@ struct frame;
 struct gbuffer;
 
 struct environment_lighting_desc {
-    int width, height; /* of the picture */
+    int width, height;           /* of the picture */
     struct caster_pool *casters; /* must outlive the pass */
     int lights, suns;            /* the first lights are suns */
     int block;                   /* pixels a side of a block that shares its visibility */
