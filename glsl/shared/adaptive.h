@@ -12,8 +12,7 @@ struct adaptive_params {
     float fewest;   /* like neighbours of a smooth pixel */
     int radius;     /* of the neighbours that are asked, pixels along x and y */
     int block;      /* pixels a side of a block that shares its visibility */
-    float
-        sharp_cosine; /* where normals are farther apart, they are so for more than gentle relief */
+    float sharp_cosine; /* where normals are farther apart, they are so for more than gentle relief */
     int unused;
 };
 PASS_BLOCK(adaptive_params, 48)

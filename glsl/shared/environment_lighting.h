@@ -10,9 +10,9 @@
 #define SKY_SHARES_SIZE 65
 
 struct environment_lighting_params {
-    int count;      /* of lights */
-    int block;      /* pixels a side of a block that shares its visibility */
-    float disagree; /* of all light: where blocks do by more, rays start at the pixel */
+    int count;         /* of lights */
+    int block;         /* pixels a side of a block that shares its visibility */
+    float disagree;    /* of all light: where blocks do by more, rays start at the pixel */
     int unused;
 };
 PASS_BLOCK(environment_lighting_params, 16)

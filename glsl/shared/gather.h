@@ -29,15 +29,15 @@
 
 struct gather_params {
     STRUCT(interleaving) pattern;
-    float scale;       /* of the stored irradiance */
-    float clamp_at;    /* 1/m2 */
-    int block;         /* pixels a side of a block that shares its visibility */
-    float turn;        /* of the numbers that say which VPL asks for others, from pass to pass */
-    float sphere2;     /* squared radius of a VPL's ball, over the area that it stands for */
-    int cut_block;     /* pixels a side of a block that shares a cut */
-    int cut_layer;     /* the first of the cuts that are read */
+    float scale;    /* of the stored irradiance */
+    float clamp_at; /* 1/m2 */
+    int block;      /* pixels a side of a block that shares its visibility */
+    float turn;     /* of the numbers that say which VPL asks for others, from pass to pass */
+    float sphere2;  /* squared radius of a VPL's ball, over the area that it stands for */
+    int cut_block;  /* pixels a side of a block that shares a cut */
+    int cut_layer;  /* the first of the cuts that are read */
     int specular_rays; /* of a pixel */
-    int together;      /* VPLs side by side, of which two test the visibility of all */
+    int together;   /* VPLs side by side, of which two test the visibility of all */
     int unused0, unused1, unused2;
 };
 STD140_SIZE(gather_params, 64)

@@ -28,8 +28,8 @@ struct lookup_params {
     float map_bias; /* of the point where it is compared with a texel, of its distance */
     float shift;    /* FILTER_CSSM: of the receiver, in the argument of the series */
     float gain;     /* of the blocked part, about a half; FILTER_CSSM_WINDOW: from nothing */
-    float contact;  /* windowed filters: what is nearer than this, of its distance, is compared */
-    int map_count;  /* VALs' maps */
+    float contact; /* windowed filters: what is nearer than this, of its distance, is compared */
+    int map_count; /* VALs' maps */
     int unused0;
 };
 STD140_SIZE(lookup_params, 32)

@@ -8,9 +8,9 @@
 #define MAP_VIEW_ROWS 3
 
 struct map_view {
-    vec3 center;  /* metres */
-    float z_far;  /* the distance at which map depth is 1, metres */
-    vec3 axis;    /* unit */
+    vec3 center; /* metres */
+    float z_far; /* the distance at which map depth is 1, metres */
+    vec3 axis;   /* unit */
     float extent; /* of the light, metres; 0 for a point */
     vec3 tangent; /* unit, perpendicular to the axis */
     float near;   /* metres */

@@ -12,8 +12,7 @@ struct sky_source {
     vec4 corners[4]; /* unit directions; their last number is 0 */
     vec3 radiance;   /* W/(sr m2) */
     float luminance; /* of it */
-    vec3
-        vector; /* irradiance over radiance, as a vector: where all of the light is above the horizon */
+    vec3 vector;     /* irradiance over radiance, as a vector: where all of the light is above the horizon */
     float unused0;
     /* Points of the light are the parallelogram middle + x side_x + y side_y, x and y from -1 to 1. */
     vec3 middle; /* unit: towards the light */

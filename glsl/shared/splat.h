@@ -21,11 +21,11 @@ STD140_SIZE(caster_point, 16 * CASTER_POINT_ROWS)
 #define SPLAT_SQUARE 1
 
 struct splat_params {
-    int first;      /* VPL of the first map */
-    int points;     /* of a map */
-    int sets;       /* of so many points each, which VPLs take in turn */
+    int first; /* VPL of the first map */
+    int points; /* of a map */
+    int sets;   /* of so many points each, which VPLs take in turn */
     float map_size; /* texels */
-    float scale; /* radius of what is drawn, over that of the disk whose area a point stands for */
+    float scale;    /* radius of what is drawn, over that of the disk whose area a point stands for */
     float unused0, unused1, unused2;
 };
 PASS_BLOCK(splat_params, 32)

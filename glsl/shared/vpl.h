@@ -14,8 +14,7 @@ struct vpl {
     vec3 normal;   /* unit */
     float area;    /* that it stands for, m2 */
     vec3 flux;     /* reflected, W */
-    float
-        reach; /* of its near field, in spacings of its light's VPLs; 0 for a sample that met nothing */
+    float reach;   /* of its near field, in spacings of its light's VPLs; 0 for a sample that met nothing */
 };
 STD140_SIZE(vpl, 16 * VPL_ROWS)
 

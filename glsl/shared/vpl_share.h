@@ -5,10 +5,9 @@
 #include "shared/light.h"
 
 struct vpl_share {
-    float
-        measure; /* what one VPL of the light stands for: solid angle, sr; of a directional light's,
+    float measure; /* what one VPL of the light stands for: solid angle, sr; of a directional light's,
                       area, m2 */
-    float reach; /* of the near field, in spacings of VPLs */
+    float reach;   /* of the near field, in spacings of VPLs */
     float unused0, unused1;
 };
 STD140_SIZE(vpl_share, 16)
