@@ -22,17 +22,17 @@ static float disagree_of(const struct environment_lighting_desc *desc) {
 static bool init_programs(struct environment_lighting_pass *pass) {
     char *defines = mem_printf("SUNS %d;SHADOW_RAYS %d", pass->desc.suns, pass->desc.shadow_rays);
     char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
-    bool ok =
-        program_init(
-            &pass->share_program,
-            &(struct program_desc){.screen = {"visibility/sky_shares.frag", .layers = true}}) &&
-        program_init(
-            &pass->block_program,
-            &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
-                                   .defines = defines}) &&
-        program_init(&pass->light_program,
-                     &(struct program_desc){.screen = {"visibility/environment_lighting.frag"},
-                                            .defines = light_defines});
+    bool ok = program_init(&pass->share_program,
+                           &(struct program_desc){
+                               .screen = {"visibility/sky_shares.frag", .layers = true}}) &&
+              program_init(
+                  &pass->block_program,
+                  &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
+                                         .defines = defines}) &&
+              program_init(&pass->light_program,
+                           &(struct program_desc){
+                               .screen = {"visibility/environment_lighting.frag", .blended = true},
+                               .defines = light_defines});
     free(defines);
     free(light_defines);
     return ok;
