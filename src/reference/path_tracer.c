@@ -163,11 +163,13 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
         .position = hit.position,
         .albedo = hit.brdf.albedo,
         .normal = hit.normal,
-        .direct = emission_direct(&tracer->emission, &tracer->rays, &hit, samplers.items,
-                                  PATHS_PER_SAMPLE),
-        .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
         .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, &hit), hit.unlit),
     };
+    if (!desc->ao_alone) {
+        sample.direct = emission_direct(&tracer->emission, &tracer->rays, &hit, samplers.items,
+                                        PATHS_PER_SAMPLE);
+        sample.indirect = mean_of_paths(tracer, &hit, stream, &sampler);
+    }
     film_pixel_add(&sums->pixel, stream, &sample);
     if (tracer->specular)
         film_specular_add(&sums->specular, stream, &sample);

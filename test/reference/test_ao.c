@@ -214,17 +214,18 @@ static void test_background(void **state) {
 static void test_same_bits(void **state) {
     (void)state;
     struct world world;
-    struct image images[3];
+    struct image images[4];
     start_floor(&world);
     world.materials[1].roughness = .3F;
     world.materials[1].metalness = 1;
     add_rectangle(&world, 1, at(0, 0, 10), at(0, 0, -20), at(0, 10, 0));
     world_finish(&world);
     look_down(&world, -.5F, -.5F, 1, 3);
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < 4; i++) {
         struct path_tracer_desc desc = describe(&world, SIZE, 8);
         desc.bounces = 1;
         desc.ao_distance = i > 0 ? 1 : 0;
+        desc.ao_alone = i == 3;
         desc.threads = i;
         render(&desc, &images[i]);
     }
@@ -240,7 +241,10 @@ static void test_same_bits(void **state) {
     assert_memory_equal(images[1].pixels, images[2].pixels,
                         SIZE * SIZE * (size_t)images[1].channel_count * sizeof(float));
     check_near("beside a metal wall", mean_of(&images[1], count + AO_OPEN), .75, .25);
-    for (int i = 0; i < 3; i++)
+    check_near("alone: light", mean_of(&images[3], CHANNEL_BEAUTY), 0, 0);
+    check_near("the same layer", mean_of(&images[3], count + AO_OPEN),
+               mean_of(&images[1], count + AO_OPEN), 0);
+    for (int i = 0; i < 4; i++)
         image_free(&images[i]);
     world_free(&world);
 }

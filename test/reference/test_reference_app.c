@@ -87,7 +87,7 @@ static void test_sphere_file(void **state) {
     image_free(&image);
 }
 
-/* The sphere's diameter is 2 m: nothing is open from 2 m on, and all but sin^2 = (D / 2)^2 within D. */
+/* The sphere's diameter is 2 m: nothing is open from 2 m on, and all but (D / 2)^2 within D. */
 static void test_ao_file(void **state) {
     (void)state;
     static const struct {
