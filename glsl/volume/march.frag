@@ -1,0 +1,60 @@
+// What arrives at a voxel's middle from all around, as spherical harmonics: the mean over rays [Mavridis and
+// Papaioannou 2011, eq. 3]. Rays leap over voxels that are known to be empty and so meet what steps of a voxel meet.
+#include "lib/sh.glsl"
+#include "lib/volume_distances.glsl"
+#include "lib/volume_hash.glsl"
+#include RAY_END
+
+layout(location = 0) out vec4 coefficients[COEFFICIENTS];
+
+const float FIRST_STEP = 0.8660254; // half of a voxel's diagonal
+
+// Spherical Fibonacci points, other ones in each voxel but the same in each frame.
+vec3 ray_direction(int ray, vec2 shift) {
+    float z = 1.0 - 2.0 * (float(ray) + shift.x) / float(params.rays);
+    float turn = 6.2831853 * fract(float(ray) * 0.6180340 + shift.y), r = sqrt(max(1.0 - z * z, 0.0));
+    return vec3(r * cos(turn), r * sin(turn), z);
+}
+
+void main() {
+    ivec3 voxel = volume_voxel(ivec2(gl_FragCoord.xy));
+    for (int i = 0; i < COEFFICIENTS; i++)
+        coefficients[i] = vec4(0.0);
+    if (voxel.z >= int(params.cells.z))
+        return;
+    int own = volume_distance(voxel);
+    if (own > VOLUME_SHELL || own < 1)
+        return;
+    vec3 start = vec3(voxel) + 0.5;
+    vec2 shift = volume_hash(voxel);
+    for (int ray = 0; ray < params.rays; ray++) {
+        vec3 direction = ray_direction(ray, shift);
+        float t = FIRST_STEP;
+        int away = 1;
+        ivec3 at = voxel;
+        while (t <= params.distance) {
+            vec3 place = start + direction * t;
+            if (!volume_has(place))
+                break;
+            at = ivec3(place);
+            away = volume_distance(at);
+            if (away == 0)
+                break;
+            t += float(away);
+        }
+        gathered light = ray_end(at, away == 0, direction);
+        vec4 low = sh_low(direction);
+        for (int c = 0; c < CHANNELS; c++)
+            coefficients[c] += light[c] * low;
+#if ORDER == 3
+        vec4 high = sh_high(direction);
+        float last = sh_last(direction);
+        for (int c = 0; c < CHANNELS; c++) {
+            coefficients[CHANNELS + c] += light[c] * high;
+            coefficients[2 * CHANNELS][c] += light[c] * last;
+        }
+#endif
+    }
+    for (int i = 0; i < COEFFICIENTS; i++)
+        coefficients[i] *= 12.5663706 / float(params.rays);
+}

@@ -1,0 +1,192 @@
+#include "techniques/volume.h"
+
+#include "base/error.h"
+#include "passes/frame.h"
+
+#include <math.h>
+#include <string.h>
+
+#define ROW(name) offsetof(struct volume_settings, name)
+
+static const char *const volume_names[] = {"gi", "ao", NULL};
+
+/* The least that leaves voxels between the margins. */
+enum { LEAST_SIZE = 8, MOST_SIZE = 4096 };
+
+static const struct option table[] = {
+    {"volume", 0, OPTION_CHOICE, ROW(volume), VOLUME_LIGHT_GI, .choices = volume_names,
+     .help = "gi: indirect light; ao: a constant ambient light, darker where\n"
+             "surfaces hide its directions (ambient occlusion)"},
+    {"size", 0, OPTION_INT, ROW(size), 64, LEAST_SIZE, MOST_SIZE,
+     .help = "voxels along the longest side of the scene; more: finer contact\n"
+             "shadows, memory and time by the third power"},
+    {"order", 0, OPTION_INT, ROW(order), 3, 2, 3,
+     .help = "order of the spherical harmonics of a voxel: 2 (4 coefficients) blurs\n"
+             "directions more, 3 (9 coefficients) takes twice the memory"},
+    {"rays", 0, OPTION_INT, ROW(rays), 100, 1, 4096,
+     .help = "rays from each empty voxel near a surface; more: less noise, slower"},
+    {"points", 0, OPTION_FLOAT, ROW(points), 5, .01, 100,
+     .help = "mean number of points in a voxel that a surface crosses, k; a part of\n"
+             "at most e^-k of these voxels stays empty"},
+    {"distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9,
+     .help = "distance within which surfaces hide ambient light, m; 0: 16 voxels",
+     .needs = "volume.volume=ao"},
+    {NULL},
+};
+
+const struct settings_part volume_part = {"volume", "voxels of points", table,
+                                          sizeof(struct volume_settings)};
+
+/* --- sizes ------------------------------------------------------------------------------------ */
+
+static const double most_bytes = 2147483648.;
+
+static const float default_ao_voxels = 16;
+
+static struct volume_settings own_of(const struct settings *settings) {
+    return *settings_of(struct volume_settings, settings, &volume_part);
+}
+
+bool volume_check(const struct settings *settings) {
+    const double mebibyte = 1048576;
+    struct volume_settings own = own_of(settings);
+    /* As of a cube: no scene needs more. */
+    struct volume_desc cube = {
+        .size = own.size, .high = {1, 1, 1}, .channels = VOLUME_RADIANCE, .order = own.order};
+    double bytes = volume_bytes(&cube);
+    return bytes <= most_bytes ||
+           error_set("volume.size %d: up to %.0f MiB of GPU memory; at most %.0f MiB (256 voxels "
+                     "take about 1500)",
+                     own.size, bytes / mebibyte, most_bytes / mebibyte);
+}
+
+static struct volume_desc volume_of(const struct volume_light_desc *desc,
+                                    const struct volume_settings *own) {
+    struct volume_desc volume = {
+        .size = own->size,
+        .channels = desc->channels,
+        .order = own->order,
+        .bounces = desc->bounces > 1,
+    };
+    memcpy(volume.low, desc->geometry->bounds_min, sizeof volume.low);
+    memcpy(volume.high, desc->geometry->bounds_max, sizeof volume.high);
+    for (int m = 0; desc->channels == VOLUME_RADIANCE && m < desc->scene->material_count; m++)
+        volume.backs |= desc->scene->materials[m].double_sided;
+    return volume;
+}
+
+float volume_ao_distance(const struct settings *settings, const struct geometry *geometry) {
+    struct volume_settings own = own_of(settings);
+    struct volume_desc desc = {.size = own.size};
+    struct volume_grid grid;
+    memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
+    memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
+    volume_grid_fit(&grid, &desc);
+    return own.distance > 0 ? own.distance : default_ao_voxels * grid.voxel;
+}
+
+/* --- passes ----------------------------------------------------------------------------------- */
+
+static enum materials materials_of(const struct settings *settings) {
+    return (enum materials)settings_of(struct material_settings, settings, &material_part)
+        ->materials;
+}
+
+static bool init_points(struct volume_light *light, const struct volume_light_desc *desc) {
+    float voxel = light->volume.grid.voxel;
+    return volume_points_init(
+        &light->points,
+        &(struct volume_points_desc){
+            .scene = desc->scene,
+            .geometry = desc->geometry,
+            .materials = materials_of(desc->settings),
+            .count = volume_points_count(desc->geometry, voxel, light->settings.points)});
+}
+
+bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
+    *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
+    struct volume_desc volume = volume_of(desc, &light->settings);
+    light->settings.distance = volume_ao_distance(desc->settings, desc->geometry);
+    if (volume_check(desc->settings) && volume_init(&light->volume, &volume) &&
+        init_points(light, desc) && inject_pass_init(&light->inject, &light->volume) &&
+        distance_pass_init(&light->distance) && march_pass_init(&light->march, &light->volume) &&
+        (!volume.bounces || reflect_pass_init(&light->reflect, &light->volume)) &&
+        reconstruct_pass_init(&light->reconstruct, &light->volume, desc->width, desc->height) &&
+        buffer_init(&light->params, "volume parameters", sizeof(struct volume_params), NULL))
+        return true;
+    volume_light_free(light);
+    return false;
+}
+
+void volume_light_free(struct volume_light *light) {
+    volume_free(&light->volume);
+    volume_points_free(&light->points);
+    inject_pass_free(&light->inject);
+    distance_pass_free(&light->distance);
+    march_pass_free(&light->march);
+    reflect_pass_free(&light->reflect);
+    reconstruct_pass_free(&light->reconstruct);
+    buffer_free(&light->params);
+}
+
+bool volume_light_resize(struct volume_light *light, int width, int height) {
+    return reconstruct_pass_resize(&light->reconstruct, width, height);
+}
+
+static void write_params(const struct volume_light *light, float unit) {
+    struct volume_params params = volume_params_of(&light->volume);
+    bool visibility = light->volume.desc.channels == VOLUME_VISIBILITY;
+    params.rays = light->settings.rays;
+    params.distance = visibility ? light->settings.distance / params.voxel : 1e9F;
+    params.irradiance_scale = unit;
+    buffer_write(&light->params, 0, sizeof params, &params);
+}
+
+void volume_light_render(struct volume_light *light, const struct frame *frame,
+                         const struct texture *shadow_maps, float unit) {
+    const struct volume *volume = &light->volume;
+    const struct buffer *params = &light->params;
+    struct march_inputs inputs = {&volume->radiosity, &volume->back};
+    write_params(light, unit);
+    volume_points_place(&light->points, frame->geometry);
+    inject_pass_render(&light->inject, frame, volume, params, &light->points, shadow_maps);
+    distance_pass_render(&light->distance, frame, volume, params);
+    march_pass_render(&light->march, frame, volume, params, &inputs);
+    inputs = (struct march_inputs){&light->reflect.radiosity, &light->reflect.back};
+    for (int bounce = 1; bounce < light->desc.bounces; bounce++) {
+        reflect_pass_render(&light->reflect, frame, volume, params);
+        march_pass_render(&light->march, frame, volume, params, &inputs);
+    }
+}
+
+void volume_light_render_view(const struct volume_light *light, const struct frame *frame,
+                              const struct gbuffer *gbuffer) {
+    reconstruct_pass_render(&light->reconstruct, frame, gbuffer, &light->volume, &light->params);
+}
+
+/* --- ambient occlusion ------------------------------------------------------------------------ */
+
+bool ambient_occlusion_init(struct ambient_occlusion *ao,
+                            const struct ambient_occlusion_desc *desc) {
+    return volume_light_init(&ao->light, &(struct volume_light_desc){.settings = desc->settings,
+                                                                     .scene = desc->scene,
+                                                                     .geometry = desc->geometry,
+                                                                     .width = desc->width,
+                                                                     .height = desc->height,
+                                                                     .channels = VOLUME_VISIBILITY,
+                                                                     .bounces = 1});
+}
+
+void ambient_occlusion_free(struct ambient_occlusion *ao) {
+    volume_light_free(&ao->light);
+}
+
+void ambient_occlusion_render(struct ambient_occlusion *ao, const struct frame *frame,
+                              const struct gbuffer *gbuffer) {
+    volume_light_render(&ao->light, frame, NULL, 1);
+    volume_light_render_view(&ao->light, frame, gbuffer);
+}
+
+const struct texture *ambient_occlusion_texture(const struct ambient_occlusion *ao) {
+    return &ao->light.reconstruct.irradiance.texture;
+}
