@@ -14,12 +14,12 @@
 #include "base/progress.h"
 #include "metrics/quantile.h"
 #include "quality/picture.h"
-#include "reference/ao.h"
 #include "reference/channels.h"
 #include "renderer/stage.h"
 #include "scene/material.h"
 #include "shared/composite.h"
 #include "techniques/many_lights.h"
+#include "techniques/volume.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -84,7 +84,7 @@ static const struct option options[] = {
      .help =
          "adds the layer ao, ambient occlusion (fraction of cosine-weighted rays from a surface\n"
          "that meet nothing within D metres), and its standard error;\n"
-         "auto: 4/15 of the scene's longest side, 16 voxels of a volume of 64x64x64"},
+         "auto: that of render --aov ao, 4/15 of the scene's longest side"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
@@ -160,12 +160,12 @@ static bool show(void *user, const struct path_tracer_progress *progress) {
 }
 
 static bool trace_paths(const struct values *values, const struct stage *stage,
-                        struct image *image) {
+                        const struct settings *settings, struct image *image) {
     struct progress progress;
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
     if (ao_is_auto(values))
-        desc.ao_distance = ao_default_distance(&stage->geometry);
+        desc.ao_distance = volume_ao_distance(settings, &stage->geometry);
     desc.progress = show;
     desc.user = &progress;
     progress_start(&progress);
@@ -263,9 +263,10 @@ int app_reference(int argc, char **argv) {
     if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
     choose_size(&values, &desc, &stage);
-    bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &image)
-                                                  : trace_vpls(&values, &stage, &desc, &image)) &&
-              image_write(&image, values.output);
+    bool ok =
+        (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
+                                            : trace_vpls(&values, &stage, &desc, &image)) &&
+        image_write(&image, values.output);
     image_free(&image);
     stage_free(&stage);
     return ok ? STATUS_OK : arguments_fail(argv[0]);

@@ -18,13 +18,6 @@ float ao_trace(const struct ray_scene *rays, const struct hit *hit, float distan
     return (float)open / (float)count;
 }
 
-float ao_default_distance(const struct geometry *geometry) {
-    float longest = 0;
-    for (int c = 0; c < 3; c++)
-        longest = fmaxf(longest, geometry->bounds_max[c] - geometry->bounds_min[c]);
-    return longest * 16 / 60;
-}
-
 void ao_add(struct ao_sums *sums, int stream, float open) {
     sums->open[stream] += open;
     sums->samples[stream] += 1;

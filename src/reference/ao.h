@@ -14,9 +14,6 @@
 float ao_trace(const struct ray_scene *rays, const struct hit *hit, float distance,
                const struct sampler *samplers, int count);
 
-/* 16 voxels of a volume of 64 x 64 x 64 that holds the scene and two voxels a side, metres. */
-float ao_default_distance(const struct geometry *geometry);
-
 /* What a pixel's samples saw, each a fraction of rays: sums; all zero = none. */
 struct ao_sums {
     float open[FILM_STREAMS], samples[FILM_STREAMS];

@@ -9,9 +9,9 @@
 #include "base/memory.h"
 #include "base/progress.h"
 #include "quality/picture.h"
-#include "reference/ao.h"
 #include "scene/hash.h"
 #include "scene/material.h"
+#include "techniques/volume.h"
 
 #include "sources.h"
 
@@ -30,7 +30,7 @@ static int materials_of(const struct measure_desc *desc) {
 }
 
 static float ao_distance_of(const struct measure_desc *desc) {
-    return ao_default_distance(&desc->stage->geometry);
+    return volume_ao_distance(&desc->settings, &desc->stage->geometry);
 }
 
 /* --- where it is kept ------------------------------------------------------------------------- */
