@@ -25,10 +25,10 @@ static const struct option table[] = {
              "directions more, 3 (9 coefficients) takes twice the memory"},
     {"rays", 0, OPTION_INT, ROW(rays), 100, 1, 4096,
      .help = "rays from each empty voxel near a surface; more: less noise, slower"},
-    {"points", 0, OPTION_FLOAT, ROW(points), 5, .01, 100,
+    {"voxel-points", 0, OPTION_FLOAT, ROW(points), 5, .01, 100,
      .help = "mean number of points in a voxel that a surface crosses, k; a part of\n"
              "at most e^-k of these voxels stays empty"},
-    {"distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9,
+    {"ao-distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9,
      .help = "distance within which surfaces hide ambient light, m; 0: 16 voxels",
      .needs = "volume.volume=ao"},
     {NULL},
