@@ -44,7 +44,7 @@ struct volume_params {
     float irradiance_scale;
     float unused;
     vec2 atlas; /* its texels */
-    float unused0, unused1;
+    vec2 turn;  /* of rays, another in each pass: from 0 to 1 */
 };
 PASS_BLOCK(volume_params, 64)
 

@@ -2,14 +2,23 @@
 // Papaioannou 2011, eq. 3]. Rays leap over voxels that are known to be empty and so meet what steps of a voxel meet.
 #include "lib/sh.glsl"
 #include "lib/volume_distances.glsl"
-#include "lib/volume_hash.glsl"
 #include RAY_END
 
 layout(location = 0) out vec4 coefficients[COEFFICIENTS];
 
 const float FIRST_STEP = 0.8660254; // half of a voxel's diagonal
 
-// Spherical Fibonacci points, other ones in each voxel but the same in each frame.
+// The rays of 3 x 3 x 3 voxels share out the sphere between them: volume/smooth.frag takes their mean.
+const int SETS = 27;
+
+vec2 set_of(ivec3 voxel) {
+    ivec3 place = voxel % 3;
+    int set = place.x + 3 * place.y + 9 * place.z;
+    // 8 and 27 have no common divisor: neighbours are far apart on the axis.
+    return fract(vec2((float(set * 8 % SETS) + 0.5) / float(SETS), float(set) * 0.5698403) + params.turn);
+}
+
+// Spherical Fibonacci points, other ones in each voxel of a set but the same in each frame.
 vec3 ray_direction(int ray, vec2 shift) {
     float z = 1.0 - 2.0 * (float(ray) + shift.x) / float(params.rays);
     float turn = 6.2831853 * fract(float(ray) * 0.6180340 + shift.y), r = sqrt(max(1.0 - z * z, 0.0));
@@ -26,7 +35,7 @@ void main() {
     if (own > VOLUME_SHELL || own < 1)
         return;
     vec3 start = vec3(voxel) + 0.5;
-    vec2 shift = volume_hash(voxel);
+    vec2 shift = set_of(voxel);
     for (int ray = 0; ray < params.rays; ray++) {
         vec3 direction = ray_direction(ray, shift);
         float t = FIRST_STEP;

@@ -40,7 +40,7 @@ double volume_bytes(const struct volume_desc *desc) {
     bool light = desc->channels == VOLUME_RADIANCE;
     int sums = 1 + light + (light && desc->backs) + (light && desc->bounces) * (2 + desc->backs);
     return (double)grid.width * grid.height *
-           (sum * sums + 2 * distance + coefficients * coefficient_count(desc));
+           (sum * sums + 2 * distance + coefficients * (coefficient_count(desc) + 1));
 }
 
 static bool init_texture(const struct volume *volume, struct texture *texture, const char *label,
@@ -78,13 +78,19 @@ static bool init_distances(struct volume *volume) {
 }
 
 static bool init_coefficients(struct volume *volume) {
-    struct framebuffer_desc target = {.label = "volume coefficients"};
+    struct framebuffer_desc all = {.label = "volume coefficients"};
+    int count = volume->coefficient_count;
     bool ok = true;
-    for (int i = 0; ok && i < volume->coefficient_count; i++) {
-        ok = init_texture(volume, &volume->coefficients[i], target.label, GL_RGBA16F);
-        target.colors[i] = &volume->coefficients[i];
-    }
-    return ok && framebuffer_init(&volume->coefficients_framebuffer, &target);
+    for (int i = 0; ok && i < count; i++)
+        ok = framebuffer_init_target(&volume->coefficients[i], &volume->smooth_framebuffers[i],
+                                     &(struct texture_desc){.label = all.label,
+                                                            .format = GL_RGBA16F,
+                                                            .width = volume->grid.width,
+                                                            .height = volume->grid.height});
+    ok = ok && init_texture(volume, &volume->coefficients[count], all.label, GL_RGBA16F);
+    for (int i = 0; i < count; i++)
+        all.colors[i] = &volume->coefficients[i + 1];
+    return ok && framebuffer_init(&volume->march_framebuffer, &all);
 }
 
 bool volume_init(struct volume *volume, const struct volume_desc *desc) {
@@ -98,7 +104,7 @@ bool volume_init(struct volume *volume, const struct volume_desc *desc) {
 
 void volume_free(struct volume *volume) {
     framebuffer_free(&volume->points_framebuffer);
-    framebuffer_free(&volume->coefficients_framebuffer);
+    framebuffer_free(&volume->march_framebuffer);
     texture_free(&volume->surfaces);
     texture_free(&volume->radiosity);
     texture_free(&volume->back);
@@ -108,6 +114,8 @@ void volume_free(struct volume *volume) {
         texture_free(&volume->distances[i]);
     }
     for (int i = 0; i < VOLUME_COEFFICIENTS_MAX; i++)
+        framebuffer_free(&volume->smooth_framebuffers[i]);
+    for (int i = 0; i <= VOLUME_COEFFICIENTS_MAX; i++)
         texture_free(&volume->coefficients[i]);
     *volume = (struct volume){0};
 }

@@ -38,9 +38,10 @@ struct volume {
     /* R8: voxels to the nearest occupied one, over 255; the last step is in the first. */
     struct texture distances[2];
     GLuint distance_framebuffers[2];
-    /* RGBA16F: of each channel l <= 1, then the next four, then the last ones together. */
-    struct texture coefficients[VOLUME_COEFFICIENTS_MAX];
-    GLuint coefficients_framebuffer;
+    /* RGBA16F, of each channel l <= 1, then the next four, then the last ones together: the first coefficient_count are
+     * to be read. The march draws into the next ones, and smoothing moves each to the one before. */
+    struct texture coefficients[VOLUME_COEFFICIENTS_MAX + 1];
+    GLuint march_framebuffer, smooth_framebuffers[VOLUME_COEFFICIENTS_MAX];
     int coefficient_count;
 };
 

@@ -25,10 +25,10 @@ static const struct option table[] = {
              "directions more, 3 (9 coefficients) takes twice the memory"},
     {"rays", 0, OPTION_INT, ROW(rays), 100, 1, 4096,
      .help = "rays from each empty voxel near a surface; more: less noise, slower"},
-    {"points", 0, OPTION_FLOAT, ROW(points), 5, .01, 100,
+    {"voxel-points", 0, OPTION_FLOAT, ROW(points), 5, .01, 100,
      .help = "mean number of points in a voxel that a surface crosses, k; a part of\n"
              "at most e^-k of these voxels stays empty"},
-    {"distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9,
+    {"ao-distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9,
      .help = "distance within which surfaces hide ambient light, m; 0: 16 voxels",
      .needs = "volume.volume=ao"},
     {NULL},
@@ -133,12 +133,14 @@ bool volume_light_resize(struct volume_light *light, int width, int height) {
     return reconstruct_pass_resize(&light->reconstruct, width, height);
 }
 
-static void write_params(const struct volume_light *light, float unit) {
+static void write_params(const struct volume_light *light, int pass, float unit) {
     struct volume_params params = volume_params_of(&light->volume);
     bool visibility = light->volume.desc.channels == VOLUME_VISIBILITY;
     params.rays = light->settings.rays;
     params.distance = visibility ? light->settings.distance / params.voxel : 1e9F;
     params.irradiance_scale = unit;
+    params.turn[0] = (float)fmod(pass * .7548776662466927, 1);
+    params.turn[1] = (float)fmod(pass * .5698402909980532, 1);
     buffer_write(&light->params, 0, sizeof params, &params);
 }
 
@@ -147,7 +149,7 @@ void volume_light_render(struct volume_light *light, const struct frame *frame,
     const struct volume *volume = &light->volume;
     const struct buffer *params = &light->params;
     struct march_inputs inputs = {&volume->radiosity, &volume->back};
-    write_params(light, unit);
+    write_params(light, frame->pass, unit);
     volume_points_place(&light->points, frame->geometry);
     inject_pass_render(&light->inject, frame, volume, params, &light->points, shadow_maps);
     distance_pass_render(&light->distance, frame, volume, params);

@@ -12,17 +12,42 @@ bool march_pass_init(struct march_pass *pass, const struct volume *volume) {
     const char *end = volume->desc.channels == VOLUME_RADIANCE ? "radiance" : "visibility";
     char *own = volume_defines(volume);
     char *defines = mem_printf("%s;RAY_END volume/ray_%s.glsl", own, end);
+    *pass = (struct march_pass){0};
     bool ok = program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                                   .fragment = "volume/march.frag",
                                                                   .defines = defines});
+    ok = ok && program_init(&pass->smooth_program,
+                            &(struct program_desc){.screen = {"volume/smooth.frag"}});
     free(own);
     free(defines);
+    if (!ok)
+        march_pass_free(pass);
     return ok;
 }
 
 void march_pass_free(struct march_pass *pass) {
     program_free(&pass->program);
+    program_free(&pass->smooth_program);
     *pass = (struct march_pass){0};
+}
+
+static void smooth(const struct march_pass *pass, const struct frame *frame,
+                   const struct volume *volume, const struct buffer *params) {
+    timer_begin(frame->timers, "smooth");
+    for (int i = 0; i < volume->coefficient_count; i++) {
+        pass_set_state(&(struct pass_state){
+            .name = "smooth",
+            .program = pass->smooth_program,
+            .framebuffer = volume->smooth_framebuffers[i],
+            .width = volume->grid.width,
+            .height = volume->grid.height,
+            .textures = {{UNIT_VOLUME_DISTANCES, volume->distances[0].id},
+                         {UNIT_VOLUME_COEFFICIENTS, volume->coefficients[i + 1].id}},
+            .blocks = {{BLOCK_PASS, params}},
+        });
+        pass_draw_fullscreen(1);
+    }
+    timer_end(frame->timers);
 }
 
 void march_pass_render(const struct march_pass *pass, const struct frame *frame,
@@ -31,7 +56,7 @@ void march_pass_render(const struct march_pass *pass, const struct frame *frame,
     struct pass_state state = {
         .name = "march",
         .program = pass->program,
-        .framebuffer = volume->coefficients_framebuffer,
+        .framebuffer = volume->march_framebuffer,
         .width = volume->grid.width,
         .height = volume->grid.height,
         .textures = {{UNIT_VOLUME_DISTANCES, volume->distances[0].id}},
@@ -46,4 +71,5 @@ void march_pass_render(const struct march_pass *pass, const struct frame *frame,
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
+    smooth(pass, frame, volume, params);
 }
