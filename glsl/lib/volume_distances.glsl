@@ -3,7 +3,17 @@
 
 layout(binding = UNIT_VOLUME_DISTANCES) uniform sampler2D volume_distances;
 
+int volume_distance_code(ivec3 voxel) {
+    return int(texelFetch(volume_distances, volume_texel(voxel), 0).r * 255.0 + 0.5);
+}
+
 // Voxels, 0 of an occupied voxel, VOLUME_DISTANCE_MAX where it is farther or not known.
 int volume_distance(ivec3 voxel) {
-    return int(texelFetch(volume_distances, volume_texel(voxel), 0).r * 255.0 + 0.5);
+    return volume_distance_code(voxel) & (VOLUME_BEHIND - 1);
+}
+
+// Whether surfaces read the voxel: it is empty, near to one and in front.
+bool volume_is_read(ivec3 voxel) {
+    int code = volume_distance_code(voxel);
+    return code > 0 && code <= VOLUME_SHELL;
 }

@@ -33,6 +33,8 @@
 #define VOLUME_DISTANCE_MAX 8
 /* Empty voxels up to here have coefficients: no surface reads others. */
 #define VOLUME_SHELL 2
+/* Added to the distance of those that lie behind all surfaces near them. */
+#define VOLUME_BEHIND 16
 
 struct volume_params {
     vec3 corner;      /* of the first voxel, metres */

@@ -12,10 +12,7 @@ struct voxel_sum {
 };
 
 void voxel_add(inout voxel_sum sum, ivec3 voxel, float weight) {
-    if (weight <= 0.0 || !volume_has(vec3(voxel)))
-        return;
-    int away = volume_distance(voxel);
-    if (away < 1 || away > VOLUME_SHELL)
+    if (weight <= 0.0 || !volume_has(vec3(voxel)) || !volume_is_read(voxel))
         return;
     ivec2 texel = volume_texel(voxel);
     for (int i = 0; i < COEFFICIENTS; i++)

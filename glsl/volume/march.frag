@@ -25,27 +25,28 @@ vec3 ray_direction(int ray, vec2 shift) {
     return vec3(r * cos(turn), r * sin(turn), z);
 }
 
+// How far it is to where the ray leaves the volume.
+float way_out(vec3 start, vec3 direction) {
+    vec3 to_side = mix(start, params.cells - start, greaterThan(direction, vec3(0.0)));
+    vec3 ways = to_side / max(abs(direction), vec3(1e-6));
+    return min(ways.x, min(ways.y, ways.z)) - 1e-3;
+}
+
 void main() {
     ivec3 voxel = volume_voxel(ivec2(gl_FragCoord.xy));
     for (int i = 0; i < COEFFICIENTS; i++)
         coefficients[i] = vec4(0.0);
-    if (voxel.z >= int(params.cells.z))
-        return;
-    int own = volume_distance(voxel);
-    if (own > VOLUME_SHELL || own < 1)
+    if (voxel.z >= int(params.cells.z) || !volume_is_read(voxel))
         return;
     vec3 start = vec3(voxel) + 0.5;
     vec2 shift = set_of(voxel);
     for (int ray = 0; ray < params.rays; ray++) {
         vec3 direction = ray_direction(ray, shift);
-        float t = FIRST_STEP;
+        float t = FIRST_STEP, end = min(params.distance, way_out(start, direction));
         int away = 1;
         ivec3 at = voxel;
-        while (t <= params.distance) {
-            vec3 place = start + direction * t;
-            if (!volume_has(place))
-                break;
-            at = ivec3(place);
+        while (t <= end) {
+            at = ivec3(start + direction * t);
             away = volume_distance(at);
             if (away == 0)
                 break;

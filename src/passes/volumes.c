@@ -38,7 +38,7 @@ double volume_bytes(const struct volume_desc *desc) {
     struct volume_grid grid;
     volume_grid_fit(&grid, desc);
     bool light = desc->channels == VOLUME_RADIANCE;
-    int sums = 1 + light + (light && desc->backs) + (light && desc->bounces) * (2 + desc->backs);
+    int sums = 1 + light + (light && desc->both_sides) + (light && desc->bounces) * (2 + desc->both_sides);
     return (double)grid.width * grid.height *
            (sum * sums + 2 * distance + coefficients * (coefficient_count(desc) + 1));
 }
@@ -56,7 +56,7 @@ static bool init_points(struct volume *volume) {
     struct framebuffer_desc target = {.label = "volume points", .colors = {&volume->surfaces}};
     int count = 1;
     bool ok = init_texture(volume, &volume->surfaces, "volume surfaces", GL_RGBA32F);
-    struct texture *others[] = {&volume->radiosity, desc->backs ? &volume->back : NULL,
+    struct texture *others[] = {&volume->radiosity, desc->both_sides ? &volume->back : NULL,
                                 desc->bounces ? &volume->albedo : NULL};
     for (size_t i = 0; desc->channels == VOLUME_RADIANCE && i < sizeof others / sizeof *others; i++)
         if (others[i]) {
@@ -122,8 +122,10 @@ void volume_free(struct volume *volume) {
 
 char *volume_defines(const struct volume *volume) {
     const struct volume_desc *desc = &volume->desc;
+    bool light = desc->channels == VOLUME_RADIANCE;
     return mem_printf("CHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d", desc->channels,
-                      desc->order, volume->coefficient_count, desc->backs, desc->bounces);
+                      desc->order, volume->coefficient_count,
+                      light && desc->both_sides, light && desc->bounces);
 }
 
 struct volume_params volume_params_of(const struct volume *volume) {

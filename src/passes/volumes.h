@@ -16,7 +16,7 @@ struct volume_desc {
     float low[3], high[3]; /* of what is in the box, metres */
     int channels;          /* VOLUME_VISIBILITY or VOLUME_RADIANCE */
     int order;             /* of the spherical harmonics: 2 or 3 */
-    bool backs;            /* some surfaces reflect on both sides */
+    bool both_sides;       /* some surfaces are seen, and reflect, from both sides */
     bool bounces;          /* light is reflected again: albedos are kept */
 };
 

@@ -70,8 +70,8 @@ static struct volume_desc volume_of(const struct volume_light_desc *desc,
     };
     memcpy(volume.low, desc->geometry->bounds_min, sizeof volume.low);
     memcpy(volume.high, desc->geometry->bounds_max, sizeof volume.high);
-    for (int m = 0; desc->channels == VOLUME_RADIANCE && m < desc->scene->material_count; m++)
-        volume.backs |= desc->scene->materials[m].double_sided;
+    for (int m = 0; m < desc->scene->material_count; m++)
+        volume.both_sides |= desc->scene->materials[m].double_sided;
     return volume;
 }
 
@@ -109,7 +109,7 @@ bool volume_light_init(struct volume_light *light, const struct volume_light_des
     light->settings.distance = volume_ao_distance(desc->settings, desc->geometry);
     if (volume_check(desc->settings) && volume_init(&light->volume, &volume) &&
         init_points(light, desc) && inject_pass_init(&light->inject, &light->volume) &&
-        distance_pass_init(&light->distance) && march_pass_init(&light->march, &light->volume) &&
+        distance_pass_init(&light->distance, &light->volume) && march_pass_init(&light->march, &light->volume) &&
         (!volume.bounces || reflect_pass_init(&light->reflect, &light->volume)) &&
         reconstruct_pass_init(&light->reconstruct, &light->volume, desc->width, desc->height) &&
         buffer_init(&light->params, "volume parameters", sizeof(struct volume_params), NULL))

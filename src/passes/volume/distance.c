@@ -7,11 +7,11 @@
 
 #include <stdlib.h>
 
-bool distance_pass_init(struct distance_pass *pass) {
+bool distance_pass_init(struct distance_pass *pass, const struct volume *volume) {
     *pass = (struct distance_pass){0};
     bool ok = true;
     for (int axis = 0; ok && axis < 3; axis++) {
-        char *defines = mem_printf("AXIS %d", axis);
+        char *defines = mem_printf("AXIS %d;BOTH_SIDES %d", axis, volume->desc.both_sides);
         ok = program_init(
             &pass->programs[axis],
             &(struct program_desc){.screen = {"volume/distance.frag"}, .defines = defines});
@@ -31,17 +31,18 @@ void distance_pass_render(const struct distance_pass *pass, const struct frame *
                           const struct volume *volume, const struct buffer *params) {
     timer_begin(frame->timers, "distances");
     for (int axis = 0; axis < 3; axis++) {
-        const struct texture *source =
-            axis == 0 ? &volume->surfaces : &volume->distances[(axis + 1) % 2];
-        pass_set_state(&(struct pass_state){
+        struct pass_state state = {
             .name = "distances",
             .program = pass->programs[axis],
             .framebuffer = volume->distance_framebuffers[axis % 2],
             .width = volume->grid.width,
             .height = volume->grid.height,
-            .textures = {{axis == 0 ? UNIT_VOLUME_SURFACES : UNIT_VOLUME_DISTANCES, source->id}},
+            .textures = {{UNIT_VOLUME_SURFACES, volume->surfaces.id}},
             .blocks = {{BLOCK_PASS, params}},
-        });
+        };
+        if (axis > 0)
+            pass_add_texture(&state, UNIT_VOLUME_DISTANCES, volume->distances[(axis + 1) % 2].id);
+        pass_set_state(&state);
         pass_draw_fullscreen(1);
     }
     timer_end(frame->timers);

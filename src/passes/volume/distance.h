@@ -11,8 +11,8 @@ struct distance_pass {
     GLuint programs[3]; /* for each axis */
 };
 
-/* Error: shader. */
-bool distance_pass_init(struct distance_pass *pass);
+/* For volumes like that one. Error: shader. */
+bool distance_pass_init(struct distance_pass *pass, const struct volume *volume);
 void distance_pass_free(struct distance_pass *pass);
 
 /* Fills volume->distances[0]. Timer "distances". */

@@ -65,7 +65,7 @@ void march_pass_render(const struct march_pass *pass, const struct frame *frame,
     if (volume->desc.channels == VOLUME_RADIANCE) {
         pass_add_texture(&state, UNIT_VOLUME_SURFACES, volume->surfaces.id);
         pass_add_texture(&state, UNIT_VOLUME_RADIOSITY, inputs->radiosity->id);
-        if (volume->desc.backs)
+        if (volume->desc.both_sides)
             pass_add_texture(&state, UNIT_VOLUME_BACK, inputs->back->id);
     }
     pass_begin(frame->timers, &state);

@@ -13,7 +13,7 @@ static bool init_targets(struct reflect_pass *pass, const struct volume *volume)
                                 .width = volume->grid.width,
                                 .height = volume->grid.height};
     struct framebuffer_desc target = {.label = sums.label, .colors = {&pass->radiosity}};
-    bool backs = volume->desc.backs;
+    bool backs = volume->desc.both_sides;
     if (backs)
         target.colors[1] = &pass->back;
     return texture_init(&pass->radiosity, &sums) && (!backs || texture_init(&pass->back, &sums)) &&
@@ -53,7 +53,7 @@ void reflect_pass_render(const struct reflect_pass *pass, const struct frame *fr
                      {UNIT_VOLUME_DISTANCES, volume->distances[0].id}},
         .blocks = {{BLOCK_PASS, params}},
     };
-    if (volume->desc.backs)
+    if (volume->desc.both_sides)
         pass_add_texture(&state, UNIT_VOLUME_BACK, volume->back.id);
     for (int i = 0; i < volume->coefficient_count; i++)
         pass_add_texture(&state, UNIT_VOLUME_COEFFICIENTS + (GLuint)i, volume->coefficients[i].id);
