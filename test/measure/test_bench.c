@@ -145,7 +145,7 @@ static void test_ambient_occlusion(void **state) {
     const char *csv = scratch("ao.csv");
     snprintf(arguments, sizeof arguments,
              "sweep scenes/cornell-box.glb --size 40x40 --frames 1 --variant "
-             "u:technique=unshadowed,volume.distance=.2 --vary volume.size=16,64 --reference ao "
+             "u:technique=unshadowed,volume.ao-distance=.2 --vary volume.size=16,64 --reference ao "
              "--noise .1 --cache %s --csv %s",
              scratch("ao-cache"), csv);
     check_runs(arguments);

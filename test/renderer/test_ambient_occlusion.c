@@ -130,7 +130,7 @@ static void test_changes(void **state) {
     struct image before = layers_with_ao(&renderer);
     desc.camera.eye[0] += .2F;
     check_as_fresh("another camera", &renderer, &desc, &before);
-    check_ok("setting", settings_assign(&desc.settings, "volume.distance=.1"));
+    check_ok("setting", settings_assign(&desc.settings, "volume.ao-distance=.1"));
     check_as_fresh("a shorter distance", &renderer, &desc, &before);
     check_ok("setting", settings_assign(&desc.settings, "volume.size=24"));
     check_as_fresh("fewer voxels", &renderer, &desc, &before);
