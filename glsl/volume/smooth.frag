@@ -1,25 +1,22 @@
 // The mean of a group of coefficients over a voxel and its neighbours, whose rays go between its own (volume/march.frag).
+// Voxels that nobody reads have coefficients of 0.
 #include "lib/volume_distances.glsl"
 
 layout(binding = UNIT_VOLUME_COEFFICIENTS) uniform sampler2D coefficients;
+layout(binding = UNIT_VOLUME_NEIGHBOURS) uniform sampler2D neighbour_counts;
 
 layout(location = TARGET_RESULT) out vec4 result;
 
 void main() {
-    ivec3 voxel = volume_voxel(ivec2(gl_FragCoord.xy)), last = ivec3(params.cells) - 1;
+    ivec2 texel = ivec2(gl_FragCoord.xy);
+    ivec3 voxel = volume_voxel(texel), last = ivec3(params.cells) - 1;
     result = vec4(0.0);
     if (voxel.z > last.z || !volume_is_read(voxel))
         return;
     ivec3 from = max(voxel - 1, ivec3(0)), to = min(voxel + 1, last);
-    float count = 0.0;
     for (int z = from.z; z <= to.z; z++)
         for (int y = from.y; y <= to.y; y++)
-            for (int x = from.x; x <= to.x; x++) {
-                ivec3 other = ivec3(x, y, z);
-                if (volume_is_read(other)) {
-                    result += texelFetch(coefficients, volume_texel(other), 0);
-                    count += 1.0;
-                }
-            }
-    result /= count;
+            for (int x = from.x; x <= to.x; x++)
+                result += texelFetch(coefficients, volume_texel(ivec3(x, y, z)), 0);
+    result /= texelFetch(neighbour_counts, texel, 0).r * 255.0;
 }

@@ -35,7 +35,7 @@ struct volume {
      * times irradiance_scale; albedo. */
     struct texture surfaces, radiosity, back, albedo;
     GLuint points_framebuffer;
-    /* R8: voxels to the nearest occupied one, over 255; the last step is in the first. */
+    /* R8, over 255: voxels to the nearest occupied one; and of those that surfaces read how many neighbours they have. */
     struct texture distances[2];
     GLuint distance_framebuffers[2];
     /* RGBA16F, of each channel l <= 1, then the next four, then the last ones together: the first coefficient_count are

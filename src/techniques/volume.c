@@ -60,6 +60,11 @@ bool volume_check(const struct settings *settings) {
                      own.size, bytes / mebibyte, most_bytes / mebibyte);
 }
 
+static void set_box(struct volume_desc *volume, const struct geometry *geometry) {
+    memcpy(volume->low, geometry->bounds_min, sizeof volume->low);
+    memcpy(volume->high, geometry->bounds_max, sizeof volume->high);
+}
+
 static struct volume_desc volume_of(const struct volume_light_desc *desc,
                                     const struct volume_settings *own) {
     struct volume_desc volume = {
@@ -68,21 +73,23 @@ static struct volume_desc volume_of(const struct volume_light_desc *desc,
         .order = own->order,
         .bounces = desc->bounces > 1,
     };
-    memcpy(volume.low, desc->geometry->bounds_min, sizeof volume.low);
-    memcpy(volume.high, desc->geometry->bounds_max, sizeof volume.high);
+    set_box(&volume, desc->geometry);
     for (int m = 0; m < desc->scene->material_count; m++)
         volume.both_sides |= desc->scene->materials[m].double_sided;
     return volume;
+}
+
+static float ao_distance(const struct volume_settings *own, float voxel) {
+    return own->distance > 0 ? own->distance : default_ao_voxels * voxel;
 }
 
 float volume_ao_distance(const struct settings *settings, const struct geometry *geometry) {
     struct volume_settings own = own_of(settings);
     struct volume_desc desc = {.size = own.size};
     struct volume_grid grid;
-    memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
-    memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
+    set_box(&desc, geometry);
     volume_grid_fit(&grid, &desc);
-    return own.distance > 0 ? own.distance : default_ao_voxels * grid.voxel;
+    return ao_distance(&own, grid.voxel);
 }
 
 /* --- passes ----------------------------------------------------------------------------------- */
@@ -106,7 +113,6 @@ static bool init_points(struct volume_light *light, const struct volume_light_de
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
     struct volume_desc volume = volume_of(desc, &light->settings);
-    light->settings.distance = volume_ao_distance(desc->settings, desc->geometry);
     if (volume_check(desc->settings) && volume_init(&light->volume, &volume) &&
         init_points(light, desc) && inject_pass_init(&light->inject, &light->volume) &&
         distance_pass_init(&light->distance, &light->volume) && march_pass_init(&light->march, &light->volume) &&
@@ -133,11 +139,29 @@ bool volume_light_resize(struct volume_light *light, int width, int height) {
     return reconstruct_pass_resize(&light->reconstruct, width, height);
 }
 
-static void write_params(const struct volume_light *light, int pass, float unit) {
+/* The bounds are those of the whole clip: another clip plays, or a pose reaches beyond. */
+bool volume_light_update(struct volume_light *light, const struct geometry *geometry) {
+    struct volume_desc desc = light->volume.desc;
+    struct volume fresh;
+    set_box(&desc, geometry);
+    if (memcmp(&desc, &light->volume.desc, sizeof desc) == 0)
+        return true;
+    if (!volume_init(&fresh, &desc))
+        return false;
+    volume_free(&light->volume);
+    light->volume = fresh;
+    reflect_pass_free(&light->reflect);
+    return !desc.bounces || reflect_pass_init(&light->reflect, &light->volume);
+}
+
+/* Rays of marches whose light is reflected once more, over those of the last one: their noise is smoothed again. */
+static const float early_rays = .25F;
+
+static void write_params(const struct volume_light *light, int pass, bool last, float unit) {
     struct volume_params params = volume_params_of(&light->volume);
     bool visibility = light->volume.desc.channels == VOLUME_VISIBILITY;
-    params.rays = light->settings.rays;
-    params.distance = visibility ? light->settings.distance / params.voxel : 1e9F;
+    params.rays = last ? light->settings.rays : (int)ceilf(early_rays * (float)light->settings.rays);
+    params.distance = visibility ? ao_distance(&light->settings, params.voxel) / params.voxel : 1e9F;
     params.irradiance_scale = unit;
     params.turn[0] = (float)fmod(pass * .7548776662466927, 1);
     params.turn[1] = (float)fmod(pass * .5698402909980532, 1);
@@ -148,15 +172,17 @@ void volume_light_render(struct volume_light *light, const struct frame *frame,
                          const struct texture *shadow_maps, float unit) {
     const struct volume *volume = &light->volume;
     const struct buffer *params = &light->params;
+    const int bounces = light->desc.bounces;
     struct march_inputs inputs = {&volume->radiosity, &volume->back};
-    write_params(light, frame->pass, unit);
+    write_params(light, frame->pass, bounces == 1, unit);
     volume_points_place(&light->points, frame->geometry);
     inject_pass_render(&light->inject, frame, volume, params, &light->points, shadow_maps);
     distance_pass_render(&light->distance, frame, volume, params);
     march_pass_render(&light->march, frame, volume, params, &inputs);
     inputs = (struct march_inputs){&light->reflect.radiosity, &light->reflect.back};
-    for (int bounce = 1; bounce < light->desc.bounces; bounce++) {
+    for (int bounce = 2; bounce <= bounces; bounce++) {
         reflect_pass_render(&light->reflect, frame, volume, params);
+        write_params(light, frame->pass, bounce == bounces, unit);
         march_pass_render(&light->march, frame, volume, params, &inputs);
     }
 }

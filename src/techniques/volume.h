@@ -40,17 +40,17 @@ bool volume_check(const struct settings *settings);
 float volume_ao_distance(const struct settings *settings, const struct geometry *geometry);
 
 struct volume_light_desc {
-    const struct settings *settings;
-    const struct scene *scene;
+    const struct settings *settings; /* of init alone, as are those that follow */
     const struct geometry *geometry; /* in its pose at this time */
+    const struct light_layout *lights; /* of radiance: those of the frames */
     int width, height;
+    const struct scene *scene; /* must outlive the light */
     int channels;                      /* VOLUME_RADIANCE or VOLUME_VISIBILITY */
     int bounces;                       /* of radiance */
-    const struct light_layout *lights; /* of radiance: those of the frames */
 };
 
 struct volume_light {
-    struct volume_light_desc desc; /* without what need not outlive init */
+    struct volume_light_desc desc;
     struct volume_settings settings;
     struct volume volume;
     struct volume_points points;
@@ -66,6 +66,9 @@ struct volume_light {
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc);
 void volume_light_free(struct volume_light *light);
 bool volume_light_resize(struct volume_light *light, int width, int height);
+
+/* The geometry has moved. Error: out of GPU memory; the light must then be freed. */
+bool volume_light_update(struct volume_light *light, const struct geometry *geometry);
 
 /* The part that depends on no camera: all but the last step. shadow_maps: of the frame's lights, LIGHT_MAP_KINDS of them;
  * NULL: of visibility. unit: what the result is times. */

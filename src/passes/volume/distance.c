@@ -9,7 +9,8 @@
 
 bool distance_pass_init(struct distance_pass *pass, const struct volume *volume) {
     *pass = (struct distance_pass){0};
-    bool ok = true;
+    bool ok = program_init(&pass->neighbour_program,
+                           &(struct program_desc){.screen = {"volume/neighbours.frag"}});
     for (int axis = 0; ok && axis < 3; axis++) {
         char *defines = mem_printf("AXIS %d;BOTH_SIDES %d", axis, volume->desc.both_sides);
         ok = program_init(
@@ -25,25 +26,30 @@ bool distance_pass_init(struct distance_pass *pass, const struct volume *volume)
 void distance_pass_free(struct distance_pass *pass) {
     for (int axis = 0; axis < 3; axis++)
         program_free(&pass->programs[axis]);
+    program_free(&pass->neighbour_program);
+}
+
+/* From one of the two textures to the other. */
+static void draw_step(const struct volume *volume, const struct buffer *params, GLuint program,
+                      int target) {
+    pass_set_state(&(struct pass_state){
+        .name = "distances",
+        .program = program,
+        .framebuffer = volume->distance_framebuffers[target],
+        .width = volume->grid.width,
+        .height = volume->grid.height,
+        .textures = {{UNIT_VOLUME_SURFACES, volume->surfaces.id},
+                     {UNIT_VOLUME_DISTANCES, volume->distances[1 - target].id}},
+        .blocks = {{BLOCK_PASS, params}},
+    });
+    pass_draw_fullscreen(1);
 }
 
 void distance_pass_render(const struct distance_pass *pass, const struct frame *frame,
                           const struct volume *volume, const struct buffer *params) {
     timer_begin(frame->timers, "distances");
-    for (int axis = 0; axis < 3; axis++) {
-        struct pass_state state = {
-            .name = "distances",
-            .program = pass->programs[axis],
-            .framebuffer = volume->distance_framebuffers[axis % 2],
-            .width = volume->grid.width,
-            .height = volume->grid.height,
-            .textures = {{UNIT_VOLUME_SURFACES, volume->surfaces.id}},
-            .blocks = {{BLOCK_PASS, params}},
-        };
-        if (axis > 0)
-            pass_add_texture(&state, UNIT_VOLUME_DISTANCES, volume->distances[(axis + 1) % 2].id);
-        pass_set_state(&state);
-        pass_draw_fullscreen(1);
-    }
+    for (int axis = 0; axis < 3; axis++)
+        draw_step(volume, params, pass->programs[axis], axis % 2);
+    draw_step(volume, params, pass->neighbour_program, 1);
     timer_end(frame->timers);
 }

@@ -42,6 +42,7 @@ static void smooth(const struct march_pass *pass, const struct frame *frame,
             .width = volume->grid.width,
             .height = volume->grid.height,
             .textures = {{UNIT_VOLUME_DISTANCES, volume->distances[0].id},
+                         {UNIT_VOLUME_NEIGHBOURS, volume->distances[1].id},
                          {UNIT_VOLUME_COEFFICIENTS, volume->coefficients[i + 1].id}},
             .blocks = {{BLOCK_PASS, params}},
         });

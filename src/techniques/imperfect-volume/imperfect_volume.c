@@ -59,6 +59,11 @@ static bool resize(void *state, int width, int height) {
     return volume_light_resize(&technique->light, width, height);
 }
 
+static bool update(void *state, const struct geometry *geometry) {
+    struct imperfect_volume *technique = state;
+    return volume_light_update(&technique->light, geometry);
+}
+
 static void render_lights(void *state, const struct frame *frame) {
     struct imperfect_volume *technique = state;
     if (!is_lit(technique)) {
@@ -93,6 +98,7 @@ const struct technique imperfect_volume_technique = {
     .init = init,
     .free = free_state,
     .resize = resize,
+    .update = update,
     .render_lights = render_lights,
     .render_view = render_view,
     .contribution = contribution,
