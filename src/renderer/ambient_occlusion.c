@@ -26,6 +26,8 @@ const struct texture *renderer_ambient_occlusion(struct renderer *renderer) {
     struct frame frame = renderer_frame(renderer);
     if (!renderer->ambient_occlusion && !init(renderer))
         return NULL;
+    if (!volume_light_update(&renderer->ambient_occlusion->light, frame.geometry))
+        return NULL;
     frame.timers = &untimed;
     ambient_occlusion_render(renderer->ambient_occlusion, &frame, &renderer->gbuffer);
     return ambient_occlusion_texture(renderer->ambient_occlusion);
