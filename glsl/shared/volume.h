@@ -34,8 +34,8 @@
 #define VOLUME_DISTANCE_MAX 8
 /* Empty voxels up to here have coefficients: no surface reads others. */
 #define VOLUME_SHELL 2
-/* Added to the distance of those that lie behind all surfaces near them. */
-#define VOLUME_BEHIND 16
+/* Added to the distance of those that no surface reads all the same. */
+#define VOLUME_IDLE 16
 
 struct volume_params {
     vec3 corner;      /* of the first voxel, metres */

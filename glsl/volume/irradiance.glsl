@@ -107,6 +107,8 @@ bool volume_irradiance(vec3 place, vec3 normal, out vec3 irradiance) {
         sum = sum_of_eight(around + normalize(walls + 1e-3 * normal), place, normal);
     }
     if (sum.weight < 1e-3)
+        sum = sum_of_eight(place + 2.5 * normal, place, normal);
+    if (sum.weight < 1e-3)
         sum = sum_of_six(place, normal);
     irradiance = sum.weight > 0.0 ? voxel_irradiance(sum, normal) : vec3(0.0);
     return sum.weight > 0.0;

@@ -115,7 +115,8 @@ bool volume_light_init(struct volume_light *light, const struct volume_light_des
     struct volume_desc volume = volume_of(desc, &light->settings);
     if (volume_check(desc->settings) && volume_init(&light->volume, &volume) &&
         init_points(light, desc) && inject_pass_init(&light->inject, &light->volume) &&
-        distance_pass_init(&light->distance, &light->volume) && march_pass_init(&light->march, &light->volume) &&
+        distance_pass_init(&light->distance, &light->volume) &&
+        march_pass_init(&light->march, &light->volume) &&
         (!volume.bounces || reflect_pass_init(&light->reflect, &light->volume)) &&
         reconstruct_pass_init(&light->reconstruct, &light->volume, desc->width, desc->height) &&
         buffer_init(&light->params, "volume parameters", sizeof(struct volume_params), NULL))
@@ -160,8 +161,10 @@ static const float early_rays = .25F;
 static void write_params(const struct volume_light *light, int pass, bool last, float unit) {
     struct volume_params params = volume_params_of(&light->volume);
     bool visibility = light->volume.desc.channels == VOLUME_VISIBILITY;
-    params.rays = last ? light->settings.rays : (int)ceilf(early_rays * (float)light->settings.rays);
-    params.distance = visibility ? ao_distance(&light->settings, params.voxel) / params.voxel : 1e9F;
+    params.rays =
+        last ? light->settings.rays : (int)ceilf(early_rays * (float)light->settings.rays);
+    params.distance =
+        visibility ? ao_distance(&light->settings, params.voxel) / params.voxel : 1e9F;
     params.irradiance_scale = unit;
     params.turn[0] = (float)fmod(pass * .7548776662466927, 1);
     params.turn[1] = (float)fmod(pass * .5698402909980532, 1);

@@ -40,13 +40,13 @@ bool volume_check(const struct settings *settings);
 float volume_ao_distance(const struct settings *settings, const struct geometry *geometry);
 
 struct volume_light_desc {
-    const struct settings *settings; /* of init alone, as are those that follow */
-    const struct geometry *geometry; /* in its pose at this time */
+    const struct settings *settings;   /* of init alone, as are those that follow */
+    const struct geometry *geometry;   /* in its pose at this time */
     const struct light_layout *lights; /* of radiance: those of the frames */
     int width, height;
     const struct scene *scene; /* must outlive the light */
-    int channels;                      /* VOLUME_RADIANCE or VOLUME_VISIBILITY */
-    int bounces;                       /* of radiance */
+    int channels;              /* VOLUME_RADIANCE or VOLUME_VISIBILITY */
+    int bounces;               /* of radiance */
 };
 
 struct volume_light {
