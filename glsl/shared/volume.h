@@ -26,6 +26,9 @@
 #define ATTRIBUTE_POINT_NORMAL 1
 #define ATTRIBUTE_POINT_ALBEDO 2
 
+/* Pixels along each side of the picture that are reprojected. */
+#define VOLUME_PIXELS 512
+
 /* What a voxel's rays gather. */
 #define VOLUME_VISIBILITY 1 /* channels */
 #define VOLUME_RADIANCE 3

@@ -57,7 +57,7 @@ bool is_in_front(ivec3 voxel) {
 
 // Near a surface, but not to be read.
 bool is_idle(ivec3 voxel) {
-    return is_hole(voxel) || (BOTH_SIDES == 0 && !is_in_front(voxel));
+    return PUBLISHED == 0 && (is_hole(voxel) || (BOTH_SIDES == 0 && !is_in_front(voxel)));
 }
 #endif
 

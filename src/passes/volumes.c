@@ -123,9 +123,10 @@ void volume_free(struct volume *volume) {
 char *volume_defines(const struct volume *volume) {
     const struct volume_desc *desc = &volume->desc;
     bool light = desc->channels == VOLUME_RADIANCE;
-    return mem_printf("CHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d", desc->channels,
-                      desc->order, volume->coefficient_count, light && desc->both_sides,
-                      light && desc->bounces);
+    return mem_printf(
+        "CHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d;BOTH_SIDES %d;PUBLISHED %d",
+        desc->channels, desc->order, volume->coefficient_count, light && desc->both_sides,
+        light && desc->bounces, desc->both_sides, desc->published);
 }
 
 struct volume_params volume_params_of(const struct volume *volume) {
