@@ -9,11 +9,11 @@ int volume_distance_code(ivec3 voxel) {
 
 // Voxels, 0 of an occupied voxel, VOLUME_DISTANCE_MAX where it is farther or not known.
 int volume_distance(ivec3 voxel) {
-    return volume_distance_code(voxel) & (VOLUME_BEHIND - 1);
+    return volume_distance_code(voxel) & (VOLUME_IDLE - 1);
 }
 
-// Whether surfaces read the voxel: it is empty, near to one and in front.
+// Whether surfaces read the voxel: it is near to one and no idle one, and empty unless all is as published.
 bool volume_is_read(ivec3 voxel) {
     int code = volume_distance_code(voxel);
-    return code > 0 && code <= VOLUME_SHELL;
+    return code >= (PUBLISHED == 1 ? 0 : 1) && code <= VOLUME_SHELL;
 }

@@ -26,6 +26,9 @@
 #define ATTRIBUTE_POINT_NORMAL 1
 #define ATTRIBUTE_POINT_ALBEDO 2
 
+/* Pixels along each side of the picture that are reprojected. */
+#define VOLUME_PIXELS 512
+
 /* What a voxel's rays gather. */
 #define VOLUME_VISIBILITY 1 /* channels */
 #define VOLUME_RADIANCE 3
@@ -34,8 +37,8 @@
 #define VOLUME_DISTANCE_MAX 8
 /* Empty voxels up to here have coefficients: no surface reads others. */
 #define VOLUME_SHELL 2
-/* Added to the distance of those that lie behind all surfaces near them. */
-#define VOLUME_BEHIND 16
+/* Added to the distance of those that no surface reads all the same. */
+#define VOLUME_IDLE 16
 
 struct volume_params {
     vec3 corner;      /* of the first voxel, metres */

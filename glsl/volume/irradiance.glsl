@@ -99,6 +99,9 @@ bool is_beyond_wall(vec3 place, vec3 normal) {
 
 // False where no voxel knows; in voxels from the corner. Where a wall is near, a voxel away from it may know.
 bool volume_irradiance(vec3 place, vec3 normal, out vec3 irradiance) {
+#if PUBLISHED
+    voxel_sum sum = sum_of_six(place, normal);
+#else
     float lift = is_beyond_wall(place + 0.75 * normal, normal) ? 0.5 : 1.5;
     vec3 around = place + lift * normal;
     voxel_sum sum = sum_of_eight(around, place, normal);
@@ -107,7 +110,10 @@ bool volume_irradiance(vec3 place, vec3 normal, out vec3 irradiance) {
         sum = sum_of_eight(around + normalize(walls + 1e-3 * normal), place, normal);
     }
     if (sum.weight < 1e-3)
+        sum = sum_of_eight(place + 2.5 * normal, place, normal);
+    if (sum.weight < 1e-3)
         sum = sum_of_six(place, normal);
+#endif
     irradiance = sum.weight > 0.0 ? voxel_irradiance(sum, normal) : vec3(0.0);
     return sum.weight > 0.0;
 }

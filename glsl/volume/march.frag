@@ -8,6 +8,25 @@ layout(location = 0) out vec4 coefficients[COEFFICIENTS];
 
 const float FIRST_STEP = 0.8660254; // half of a voxel's diagonal
 
+#if PUBLISHED
+// Random in each of as many slices as there are rays.
+vec2 random_of(ivec3 voxel, int ray) {
+    uvec3 v = uvec3(voxel.xy, voxel.z * 8192 + ray) * 1664525u + 1013904223u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z;
+    v.y += v.z * v.x;
+    return vec2(v.xy >> 8u) / 16777216.0;
+}
+
+vec3 ray_direction(ivec3 voxel, int ray) {
+    vec2 place = random_of(voxel, ray);
+    float z = 1.0 - 2.0 * (float(ray) + place.x) / float(params.rays), turn = 6.2831853 * place.y;
+    return vec3(sqrt(max(1.0 - z * z, 0.0)) * vec2(cos(turn), sin(turn)), z);
+}
+#else
 // The rays of 3 x 3 x 3 voxels share out the sphere between them: volume/smooth.frag takes their mean.
 const int SETS = 27;
 
@@ -19,11 +38,13 @@ vec2 set_of(ivec3 voxel) {
 }
 
 // Spherical Fibonacci points, other ones in each voxel of a set but the same in each frame.
-vec3 ray_direction(int ray, vec2 shift) {
+vec3 ray_direction(ivec3 voxel, int ray) {
+    vec2 shift = set_of(voxel);
     float z = 1.0 - 2.0 * (float(ray) + shift.x) / float(params.rays);
     float turn = 6.2831853 * fract(float(ray) * 0.6180340 + shift.y), r = sqrt(max(1.0 - z * z, 0.0));
     return vec3(r * cos(turn), r * sin(turn), z);
 }
+#endif
 
 // How far it is to where the ray leaves the volume.
 float way_out(vec3 start, vec3 direction) {
@@ -39,9 +60,8 @@ void main() {
     if (voxel.z >= int(params.cells.z) || !volume_is_read(voxel))
         return;
     vec3 start = vec3(voxel) + 0.5;
-    vec2 shift = set_of(voxel);
     for (int ray = 0; ray < params.rays; ray++) {
-        vec3 direction = ray_direction(ray, shift);
+        vec3 direction = ray_direction(voxel, ray);
         float t = FIRST_STEP, end = min(params.distance, way_out(start, direction));
         int away = 1;
         ivec3 at = voxel;

@@ -19,6 +19,10 @@ gathered ray_end(ivec3 voxel, bool met, vec3 direction) {
 #if BACKS
     back = texelFetch(backs, texel, 0);
 #endif
+#if PUBLISHED
+    // Spherical harmonics of order 2 of a half space that shines.
+    return max(front * (0.31830989 / surface.a * (0.5 - 0.75 * dot(surface.xyz / surface.a, direction))), 0.0);
+#endif
     bool all_sides = dot(surface.xyz, surface.xyz) < FACING * FACING * surface.a * surface.a;
     if (all_sides)
         return (front + back.rgb) * (0.31830989 / (surface.a + back.a));

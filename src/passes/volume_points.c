@@ -67,10 +67,15 @@ static void colour(struct volume_points *points, const struct geometry *geometry
 }
 
 static void deal(struct volume_points *points, const struct geometry *geometry) {
-    surface_points_init(&points->points, &(struct surface_points_desc){.scene = points->desc.scene,
-                                                                       .geometry = geometry,
-                                                                       .count = points->desc.count,
-                                                                       .by_area = true});
+    surface_points_free(&points->points);
+    surface_points_init(&points->points,
+                        &(struct surface_points_desc){.scene = points->desc.scene,
+                                                      .geometry = geometry,
+                                                      .count = points->desc.count,
+                                                      .by_area = true,
+                                                      .per_triangle = points->desc.per_triangle});
+    free(points->room);
+    points->room = mem_alloc((size_t)points->points.count, sizeof *points->room);
     colour(points, geometry);
 }
 
@@ -89,11 +94,10 @@ static void init_vertices(struct volume_points *points) {
 }
 
 bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc) {
-    size_t count = (size_t)desc->count;
-    *points = (struct volume_points){.desc = *desc,
-                                     .dealt_by_pose = has_dynamic_parts(desc->geometry),
-                                     .room = mem_alloc(count, sizeof *points->room)};
+    *points =
+        (struct volume_points){.desc = *desc, .dealt_by_pose = has_dynamic_parts(desc->geometry)};
     deal(points, desc->geometry);
+    size_t count = (size_t)points->points.count;
     if (!buffer_init(&points->buffer, "volume points", count * sizeof *points->room, NULL)) {
         volume_points_free(points);
         return false;
@@ -135,12 +139,13 @@ static void place_some(void *context, size_t run) {
 void volume_points_place(struct volume_points *points, const struct geometry *geometry) {
     if (points->pose == geometry->pose_count)
         return;
-    if (points->dealt_by_pose && points->pose != 0) {
-        surface_points_free(&points->points);
+    if (points->dealt_by_pose && points->pose != 0)
         deal(points, geometry);
-    }
     points->pose = geometry->pose_count;
-    size_t count = (size_t)points->points.count;
+    size_t room = points->buffer.size / sizeof *points->room, count = (size_t)points->points.count;
+    /* Metaballs may come to have more triangles. */
+    count = count < room ? count : room;
+    points->count = (int)count;
     parallel_for((count + PLACED_TOGETHER - 1) / PLACED_TOGETHER, 0, place_some,
                  &(struct placing){points, geometry});
     buffer_write(&points->buffer, 0, count * sizeof *points->room, points->room);

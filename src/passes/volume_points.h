@@ -10,12 +10,14 @@ struct volume_points_desc {
     const struct scene *scene;
     const struct geometry *geometry; /* as it is posed now: points are dealt by its areas */
     enum materials materials;
-    int count;
+    int count;        /* by area */
+    int per_triangle; /* in place of it: random ones; 0: none */
 };
 
 struct volume_points {
     struct volume_points_desc desc;
     struct surface_points points;
+    int count;                 /* that the buffer holds */
     bool dealt_by_pose;        /* metaballs have other points in each pose */
     unsigned pose;             /* that they were uploaded for; 0: none */
     struct volume_point *room; /* what is uploaded */

@@ -13,12 +13,11 @@ void volume_grid_fit(struct volume_grid *grid, const struct volume_desc *desc) {
     *grid = (struct volume_grid){0};
     for (int c = 0; c < 3; c++)
         longest = fmaxf(longest, desc->high[c] - desc->low[c]);
-    grid->voxel = longest / (float)(desc->size - 2 * MARGIN);
+    grid->voxel = longest / (float)(desc->size - 2 * MARGIN - 1);
     for (int c = 0; c < 3; c++) {
-        /* Half a voxel of room, so that surfaces at the sides do not lie between two voxels. */
+        /* Half a voxel of room at each end, so that walls at the sides do not lie between two voxels. */
         float extent = (desc->high[c] - desc->low[c]) / grid->voxel;
-        int inner = (int)fmaxf(ceilf(extent - 1e-3F), 1);
-        grid->cells[c] = inner + 2 * MARGIN;
+        grid->cells[c] = (int)ceilf(extent - 1e-3F) + 1 + 2 * MARGIN;
         grid->corner[c] =
             (desc->low[c] + desc->high[c]) / 2 - (float)grid->cells[c] / 2 * grid->voxel;
     }
@@ -38,7 +37,8 @@ double volume_bytes(const struct volume_desc *desc) {
     struct volume_grid grid;
     volume_grid_fit(&grid, desc);
     bool light = desc->channels == VOLUME_RADIANCE;
-    int sums = 1 + light + (light && desc->both_sides) + (light && desc->bounces) * (2 + desc->both_sides);
+    int sums =
+        1 + light + (light && desc->both_sides) + (light && desc->bounces) * (2 + desc->both_sides);
     return (double)grid.width * grid.height *
            (sum * sums + 2 * distance + coefficients * (coefficient_count(desc) + 1));
 }
@@ -123,9 +123,10 @@ void volume_free(struct volume *volume) {
 char *volume_defines(const struct volume *volume) {
     const struct volume_desc *desc = &volume->desc;
     bool light = desc->channels == VOLUME_RADIANCE;
-    return mem_printf("CHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d", desc->channels,
-                      desc->order, volume->coefficient_count,
-                      light && desc->both_sides, light && desc->bounces);
+    return mem_printf(
+        "CHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d;BOTH_SIDES %d;PUBLISHED %d",
+        desc->channels, desc->order, volume->coefficient_count, light && desc->both_sides,
+        light && desc->bounces, desc->both_sides, desc->published);
 }
 
 struct volume_params volume_params_of(const struct volume *volume) {

@@ -17,6 +17,7 @@ struct volume_desc {
     int channels;          /* VOLUME_VISIBILITY or VOLUME_RADIANCE */
     int order;             /* of the spherical harmonics: 2 or 3 */
     bool both_sides;       /* some surfaces are seen, and reflect, from both sides */
+    bool published;        /* emission, rays and reconstruction are the paper's */
     bool bounces;          /* light is reflected again: albedos are kept */
 };
 

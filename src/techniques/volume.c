@@ -26,11 +26,18 @@ static const struct option table[] = {
     {"rays", 0, OPTION_INT, ROW(rays), 100, 1, 4096,
      .help = "rays from each empty voxel near a surface; more: less noise, slower"},
     {"voxel-points", 0, OPTION_FLOAT, ROW(points), 5, .01, 100,
-     .help = "mean number of points in a voxel that a surface crosses, k; a part of\n"
-             "at most e^-k of these voxels stays empty"},
+     .help = "mean number of points in a voxel that a surface crosses, k: a part of\n"
+             "at most e^-k of these voxels stays empty; with volume.published=on\n"
+             "the number of points of each triangle"},
     {"ao-distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9,
      .help = "distance within which surfaces hide ambient light, m; 0: 16 voxels",
      .needs = "volume.volume=ao"},
+    {"reprojection", 0, OPTION_FLAG, ROW(reprojection), 0,
+     .help = "adds points at the camera's pixels: fewer holes in visible surfaces,\n"
+             "but light depends on the camera"},
+    {"published", 0, OPTION_FLAG, ROW(published), 0,
+     .help = "as published: random points and rays, as many points in each triangle,\n"
+             "emission by spherical harmonics, six voxels for each pixel"},
     {NULL},
 };
 
@@ -72,6 +79,7 @@ static struct volume_desc volume_of(const struct volume_light_desc *desc,
         .channels = desc->channels,
         .order = own->order,
         .bounces = desc->bounces > 1,
+        .published = own->published,
     };
     set_box(&volume, desc->geometry);
     for (int m = 0; m < desc->scene->material_count; m++)
@@ -100,21 +108,23 @@ static enum materials materials_of(const struct settings *settings) {
 }
 
 static bool init_points(struct volume_light *light, const struct volume_light_desc *desc) {
+    const struct volume_settings *own = &light->settings;
     float voxel = light->volume.grid.voxel;
-    return volume_points_init(
-        &light->points,
-        &(struct volume_points_desc){
-            .scene = desc->scene,
-            .geometry = desc->geometry,
-            .materials = materials_of(desc->settings),
-            .count = volume_points_count(desc->geometry, voxel, light->settings.points)});
+    return volume_points_init(&light->points,
+                              &(struct volume_points_desc){
+                                  .scene = desc->scene,
+                                  .geometry = desc->geometry,
+                                  .materials = materials_of(desc->settings),
+                                  .count = volume_points_count(desc->geometry, voxel, own->points),
+                                  .per_triangle = own->published ? (int)ceilf(own->points) : 0});
 }
 
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
     struct volume_desc volume = volume_of(desc, &light->settings);
     if (volume_check(desc->settings) && volume_init(&light->volume, &volume) &&
-        init_points(light, desc) && inject_pass_init(&light->inject, &light->volume) &&
+        init_points(light, desc) &&
+        inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
         distance_pass_init(&light->distance, &light->volume) &&
         march_pass_init(&light->march, &light->volume) &&
         (!volume.bounces || reflect_pass_init(&light->reflect, &light->volume)) &&
@@ -163,7 +173,8 @@ static const float early_rays = .25F;
 static const float nearer = 1.5F;
 
 static float ray_voxels(const struct volume_light *light, float voxel) {
-    return fmaxf(ao_distance(&light->settings, voxel) / voxel - nearer, 1);
+    float distance = ao_distance(&light->settings, voxel) / voxel;
+    return light->settings.published ? distance : fmaxf(distance - nearer, 1);
 }
 
 static void write_params(const struct volume_light *light, int pass, bool last, float unit) {
@@ -187,6 +198,8 @@ void volume_light_render(struct volume_light *light, const struct frame *frame,
     write_params(light, frame->pass, bounces == 1, unit);
     volume_points_place(&light->points, frame->geometry);
     inject_pass_render(&light->inject, frame, volume, params, &light->points, shadow_maps);
+    if (light->settings.reprojection && frame->gbuffer)
+        inject_pass_add_pixels(&light->inject, frame, frame->gbuffer, volume, params, shadow_maps);
     distance_pass_render(&light->distance, frame, volume, params);
     march_pass_render(&light->march, frame, volume, params, &inputs);
     inputs = (struct march_inputs){&light->reflect.radiosity, &light->reflect.back};
@@ -221,7 +234,9 @@ void ambient_occlusion_free(struct ambient_occlusion *ao) {
 
 void ambient_occlusion_render(struct ambient_occlusion *ao, const struct frame *frame,
                               const struct gbuffer *gbuffer) {
-    volume_light_render(&ao->light, frame, NULL, 1);
+    struct frame seen = *frame;
+    seen.gbuffer = gbuffer;
+    volume_light_render(&ao->light, &seen, NULL, 1);
     volume_light_render_view(&ao->light, frame, gbuffer);
 }
 

@@ -1,7 +1,7 @@
 /* Light in a volume, from points of surfaces to irradiance at the G-buffer: what the technique `imperfect-volume` draws,
  * and ambient occlusion for any technique's frame.
  *
- *     points -> inject -> distance -> march -> (reflect -> march)... -> reconstruct
+ *     points -> inject (-> reproject) -> distance -> march -> (reflect -> march)... -> reconstruct
  *
  * Ambient occlusion at a G-buffer that is there:
  *
@@ -27,6 +27,7 @@ enum { VOLUME_LIGHT_GI, VOLUME_LIGHT_AO }; /* values of volume.volume */
 struct volume_settings {
     int volume; /* VOLUME_LIGHT_... */
     int size, order, rays;
+    bool reprojection, published;
     float points;   /* of a voxel that a surface crosses */
     float distance; /* of ambient occlusion, m; 0: by the voxels */
 };
@@ -40,13 +41,13 @@ bool volume_check(const struct settings *settings);
 float volume_ao_distance(const struct settings *settings, const struct geometry *geometry);
 
 struct volume_light_desc {
-    const struct settings *settings; /* of init alone, as are those that follow */
-    const struct geometry *geometry; /* in its pose at this time */
+    const struct settings *settings;   /* of init alone, as are those that follow */
+    const struct geometry *geometry;   /* in its pose at this time */
     const struct light_layout *lights; /* of radiance: those of the frames */
     int width, height;
     const struct scene *scene; /* must outlive the light */
-    int channels;                      /* VOLUME_RADIANCE or VOLUME_VISIBILITY */
-    int bounces;                       /* of radiance */
+    int channels;              /* VOLUME_RADIANCE or VOLUME_VISIBILITY */
+    int bounces;               /* of radiance */
 };
 
 struct volume_light {
@@ -70,7 +71,7 @@ bool volume_light_resize(struct volume_light *light, int width, int height);
 /* The geometry has moved. Error: out of GPU memory; the light must then be freed. */
 bool volume_light_update(struct volume_light *light, const struct geometry *geometry);
 
-/* The part that depends on no camera: all but the last step. shadow_maps: of the frame's lights, LIGHT_MAP_KINDS of them;
+/* The part that depends on no camera, unless frame->gbuffer is reprojected: all but the last step. shadow_maps: of the frame's lights, LIGHT_MAP_KINDS of them;
  * NULL: of visibility. unit: what the result is times. */
 void volume_light_render(struct volume_light *light, const struct frame *frame,
                          const struct texture *shadow_maps, float unit);

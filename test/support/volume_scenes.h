@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 #include "passes/frame.h"
+#include "passes/visibility/shadow_map.h"
 #include "techniques/volume.h"
 
 #include <cglm/struct.h>
@@ -212,6 +213,52 @@ static inline struct spread spread_about(const struct seen *seen,
     spread.rmse = sqrt(sum / spread.count);
     spread.mean /= spread.count;
     return spread;
+}
+
+/* A volume's light beside a renderer that has drawn a frame of the same settings. */
+struct lit {
+    struct renderer renderer;
+    struct shadow_map_pass shadows;
+    struct volume_light light;
+    struct frame frame;
+};
+
+static inline void light_volume(struct lit *lit) {
+    shadow_map_pass_render(&lit->shadows, &lit->frame);
+    volume_light_render(&lit->light, &lit->frame, lit->shadows.maps, lit->frame.irradiance_scale);
+}
+
+static inline void open_lit(struct lit *lit, const struct stage *stage, const char *settings,
+                            int bounces) {
+    struct renderer_desc desc = desc_of(stage, "imperfect-volume", settings, 32, 32);
+    open_renderer(&lit->renderer, &desc);
+    lit->frame = renderer_frame(&lit->renderer);
+    check_ok("shadow maps", shadow_map_pass_init(
+                                &lit->shadows, &(struct shadow_map_desc){512, lit->frame.layout}));
+    check_ok("volume", volume_light_init(&lit->light, &(struct volume_light_desc){
+                                                          .settings = &lit->renderer.desc.settings,
+                                                          .geometry = &stage->geometry,
+                                                          .lights = &lit->frame.layout,
+                                                          .width = 32,
+                                                          .height = 32,
+                                                          .scene = &stage->scene,
+                                                          .channels = VOLUME_RADIANCE,
+                                                          .bounces = bounces}));
+    light_volume(lit);
+}
+
+static inline void close_lit(struct lit *lit) {
+    volume_light_free(&lit->light);
+    shadow_map_pass_free(&lit->shadows);
+    renderer_free(&lit->renderer);
+}
+
+/* Texels of one of the volume's textures, for free(). */
+static inline float (*read_atlas(const struct texture *texture, int *count))[4] {
+    *count = texture->desc.width * texture->desc.height;
+    float(*texels)[4] = mem_alloc((size_t)*count, sizeof *texels);
+    gl.GetTextureImage(texture->id, 0, GL_RGBA, GL_FLOAT, *count * (int)sizeof *texels, texels);
+    return texels;
 }
 
 #endif

@@ -9,15 +9,18 @@
 
 bool distance_pass_init(struct distance_pass *pass, const struct volume *volume) {
     *pass = (struct distance_pass){0};
-    bool ok = program_init(&pass->neighbour_program,
-                           &(struct program_desc){.screen = {"volume/neighbours.frag"}});
+    char *own = volume_defines(volume);
+    bool ok =
+        program_init(&pass->neighbour_program,
+                     &(struct program_desc){.screen = {"volume/neighbours.frag"}, .defines = own});
     for (int axis = 0; ok && axis < 3; axis++) {
-        char *defines = mem_printf("AXIS %d;BOTH_SIDES %d", axis, volume->desc.both_sides);
+        char *defines = mem_printf("%s;AXIS %d", own, axis);
         ok = program_init(
             &pass->programs[axis],
             &(struct program_desc){.screen = {"volume/distance.frag"}, .defines = defines});
         free(defines);
     }
+    free(own);
     if (!ok)
         distance_pass_free(pass);
     return ok;

@@ -16,8 +16,9 @@ bool march_pass_init(struct march_pass *pass, const struct volume *volume) {
     bool ok = program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
                                                                   .fragment = "volume/march.frag",
                                                                   .defines = defines});
-    ok = ok && program_init(&pass->smooth_program,
-                            &(struct program_desc){.screen = {"volume/smooth.frag"}});
+    ok = ok &&
+         program_init(&pass->smooth_program,
+                      &(struct program_desc){.screen = {"volume/smooth.frag"}, .defines = own});
     free(own);
     free(defines);
     if (!ok)

@@ -154,13 +154,41 @@ static void try_point(void *context, size_t i) {
     trial->good[i] = !is_hole(point, trial->desc, trial->srgb_to_linear);
 }
 
-void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
+/* From 0 to 1, of a number and a dimension [Jarzynski and Olano 2020]. */
+static double random_of(uint32_t number, uint32_t dimension) {
+    uint32_t state = (2 * number + dimension) * 747796405U + 2891336453U;
+    uint32_t word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737U;
+    return ((word >> 22) ^ word) * 0x1p-32;
+}
+
+static void deal_to_each(struct surface_points *points, const struct surface_points_desc *desc) {
+    const struct geometry *geometry = desc->geometry;
+    uint32_t each = (uint32_t)desc->per_triangle, at = 0;
+    float srgb_to_linear[256];
+    texture_decode_table(srgb_to_linear);
+    for (int p = 0; p < geometry->part_count; p++)
+        for (uint32_t k = 0; k < geometry->parts[p].index_count / 3 * each; k++, at++) {
+            struct surface_point point = {
+                .part = p, .triangle = k / each, .share = 1 / (float)each};
+            corners_spread(point.weight, random_of(at, 0), random_of(at, 1));
+            if (!is_hole(&point, desc, srgb_to_linear))
+                points->items[at] = point;
+        }
+}
+
+static uint32_t count_triangles(const struct geometry *geometry) {
+    uint32_t count = 0;
+    for (int p = 0; p < geometry->part_count; p++)
+        count += geometry->parts[p].index_count / 3;
+    return count;
+}
+
+static void deal_by_area(struct surface_points *points, const struct surface_points_desc *desc) {
     enum { TRIES = 8, ROUND = 4096 }; /* tries for each point: after them the rest is nothing */
     struct trial trial = {.desc = desc,
                           .points = mem_alloc(ROUND, sizeof *trial.points),
                           .good = mem_alloc(ROUND, sizeof *trial.good)};
     int count = desc->count;
-    *points = (struct surface_points){count, mem_alloc((size_t)count, sizeof *points->items)};
     texture_decode_table(trial.srgb_to_linear);
     init_sums(&trial.sums, desc->geometry, desc->by_area);
     double all = total(&trial.sums, desc->geometry->part_count);
@@ -178,6 +206,16 @@ void surface_points_init(struct surface_points *points, const struct surface_poi
     free_sums(&trial.sums);
     free(trial.points);
     free(trial.good);
+}
+
+void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
+    int each = desc->per_triangle;
+    int count = each > 0 ? each * (int)count_triangles(desc->geometry) : desc->count;
+    *points = (struct surface_points){count, mem_alloc((size_t)count, sizeof *points->items)};
+    if (each > 0)
+        deal_to_each(points, desc);
+    else
+        deal_by_area(points, desc);
 }
 
 void surface_points_free(struct surface_points *points) {

@@ -22,8 +22,9 @@ struct surface_points_desc {
     const struct scene *scene;
     const struct geometry *geometry; /* as it is posed now: points are dealt by its areas */
     int count;
-    uint32_t first; /* of the sequence: points first .. first + count */
-    bool by_area;   /* no triangle has fewer points than its area asks for */
+    uint32_t first;   /* of the sequence: points first .. first + count */
+    bool by_area;     /* no triangle has fewer points than its area asks for */
+    int per_triangle; /* in place of all others: so many random points of each triangle; 0: not so */
 };
 
 struct surface_points {

@@ -64,6 +64,11 @@ static bool update(void *state, const struct geometry *geometry) {
     return volume_light_update(&technique->light, geometry);
 }
 
+static bool follows_camera(const void *state) {
+    const struct imperfect_volume *technique = state;
+    return technique->light.settings.reprojection;
+}
+
 static void render_lights(void *state, const struct frame *frame) {
     struct imperfect_volume *technique = state;
     if (!is_lit(technique)) {
@@ -86,7 +91,11 @@ static struct contribution contribution(const void *state) {
 
 static const struct settings_part *const parts[] = {&lights_part, &volume_part, NULL};
 
-static const struct preset presets[] = {MANY_LIGHTS_FAST, {NULL}};
+static const struct preset presets[] = {
+    MANY_LIGHTS_FAST,
+    {"paper", "as published: 19 points a triangle, order 2, pixels of the camera",
+     "volume.published=on volume.reprojection=on volume.voxel-points=19 volume.order=2", NULL},
+    {NULL}};
 
 extern const struct technique imperfect_volume_technique;
 const struct technique imperfect_volume_technique = {
@@ -100,6 +109,7 @@ const struct technique imperfect_volume_technique = {
     .resize = resize,
     .update = update,
     .render_lights = render_lights,
+    .follows_camera = follows_camera,
     .render_view = render_view,
     .contribution = contribution,
 };

@@ -62,6 +62,8 @@ static const struct row {
     {"volume.rays", "rays a voxel"},
     {"volume.voxel-points", "points a voxel"},
     {"volume.ao-distance", "AO distance, m"},
+    {"volume.reprojection", "camera's points"},
+    {"volume.published", "as published"},
     {"instant-radiosity.traced", "traced shadows"},
     {"cluster-lights.area-lights", "area lights"},
     {"cluster-lights.form", "shape"},
