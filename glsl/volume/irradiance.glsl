@@ -76,15 +76,23 @@ voxel_sum sum_of_eight(vec3 around, vec3 place, vec3 normal) {
     return sum;
 }
 
-// The six neighbours of the voxel half a voxel above the surface, by their cosine [Mavridis and Papaioannou 2011, eq. 5].
+// All eight voxels around a place.
+void add_eight(inout voxel_sum sum, vec3 around, float weight) {
+    vec3 base = floor(around - 0.5), part = around - 0.5 - base;
+    for (int i = 0; i < 8; i++) {
+        vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2), weights = mix(1.0 - part, part, corner);
+        voxel_add(sum, ivec3(base + corner), weight * weights.x * weights.y * weights.z);
+    }
+}
+
+// Places a voxel away along the axes from half a voxel above the surface, by their cosine [Mavridis and Papaioannou 2011,
+// eq. 5], each between eight voxels, as the hardware interpolates.
 voxel_sum sum_of_six(vec3 place, vec3 normal) {
     voxel_sum sum = no_voxels();
-    vec3 above = place + 0.5 * normal;
-    ivec3 own = ivec3(above);
-    for (int i = 0; i < 6; i++) {
-        ivec3 other = own;
-        other[i >> 1] += (i & 1) * 2 - 1;
-        voxel_add(sum, other, dot(normalize(vec3(other) + 0.5 - above), normal));
+    for (int axis = 0; axis < 3; axis++) {
+        vec3 off = vec3(0.0);
+        off[axis] = normal[axis] < 0.0 ? -1.0 : 1.0;
+        add_eight(sum, place + 0.5 * normal + off, abs(normal[axis]));
     }
     return sum;
 }

@@ -1,5 +1,6 @@
 #include "passes/volume_points.h"
 
+#include "base/error.h"
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "gl/vertex_array.h"
@@ -18,10 +19,15 @@ struct volume_point {
     uint8_t albedo[4]; /* its square root, as in the G-buffer */
 };
 
-int volume_points_count(const struct geometry *geometry, float voxel, float per_voxel) {
+static double area_of(const struct geometry *geometry) {
     double area = 0;
     for (uint32_t at = 0; at < geometry->index_count; at += 3)
         area += corners_area(geometry, &geometry->indices[at]);
+    return area;
+}
+
+int volume_points_count(const struct geometry *geometry, float voxel, float per_voxel) {
+    double area = area_of(geometry);
     double count = ceil((double)per_voxel * area / (double)(voxel * voxel));
     return (int)fmin(fmax(count, 1), most_points);
 }
@@ -31,6 +37,12 @@ static bool has_dynamic_parts(const struct geometry *geometry) {
         if (geometry->parts[p].dynamic)
             return true;
     return false;
+}
+
+bool volume_points_check(const struct geometry *geometry) {
+    return has_dynamic_parts(geometry) || area_of(geometry) > 0 ||
+           error_set("volume: the scene's %u triangles have no area, so no points lie on them",
+                     geometry_triangle_count(geometry));
 }
 
 static vec3s color_of(const struct volume_points *points, const struct surface_point *point,

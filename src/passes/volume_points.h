@@ -25,6 +25,9 @@ struct volume_points {
     GLuint vertices;
 };
 
+/* Refuses a scene on which no points lie. */
+bool volume_points_check(const struct geometry *geometry);
+
 /* How many points give a voxel of that side so many where a surface crosses it. */
 int volume_points_count(const struct geometry *geometry, float voxel, float per_voxel);
 

@@ -122,8 +122,8 @@ static bool init_points(struct volume_light *light, const struct volume_light_de
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
     struct volume_desc volume = volume_of(desc, &light->settings);
-    if (volume_check(desc->settings) && volume_init(&light->volume, &volume) &&
-        init_points(light, desc) &&
+    if (volume_check(desc->settings) && volume_points_check(desc->geometry) &&
+        volume_init(&light->volume, &volume) && init_points(light, desc) &&
         inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
         distance_pass_init(&light->distance, &light->volume) &&
         march_pass_init(&light->march, &light->volume) &&
