@@ -84,7 +84,7 @@ static const struct option options[] = {
      .help =
          "adds the layer ao, ambient occlusion (fraction of cosine-weighted rays from a surface\n"
          "that meet nothing within D metres), and its standard error;\n"
-         "auto: that of render --aov ao, 4/15 of the scene's longest side"},
+         "auto: that of render --aov ao, .27 of the scene's longest side"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},

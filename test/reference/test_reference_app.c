@@ -93,7 +93,7 @@ static void test_ao_file(void **state) {
     static const struct {
         const char *distance;
         double open;
-    } cases[] = {{"2.1", 0}, {"1m", .75}, {"auto", 1 - .2666667 * .2666667}};
+    } cases[] = {{"2.1", 0}, {"1m", .75}, {"auto", 1 - .2711864 * .2711864}};
     const char *path = scratch("reference-ao.exr");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char arguments[700], output[4096];
