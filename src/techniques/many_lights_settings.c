@@ -4,32 +4,41 @@
 
 #define ROW(type, name) offsetof(struct type##_settings, name)
 
+/* What only techniques with VPLs read. */
+#define VIRTUAL_LIGHTS "technique!=imperfect-volume"
+
 static const char *const importance_names[] = {"off", "auto", "on", NULL};
 
 /* Columns: name, letter, type, field, default, minimum, maximum. */
 static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536,
-     .help = "number of virtual point lights (VPLs), N; more: smoother and slower"},
+     .help = "number of virtual point lights (VPLs), N; more: smoother and slower",
+     .needs = VIRTUAL_LIGHTS},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
-     .help = "seed of VPLs, light paths and random choices; 0: unshifted Halton sequence"},
+     .help = "seed of VPLs, light paths and random choices; 0: unshifted Halton sequence",
+     .needs = VIRTUAL_LIGHTS},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, RSM_SIZE_MIN, 8192,
      .help = "texels along each side of a reflective shadow map;\n"
-             "reduced for more than 4 light views or 21 point lights"},
+             "reduced for more than 4 light views or 21 point lights",
+     .needs = VIRTUAL_LIGHTS},
     {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
      .help = "number of indirect bounces; in a room the first has half to three\n"
-             "quarters of the indirect light; light paths from VPLs add the others"},
+             "quarters of the indirect light; light paths from VPLs add the others",
+     .needs = "volume.volume!=ao"},
     {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
      .help = "number of VPLs of later bounces, P; 4 P light paths are traced,\n"
              "and the VPLs share the light of all paths",
-     .needs = "lights.bounces>1"},
+     .needs = "lights.bounces>1, " VIRTUAL_LIGHTS},
     {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
      .help = "emits from flat triangles instead of smooth normals, for VPLs and near\n"
-             "field; unbiased but noisier; only in scenes without specular surfaces"},
+             "field; unbiased but noisier; only in scenes without specular surfaces",
+     .needs = VIRTUAL_LIGHTS},
     {"importance", 0, OPTION_CHOICE, ROW(lights, importance), IMPORTANCE_AUTO,
      .choices = importance_names,
      .help = "places VPLs, and with lights.bounces>1 VALs, where their light reaches the picture;\n"
              "auto: VPLs of environments and wide lamps, which are then made\n"
-             "for each view; on: those of all lights"},
+             "for each view; on: those of all lights",
+     .needs = VIRTUAL_LIGHTS},
     {NULL},
 };
 

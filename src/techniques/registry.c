@@ -9,6 +9,7 @@
     X(cluster_lights)                                                                              \
     X(clustered)                                                                                   \
     X(imperfect_shadow_maps)                                                                       \
+    X(imperfect_volume)                                                                            \
     X(instant_radiosity)                                                                           \
     X(lightcuts)                                                                                   \
     X(row_column)                                                                                  \

@@ -12,7 +12,7 @@
 #include "shared/vpl.h"
 #include "techniques/imperfect-shadow-maps/fill.h"
 #include "techniques/imperfect-shadow-maps/splat.h"
-#include "techniques/imperfect-shadow-maps/surface_points.h"
+#include "scene/mesh/surface_points.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -15,6 +15,8 @@
 #define AREAS "area-lights=16 cluster-lights.near=16 "
 #define POINTS "map-points=64 imperfect-shadow-maps.size=16 "
 
+#define VOXELS "volume.size=16 volume.rays=16 "
+
 static struct stage stage;
 static struct renderer renderer; /* follows from picture to picture */
 
@@ -74,6 +76,8 @@ static const struct {
     {"cluster-lights", CHEAP AREAS "form=disk"},
     {"imperfect-shadow-maps", CHEAP POINTS},
     {"row-column", CHEAP "rows=4 columns=16"},
+    {"imperfect-volume", CHEAP VOXELS},
+    {"imperfect-volume", CHEAP VOXELS "volume=ao"},
 };
 
 enum { HIDDEN_MAX = 128 };

@@ -4,7 +4,7 @@
 #define TECHNIQUES_CASTER_POINTS_H
 
 #include "gl/buffer.h"
-#include "techniques/imperfect-shadow-maps/surface_points.h"
+#include "scene/mesh/surface_points.h"
 
 struct caster_points_desc {
     const struct scene *scene;

@@ -20,6 +20,7 @@ const char *const failure_columns[FAILURE_COLUMNS] = {
     "cluster-lights:technique=cluster-lights,visibility-block=1,samples=1",
     "imperfect-shadow-maps:technique=imperfect-shadow-maps,samples=1",
     "row-column:technique=row-column,samples=1",
+    "imperfect-volume:technique=imperfect-volume,samples=1",
 };
 
 #define OWN(name) "scenes/failures/" name ".glb"

@@ -3,11 +3,11 @@
  *
  * Halton's points over the running sum of the triangles' areas: any run of the sequence is an even
  * subset. A triangle that would have more than a tenth of all points counts for a tenth: a plain
- * around a room takes few. Points keep their place in their triangle when it moves or is deformed. Holes of
+ * around a room takes few (unless by_area). Points keep their place in their triangle when it moves or is deformed. Holes of
  * alpha masks have none. Where there are metaballs, they are dealt anew for each pose.
  */
-#ifndef TECHNIQUES_SURFACE_POINTS_H
-#define TECHNIQUES_SURFACE_POINTS_H
+#ifndef SCENE_MESH_SURFACE_POINTS_H
+#define SCENE_MESH_SURFACE_POINTS_H
 
 #include "scene/mesh/corners.h"
 
@@ -22,7 +22,9 @@ struct surface_points_desc {
     const struct scene *scene;
     const struct geometry *geometry; /* as it is posed now: points are dealt by its areas */
     int count;
-    uint32_t first; /* of the sequence: points first .. first + count */
+    uint32_t first;   /* of the sequence: points first .. first + count */
+    bool by_area;     /* no triangle has fewer points than its area asks for */
+    int per_triangle; /* in place of all others: so many random points of each triangle; 0: not so */
 };
 
 struct surface_points {
@@ -37,6 +39,12 @@ struct surface_place {
 
 void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc);
 void surface_points_free(struct surface_points *points);
+
+struct corners surface_point_corners(const struct surface_point *point,
+                                     const struct geometry *geometry);
+const struct material *surface_point_material(const struct surface_point *point,
+                                              const struct scene *scene,
+                                              const struct geometry *geometry);
 
 struct surface_place surface_points_place(const struct surface_points *points,
                                           const struct geometry *geometry, int i);

@@ -1,4 +1,4 @@
-#include "techniques/imperfect-shadow-maps/surface_points.h"
+#include "scene/mesh/surface_points.h"
 
 #include "base/halton.h"
 #include "base/memory.h"
@@ -18,8 +18,10 @@ static const uint32_t *triangle_indices(const struct geometry *geometry,
     return &geometry->indices[part->first_index + 3 * triangle];
 }
 
-static const struct material *part_material(const struct scene *scene,
-                                            const struct geometry_part *part) {
+const struct material *surface_point_material(const struct surface_point *point,
+                                              const struct scene *scene,
+                                              const struct geometry *geometry) {
+    const struct geometry_part *part = &geometry->parts[point->part];
     const struct mesh *mesh = &scene->meshes[scene->nodes[part->node].mesh];
     return &scene->materials[mesh->primitives[part->primitive].material];
 }
@@ -62,7 +64,7 @@ static void sum_up(struct running_sums *sums, const struct geometry *geometry, c
 /* Each round lowers the cap to the largest share of what the one before left. They are enough for a
  * plain of two triangles 10^10 times as large as the rest, and end where there are too few triangles
  * for any to have less than that share. */
-static void init_sums(struct running_sums *sums, const struct geometry *geometry) {
+static void init_sums(struct running_sums *sums, const struct geometry *geometry, bool by_area) {
     enum { ROUNDS = 16 };
     double *areas = measure_areas(geometry);
     *sums = (struct running_sums){
@@ -70,7 +72,7 @@ static void init_sums(struct running_sums *sums, const struct geometry *geometry
         .first = mem_alloc((size_t)geometry->part_count + 1, sizeof *sums->first),
     };
     sum_up(sums, geometry, areas, INFINITY);
-    for (int round = 0; round < ROUNDS; round++)
+    for (int round = 0; round < ROUNDS && !by_area; round++)
         sum_up(sums, geometry, areas, largest_share * total(sums, geometry->part_count));
     free(areas);
 }
@@ -95,8 +97,8 @@ static uint32_t find(const double *ends, uint32_t count, double value) {
 
 /* --- dealing ---------------------------------------------------------------------------------- */
 
-static struct corners corners_of(const struct surface_point *point,
-                                 const struct geometry *geometry) {
+struct corners surface_point_corners(const struct surface_point *point,
+                                     const struct geometry *geometry) {
     struct corners corners;
     memcpy(corners.index,
            triangle_indices(geometry, &geometry->parts[point->part], point->triangle),
@@ -108,10 +110,10 @@ static struct corners corners_of(const struct surface_point *point,
 static bool is_hole(const struct surface_point *point, const struct surface_points_desc *desc,
                     const float srgb_to_linear[256]) {
     const struct geometry *geometry = desc->geometry;
-    const struct material *material = part_material(desc->scene, &geometry->parts[point->part]);
+    const struct material *material = surface_point_material(point, desc->scene, geometry);
     if (!material->alpha_mask)
         return false;
-    struct corners corners = corners_of(point, geometry);
+    struct corners corners = surface_point_corners(point, geometry);
     vec4s color = corners_base_color(&corners, desc->scene, geometry, srgb_to_linear, material);
     return color.a < material->alpha_cutoff;
 }
@@ -152,15 +154,43 @@ static void try_point(void *context, size_t i) {
     trial->good[i] = !is_hole(point, trial->desc, trial->srgb_to_linear);
 }
 
-void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
+/* From 0 to 1, of a number and a dimension [Jarzynski and Olano 2020]. */
+static double random_of(uint32_t number, uint32_t dimension) {
+    uint32_t state = (2 * number + dimension) * 747796405U + 2891336453U;
+    uint32_t word = ((state >> ((state >> 28) + 4)) ^ state) * 277803737U;
+    return ((word >> 22) ^ word) * 0x1p-32;
+}
+
+static void deal_to_each(struct surface_points *points, const struct surface_points_desc *desc) {
+    const struct geometry *geometry = desc->geometry;
+    uint32_t each = (uint32_t)desc->per_triangle, at = 0;
+    float srgb_to_linear[256];
+    texture_decode_table(srgb_to_linear);
+    for (int p = 0; p < geometry->part_count; p++)
+        for (uint32_t k = 0; k < geometry->parts[p].index_count / 3 * each; k++, at++) {
+            struct surface_point point = {
+                .part = p, .triangle = k / each, .share = 1 / (float)each};
+            corners_spread(point.weight, random_of(at, 0), random_of(at, 1));
+            if (!is_hole(&point, desc, srgb_to_linear))
+                points->items[at] = point;
+        }
+}
+
+static uint32_t count_triangles(const struct geometry *geometry) {
+    uint32_t count = 0;
+    for (int p = 0; p < geometry->part_count; p++)
+        count += geometry->parts[p].index_count / 3;
+    return count;
+}
+
+static void deal_by_area(struct surface_points *points, const struct surface_points_desc *desc) {
     enum { TRIES = 8, ROUND = 4096 }; /* tries for each point: after them the rest is nothing */
     struct trial trial = {.desc = desc,
                           .points = mem_alloc(ROUND, sizeof *trial.points),
                           .good = mem_alloc(ROUND, sizeof *trial.good)};
     int count = desc->count;
-    *points = (struct surface_points){count, mem_alloc((size_t)count, sizeof *points->items)};
     texture_decode_table(trial.srgb_to_linear);
-    init_sums(&trial.sums, desc->geometry);
+    init_sums(&trial.sums, desc->geometry, desc->by_area);
     double all = total(&trial.sums, desc->geometry->part_count);
     int found = 0, tried = 0;
     while (found < count && tried < TRIES * count && all > 0) {
@@ -178,6 +208,16 @@ void surface_points_init(struct surface_points *points, const struct surface_poi
     free(trial.good);
 }
 
+void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {
+    int each = desc->per_triangle;
+    int count = each > 0 ? each * (int)count_triangles(desc->geometry) : desc->count;
+    *points = (struct surface_points){count, mem_alloc((size_t)count, sizeof *points->items)};
+    if (each > 0)
+        deal_to_each(points, desc);
+    else
+        deal_by_area(points, desc);
+}
+
 void surface_points_free(struct surface_points *points) {
     free(points->items);
     *points = (struct surface_points){0};
@@ -188,7 +228,7 @@ struct surface_place surface_points_place(const struct surface_points *points,
     const struct surface_point *point = &points->items[i];
     if (point->share <= 0)
         return (struct surface_place){.area = 0};
-    struct corners corners = corners_of(point, geometry);
+    struct corners corners = surface_point_corners(point, geometry);
     return (struct surface_place){
         .position = corners_vector(&corners, geometry->position),
         .normal = glms_vec3_normalize(corners_vector(&corners, geometry->normal)),

@@ -1,0 +1,26 @@
+/* Light that a volume's surfaces reflect again: what they have straight from the lights, and what they reflect of the
+ * light that the last march found [Mavridis and Papaioannou 2011 §3.3]. */
+#ifndef PASSES_REFLECT_H
+#define PASSES_REFLECT_H
+
+#include "gl/pass.h"
+#include "gl/texture.h"
+
+struct frame;
+struct volume;
+
+struct reflect_pass {
+    GLuint program;
+    struct texture radiosity, back; /* as the volume's */
+    GLuint framebuffer;
+};
+
+/* For volumes like that one. Error: shader, or out of GPU memory. */
+bool reflect_pass_init(struct reflect_pass *pass, const struct volume *volume);
+void reflect_pass_free(struct reflect_pass *pass);
+
+/* Fills pass->radiosity and back from the volume's coefficients. Timer "reflect". */
+void reflect_pass_render(const struct reflect_pass *pass, const struct frame *frame,
+                         const struct volume *volume, const struct buffer *params);
+
+#endif

@@ -1,0 +1,164 @@
+#include "passes/volume_points.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "gl/vertex_array.h"
+#include "shared/volume.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* More would take longer to draw than what they add. */
+static const double most_points = 1 << 20;
+
+struct volume_point {
+    float position[3];
+    int16_t normal[4]; /* w: its back reflects, too */
+    uint8_t albedo[4]; /* its square root, as in the G-buffer */
+};
+
+static double area_of(const struct geometry *geometry) {
+    double area = 0;
+    for (uint32_t at = 0; at < geometry->index_count; at += 3)
+        area += corners_area(geometry, &geometry->indices[at]);
+    return area;
+}
+
+int volume_points_count(const struct geometry *geometry, float voxel, float per_voxel) {
+    double area = area_of(geometry);
+    double count = ceil((double)per_voxel * area / (double)(voxel * voxel));
+    return (int)fmin(fmax(count, 1), most_points);
+}
+
+static bool has_dynamic_parts(const struct geometry *geometry) {
+    for (int p = 0; p < geometry->part_count; p++)
+        if (geometry->parts[p].dynamic)
+            return true;
+    return false;
+}
+
+bool volume_points_check(const struct geometry *geometry) {
+    return has_dynamic_parts(geometry) || area_of(geometry) > 0 ||
+           error_set("volume: the scene's %u triangles have no area, so no points lie on them",
+                     geometry_triangle_count(geometry));
+}
+
+static vec3s color_of(const struct volume_points *points, const struct surface_point *point,
+                      const struct geometry *geometry, const float srgb_to_linear[256]) {
+    const struct scene *scene = points->desc.scene;
+    const struct material *material = surface_point_material(point, scene, geometry);
+    struct corners corners = surface_point_corners(point, geometry);
+    vec3s color =
+        glms_vec3(corners_base_color(&corners, scene, geometry, srgb_to_linear, material));
+    if (points->desc.materials == MATERIALS_FULL) {
+        struct reflectance at =
+            corners_reflectance(&corners, scene, geometry, srgb_to_linear, material);
+        color = material_reflects(material, color, &at);
+    }
+    return glms_vec3_clamp(color, 0, 1);
+}
+
+/* What a point keeps wherever it moves. */
+static void colour(struct volume_points *points, const struct geometry *geometry) {
+    float srgb_to_linear[256];
+    texture_decode_table(srgb_to_linear);
+    for (int i = 0; i < points->points.count; i++) {
+        const struct surface_point *point = &points->points.items[i];
+        struct volume_point *to = &points->room[i];
+        if (point->share <= 0)
+            continue;
+        vec3s color = color_of(points, point, geometry, srgb_to_linear);
+        for (int c = 0; c < 3; c++)
+            to->albedo[c] = (uint8_t)lroundf(255 * sqrtf(color.raw[c]));
+        to->normal[3] = surface_point_material(point, points->desc.scene, geometry)->double_sided
+                            ? INT16_MAX
+                            : 0;
+    }
+}
+
+static void deal(struct volume_points *points, const struct geometry *geometry) {
+    surface_points_free(&points->points);
+    surface_points_init(&points->points,
+                        &(struct surface_points_desc){.scene = points->desc.scene,
+                                                      .geometry = geometry,
+                                                      .count = points->desc.count,
+                                                      .by_area = true,
+                                                      .per_triangle = points->desc.per_triangle});
+    free(points->room);
+    points->room = mem_alloc((size_t)points->points.count, sizeof *points->room);
+    colour(points, geometry);
+}
+
+static void init_vertices(struct volume_points *points) {
+    struct vertex_attribute attribute = {&points->buffer, 3, GL_FLOAT, sizeof(struct volume_point),
+                                         0};
+    gl.CreateVertexArrays(1, &points->vertices);
+    vertex_array_attribute(points->vertices, ATTRIBUTE_POINT_POSITION, &attribute);
+    attribute.count = 4;
+    attribute.type = GL_SHORT;
+    attribute.offset = offsetof(struct volume_point, normal);
+    vertex_array_attribute(points->vertices, ATTRIBUTE_POINT_NORMAL, &attribute);
+    attribute.type = GL_UNSIGNED_BYTE;
+    attribute.offset = offsetof(struct volume_point, albedo);
+    vertex_array_attribute(points->vertices, ATTRIBUTE_POINT_ALBEDO, &attribute);
+}
+
+bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc) {
+    *points =
+        (struct volume_points){.desc = *desc, .dealt_by_pose = has_dynamic_parts(desc->geometry)};
+    deal(points, desc->geometry);
+    size_t count = (size_t)points->points.count;
+    if (!buffer_init(&points->buffer, "volume points", count * sizeof *points->room, NULL)) {
+        volume_points_free(points);
+        return false;
+    }
+    init_vertices(points);
+    return true;
+}
+
+void volume_points_free(struct volume_points *points) {
+    vertex_array_free(&points->vertices);
+    buffer_free(&points->buffer);
+    surface_points_free(&points->points);
+    free(points->room);
+    *points = (struct volume_points){0};
+}
+
+struct placing {
+    struct volume_points *points;
+    const struct geometry *geometry;
+};
+
+enum { PLACED_TOGETHER = 4096 };
+
+static void place_some(void *context, size_t run) {
+    const struct placing *placing = context;
+    int first = (int)run * PLACED_TOGETHER, count = placing->points->points.count;
+    for (int i = first; i < count && i < first + PLACED_TOGETHER; i++) {
+        struct volume_point *to = &placing->points->room[i];
+        struct surface_place place =
+            surface_points_place(&placing->points->points, placing->geometry, i);
+        for (int c = 0; c < 3; c++) {
+            /* Where there is no point it lies outside of all volumes. */
+            to->position[c] = place.area > 0 ? place.position.raw[c] : INFINITY;
+            to->normal[c] = (int16_t)lroundf(INT16_MAX * fmaxf(fminf(place.normal.raw[c], 1), -1));
+        }
+    }
+}
+
+void volume_points_place(struct volume_points *points, const struct geometry *geometry) {
+    if (points->pose == geometry->pose_count)
+        return;
+    if (points->dealt_by_pose && points->pose != 0)
+        deal(points, geometry);
+    points->pose = geometry->pose_count;
+    size_t room = points->buffer.size / sizeof *points->room, count = (size_t)points->points.count;
+    /* Metaballs may come to have more triangles. */
+    count = count < room ? count : room;
+    points->count = (int)count;
+    parallel_for((count + PLACED_TOGETHER - 1) / PLACED_TOGETHER, 0, place_some,
+                 &(struct placing){points, geometry});
+    buffer_write(&points->buffer, 0, count * sizeof *points->room, points->room);
+}

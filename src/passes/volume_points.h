@@ -1,0 +1,41 @@
+/* Points of the surfaces that volumes are made of, by area and the same in each frame. They move with their triangles. */
+#ifndef PASSES_VOLUME_POINTS_H
+#define PASSES_VOLUME_POINTS_H
+
+#include "gl/buffer.h"
+#include "scene/material.h"
+#include "scene/mesh/surface_points.h"
+
+struct volume_points_desc {
+    const struct scene *scene;
+    const struct geometry *geometry; /* as it is posed now: points are dealt by its areas */
+    enum materials materials;
+    int count;        /* by area */
+    int per_triangle; /* in place of it: random ones; 0: none */
+};
+
+struct volume_points {
+    struct volume_points_desc desc;
+    struct surface_points points;
+    int count;                 /* that the buffer holds */
+    bool dealt_by_pose;        /* metaballs have other points in each pose */
+    unsigned pose;             /* that they were uploaded for; 0: none */
+    struct volume_point *room; /* what is uploaded */
+    struct buffer buffer;
+    GLuint vertices;
+};
+
+/* Refuses a scene on which no points lie. */
+bool volume_points_check(const struct geometry *geometry);
+
+/* How many points give a voxel of that side so many where a surface crosses it. */
+int volume_points_count(const struct geometry *geometry, float voxel, float per_voxel);
+
+/* Error: out of GPU memory. */
+bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc);
+void volume_points_free(struct volume_points *points);
+
+/* Puts them where the geometry is. */
+void volume_points_place(struct volume_points *points, const struct geometry *geometry);
+
+#endif

@@ -1,0 +1,317 @@
+/* Indirect light of volumes: spherical harmonics, energy, and what must not change it. */
+#include "volume_scenes.h"
+
+#include "gl/program.h"
+#include "shared/vpl.h"
+
+/* --- spherical harmonics ---------------------------------------------------------------------- */
+
+struct question {
+    float axis[4], slope[4], normal[4];
+};
+
+static void ask(const struct question *question, float answer[4]) {
+    GLuint program;
+    struct timers untimed = {0};
+    struct buffer questions, answers;
+    check_ok("program",
+             program_init(&program, &(struct program_desc){.compute = "../test/support/sh.comp"}));
+    check_ok("buffers", buffer_init(&questions, "questions", sizeof *question, question) &&
+                            buffer_init(&answers, "answers", 4 * sizeof *answer, NULL));
+    pass_begin(&untimed, &(struct pass_state){.name = "ask",
+                                              .program = program,
+                                              .storages = {{0, &questions}, {1, &answers}}});
+    pass_dispatch(1, 1, 1);
+    pass_end(&untimed);
+    gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    buffer_read(&answers, 0, 4 * sizeof *answer, answer);
+    buffer_free(&questions);
+    buffer_free(&answers);
+    program_free(&program);
+}
+
+/* A hole of half angle a over the normal lets in sin^2 a; order 2 knows (1 - cos a) / 2 + sin^2 a / 2 of it, and order 3
+ * adds 5/16 cos a sin^2 a. A sky above a plane tilted by b gives (1 + cos b) / 2, and a slope v of the light
+ * 1 + 2/3 v.n, at any order; all over pi. */
+static void test_harmonics(void **state) {
+    (void)state;
+    float answer[4];
+    for (int degrees = 30; degrees <= 60; degrees += 15) {
+        double a = degrees * GLM_PI / 180, c = cos(a), s2 = sin(a) * sin(a);
+        const struct question hole = {.axis = {.36F, .48F, .8F, (float)c},
+                                      .normal = {.36F, .48F, .8F}};
+        ask(&hole, answer);
+        printf("  hole of %d degrees: %.4f\n", degrees, s2);
+        check_near("order 2", (double)answer[0] / GLM_PI, (1 - c) / 2 + s2 / 2, 2e-3);
+        check_near("order 3", (double)answer[1] / GLM_PI, (1 - c) / 2 + s2 / 2 + 5. / 16 * c * s2,
+                   2e-3);
+    }
+    for (int degrees = 0; degrees <= 180; degrees += 45) {
+        double b = degrees * GLM_PI / 180;
+        const struct question sky = {.axis = {0, 1, 0, 0},
+                                     .normal = {(float)sin(b), (float)cos(b), 0}};
+        ask(&sky, answer);
+        check_near("tilted under a sky, order 2", (double)answer[0] / GLM_PI, (1 + cos(b)) / 2,
+                   2e-3);
+        check_near("order 3", (double)answer[1] / GLM_PI, (1 + cos(b)) / 2, 2e-3);
+    }
+    const struct question slope = {
+        .axis = {0, 1, 0, -2}, .slope = {.2F, .3F, -.5F}, .normal = {.6F, 0, .8F}};
+    ask(&slope, answer);
+    check_near("slope", (double)answer[1] / GLM_PI, 1 + 2. / 3 * (.2 * .6 - .5 * .8), 2e-3);
+}
+
+/* --- what points leave ------------------------------------------------------------------------ */
+
+/* Of random points each voxel of a plane stays empty with probability e^-k; even ones leave fewer. */
+static void test_occupancy(void **state) {
+    (void)state;
+    static const double means[] = {1, 3};
+    for (size_t i = 0; i < sizeof means / sizeof *means; i++) {
+        struct stage stage;
+        struct lit lit;
+        struct shape *shape = new_shape();
+        char settings[64];
+        int count, filled = 0;
+        snprintf(settings, sizeof settings, "volume.size=64 voxel-points=%g", means[i]);
+        add_rectangle(shape, at(-2, 0, 2), at(4, 0, 0), at(0, 0, -4));
+        open_shape(&stage, shape, .5, false, at(0, 3, 0));
+        open_lit(&lit, &stage, settings, 1);
+        float(*texels)[4] = read_atlas(&lit.light.volume.surfaces, &count);
+        for (int t = 0; t < count; t++)
+            filled += texels[t][3] > 0;
+        /* Of 59 x 59 voxels' area; those at the sides have half of it. */
+        double all = 60 * 60, expected = 1 - exp(-means[i]);
+        double sigma = sqrt(expected * (1 - expected) / all);
+        printf("  k = %g: %.4f filled, random points %.4f\n", means[i], filled / all, expected);
+        check_at_most("random points over these", expected * 59 * 59 / all - 3 * sigma,
+                      filled / all);
+        check_at_most("filled", filled / all, 1);
+        free(texels);
+        close_lit(&lit);
+        stage_free(&stage);
+    }
+}
+
+static double sum_of(const struct texture *texture) {
+    int count;
+    double sum = 0;
+    float(*texels)[4] = read_atlas(texture, &count);
+    for (int t = 0; t < count; t++)
+        sum += (double)(texels[t][0] + texels[t][1] + texels[t][2]);
+    free(texels);
+    return sum;
+}
+
+static double area_of(const struct geometry *geometry) {
+    double area = 0;
+    for (uint32_t i = 0; i < geometry->index_count; i += 3)
+        area += corners_area(geometry, &geometry->indices[i]);
+    return area;
+}
+
+/* Points reflect the light that VPLs carry. */
+static void test_flux(void **state) {
+    (void)state;
+    struct stage stage;
+    struct lit lit;
+    double flux = 0;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    open_lit(&lit, &stage, "voxel-points=20", 1);
+    struct renderer renderer;
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 32, 32);
+    open_renderer(&renderer, &desc);
+    struct vpl *vpls = read_vpls(&renderer);
+    for (int i = 0; i < 4096; i++)
+        flux += (double)(vpls[i].flux[0] + vpls[i].flux[1] + vpls[i].flux[2]);
+    free(vpls);
+    double point_area = area_of(&stage.geometry) / lit.light.points.points.count;
+    double sum = sum_of(&lit.light.volume.radiosity) * point_area;
+    check_near("flux of points over that of VPLs", sum / (double)lit.frame.irradiance_scale / flux,
+               1, .02);
+    renderer_free(&renderer);
+    close_lit(&lit);
+    stage_free(&stage);
+}
+
+/* Each bounce has at most the greatest albedo of the one before. */
+static void test_bounces(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    double before = 0, own_before = 0;
+    for (int bounces = 1; bounces <= 5; bounces++) {
+        struct lit lit;
+        open_lit(&lit, &stage, "order=3", bounces);
+        const struct volume_light *light = &lit.light;
+        double sum = sum_of(bounces == 1 ? &light->volume.radiosity : &light->reflect.radiosity);
+        double own = sum - before;
+        if (bounces > 1) {
+            printf("  reflection %d: %.3f of the one before\n", bounces, own / own_before);
+            check_at_most("flux over that of the bounce before", own / own_before, .725);
+            assert_true(own > 0);
+        }
+        own_before = own;
+        before = sum;
+        close_lit(&lit);
+    }
+    stage_free(&stage);
+}
+
+/* Inside a sphere of albedo 1/2 the direct layer is 1 everywhere, and so many bounces add 1 - 1/2^b. */
+static double furnace_error(const struct stage *stage, const char *size, int bounces) {
+    char settings[96];
+    snprintf(settings, sizeof settings, "%s lights.bounces=%d", size, bounces);
+    struct image image = render_stage(stage, "imperfect-volume", settings, 48);
+    double mean = layer_mean(&image, "indirect"), exact = 1 - pow(.5, bounces);
+    printf("  %s: %.4f, exact %.4f\n", settings, mean, exact);
+    image_free(&image);
+    return fabs(mean / exact - 1);
+}
+
+static void test_furnace(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/sphere.glb");
+    for (int bounces = 1; bounces <= 4; bounces++)
+        check_at_most("relative error at 64^3", furnace_error(&stage, "volume.size=64", bounces),
+                      .1);
+    check_at_most("at 128^3", furnace_error(&stage, "volume.size=128", 1), .05);
+    stage_free(&stage);
+}
+
+/* --- what must not change it ------------------------------------------------------------------ */
+
+static bool same_atlas(const struct texture *a, const struct texture *b) {
+    int count, other;
+    float(*x)[4] = read_atlas(a, &count), (*y)[4] = read_atlas(b, &other);
+    bool same = count == other && memcmp(x, y, (size_t)count * sizeof *x) == 0;
+    free(x);
+    free(y);
+    return same;
+}
+
+/* The light that lies in the volume depends on no camera. */
+static void test_camera(void **state) {
+    (void)state;
+    struct stage stage;
+    struct lit a, b;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    open_lit(&a, &stage, "volume.size=32", 2);
+    stage.camera.eye[0] += .3F;
+    stage.camera.fov_y *= .5F;
+    open_lit(&b, &stage, "volume.size=32", 2);
+    for (int i = 0; i < a.light.volume.coefficient_count; i++)
+        assert_true(same_atlas(&a.light.volume.coefficients[i], &b.light.volume.coefficients[i]));
+    close_lit(&a);
+    close_lit(&b);
+    stage_free(&stage);
+}
+
+/* The order in which points are drawn changes nothing but rounding. */
+static void test_permutation(void **state) {
+    (void)state;
+    struct stage stage;
+    struct lit lit;
+    int count;
+    double worst = 0;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    open_lit(&lit, &stage, "volume.size=32", 1);
+    float(*before)[4] = read_atlas(&lit.light.volume.coefficients[0], &count);
+    const struct buffer *buffer = &lit.light.points.buffer;
+    size_t points = (size_t)lit.light.points.points.count, bytes = buffer->size / points;
+    char *all = mem_alloc(points, bytes), *turned = mem_alloc(points, bytes);
+    buffer_read(buffer, 0, buffer->size, all);
+    for (size_t i = 0; i < points; i++)
+        memcpy(turned + i * bytes, all + (points - 1 - i) * bytes, bytes);
+    buffer_write(buffer, 0, buffer->size, turned);
+    light_volume(&lit);
+    float(*after)[4] = read_atlas(&lit.light.volume.coefficients[0], &count);
+    double most = 0;
+    for (int t = 0; t < count; t++)
+        for (int c = 0; c < 4; c++) {
+            worst = fmax(worst, fabs((double)(after[t][c] - before[t][c])));
+            most = fmax(most, fabs((double)before[t][c]));
+        }
+    check_at_most("greatest difference over the greatest value", worst / most, 1e-3);
+    assert_true(most > 0);
+    free(all);
+    free(turned);
+    free(before);
+    free(after);
+    close_lit(&lit);
+    stage_free(&stage);
+}
+
+/* A light twice as strong gives twice the light. */
+static void test_linear(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/three-lights.glb");
+    struct image once = render_stage(&stage, "imperfect-volume", "volume.size=32", 48);
+    for (int i = 0; i < stage.emitters.count; i++)
+        for (int c = 0; c < 3; c++)
+            stage.emitters.items[i].intensity[c] *= 2;
+    struct image twice = render_stage(&stage, "imperfect-volume", "volume.size=32", 48);
+    check_near("mean over that of half the light",
+               layer_mean(&twice, "indirect") / layer_mean(&once, "indirect"), 2, 1e-4);
+    image_free(&once);
+    image_free(&twice);
+    stage_free(&stage);
+}
+
+/* A corner at a place in a box that two small triangles hold. Lengths that floats have exactly: a voxel is 1/16 m. */
+static void open_corner(struct stage *stage, float x) {
+    struct shape *shape = new_shape();
+    const float size = .0625F;
+    add_rectangle(shape, at(x + 1, 1, 3), at(2, 0, 0), at(0, 0, -2));
+    add_rectangle(shape, at(x + 1, 1, 3), at(0, 0, -2), at(0, 1, 0));
+    for (int i = 0; i < 2; i++) {
+        float corner = i ? 4 - size : 0;
+        add_rectangle(shape, at(corner, corner, corner), at(size, 0, 0), at(0, size, -0));
+        add_rectangle(shape, at(corner, corner, corner), at(0, size, 0), at(0, 0, size));
+    }
+    open_shape(stage, shape, .5, false, at(x + 2, 2, 2));
+    look(stage, at(x + 1.75F, 1, 2), at(0, -1, 0), at(0, 0, -1), 1.25F);
+}
+
+static double corner_difference(float shift) {
+    struct stage stage;
+    struct seen here, there;
+    double sum = 0;
+    int count = 0;
+    open_corner(&stage, 0);
+    see_occlusion(&here, &stage, "volume.size=69", 64);
+    stage_free(&stage);
+    open_corner(&stage, shift);
+    see_occlusion(&there, &stage, "volume.size=69", 64);
+    stage_free(&stage);
+    for (int i = 0; i < 64 * 64; i++)
+        if (here.texels[i][3] > 0 && there.texels[i][3] > 0) {
+            sum += pow((double)(here.texels[i][0] - there.texels[i][0]), 2);
+            count++;
+        }
+    assert_true(count > 3000);
+    free_seen(&here);
+    free_seen(&there);
+    return sqrt(sum / count);
+}
+
+/* 27 neighbours have other rays, so that three voxels are the same again. */
+static void test_shift(void **state) {
+    (void)state;
+    check_at_most("RMS difference, three voxels on", corner_difference(3 * .0625F), 1e-3);
+    check_at_most("a voxel on", corner_difference(.0625F), .01);
+    check_at_most("a third of a voxel on", corner_difference(.0625F / 3), .03);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_harmonics),   cmocka_unit_test(test_occupancy),
+        cmocka_unit_test(test_flux),        cmocka_unit_test(test_bounces),
+        cmocka_unit_test(test_furnace),     cmocka_unit_test(test_camera),
+        cmocka_unit_test(test_permutation), cmocka_unit_test(test_linear),
+        cmocka_unit_test(test_shift),
+    };
+    return cmocka_run_group_tests(tests, open_group_shaders, close_group_shaders);
+}
