@@ -34,6 +34,11 @@ sky_view sky_view_at(int i) {
                     sky_rows[row + 5].w, mat2(sides.xy, sides.zw));
 }
 
+// Unit: to its middle.
+vec3 sky_direction(int i) {
+    return -sky_rows[i * SKY_ROWS + 8].xyz;
+}
+
 // The next light beyond each quarter of it: -x -y, +x -y, -x +y, +x +y; itself where there is none.
 ivec4 sky_beyond(int i) {
     return ivec4(sky_rows[i * SKY_ROWS + 11]);

@@ -3,6 +3,16 @@
 
 float arriving(surface s, light l, vec3 direction);
 
+#ifdef HAS_MEDIUM
+#include "lib/medium.glsl"
+
+// What a medium leaves of the light; direction: where it shines.
+vec3 passing(surface s, light l, vec3 direction, float distance2) {
+    float away = l.type == LIGHT_TYPE_DIRECTIONAL ? 2.0 * medium.radius : sqrt(distance2);
+    return medium_passes_from(s.position, -direction, away);
+}
+#endif
+
 layout(location = LOCATION_LIGHT) uniform int light_index;
 
 layout(location = TARGET_RESULT) out vec4 direct;
@@ -46,5 +56,12 @@ void main() {
     specular.rgb = l.radiance * reflected * lit * in_range;
 #else
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
+#endif
+#ifdef HAS_MEDIUM
+    vec3 passes = passing(s, l, direction, distance2);
+    direct.rgb *= passes;
+#ifdef HAS_SPECULAR
+    specular.rgb *= passes;
+#endif
 #endif
 }

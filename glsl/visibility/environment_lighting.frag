@@ -26,6 +26,18 @@ float sky_specular(lobe o, int i) {
 }
 #endif
 
+#ifdef HAS_MEDIUM
+#include "lib/medium.glsl"
+
+vec3 through_medium(vec3 radiance, int i, vec3 position) {
+    return radiance * medium_passes_from(position, sky_direction(i), 2.0 * medium.radius);
+}
+#else
+vec3 through_medium(vec3 radiance, int i, vec3 position) {
+    return radiance;
+}
+#endif
+
 const float PI = 3.14159265358979;
 
 // The four blocks around a pixel, and how much each speaks for it.
@@ -98,6 +110,7 @@ void main() {
                 bool ask = shares[k] * radiance.a * apart[k] > params.disagree * all;
                 visible[k] = ask ? 0.0 : visible[k];
                 asked |= ask ? 1u << (4 * (layer - first) + k) : 0u;
+                radiance.rgb = through_medium(radiance.rgb, 4 * layer + k, s.position);
                 sum += radiance.rgb * (shares[k] * visible[k]);
 #ifdef HAS_SPECULAR
                 if (4 * layer + k < params.count)
@@ -108,6 +121,7 @@ void main() {
         for (; asked != 0u; asked &= asked - 1u) {
             int i = 4 * first + findLSB(asked);
             vec3 seen = sky_radiance(i).rgb * sky_visibility(i, s.position, s.normal);
+            seen = through_medium(seen, i, s.position);
             sum += seen * sky_shares(s.normal, i / 4)[i % 4];
 #ifdef HAS_SPECULAR
             shining += seen * sky_specular(o, i);

@@ -17,6 +17,7 @@
 #include "reference/channels.h"
 #include "renderer/stage.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 #include "shared/composite.h"
 #include "techniques/many_lights.h"
 
@@ -58,8 +59,8 @@ static const struct option options[] = {
      .help = "rays per pixel that add the light cut off by the bound, exact on average;\n"
              "0: none; with vpl-raytraced or lightcuts and --set clamp=value"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
-     .help = "setting of the VPLs, for example vpls, seed or clamp (render --help-all);\n"
-             "repeatable"},
+     .help = "setting of the medium, for example medium.scatter, or of the VPLs, for\n"
+             "example vpls, seed or clamp (render --help-all); repeatable"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, tracer.bounces), 1, 0, 1000,
      .help = "number of indirect bounces; 0: direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, tracer.samples), 0, 0, 1e6,
@@ -101,8 +102,8 @@ static const struct arguments arguments = {
         "standard_error of the indirect layer (0 with one sample, which gives no estimate) and\n"
         "emitted, the radiance of environment and lamps. Specular surfaces add specular, the sum\n"
         "of direct.specular and indirect.specular, and standard_error.specular; the other layers\n"
-        "are diffuse. Lightcuts add bound, the largest error against the sum of all VPLs, and\n"
-        "nodes, the number of lights of a pixel.\n"
+        "are diffuse. A medium adds airlight and standard_error.airlight. Lightcuts add bound, the\n"
+        "largest error against the sum of all VPLs, and nodes, the number of lights of a pixel.\n"
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,
@@ -141,10 +142,11 @@ static bool show(void *user, const struct path_tracer_progress *progress) {
 }
 
 static bool trace_paths(const struct values *values, const struct stage *stage,
-                        struct image *image) {
+                        const struct settings *settings, struct image *image) {
     struct progress progress;
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
+    desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
     desc.progress = show;
     desc.user = &progress;
     progress_start(&progress);
@@ -206,12 +208,20 @@ static bool check_compensation(const struct values *values, const struct measure
                      "--set clamp=value");
 }
 
+/* Paths know of the medium alone. */
+static bool check_given(const struct values *values, const struct settings *settings) {
+    for (int i = 0; values->technique == TECHNIQUE_PATH && i < settings->part_count; i++)
+        if (settings->given[i] && settings->parts[i] != &medium_part)
+            return error_set("--set is for --technique vpl-raytraced and lightcuts, but for settings "
+                             "of the medium");
+    return true;
+}
+
 static bool parse_settings(const struct values *values, struct measure_desc *desc) {
     *desc = measure_default(NULL, values->tracer.width, values->tracer.height);
-    if (values->technique == TECHNIQUE_PATH && values->settings.count)
-        return error_set("--set is for --technique vpl-raytraced and lightcuts");
     return measure_assign_all(desc, values->settings.items, values->settings.count) &&
-           measure_check(desc) && check_compensation(values, desc);
+           check_given(values, &desc->settings) && measure_check(desc) &&
+           check_compensation(values, desc);
 }
 
 /* Where the options tell none. */
@@ -242,7 +252,7 @@ int app_reference(int argc, char **argv) {
     if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
     choose_size(&values, &desc, &stage);
-    bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &image)
+    bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
                                                   : trace_vpls(&values, &stage, &desc, &image)) &&
               image_write(&image, values.output);
     image_free(&image);

@@ -89,7 +89,8 @@ static bool init(void **state, const struct direct_desc *desc) {
                                                                      .ways = own->shadow_rays,
                                                                      .bias = bias,
                                                                      .disagree = disagree,
-                                                                     .specular = desc->specular}) &&
+                                                                     .specular = desc->specular,
+                                                                     .medium = desc->medium}) &&
            buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block, NULL);
 }
 

@@ -1,5 +1,6 @@
 #include "reference/path_tracer.h"
 
+#include "reference/airlight.h"
 #include "reference/channels.h"
 #include "reference/denoise.h"
 #include "reference/film.h"
@@ -7,6 +8,7 @@
 #include "reference/primary.h"
 #include "reference/rows.h"
 #include "scene/lights/environment.h"
+#include "scene/medium.h"
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -34,6 +36,7 @@ struct tracer {
     struct film_pixel *pixels;
     struct film_seen *seen;         /* where it is wanted */
     struct film_specular *specular; /* where there is some */
+    struct film_airlight *airlight; /* where there is a medium */
     struct image *image;            /* once developed */
     uint32_t done, end;  /* samples of a pixel: of earlier passes, and after the present one */
     double noise;        /* after the last pass */
@@ -43,21 +46,19 @@ struct tracer {
 
 /* --- samples --- */
 
-static struct film_pixel *pixel_at(const struct tracer *tracer, int x, int y) {
-    return &tracer->pixels[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
-}
-
-static struct film_seen *seen_at(const struct tracer *tracer, int x, int y) {
-    return &tracer->seen[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
-}
-
-static struct film_specular *specular_at(const struct tracer *tracer, int x, int y) {
-    return &tracer->specular[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
+static size_t index_of(const struct tracer *tracer, int x, int y) {
+    return (size_t)y * (size_t)tracer->desc.width + (size_t)x;
 }
 
 /* Of the picture's channels, the first of specular reflection; 0 = it has none. */
 static int specular_channel(const struct tracer *tracer) {
     return !tracer->specular ? 0 : tracer->desc.seen ? CHANNEL_END : CHANNEL_PATH_TRACER_END;
+}
+
+/* And of airlight, which comes last. */
+static int airlight_channel(const struct tracer *tracer) {
+    int begin = tracer->desc.seen ? CHANNEL_END : CHANNEL_PATH_TRACER_END;
+    return tracer->specular ? begin + SPECULAR_END : begin;
 }
 
 static struct reflected mean_of_paths(const struct tracer *tracer, const struct hit *hit,
@@ -76,16 +77,17 @@ static struct reflected mean_of_paths(const struct tracer *tracer, const struct 
 }
 
 /* The indirect paths' samplers, at pairs that no path comes to. */
-struct direct_samplers {
+enum { DIRECT_PAIRS = 1 << 20, AIRLIGHT_PAIRS = 1 << 21 };
+
+struct samplers {
     struct sampler items[PATHS_PER_SAMPLE];
 };
 
-static struct direct_samplers direct_samplers(const struct sampler *start) {
-    enum { FIRST_PAIR = 1 << 20 };
-    struct direct_samplers samplers;
+static struct samplers samplers_at(const struct sampler *start, uint32_t first_pair) {
+    struct samplers samplers;
     for (uint32_t i = 0; i < PATHS_PER_SAMPLE; i++)
         samplers.items[i] =
-            (struct sampler){start->seed, start->index * PATHS_PER_SAMPLE + i, FIRST_PAIR};
+            (struct sampler){start->seed, start->index * PATHS_PER_SAMPLE + i, first_pair};
     return samplers;
 }
 
@@ -94,16 +96,16 @@ static int stream_of(uint32_t sample) {
 }
 
 /* Where no surface is seen. */
-static vec3s background(const struct tracer *tracer, float x, float y) {
+static vec3s background(const struct tracer *tracer, vec3s direction) {
     const struct environment *sky = tracer->desc.emitters.sky;
     vec3s radiance = glms_vec3_zero();
     if (sky && !tracer->desc.hides_sky)
-        environment_radiance(sky, primary_direction(&tracer->primary, x, y).raw, radiance.raw);
+        environment_radiance(sky, direction.raw, radiance.raw);
     return radiance;
 }
 
 static void add_seen(const struct tracer *tracer, const struct hit *hit, int stream,
-                     const struct direct_samplers *samplers, struct film_seen *sums) {
+                     const struct samplers *samplers, struct film_seen *sums) {
     struct seen seen =
         seen_from(&tracer->emission, &tracer->rays, hit, samplers->items, PATHS_PER_SAMPLE);
     film_seen_add(sums, stream, hit->brdf.albedo, &seen);
@@ -114,7 +116,50 @@ struct sums {
     struct film_pixel pixel;
     struct film_seen seen;
     struct film_specular specular;
+    struct film_airlight airlight;
 };
+
+/* A ray of the camera, and how far it sees. */
+struct sight {
+    vec3s origin, direction;
+    float length;
+};
+
+static struct sight sight_to(const struct tracer *tracer, float x, float y, const struct hit *hit) {
+    struct sight sight = {.length = INFINITY};
+    primary_ray(&tracer->primary, x, y, &sight.origin, &sight.direction);
+    if (hit)
+        sight.length = glms_vec3_distance(sight.origin, hit->position);
+    return sight;
+}
+
+static void add_airlight(const struct tracer *tracer, const struct sight *sight, int stream,
+                         const struct sampler *start, struct sums *sums) {
+    struct samplers samplers = samplers_at(start, AIRLIGHT_PAIRS);
+    vec3s light = airlight_along(&tracer->emission, &tracer->rays, sight->origin, sight->direction,
+                                 sight->length, samplers.items, PATHS_PER_SAMPLE);
+    film_airlight_add(&sums->airlight, &sums->pixel, stream, light);
+}
+
+static void add_surface(const struct tracer *tracer, const struct hit *hit, vec3s passes,
+                        int stream, const struct sampler *sampler, struct sums *sums) {
+    struct samplers samplers = samplers_at(sampler, DIRECT_PAIRS);
+    struct film_sample sample = {
+        .position = hit->position,
+        .albedo = hit->brdf.albedo,
+        .normal = hit->normal,
+        .direct = emission_direct(&tracer->emission, &tracer->rays, hit, samplers.items,
+                                  PATHS_PER_SAMPLE),
+        .indirect = mean_of_paths(tracer, hit, stream, sampler),
+        .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, hit), hit->unlit),
+        .passes = passes,
+    };
+    film_pixel_add(&sums->pixel, stream, &sample);
+    if (tracer->specular)
+        film_specular_add(&sums->specular, stream, &sample);
+    if (tracer->desc.seen)
+        add_seen(tracer, hit, stream, &samplers, &sums->seen);
+}
 
 /* Adds what a pixel's i-th sample sees. */
 static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
@@ -129,25 +174,16 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     struct pixel pixel = path_tracer_pixel(desc->every, px, py);
     float x = (float)pixel.x + at.x, y = (float)pixel.y + at.y;
     struct hit hit;
-    if (!primary_hit(&tracer->primary, x, y, &hit)) {
-        film_pixel_add_background(&sums->pixel, background(tracer, x, y));
-        return;
-    }
-    struct direct_samplers samplers = direct_samplers(&sampler);
-    struct film_sample sample = {
-        .position = hit.position,
-        .albedo = hit.brdf.albedo,
-        .normal = hit.normal,
-        .direct = emission_direct(&tracer->emission, &tracer->rays, &hit, samplers.items,
-                                  PATHS_PER_SAMPLE),
-        .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
-        .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, &hit), hit.unlit),
-    };
-    film_pixel_add(&sums->pixel, stream, &sample);
-    if (tracer->specular)
-        film_specular_add(&sums->specular, stream, &sample);
-    if (desc->seen)
-        add_seen(tracer, &hit, stream, &samplers, &sums->seen);
+    bool hits = primary_hit(&tracer->primary, x, y, &hit);
+    struct sight sight = sight_to(tracer, x, y, hits ? &hit : NULL);
+    vec3s passes = medium_transmittance(&tracer->emission.medium, sight.origin, sight.direction,
+                                        sight.length);
+    if (tracer->airlight)
+        add_airlight(tracer, &sight, stream, &sampler, sums);
+    if (hits)
+        add_surface(tracer, &hit, passes, stream, &sampler, sums);
+    else
+        film_pixel_add_background(&sums->pixel, background(tracer, sight.direction), passes);
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */
@@ -155,11 +191,13 @@ static void add_pass(const struct tracer *tracer, int px, int py) {
     struct sums sums = {0};
     for (uint32_t i = tracer->done; i < tracer->end; i++)
         take_sample(tracer, px, py, i, &sums);
-    film_pixel_merge(pixel_at(tracer, px, py), &sums.pixel);
+    film_pixel_merge(&tracer->pixels[index_of(tracer, px, py)], &sums.pixel);
     if (tracer->seen)
-        film_seen_merge(seen_at(tracer, px, py), &sums.seen);
+        film_seen_merge(&tracer->seen[index_of(tracer, px, py)], &sums.seen);
     if (tracer->specular)
-        film_specular_merge(specular_at(tracer, px, py), &sums.specular);
+        film_specular_merge(&tracer->specular[index_of(tracer, px, py)], &sums.specular);
+    if (tracer->airlight)
+        film_airlight_merge(&tracer->airlight[index_of(tracer, px, py)], &sums.airlight);
 }
 
 /* --- passes --- */
@@ -232,13 +270,14 @@ static double estimate_direct_noise(const struct tracer *tracer) {
     return mean_sum > 0 ? sqrt(variance_sum * (double)pixel_count) / mean_sum : 0;
 }
 
-/* The same of specular light, but over the beauty's mean: there may be little of it. */
-static double estimate_specular_noise(const struct tracer *tracer) {
+/* The same of specular light, or of airlight, but over the beauty's mean: there may be little of it. */
+static double estimate_radiance_noise(const struct tracer *tracer, bool is_airlight) {
     size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
     double beauty_sum = 0, variance_sum = 0, values = 3 * (double)pixel_count;
-    for (size_t i = 0; tracer->specular && i < pixel_count; i++) {
+    for (size_t i = 0; i < pixel_count; i++) {
         struct film_estimate estimate =
-            film_specular_estimate(&tracer->specular[i], (int)tracer->done);
+            is_airlight ? film_airlight_estimate(&tracer->airlight[i], (int)tracer->done)
+                        : film_specular_estimate(&tracer->specular[i], (int)tracer->done);
         for (int c = 0; c < 3; c++) {
             beauty_sum += (double)tracer->pixels[i].beauty[c] / tracer->done;
             variance_sum += estimate.variance[c];
@@ -254,7 +293,10 @@ static bool render_pass(struct tracer *tracer, uint32_t end) {
         return false;
     tracer->done = end;
     tracer->noise = fmax(estimate_noise(tracer), estimate_direct_noise(tracer));
-    tracer->noise = fmax(tracer->noise, estimate_specular_noise(tracer));
+    if (tracer->specular)
+        tracer->noise = fmax(tracer->noise, estimate_radiance_noise(tracer, false));
+    if (tracer->airlight)
+        tracer->noise = fmax(tracer->noise, estimate_radiance_noise(tracer, true));
     if (tracer->first_done == 0) {
         tracer->first_done = tracer->done;
         tracer->first_noise = tracer->noise;
@@ -279,12 +321,15 @@ static void develop_row(void *context, int row) {
     for (int x = 0; x < tracer->desc.width; x++) {
         struct hit center;
         float *channels = image_at(tracer->image, x, row);
-        film_pixel_develop(pixel_at(tracer, x, row), samples, channels);
+        film_pixel_develop(&tracer->pixels[index_of(tracer, x, row)], samples, channels);
         if (tracer->seen)
-            film_seen_develop(seen_at(tracer, x, row), pixel_at(tracer, x, row), channels);
+            film_seen_develop(&tracer->seen[index_of(tracer, x, row)], &tracer->pixels[index_of(tracer, x, row)], channels);
         if (tracer->specular)
-            film_specular_develop(specular_at(tracer, x, row), samples,
+            film_specular_develop(&tracer->specular[index_of(tracer, x, row)], samples,
                                   &channels[specular_channel(tracer)]);
+        if (tracer->airlight)
+            film_airlight_develop(&tracer->airlight[index_of(tracer, x, row)], samples,
+                                  &channels[airlight_channel(tracer)]);
         struct pixel pixel = path_tracer_pixel(tracer->desc.every, x, row);
         if (primary_hit(&tracer->primary, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
@@ -294,9 +339,10 @@ static void develop_row(void *context, int row) {
 static bool develop(struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
     char channels[1024];
-    snprintf(channels, sizeof channels, "%s%s%s", CHANNELS_OF_PATH_TRACER,
+    snprintf(channels, sizeof channels, "%s%s%s%s", CHANNELS_OF_PATH_TRACER,
              desc->seen ? " " CHANNELS_OF_SEEN : "",
-             tracer->specular ? " " CHANNELS_OF_SPECULAR : "");
+             tracer->specular ? " " CHANNELS_OF_SPECULAR : "",
+             tracer->airlight ? " " CHANNELS_OF_AIRLIGHT : "");
     image_init(tracer->image, desc->width, desc->height, channels);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
@@ -376,6 +422,8 @@ static bool check_memory(const struct path_tracer_desc *desc) {
             sizeof(struct film_seen) + sizeof(float) * (CHANNEL_END - CHANNEL_PATH_TRACER_END);
     if (desc->materials == MATERIALS_FULL && !materials_are_plain(desc->scene))
         of_pixel += sizeof(struct film_specular) + sizeof(float) * SPECULAR_END;
+    if (medium_exists(&desc->medium))
+        of_pixel += sizeof(struct film_airlight) + sizeof(float) * AIRLIGHT_END;
     return mem_check(pixels * of_pixel) ||
            error_prefix("a reference of %dx%d", desc->width, desc->height);
 }
@@ -399,10 +447,13 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
         return false;
     hit_table_init(&table, desc->scene, desc->geometry, (enum materials)desc->materials);
     emission_init(&tracer.emission, &desc->emitters, desc->geometry, &table, LIGHT_VERTEX_COUNT);
+    tracer.emission.medium = medium_ball_of(&desc->medium, desc->geometry);
     size_t pixels = (size_t)desc->width * (size_t)desc->height;
     tracer.pixels = mem_alloc(pixels, sizeof *tracer.pixels);
     tracer.seen = desc->seen ? mem_alloc(pixels, sizeof *tracer.seen) : NULL;
     tracer.specular = table.has_specular ? mem_alloc(pixels, sizeof *tracer.specular) : NULL;
+    tracer.airlight =
+        medium_exists(&desc->medium) ? mem_alloc(pixels, sizeof *tracer.airlight) : NULL;
     bool ok = render(&tracer, &table);
     if (ok && reached)
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
@@ -411,6 +462,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     free(tracer.pixels);
     free(tracer.seen);
     free(tracer.specular);
+    free(tracer.airlight);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

@@ -22,7 +22,8 @@ static float disagree_of(const struct environment_lighting_desc *desc) {
 static bool init_programs(struct environment_lighting_pass *pass) {
     char *maps = sky_map_defines(&pass->desc.maps);
     char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
-    char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
+    char *light_defines = mem_printf("%s%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "",
+                                     pass->desc.medium ? ";HAS_MEDIUM" : "");
     bool ok =
         program_init(
             &pass->share_program,
@@ -183,6 +184,8 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
     }
+    if (frame->medium)
+        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);

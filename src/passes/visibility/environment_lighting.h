@@ -20,6 +20,7 @@ struct environment_lighting_desc {
     float bias;     /* texels: what is no higher above a receiver's plane hides nothing */
     float disagree; /* of light, for few lights: where blocks do by more, a pixel looks itself up */
     bool specular;  /* the G-buffer has it */
+    bool medium;    /* frames have one */
 };
 
 struct environment_lighting_pass {
