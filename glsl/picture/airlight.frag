@@ -31,16 +31,22 @@ bool is_lit(vec4 clip, int layer) {
     return stored == 0.0 || clip.z >= stored * clip.w || any(greaterThan(abs(ndc), vec2(1.0)));
 }
 
+// The light, and the mean over RGB of what it would be without shadows.
+vec4 with_unshadowed(light l, vec3 sum, vec3 unshadowed, float factor) {
+    vec3 scattered = medium.scattering * l.intensity * factor;
+    return vec4(scattered * sum, dot(scattered, unshadowed) / 3.0);
+}
+
 #if KIND == AIRLIGHT_DIRECTIONAL
 
 // Steps are even in the light that passes the medium.
-vec3 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) {
+vec4 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) {
     light_view v = light_view_at(l.first_view);
     vec4 clip_start = v.view.world_to_clip * vec4(ray.origin, 1.0);
     vec4 clip_along = v.view.world_to_clip * vec4(ray.direction, 0.0);
     float sigma = medium.mean_extinction, span = ends.y - ends.x, stopped = 1.0 - exp(-sigma * span);
     bool is_thin = sigma * span < 1e-3;
-    vec3 sum = vec3(0.0);
+    vec3 sum = vec3(0.0), unshadowed = vec3(0.0);
     for (int i = 0; i < steps; i++) {
         float u = (float(i) + jitter) / float(steps), passed = 1.0 - u * stopped;
         float along = is_thin ? u * span : -log(passed) / sigma;
@@ -49,10 +55,11 @@ vec3 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
         vec2 before = medium_segment(ray.origin + s * ray.direction, -l.direction, 2.0 * medium.radius);
         vec3 passes = exp(-medium.extinction * (along + before.y - before.x));
         sum += is_lit(clip_start + s * clip_along, v.layer) ? passes * stands_for : vec3(0.0);
+        unshadowed += passes * stands_for;
     }
     float g = medium.g, sharp = 1.0 + g * g + 2.0 * g * dot(l.direction, ray.direction);
     float phase = (1.0 - g * g) / (4.0 * PI * sharp * sqrt(sharp));
-    return medium.scattering * l.intensity * sum * (phase / float(steps));
+    return with_unshadowed(l, sum, unshadowed, phase / float(steps));
 }
 
 #else
@@ -86,13 +93,13 @@ float psi_at(float from_foot, float h, float k) {
     return from_foot > 0.0 ? atan(k * (r + from_foot), h) : atan(k * h, r - from_foot);
 }
 
-vec3 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) {
+vec4 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) {
     if (l.type != LIGHT_TYPE_POINT)
         ends = in_cone(l, ray, ends);
     if (l.range_inverse2 > 0.0)
         ends = in_range(l, ray, ends);
     if (ends.x >= ends.y)
-        return vec3(0.0);
+        return vec4(0.0);
     vec3 to_light = l.position - ray.origin;
     float foot = dot(to_light, ray.direction), k = (1.0 + medium.g) / (1.0 - medium.g);
     vec3 aside = to_light - foot * ray.direction;
@@ -105,7 +112,7 @@ vec3 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
     vec4 clip_start = v.view.world_to_clip * vec4(ray.origin, 1.0);
     vec4 clip_along = v.view.world_to_clip * vec4(ray.direction, 0.0);
 #endif
-    vec3 sum = vec3(0.0);
+    vec3 sum = vec3(0.0), unshadowed = vec3(0.0);
     for (int i = 0; i < steps; i++) {
         float sine = at.y, cosine = k * at.x, square = sine * sine + cosine * cosine;
         float r = h * square / (2.0 * sine * cosine), s = foot - r * (cosine * cosine - sine * sine) / square;
@@ -124,9 +131,10 @@ vec3 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
         vec2 before = medium_segment(position, -direction, r);
         vec3 passes = exp(-medium.extinction * (s - entered + max(before.y - before.x, 0.0)));
         sum += lit ? passes * strength : vec3(0.0);
+        unshadowed += passes * strength;
         at = vec2(at.x * turn.x - at.y * turn.y, at.x * turn.y + at.y * turn.x);
     }
-    return medium.scattering * l.intensity * sum * (psi_step / (h * 2.0 * PI * (1.0 + medium.g)));
+    return with_unshadowed(l, sum, unshadowed, psi_step / (h * 2.0 * PI * (1.0 + medium.g)));
 }
 
 #endif
@@ -138,6 +146,6 @@ void main() {
     vec4 source = params.sources[light_index];
     scattered = vec4(0.0);
     if (ends.x < ends.y)
-        scattered.rgb =
+        scattered =
             params.scale * march(light_at(light_index), ray, ends, int(source.x), source.y, jitter_of(pixel));
 }
