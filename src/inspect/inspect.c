@@ -235,6 +235,7 @@ static int mode_of(enum output_kind kind) {
         [OUTPUT_VPLS] = INSPECT_DIMMED,           [OUTPUT_VALS] = INSPECT_DIMMED,
         [OUTPUT_VISIBILITY] = INSPECT_VISIBILITY, [OUTPUT_MAP_DEPTH] = INSPECT_MAP_DEPTH,
         [OUTPUT_BASIS] = INSPECT_BASIS,           [OUTPUT_SIGNED_BASIS] = INSPECT_SIGNED_BASIS,
+        [OUTPUT_AIRLIGHT] = INSPECT_IRRADIANCE,
     };
     _Static_assert(sizeof modes / sizeof *modes == OUTPUT_KINDS, "a mode for each kind");
     return modes[kind];
@@ -251,6 +252,8 @@ static void write_params(const struct inspect *inspect, const struct renderer *r
         .layer_count = shown->layers,
         .exposure = exp2f(renderer_exposure(renderer)) / ((float)GLM_PI * frame->irradiance_scale),
     };
+    if (shown->kind == OUTPUT_AIRLIGHT) /* radiance, not irradiance */
+        params.exposure *= (float)GLM_PI;
     if (sheet) {
         params.columns = sheet->columns;
         params.rows = sheet->rows;

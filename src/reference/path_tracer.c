@@ -408,6 +408,8 @@ static bool render(struct tracer *tracer, const struct hit_table *table) {
                                        .samples = (int)tracer->done,
                                        .paths = tracer->desc.paths,
                                        .specular_channel = specular_channel(tracer),
+                                       .airlight_channel =
+                                           tracer->airlight ? airlight_channel(tracer) : 0,
                                        .threads = tracer->desc.threads},
                 tracer->image);
     return true;

@@ -273,6 +273,9 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
         output_add(outputs, &rows[i]);
     if (renderer->technique->outputs)
         renderer->technique->outputs(renderer->technique_state, outputs);
+    if (renderer->airlight.medium.id)
+        output_add(outputs, &(struct output){"airlight", "what the medium scatters to the camera",
+                                             OUTPUT_AIRLIGHT, &renderer->airlight.pass.in_scatter});
     if (irradiance)
         output_add(outputs,
                    &(struct output){"irradiance", "after the blur, before the surfaces' colours",
