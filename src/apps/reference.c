@@ -102,7 +102,8 @@ static const struct arguments arguments = {
         "standard_error of the indirect layer (0 with one sample, which gives no estimate) and\n"
         "emitted, the radiance of environment and lamps. Specular surfaces add specular, the sum\n"
         "of direct.specular and indirect.specular, and standard_error.specular; the other layers\n"
-        "are diffuse. A medium adds airlight and standard_error.airlight. Lightcuts add bound, the\n"
+        "are diffuse. A medium adds airlight and standard_error.airlight. Lightcuts add bound, "
+        "the\n"
         "largest error against the sum of all VPLs, and nodes, the number of lights of a pixel.\n"
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
@@ -212,8 +213,9 @@ static bool check_compensation(const struct values *values, const struct measure
 static bool check_given(const struct values *values, const struct settings *settings) {
     for (int i = 0; values->technique == TECHNIQUE_PATH && i < settings->part_count; i++)
         if (settings->given[i] && settings->parts[i] != &medium_part)
-            return error_set("--set is for --technique vpl-raytraced and lightcuts, but for settings "
-                             "of the medium");
+            return error_set(
+                "--set is for --technique vpl-raytraced and lightcuts, but for settings "
+                "of the medium");
     return true;
 }
 
@@ -252,9 +254,10 @@ int app_reference(int argc, char **argv) {
     if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
     choose_size(&values, &desc, &stage);
-    bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
-                                                  : trace_vpls(&values, &stage, &desc, &image)) &&
-              image_write(&image, values.output);
+    bool ok =
+        (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
+                                            : trace_vpls(&values, &stage, &desc, &image)) &&
+        image_write(&image, values.output);
     image_free(&image);
     stage_free(&stage);
     return ok ? STATUS_OK : arguments_fail(argv[0]);

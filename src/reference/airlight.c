@@ -49,11 +49,12 @@ static vec3s from_piece(const struct emission *emission, const struct ray_scene 
                         const struct ray *ray, const struct emitter *piece, float sample) {
     const struct medium_ball *medium = &emission->medium;
     bool directional = piece->type == EMITTER_DIRECTIONAL;
-    vec3s light = vector_of(piece->position), to_light = glms_vec3_negate(vector_of(piece->direction));
+    vec3s light = vector_of(piece->position),
+          to_light = glms_vec3_negate(vector_of(piece->direction));
     float distance = 2 * emission->radius, strength = 1;
-    struct point point = directional ? point_by_depth(ray, medium, sample)
-                                     : point_towards(ray, light, medium->g, 1e-6F * emission->radius,
-                                                     sample);
+    struct point point =
+        directional ? point_by_depth(ray, medium, sample)
+                    : point_towards(ray, light, medium->g, 1e-6F * emission->radius, sample);
     vec3s x = glms_vec3_muladds(ray->direction, point.along, ray->origin);
     if (!directional) {
         vec3s path = glms_vec3_sub(light, x);
@@ -85,8 +86,8 @@ vec3s airlight_along(const struct emission *emission, const struct ray_scene *ra
         for (int n = 0; n < emission->count; n++) {
             vec2s place = sampler_next(&sampler);
             struct emitter piece = emission_piece(emission, n, place);
-            sum = glms_vec3_add(sum, from_piece(emission, rays, &ray, &piece,
-                                                sampler_next(&sampler).x));
+            sum = glms_vec3_add(sum,
+                                from_piece(emission, rays, &ray, &piece, sampler_next(&sampler).x));
         }
     }
     return glms_vec3_scale(sum, 1 / (float)count);

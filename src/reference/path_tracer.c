@@ -176,8 +176,8 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     struct hit hit;
     bool hits = primary_hit(&tracer->primary, x, y, &hit);
     struct sight sight = sight_to(tracer, x, y, hits ? &hit : NULL);
-    vec3s passes = medium_transmittance(&tracer->emission.medium, sight.origin, sight.direction,
-                                        sight.length);
+    vec3s passes =
+        medium_transmittance(&tracer->emission.medium, sight.origin, sight.direction, sight.length);
     if (tracer->airlight)
         add_airlight(tracer, &sight, stream, &sampler, sums);
     if (hits)
@@ -323,7 +323,8 @@ static void develop_row(void *context, int row) {
         float *channels = image_at(tracer->image, x, row);
         film_pixel_develop(&tracer->pixels[index_of(tracer, x, row)], samples, channels);
         if (tracer->seen)
-            film_seen_develop(&tracer->seen[index_of(tracer, x, row)], &tracer->pixels[index_of(tracer, x, row)], channels);
+            film_seen_develop(&tracer->seen[index_of(tracer, x, row)],
+                              &tracer->pixels[index_of(tracer, x, row)], channels);
         if (tracer->specular)
             film_specular_develop(&tracer->specular[index_of(tracer, x, row)], samples,
                                   &channels[specular_channel(tracer)]);

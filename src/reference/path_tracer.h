@@ -48,7 +48,7 @@ struct path_tracer_desc {
         noise; /* standard error of the indirect layer, RMS over its mean, of direct light of lights with
                      a size, and of specular light and airlight over the beauty's mean; default 0.01 */
     uint32_t seed;
-    int materials;  /* enum materials */
+    int materials;        /* enum materials */
     struct medium medium; /* all zero: none */
     bool centers;   /* through pixels' centres, as a rasteriser has them; else all over pixels */
     bool seen;      /* the layers unshadowed and visibility, too: reference/seen.h */

@@ -66,8 +66,8 @@ struct renderer {
     const struct direct_method *direct; /* desc.direct, or with it environment_direct */
     void *direct_state;
     struct airlight airlight; /* of a medium; zeroed without one */
-    bool lights_drawn; /* what depends on no camera is that of desc */
-    int pass;          /* that the last frame was: 0 = the first, or the only one */
+    bool lights_drawn;        /* what depends on no camera is that of desc */
+    int pass;                 /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
     struct refining {
         const struct technique *technique; /* of passes after the first; NULL: the renderer's own */

@@ -14,7 +14,8 @@ static const struct option table[] = {
      .help = "fog: optical depth of absorption over the scene's radius; 0: off"},
     {"g", 0, OPTION_FLOAT, offsetof(struct medium_settings, g), 0, -g_most, g_most,
      .needs = "medium.scatter>0",
-     .help = "mean cosine of the scattering of that fog; above 0: bright towards a light"},
+     .help = "mean cosine of the scattering of that fog;\n"
+             "above 0: forward, bright towards a light"},
     {"scene", 0, OPTION_FLAG, offsetof(struct medium_settings, scene), true,
      .help = "shows the medium of the scene's file, if it has one"},
     {"steps", 0, OPTION_INT, offsetof(struct medium_settings, steps), 32, 1, 1024,

@@ -21,7 +21,8 @@
 /* A camera in the origin that looks along -Z through pixels that all see the same, a wall so far away, and a light of
  * 1 W/sr. The geometry's sphere is the test's own, for the medium alone: the wall lies in it. */
 static void open_wall(struct stage *stage, float distance, float radius) {
-    static const char nodes[] = "[{\"mesh\": 0, \"translation\": [-20, -20, %g], \"scale\": [40, 40, 1]}]";
+    static const char nodes[] =
+        "[{\"mesh\": 0, \"translation\": [-20, -20, %g], \"scale\": [40, 40, 1]}]";
     char text[sizeof nodes + 16];
     snprintf(text, sizeof text, nodes, (double)-distance);
     open_stage(stage, write_parts("wall.glb", &(struct gltf_parts){.nodes = text}));
@@ -232,8 +233,8 @@ static void test_absorption(void **state) {
     check_near("airlight", mean_of(&drawn, "airlight") + mean_of(&traced, "airlight"), 0, 0);
     check_near("direct drawn", layer_mean(&drawn, "direct") / layer_mean(&clear, "direct"), passes,
                1e-3);
-    check_near("direct traced",
-               layer_mean(&traced, "direct") / layer_mean(&clear_traced, "direct"), passes, 1e-3);
+    check_near("direct traced", layer_mean(&traced, "direct") / layer_mean(&clear_traced, "direct"),
+               passes, 1e-3);
     check_near("seen drawn", layer_mean(&drawn, "") / layer_mean(&clear, ""), passes * seen, 1e-3);
     check_near("seen traced", layer_mean(&traced, "") / layer_mean(&clear_traced, ""),
                passes * seen, 1e-3);
@@ -404,8 +405,9 @@ static void test_scenes(void **state) {
 static void test_extremes(void **state) {
     (void)state;
     static const char *const all[] = {
-        "medium.scatter=1000",           "medium.scatter=1000 medium.g=.99", "absorb=1000",
-        "medium.scatter=.3 medium.g=-.99", "medium.scatter=1e-6",            "medium.scatter=.3 steps=1",
+        "medium.scatter=1000", "medium.scatter=1000 medium.g=.99",
+        "absorb=1000",         "medium.scatter=.3 medium.g=-.99",
+        "medium.scatter=1e-6", "medium.scatter=.3 steps=1",
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         struct stage stage;
@@ -441,14 +443,15 @@ static void test_files(void **state) {
     struct scene scene;
     char more[256];
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-        snprintf(more, sizeof more, "\"scenes\": [{\"nodes\": [0], \"extras\": {\"medium\": %s}}], ",
-                 refused[i][0]);
+        snprintf(more, sizeof more,
+                 "\"scenes\": [{\"nodes\": [0], \"extras\": {\"medium\": %s}}], ", refused[i][0]);
         bool loaded = load_parts(&scene, "refused.glb", &(struct gltf_parts){.more = more});
         check_refused(loaded, refused[i][1]);
         assert_non_null(strstr(error_get(), "refused.glb"));
     }
-    const char *asset = "{\"version\": \"2.0\", \"extras\": {\"medium\": {\"sigma_s\": [0.1, 0.2, 0.3],"
-                        " \"sigma_a\": 0.5, \"g\": -0.25}}}";
+    const char *asset =
+        "{\"version\": \"2.0\", \"extras\": {\"medium\": {\"sigma_s\": [0.1, 0.2, 0.3],"
+        " \"sigma_a\": 0.5, \"g\": -0.25}}}";
     check_ok("load", load_parts(&scene, "medium.glb", &(struct gltf_parts){.asset = asset}));
     check_vector("scattering", scene.medium.scattering, .1, .2, .3, 1e-7);
     check_vector("absorption", scene.medium.absorption, .5, .5, .5, 0);

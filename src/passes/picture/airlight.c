@@ -17,9 +17,10 @@ static bool init_programs(struct airlight_pass *pass) {
     for (int kind = 0; ok && kind < AIRLIGHT_KINDS; kind++) {
         char defines[16];
         snprintf(defines, sizeof defines, "KIND %d", kind);
-        ok = program_init(&pass->programs[kind],
-                          &(struct program_desc){.screen = {"picture/airlight.frag", .blended = true},
-                                                 .defines = defines});
+        ok = program_init(
+            &pass->programs[kind],
+            &(struct program_desc){.screen = {"picture/airlight.frag", .blended = true},
+                                   .defines = defines});
     }
     for (int axis = 0; ok && axis < 2; axis++)
         ok = program_init(&pass->blur_programs[axis],
@@ -86,9 +87,8 @@ void airlight_pass_free(struct airlight_pass *pass) {
 enum { LEAST_STEPS = 8 };
 
 static void write_params(const struct airlight_pass *pass, const struct frame *frame) {
-    struct airlight_params params = {.scale = frame->irradiance_scale,
-                                     .turn = frame_turn(frame),
-                                     .along = {1, 0}};
+    struct airlight_params params = {
+        .scale = frame->irradiance_scale, .turn = frame_turn(frame), .along = {1, 0}};
     for (int i = 0; i < frame->layout.groups; i++) {
         const struct light_group *group = &frame->groups[i];
         int share = (pass->desc.steps + group->count - 1) / group->count;
@@ -122,8 +122,7 @@ static void march(const struct airlight_pass *pass, const struct frame *frame,
         .blend = index > 0 ? PASS_BLEND_ADD : PASS_BLEND_OFF,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_MAP_DEPTH,
-                      maps[frame->light_block->views[light->first_view].kind].id}},
+                     {UNIT_MAP_DEPTH, maps[frame->light_block->views[light->first_view].kind].id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_MEDIUM, frame->medium},

@@ -19,12 +19,12 @@ static bool init_sums(struct mean_pass *pass) {
     for (int i = 0; ok && i < pass->layers; i++)
         ok = !has_layer(&pass->desc, i) ||
              (texture_init(&pass->sums[i], &(struct texture_desc){.label = "sum of passes",
-                                                                 .format = GL_RGBA32F,
-                                                                 .width = pass->desc.width,
-                                                                 .height = pass->desc.height}) &&
-             framebuffer_init(
-                 &pass->framebuffers[i],
-                 &(struct framebuffer_desc){.label = "sum of passes", .colors = {&pass->sums[i]}}));
+                                                                  .format = GL_RGBA32F,
+                                                                  .width = pass->desc.width,
+                                                                  .height = pass->desc.height}) &&
+              framebuffer_init(&pass->framebuffers[i],
+                               &(struct framebuffer_desc){.label = "sum of passes",
+                                                          .colors = {&pass->sums[i]}}));
     return ok;
 }
 
@@ -36,9 +36,8 @@ bool mean_pass_init(struct mean_pass *pass, const struct mean_desc *desc) {
     snprintf(layers, sizeof layers, "LAYER_COUNT %d", pass->layers);
     snprintf(display_layers, sizeof display_layers, "DISPLAY;%s", layers);
     /* Drawn: in compute shaders llvmpipe 22.3 reads zeros by an index of sums[] that varies. */
-    struct program_desc program = {.vertex = "fullscreen.vert",
-                                   .fragment = "picture/mean.frag",
-                                   .defines = layers};
+    struct program_desc program = {
+        .vertex = "fullscreen.vert", .fragment = "picture/mean.frag", .defines = layers};
     struct program_desc display = program;
     display.defines = display_layers;
     if (program_init(&pass->layer_program, &program) &&

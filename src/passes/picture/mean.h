@@ -25,7 +25,8 @@ struct mean_pass {
     GLuint display_program, layer_program;
     int layers;                  /* one more than the last that there is */
     struct texture sums[LAYERS]; /* RGBA32F, at LAYER_... */
-    GLuint framebuffers[LAYERS]; /* for passes/picture/composite.h to add to; 0: the layer is not there */
+    GLuint framebuffers
+        [LAYERS]; /* for passes/picture/composite.h to add to; 0: the layer is not there */
     struct buffer params;
 };
 

@@ -32,10 +32,9 @@ static void free_target(struct direct_light_target *target) {
 }
 
 static bool init_program(GLuint *program, const struct direct_light_desc *desc, int projection) {
-    char *defines =
-        mem_printf("%s%s%sPROJECTION %d", desc->defines, desc->specular ? "HAS_SPECULAR;" : "",
-                   desc->medium ? "HAS_MEDIUM;" : "",
-                   desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
+    char *defines = mem_printf(
+        "%s%s%sPROJECTION %d", desc->defines, desc->specular ? "HAS_SPECULAR;" : "",
+        desc->medium ? "HAS_MEDIUM;" : "", desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
     bool ok =
         program_init(program, &(struct program_desc){.screen = {desc->fragment, .blended = true},
                                                      .defines = defines});

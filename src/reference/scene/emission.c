@@ -142,8 +142,8 @@ static float picked_density(const struct emitter *light, const struct hit *hit, 
 /* What of light arrives from so far away. */
 static vec3s through_medium(const struct emission *emission, const struct hit *hit, vec3s direction,
                             float distance, vec3s light) {
-    return glms_vec3_mul(light, medium_transmittance(&emission->medium, hit->position, direction,
-                                                     distance));
+    return glms_vec3_mul(
+        light, medium_transmittance(&emission->medium, hit->position, direction, distance));
 }
 
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,

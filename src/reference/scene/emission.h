@@ -29,8 +29,8 @@ struct emission {
     bool has_found;                  /* rays of diffuse surfaces may come to one by chance */
     struct dealt *rays; /* from which light each light ray starts: as many as it has flux */
     struct medium_ball medium;
-    vec3s center;       /* of the scene's bounding sphere */
-    float radius;       /* the same sphere's, m */
+    vec3s center; /* of the scene's bounding sphere */
+    float radius; /* the same sphere's, m */
 };
 
 /* A light as it reaches a surface from one place of its own when nothing is between: places are two

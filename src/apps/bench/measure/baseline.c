@@ -18,15 +18,15 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
     const struct material_settings *surface =
         settings_of(struct material_settings, &desc->settings, &material_part);
     struct image image;
-    struct path_tracer_desc tracer = {.width = desc->width,
-                                      .height = desc->height,
-                                      .bounces = bounces,
-                                      .samples = samples,
-                                      .materials = surface->materials,
-                                      .medium = medium_of(&desc->stage->scene, &desc->settings,
-                                                          desc->stage->geometry.radius),
-                                      .centers = reference->kind == REFERENCE_CENTERS,
-                                      .denoise = true};
+    struct path_tracer_desc tracer = {
+        .width = desc->width,
+        .height = desc->height,
+        .bounces = bounces,
+        .samples = samples,
+        .materials = surface->materials,
+        .medium = medium_of(&desc->stage->scene, &desc->settings, desc->stage->geometry.radius),
+        .centers = reference->kind == REFERENCE_CENTERS,
+        .denoise = true};
     snprintf(desc->point, sizeof desc->point, "spp=%d", samples);
     bool resumed;
     if (!results_resume(results, desc, &resumed) || resumed)
