@@ -21,9 +21,9 @@ enum part {
     PART_COMPOSITE = 32, /* size, what the technique contributes */
     PART_MEAN = 64,      /* size, whether progressive */
     PART_REFINER = 128,  /* as technique; whether progressive */
-    PART_AIRLIGHT = 256, /* size, layout of light samples; whether there is a medium, its steps */
+    PART_AIRLIGHT = 256, /* layout of light samples; whether there is a medium, its steps */
     PART_ALL = 511,
-    PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN | PART_AIRLIGHT,
+    PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE | PART_AIRLIGHT, /* what render_lights draws with */
 };
 
@@ -175,6 +175,11 @@ static bool resize_direct(struct renderer *renderer, int width, int height) {
     return renderer->direct->resize(renderer->direct_state, width, height);
 }
 
+static bool resize_airlight(struct renderer *renderer, int width, int height) {
+    return !renderer->airlight.medium.id ||
+           airlight_pass_resize(&renderer->airlight.pass, width, height);
+}
+
 static bool resize_technique(struct renderer *renderer, int width, int height) {
     return renderer->technique->resize(renderer->technique_state, width, height);
 }
@@ -204,7 +209,7 @@ static const struct part_row {
     {PART_ANTIALIAS, MEMBERS(antialias, antialias), init_antialias, NULL},
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
     {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
-    {PART_AIRLIGHT, MEMBERS(airlight, airlight), init_airlight, NULL},
+    {PART_AIRLIGHT, MEMBERS(airlight, airlight), init_airlight, resize_airlight},
     {PART_MEAN, MEMBERS(refining.centers, refining.mean), init_mean, NULL},
     {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
 };

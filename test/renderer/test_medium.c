@@ -394,6 +394,7 @@ static void test_scenes(void **state) {
     check_scene("scenes/atrium.glb", "medium.scatter=.4 absorb=.2 medium.g=-.3", 64);
     check_scene("scenes/three-lights.glb", "medium.scatter=.3", 64);
     check_scene("scenes/table.glb", "medium.scatter=.3", 64);
+    check_scene("scenes/hall.glb", "", 64);
     if (shared_path()) {
         char path[512];
         snprintf(path, sizeof path, "%s/scenes/sponza-98k.glb", shared_path());
@@ -424,6 +425,21 @@ static void test_extremes(void **state) {
         image_free(&traced);
         stage_free(&stage);
     }
+}
+
+/* A million per metre: nothing is seen. */
+static void test_opaque(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/hall.glb");
+    set_medium(&stage, 0, 1e6F, 0);
+    struct image drawn = render_stage(&stage, "clustered", CHEAP, SIZE);
+    struct image traced = trace(&stage, SIZE, 4);
+    check_finite("drawn", &drawn);
+    check_near("beauty", mean_of(&drawn, "") + mean_of(&traced, ""), 0, 0);
+    image_free(&drawn);
+    image_free(&traced);
+    stage_free(&stage);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -467,7 +483,8 @@ int main(void) {
         cmocka_unit_test(test_scale),         cmocka_unit_test(test_halves),
         cmocka_unit_test(test_settings),      cmocka_unit_test(test_without_light),
         cmocka_unit_test(test_passes),        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_extremes),      cmocka_unit_test(test_files),
+        cmocka_unit_test(test_extremes),      cmocka_unit_test(test_opaque),
+        cmocka_unit_test(test_files),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

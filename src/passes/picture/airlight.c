@@ -55,6 +55,29 @@ static bool init_targets(struct airlight_pass *pass) {
                                            [TARGET_TRANSMITTANCE] = &pass->transmittance}});
 }
 
+static void free_targets(struct airlight_pass *pass) {
+    framebuffer_free(&pass->steps_framebuffer);
+    framebuffer_free(&pass->half_framebuffer);
+    framebuffer_free(&pass->framebuffer);
+    texture_free(&pass->steps);
+    texture_free(&pass->half_blurred);
+    texture_free(&pass->in_scatter);
+    texture_free(&pass->transmittance);
+}
+
+bool airlight_pass_resize(struct airlight_pass *pass, int width, int height) {
+    struct airlight_pass fresh = *pass;
+    fresh.steps = fresh.half_blurred = fresh.in_scatter = fresh.transmittance = (struct texture){0};
+    fresh.steps_framebuffer = fresh.half_framebuffer = fresh.framebuffer = 0;
+    fresh.desc.width = width;
+    fresh.desc.height = height;
+    bool ok = init_targets(&fresh);
+    free_targets(ok ? pass : &fresh);
+    if (ok)
+        *pass = fresh;
+    return ok;
+}
+
 bool airlight_pass_init(struct airlight_pass *pass, const struct airlight_desc *desc) {
     *pass = (struct airlight_pass){.desc = *desc};
     if (init_programs(pass) && init_targets(pass) &&
@@ -71,13 +94,7 @@ void airlight_pass_free(struct airlight_pass *pass) {
         program_free(&pass->programs[kind]);
     for (int axis = 0; axis < 2; axis++)
         program_free(&pass->blur_programs[axis]);
-    framebuffer_free(&pass->steps_framebuffer);
-    framebuffer_free(&pass->half_framebuffer);
-    framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->steps);
-    texture_free(&pass->half_blurred);
-    texture_free(&pass->in_scatter);
-    texture_free(&pass->transmittance);
+    free_targets(pass);
     buffer_free(&pass->params);
     buffer_free(&pass->blur_params);
     *pass = (struct airlight_pass){0};

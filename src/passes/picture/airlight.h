@@ -31,6 +31,9 @@ struct airlight_pass {
 bool airlight_pass_init(struct airlight_pass *pass, const struct airlight_desc *desc);
 void airlight_pass_free(struct airlight_pass *pass);
 
+/* Error: out of GPU memory; all is as it was. */
+bool airlight_pass_resize(struct airlight_pass *pass, int width, int height);
+
 /* Fills in_scatter and transmittance for a frame with a medium, whose lights have these shadow maps. Timer
  * "airlight". */
 void airlight_pass_render(const struct airlight_pass *pass, const struct frame *frame,
