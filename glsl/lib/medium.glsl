@@ -1,6 +1,7 @@
-// A medium between surfaces, lights and the camera.
+// A medium between surfaces, lights and the camera: how much light passes. Without HAS_MEDIUM all light does.
 #include "shared/medium.h"
 
+#ifdef HAS_MEDIUM
 layout(std140, binding = BLOCK_MEDIUM) uniform medium_uniforms {
     medium_params medium;
 };
@@ -15,13 +16,22 @@ vec2 medium_segment(vec3 origin, vec3 direction, float ray_length) {
     return vec2(max(along - half_chord, 0.0), min(along + half_chord, ray_length));
 }
 
-// The share of light that passes so many metres of the medium.
+// So many metres of the medium.
 vec3 medium_passes(float metres) {
     return exp(-medium.extinction * max(metres, 0.0));
 }
 
-// What of a light comes to a point of the medium, from so far away in that unit direction.
-vec3 medium_passes_from(vec3 position, vec3 to_light, float away) {
-    vec2 segment = medium_segment(position, to_light, away);
+// From a light to a surface; direction: where the light travels; of a light without a place from outside.
+vec3 medium_passes_light(vec3 position, vec3 direction, bool has_place, float distance2) {
+    vec2 segment = medium_segment(position, -direction, has_place ? sqrt(distance2) : 2.0 * medium.radius);
     return medium_passes(segment.y - segment.x);
 }
+#else
+vec3 medium_passes(float metres) {
+    return vec3(1.0);
+}
+
+vec3 medium_passes_light(vec3 position, vec3 direction, bool has_place, float distance2) {
+    return vec3(1.0);
+}
+#endif

@@ -1,17 +1,8 @@
 // Direct light of one light, at the G-buffer. Who includes it says which share of the light arrives:
 #include "gather/receiver_facet.glsl"
-
-float arriving(surface s, light l, vec3 direction);
-
-#ifdef HAS_MEDIUM
 #include "lib/medium.glsl"
 
-// What a medium leaves of the light; direction: where it shines.
-vec3 passing(surface s, light l, vec3 direction, float distance2) {
-    float away = l.type == LIGHT_TYPE_DIRECTIONAL ? 2.0 * medium.radius : sqrt(distance2);
-    return medium_passes_from(s.position, -direction, away);
-}
-#endif
+float arriving(surface s, light l, vec3 direction);
 
 layout(location = LOCATION_LIGHT) uniform int light_index;
 
@@ -57,11 +48,9 @@ void main() {
 #else
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
 #endif
-#ifdef HAS_MEDIUM
-    vec3 passes = passing(s, l, direction, distance2);
+    vec3 passes = medium_passes_light(s.position, direction, l.type != LIGHT_TYPE_DIRECTIONAL, distance2);
     direct.rgb *= passes;
 #ifdef HAS_SPECULAR
     specular.rgb *= passes;
-#endif
 #endif
 }

@@ -3,6 +3,7 @@
 #define BLOCK_COSINE 0.9
 #include "shared/environment_lighting.h"
 #include "gather/block.glsl"
+#include "lib/medium.glsl"
 #include "visibility/sky_visibility.glsl"
 
 layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
@@ -26,17 +27,9 @@ float sky_specular(lobe o, int i) {
 }
 #endif
 
-#ifdef HAS_MEDIUM
-#include "lib/medium.glsl"
-
 vec3 through_medium(vec3 radiance, int i, vec3 position) {
-    return radiance * medium_passes_from(position, sky_direction(i), 2.0 * medium.radius);
+    return radiance * medium_passes_light(position, -sky_direction(i), false, 0.0);
 }
-#else
-vec3 through_medium(vec3 radiance, int i, vec3 position) {
-    return radiance;
-}
-#endif
 
 const float PI = 3.14159265358979;
 

@@ -86,6 +86,7 @@ static bool make_technique(const struct renderer *renderer, const struct techniq
                                       .height = desc->height,
                                       .lights = &renderer->plan.sample_layout,
                                       .specular = has_specular(desc),
+                                      .medium = has_medium(desc),
                                   });
 }
 
@@ -467,7 +468,8 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
     if (!light_layouts_same(&plan->sample_layout, &renderer->plan.sample_layout))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER | PART_AIRLIGHT;
     if (has_medium(desc) != has_medium(old))
-        parts |= PART_DIRECT | PART_COMPOSITE | PART_MEAN | PART_AIRLIGHT;
+        parts |= PART_DIRECT | PART_TECHNIQUE | PART_REFINER | PART_COMPOSITE | PART_MEAN |
+                 PART_AIRLIGHT;
     if (settings_number(&desc->settings, "medium.steps") !=
         settings_number(&old->settings, "medium.steps"))
         parts |= PART_AIRLIGHT;

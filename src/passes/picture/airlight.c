@@ -15,8 +15,8 @@
 static bool init_programs(struct airlight_pass *pass) {
     bool ok = true;
     for (int kind = 0; ok && kind < AIRLIGHT_KINDS; kind++) {
-        char defines[16];
-        snprintf(defines, sizeof defines, "KIND %d", kind);
+        char defines[32];
+        snprintf(defines, sizeof defines, "HAS_MEDIUM;KIND %d", kind);
         ok = program_init(
             &pass->programs[kind],
             &(struct program_desc){.screen = {"picture/airlight.frag", .blended = true},
@@ -25,7 +25,7 @@ static bool init_programs(struct airlight_pass *pass) {
     for (int axis = 0; ok && axis < 2; axis++)
         ok = program_init(&pass->blur_programs[axis],
                           &(struct program_desc){.screen = {"picture/airlight_blur.frag"},
-                                                 .defines = axis ? "LAST" : NULL});
+                                                 .defines = axis ? "HAS_MEDIUM;LAST" : NULL});
     return ok;
 }
 
