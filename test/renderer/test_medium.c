@@ -51,15 +51,20 @@ static void place_light(struct stage *stage, double distance, double angle) {
     light->position[2] = (float)(-distance * cos(glm_rad((float)angle)));
 }
 
-static struct image trace(const struct stage *stage, int size, int samples) {
+static struct image trace_bounces(const struct stage *stage, int size, int samples, int bounces) {
     const struct path_tracer_desc desc = {.width = size,
                                           .height = size,
+                                          .bounces = bounces,
                                           .samples = samples,
                                           .centers = true,
                                           .medium = stage->scene.medium};
     struct image traced;
     check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
     return traced;
+}
+
+static struct image trace(const struct stage *stage, int size, int samples) {
+    return trace_bounces(stage, size, samples, 0);
 }
 
 /* The mean of a layer over all pixels: a medium is seen before nothing, too. */
@@ -402,6 +407,50 @@ static void test_scenes(void **state) {
     }
 }
 
+/* The mean of a layer as drawn, over that as traced. */
+static double drawn_over_traced(struct stage *stage, const char *technique, const char *settings,
+                                const char *layer, int bounces) {
+    struct renderer_desc desc = desc_of(stage, technique, settings, SIZE, SIZE);
+    struct image drawn = render_layers(&desc);
+    stage->scene.medium = medium_of(&stage->scene, &desc.settings, stage->geometry.radius);
+    struct image traced = trace_bounces(stage, SIZE, 64, bounces);
+    double ratio = layer_mean(&drawn, layer) / layer_mean(&traced, layer);
+    stage->scene.medium = (struct medium){0};
+    image_free(&drawn);
+    image_free(&traced);
+    return ratio;
+}
+
+/* Indirect light passes the medium, too: of VPLs, of the near field, of rays and of further bounces. It errs as without
+ * one. */
+static void test_indirect(void **state) {
+    (void)state;
+    static const struct {
+        const char *path, *technique, *settings, *layer;
+        int bounces;
+    } rows[] = {
+        {"scenes/cornell-box.glb", "clustered", "", "indirect", 1},
+        {"scenes/cornell-box.glb", "lightcuts", "", "indirect", 1},
+        {"scenes/cornell-box.glb", "cluster-lights", "", "indirect", 1},
+        {"scenes/cornell-box.glb", "clustered", "lights.bounces=3 paths=2048", "indirect", 3},
+        {"scenes/gloss.glb", "clustered", "", "indirect.specular", 1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct stage stage;
+        char settings[128];
+        open_stage(&stage, rows[i].path);
+        snprintf(settings, sizeof settings, "medium.scatter=.6 absorb=.2 %s", rows[i].settings);
+        double clear = drawn_over_traced(&stage, rows[i].technique, rows[i].settings, rows[i].layer,
+                                         rows[i].bounces);
+        double ratio =
+            drawn_over_traced(&stage, rows[i].technique, settings, rows[i].layer, rows[i].bounces);
+        printf("    %s, %s %s: %.4f of the traced, %.4f without medium\n", rows[i].path,
+               rows[i].technique, rows[i].settings, ratio, clear);
+        check_near(rows[i].layer, ratio / clear, 1, .03);
+        stage_free(&stage);
+    }
+}
+
 /* Sharp shafts beside their source: as dense and as pointed as settings allow, nothing overflows. */
 static void test_extremes(void **state) {
     (void)state;
@@ -483,8 +532,8 @@ int main(void) {
         cmocka_unit_test(test_scale),         cmocka_unit_test(test_halves),
         cmocka_unit_test(test_settings),      cmocka_unit_test(test_without_light),
         cmocka_unit_test(test_passes),        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_extremes),      cmocka_unit_test(test_opaque),
-        cmocka_unit_test(test_files),
+        cmocka_unit_test(test_indirect),      cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_opaque),        cmocka_unit_test(test_files),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
