@@ -213,7 +213,8 @@ static bool check_compensation(const struct values *values, const struct measure
 static bool check_given(const struct values *values, const struct settings *settings) {
     for (int i = 0; values->technique == TECHNIQUE_PATH && i < settings->part_count; i++)
         if (settings->given[i] && settings->parts[i] != &medium_part)
-            return error_set("--set %s...: --technique path takes settings of the medium alone",
+            return error_set("--set %s...: for --technique vpl-raytraced and lightcuts; paths take "
+                             "settings of the medium alone",
                              settings->parts[i]->owner);
     return true;
 }

@@ -165,7 +165,7 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     render_indirect(renderer, frame);
     if (frame->medium)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
-                             renderer->airlight.maps.maps);
+                             renderer->airlight.maps.maps, &renderer->desc.emitters);
 }
 
 static void begin_pass(struct renderer *renderer, int pass) {

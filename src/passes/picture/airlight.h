@@ -10,6 +10,7 @@
 #include "gl/texture.h"
 #include "shared/airlight.h"
 
+struct emitters;
 struct frame;
 struct gbuffer;
 
@@ -34,10 +35,10 @@ void airlight_pass_free(struct airlight_pass *pass);
 /* Error: out of GPU memory; all is as it was. */
 bool airlight_pass_resize(struct airlight_pass *pass, int width, int height);
 
-/* Fills in_scatter and transmittance for a frame with a medium, whose lights have these shadow maps. Timer
- * "airlight". */
+/* Fills in_scatter and transmittance for a frame with a medium. maps: shadow maps of the frame's lights; whole: what its
+ * groups of lights are samples of. Timer "airlight". */
 void airlight_pass_render(const struct airlight_pass *pass, const struct frame *frame,
-                          const struct gbuffer *gbuffer,
-                          const struct texture maps[LIGHT_MAP_KINDS]);
+                          const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
+                          const struct emitters *whole);
 
 #endif
