@@ -1,8 +1,7 @@
 // Airlight of one light: what a medium scatters of it towards the camera. Steps along the pixel's ray are even in an
 // angle psi, tan(scattering angle / 2) = tan(psi) / k with k = (1 + g) / (1 - g): of isotropic scattering in the angle
-// seen from the light [Kulla and Fajardo 2012], of other g as dense as the phase function is pointed. The phase function
-// times d(scattering angle) / d(psi) is then |(sin psi, k cos psi)| / (2 pi (1 + g)), without a division by h = 0 at the
-// light.
+// seen from the light [Kulla and Fajardo 2012], of other g as dense as the phase function is pointed. The phase
+// function times d(scattering angle) / d(psi) is then |(sin psi, k cos psi)| / (2 pi (1 + g)), which has no peak.
 #include "lib/light.glsl"
 #include "lib/medium.glsl"
 #include "picture/sight.glsl"
@@ -14,6 +13,7 @@ layout(location = LOCATION_LIGHT) uniform int light_index;
 layout(location = TARGET_RESULT) out vec4 scattered;
 
 const float PI = 3.14159265358979;
+const float CLEAR = 0.03; // of the width of a lamp's share: nearer to a place of it light does not grow
 
 // From 0 to 1: the pixel's place in the pattern, neighbours far from each other [Bayer 1973].
 float jitter_of(ivec2 pixel) {
@@ -88,6 +88,22 @@ vec2 in_range(light l, sight ray, vec2 ends) {
     return vec2(max(ends.x, foot - half_chord), min(ends.y, foot + half_chord));
 }
 
+// Where a step's light starts: at a light sample, or anywhere on its lamp, so that samples are no dots in the air.
+vec3 start_of(light l, int i, float jitter) {
+    int flat_shape = int(params.sources[light_index].z);
+    vec2 number = fract(vec2(jitter, 8.0 * jitter) + float(i) * vec2(0.7548776662, 0.5698402910));
+    float turn = 2.0 * PI * number.y;
+    vec2 on_disk = sqrt(number.x) * vec2(cos(turn), sin(turn));
+    vec2 place = flat_shape == AIRLIGHT_FLAT_DISK ? on_disk : 2.0 * number - 1.0;
+    vec3 start = params.middles[light_index].xyz + place.x * params.rights[light_index].xyz +
+        place.y * params.ups[light_index].xyz;
+    return flat_shape == AIRLIGHT_FLAT_NONE ? l.position : start;
+}
+
+float cone_of(light l, vec3 direction) {
+    return l.type == LIGHT_TYPE_POINT ? 1.0 : light_cone(l, dot(direction, l.direction));
+}
+
 float psi_at(float from_foot, float h, float k) {
     float r = sqrt(from_foot * from_foot + h * h);
     return from_foot > 0.0 ? atan(k * (r + from_foot), h) : atan(k * h, r - from_foot);
@@ -112,16 +128,19 @@ vec4 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
     vec4 clip_start = v.view.world_to_clip * vec4(ray.origin, 1.0);
     vec4 clip_along = v.view.world_to_clip * vec4(ray.direction, 0.0);
 #endif
+    bool is_flat = params.sources[light_index].z > 0.0;
     vec3 sum = vec3(0.0), unshadowed = vec3(0.0);
     for (int i = 0; i < steps; i++) {
         float sine = at.y, cosine = k * at.x, square = sine * sine + cosine * cosine;
         float r = h * square / (2.0 * sine * cosine), s = foot - r * (cosine * cosine - sine * sine) / square;
         vec3 position = ray.origin + s * ray.direction, away = position - l.position;
-        float distance2 = dot(away, away);
+        vec3 from_start = position - start_of(l, i, jitter);
+        float distance2 = dot(away, away), start2 = dot(from_start, from_start);
         vec3 direction = away * inversesqrt(distance2);
         float strength = sqrt(square) * light_in_range(l, distance2);
-        if (l.type != LIGHT_TYPE_POINT)
-            strength *= light_cone(l, dot(direction, l.direction));
+        float near = is_flat ? r * r / (start2 + CLEAR * CLEAR * width * width) : 1.0;
+        float from_lamp = strength * near * cone_of(l, from_start * inversesqrt(start2));
+        strength *= cone_of(l, direction);
 #if KIND == AIRLIGHT_SPOT
         bool lit = is_lit(clip_start + s * clip_along, v.layer);
 #else
@@ -130,7 +149,7 @@ vec4 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
 #endif
         vec2 before = medium_segment(position, -direction, r);
         vec3 passes = exp(-medium.extinction * (s - entered + max(before.y - before.x, 0.0)));
-        sum += lit ? passes * strength : vec3(0.0);
+        sum += lit ? passes * from_lamp : vec3(0.0);
         unshadowed += passes * strength;
         at = vec2(at.x * turn.x - at.y * turn.y, at.x * turn.y + at.y * turn.x);
     }

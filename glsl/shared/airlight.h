@@ -19,8 +19,15 @@ struct airlight_params {
     float scale; /* stored = radiance times this */
     float turn;  /* of the pass, from 0 to 1 */
     ivec2 along; /* of the blur */
-    vec4 sources[LIGHTS_MAX]; /* steps of a light; how wide it is, m: nearer its light is spread */
+    /* Of each light: steps; how wide its share of a lamp is, metres; AIRLIGHT_FLAT_... Of such a lamp its middle and
+     * two half sides. */
+    vec4 sources[LIGHTS_MAX], middles[LIGHTS_MAX], rights[LIGHTS_MAX], ups[LIGHTS_MAX];
 };
-PASS_BLOCK(airlight_params, 16 + 16 * LIGHTS_MAX)
+PASS_BLOCK(airlight_params, 16 + 4 * 16 * LIGHTS_MAX)
+
+/* Flat lamps, over which steps are spread. */
+#define AIRLIGHT_FLAT_NONE 0
+#define AIRLIGHT_FLAT_RECTANGLE 1
+#define AIRLIGHT_FLAT_DISK 2
 
 #endif

@@ -103,13 +103,25 @@ void airlight_pass_free(struct airlight_pass *pass) {
 /* Fewer would show as noise that the blur does not join. */
 enum { LEAST_STEPS = 8 };
 
-/* Nearer to a light sample than so, metres, its light does not grow: the samples of a lamp would be bright dots in the
- * air. A quarter of the radius of its share of the lamp takes 4 % of the airlight around a lamp in view; all of it
- * takes 17 %. */
-static float width_of(const struct emitters *whole, int group, int samples) {
-    bool has_extent = group < whole->count && whole->items[group].type != EMITTER_DIRECTIONAL;
-    double extent = has_extent ? emitter_extent(&whole->items[group]) : 0;
-    return (float)(.25 * sqrt(extent / (GLM_PI * samples)));
+/* Light samples of a lamp are spread over it; those of a ball do not grow nearer to them than so much of the radius of
+ * their share. */
+static const double ball_width = .25;
+
+static void set_source(struct airlight_params *params, int n, const struct emitter *lamp,
+                       int samples) {
+    enum emitter_shape shape = emitter_shape(lamp);
+    bool is_flat = shape == EMITTER_IS_RECTANGLE || shape == EMITTER_IS_DISK;
+    double width = shape == EMITTER_IS_CAP ? 0 : sqrt(emitter_extent(lamp) / (GLM_PI * samples));
+    float half[2] = {lamp->size[0] / 2, lamp->size[1] / 2};
+    params->sources[n][1] = (float)(is_flat ? width : ball_width * width);
+    params->sources[n][2] = !is_flat                        ? AIRLIGHT_FLAT_NONE
+                            : shape == EMITTER_IS_RECTANGLE ? AIRLIGHT_FLAT_RECTANGLE
+                                                            : AIRLIGHT_FLAT_DISK;
+    for (int c = 0; c < 3; c++) {
+        params->middles[n][c] = lamp->position[c];
+        params->rights[n][c] = half[0] * lamp->right[c];
+        params->ups[n][c] = half[shape == EMITTER_IS_RECTANGLE] * lamp->up[c];
+    }
 }
 
 static void write_params(const struct airlight_pass *pass, const struct frame *frame,
@@ -122,7 +134,8 @@ static void write_params(const struct airlight_pass *pass, const struct frame *f
         int least = pass->desc.steps < LEAST_STEPS ? pass->desc.steps : LEAST_STEPS;
         for (int n = group->first; n < group->first + group->count; n++) {
             params.sources[n][0] = (float)(share > least ? share : least);
-            params.sources[n][1] = width_of(whole, i, group->count);
+            if (i < whole->count)
+                set_source(&params, n, &whole->items[i], group->count);
         }
     }
     buffer_write(&pass->params, 0, sizeof params, &params);
