@@ -429,8 +429,8 @@ static void compose_json(const struct glb *glb, struct text *json) {
         if (glb->hierarchy[i].parent < 0)
             text_print(json, "%s%d", roots++ ? "," : "", i);
     text_print(json, "]");
-    if (glb->environment)
-        text_print(json, ",\"extras\":{\"environment\":\"%s\"}", glb->environment);
+    if (glb->extras)
+        text_print(json, ",\"extras\":{%s}", glb->extras);
     text_print(json, "}]");
     append_nodes(glb, json);
     append_array(json, "meshes", &glb->meshes);

@@ -23,7 +23,7 @@ struct glb {
     int node_count, mesh_count, material_count, accessor_count, view_count, camera_count,
         light_count, skin_count, channel_count, sampler_count, texture_count;
     bool has_lamps;
-    const char *environment; /* a panorama beside the file; NULL = none */
+    const char *extras; /* members of the scene's extras in JSON; NULL = none */
     struct glb_node {
         size_t begin; /* of its JSON in nodes */
         int parent;   /* -1 = a root */

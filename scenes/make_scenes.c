@@ -32,6 +32,7 @@ static const struct scene_maker {
     {"roughness", make_roughness},
     {"plant", make_plant},
     {"courtyard", make_courtyard},
+    {"hall", make_hall},
     {"failures/room", make_room},
     {"failures/table-legs", make_table_legs},
     {"failures/contact", make_contact},

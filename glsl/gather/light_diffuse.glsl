@@ -1,5 +1,6 @@
 // What a surface receives of a light: irradiance times pi.
 #include "gather/geometry_term.glsl"
+#include "lib/medium.glsl"
 
 #if CLAMP == GATHER_CLAMP_PATCH
 layout(binding = UNIT_PATHS_KEPT) uniform sampler2D paths_kept;
@@ -22,7 +23,8 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
     vec3 to_light = light.position - s.position;
     bool is_behind = TERM_OF_POINT && is_behind_horizon(receiver_facet, to_light);
     back = vec3(0.0);
-    return light.flux * (is_behind ? 0.0 : light_term(i, to_light, s.normal, light));
+    vec3 flux = light.flux * medium_passes(length(to_light));
+    return flux * (is_behind ? 0.0 : light_term(i, to_light, s.normal, light));
 }
 
 vec3 arriving(vec3 own, vec3 back, float visible) {

@@ -4,6 +4,7 @@
 // holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.
 // With RAYS a point gives no more than what rays do not find better (gather/specular_rays.frag).
 #include "lib/gbuffer_specular.glsl"
+#include "lib/medium.glsl"
 #include "gather/specular_weight.glsl"
 #include "gather/near_field.glsl"
 
@@ -46,6 +47,7 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
     vec3 to_light = light.position - s.position;
     vec3 reflected = is_behind_horizon(receiver_facet, to_light) ? vec3(0.0)
                                                                  : specular_light(light, s, light.area * weight);
+    reflected *= medium_passes(length(to_light));
     back = -reflected * near_share(dot(to_light, to_light), light.area, light.reach);
     return reflected;
 }

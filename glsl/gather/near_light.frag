@@ -1,6 +1,7 @@
 // What each texel of the reflective shadow map reflects, for the near field: once for the texel, not for
 // each of the many samples that meet it.
 #include "gather/near_light.glsl"
+#include "lib/medium.glsl"
 #include "lib/rsm.glsl"
 #include "lib/vpl_shares.glsl"
 #include "shared/near_field.h"
@@ -34,6 +35,7 @@ void main() {
     float area = vpl_area_at(by_flux, v.light, l, s.position);
     vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
     power *= rsm_albedo(v, texel) * (cosine > 0.0 ? params.power_scale : 0.0);
+    power *= medium_passes_light(s.position, direction, !directional, distance2);
     power *= ndc_measure(v.view, dot(from_light, v.view.forward) * inversesqrt(dot(from_light, from_light)));
     float z = view_linear_depth(v.view, rsm_depth(v, texel));
     packed_light = near_light_pack(near_light(z, rsm_normal_code(v, texel), power, sqrt(area) * params.inverse_radius));

@@ -2,6 +2,7 @@
 //     L = 1/n sum_j  f_r cos_x / p(l_j)  rho I cos_y / (pi d^2)  share_j
 // A draw fills one tile, whose pixels take the same lights, as in the near field.
 #include "lib/gbuffer_specular.glsl"
+#include "lib/medium.glsl"
 #include "gather/receiver_all.glsl"
 #include "gather/specular_weight.glsl"
 #include "gather/light_march.glsl"
@@ -65,6 +66,7 @@ vec3 sent_back(light l, march_hit hit, vec3 to_receiver, float receiver_alpha, o
     float cosine = max(dot(hit.end.normal, -incoming), 0.0);
     vec3 power = directional ? l.intensity : light_intensity(l, incoming) * light_in_range(l, distance2);
     area = distance2 / max(cosine, VPL_COSINE_MIN);
+    power *= medium_passes_light(hit.end.position, incoming, !directional, distance2);
     return hit_reflects(hit, -incoming, to_receiver, cosine, receiver_alpha) * power / distance2;
 }
 
@@ -103,6 +105,7 @@ vec3 from_light(surface s, specular_surface seen, vec3 direction, float far, int
         visible = mix(arrives(s, hit.end), 1.0, near_share(distance2, area, shares.reach));
     specular_densities there = specular_densities_at(seen, direction, -dot(hit.end.normal, direction), distance2,
                                                      params.rays, area * params.vpl_weight);
+    sent *= medium_passes(sqrt(distance2));
     return sent * (specular_weight(there.rays, there.vpls) * visible);
 }
 

@@ -26,6 +26,11 @@ vec3 sky_towards(int i, vec2 point) {
     return sky_rows[row + 6].xyz + point.x * sky_rows[row + 7].xyz + point.y * sky_rows[row + 8].xyz;
 }
 
+// Unit: to its middle.
+vec3 sky_direction(int i) {
+    return sky_rows[i * SKY_ROWS + 6].xyz;
+}
+
 // Irradiance over radiance of a light that nothing hides, exact: the vector's where all is above the
 // horizon, and Lambert's sum where the horizon cuts it.
 float sky_irradiance(int i, vec3 normal) {

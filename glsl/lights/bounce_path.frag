@@ -2,6 +2,7 @@
 // cosine, and of its flux what the surface there reflects [Keller 1997]. At one of its surfaces, picked by flux, it leaves
 // the flux of all. Of row 0, which leaves VPLs, one more ray tells where the light goes from there.
 #include "visibility/bvh.glsl"
+#include "lib/medium.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_texels.glsl"
 #include "lib/weighted_pick.glsl"
@@ -56,7 +57,7 @@ void main() {
         goes = goes && bounce <= params.bounces;
         if (goes) {
             vec3 met = place + hit.distance * direction;
-            carried *= reflected(hit);
+            carried *= reflected(hit) * medium_passes(hit.distance);
             float own = dot(carried, vec3(1.0));
             goes = own > 0.0;
             all += own;

@@ -1,5 +1,6 @@
 // The VPL of a place of a light's domain: where the light meets a surface there, and the flux reflected [Dong 2009 §4, §6].
 #include "lib/light_domain.glsl"
+#include "lib/medium.glsl"
 #include "lib/rsm.glsl"
 #include "shared/vpl.h"
 
@@ -18,6 +19,7 @@ vpl vpl_of_texel(light l, float measure, light_view view, ivec2 texel, vec3 dire
         return v;
     vec3 power = directional ? l.intensity : light_intensity(l, incoming) * light_in_range(l, distance2);
     v.flux = rsm_albedo(view, texel) * power * measure;
+    v.flux *= medium_passes_light(s.position, incoming, !directional, distance2);
     v.area = measure * (directional ? 1.0 : distance2) / max(cosine, VPL_COSINE_MIN);
     return v;
 }

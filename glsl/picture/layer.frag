@@ -18,6 +18,8 @@ void main() {
         value.rgb = s.indirect;
     else if (shown == LAYER_ALBEDO)
         value.rgb = s.albedo;
+    else if (shown == LAYER_AIRLIGHT)
+        value.rgb = s.airlight;
     else if (shown == LAYER_SPECULAR)
         value.rgb = s.direct_specular + s.indirect_specular;
     else if (shown == LAYER_DIRECT_SPECULAR)

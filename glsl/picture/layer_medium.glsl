@@ -11,15 +11,23 @@ vec3 background(ivec2 pixel) {
 }
 #endif
 
-// What the technique adds on its way from surface to camera, if anything.
+// A medium on the way from surface to camera.
 #ifdef HAS_MEDIUM
 layout(binding = UNIT_IN_SCATTER) uniform sampler2D in_scatters;
 layout(binding = UNIT_TRANSMITTANCE) uniform sampler2D transmittances;
 
+vec3 airlight(ivec2 texel) {
+    return params.scale * texelFetch(in_scatters, texel, 0).rgb;
+}
+
 vec3 through_medium(vec3 radiance, ivec2 texel) {
-    return radiance * texelFetch(transmittances, texel, 0).rgb + params.scale * texelFetch(in_scatters, texel, 0).rgb;
+    return radiance * texelFetch(transmittances, texel, 0).rgb + airlight(texel);
 }
 #else
+vec3 airlight(ivec2 texel) {
+    return vec3(0.0);
+}
+
 vec3 through_medium(vec3 radiance, ivec2 texel) {
     return radiance;
 }

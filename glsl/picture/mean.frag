@@ -6,11 +6,7 @@
 #include "picture/background.glsl"
 #endif
 
-#ifdef HAS_SPECULAR
-layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYERS];
-#else
-layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYERS_PLAIN];
-#endif
+layout(binding = UNIT_LAYER_SUMS) uniform sampler2D sums[LAYER_COUNT];
 
 layout(location = TARGET_RESULT) out vec4 value;
 
@@ -19,7 +15,8 @@ void main() {
     float coverage = texelFetch(sums[LAYER_BEAUTY], pixel, 0).a;
     vec3 albedo = texelFetch(sums[LAYER_ALBEDO], pixel, 0).rgb;
     vec3 weight = layer_weight(params.layer, params.weight, coverage, albedo);
-    bool seen = coverage > 0.0 || params.layer == LAYER_BEAUTY; // a medium is seen before nothing
+    bool is_before = params.layer == LAYER_BEAUTY || params.layer == LAYER_AIRLIGHT; // a medium is seen before nothing
+    bool seen = coverage > 0.0 || is_before;
     vec3 mean = seen ? texelFetch(sums[params.layer], pixel, 0).rgb / weight : vec3(0.0);
 #ifdef DISPLAY
     value = display_before(params.layer, mean, coverage / params.weight);

@@ -15,6 +15,7 @@
 #define BLOCK_SERIES_RANGES 9
 #define BLOCK_SKY 10
 #define BLOCK_LIGHT_RECTANGLES 11
+#define BLOCK_MEDIUM 12
 
 /* Storages and images, which shaders write. GL promises 8 each to compute shaders. A screen pass that is dispatched
  * stores to its targets from IMAGE_SCREEN_TARGETS on, at most five, and may have the images before (gl/screen.h); only
@@ -118,6 +119,7 @@
 #define TARGET_CORRECTION_SQUARE 1
 #define TARGET_SUM_SQUARES 0
 #define TARGET_SUM_PRODUCTS 1
+#define TARGET_TRANSMITTANCE 1
 #define TARGET_BOUNCE_POSITION 0
 #define TARGET_BOUNCE_NORMAL 1
 #define TARGET_BOUNCE_FLUX 2

@@ -44,6 +44,7 @@ PASS_BLOCK(composite_params, 64)
 #define LAYER_SPECULAR 6 /* of scenes whose materials are not all plain, and those below */
 #define LAYER_DIRECT_SPECULAR 7
 #define LAYER_INDIRECT_SPECULAR 8
-#define LAYERS 9
+#define LAYER_AIRLIGHT 9 /* of a medium */
+#define LAYERS 10
 
 #endif

@@ -1,5 +1,6 @@
 // Direct light of one light, at the G-buffer. Who includes it says which share of the light arrives:
 #include "gather/receiver_facet.glsl"
+#include "lib/medium.glsl"
 
 float arriving(surface s, light l, vec3 direction);
 
@@ -46,5 +47,10 @@ void main() {
     specular.rgb = l.radiance * reflected * lit * in_range;
 #else
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
+#endif
+    vec3 passes = medium_passes_light(s.position, direction, l.type != LIGHT_TYPE_DIRECTIONAL, distance2);
+    direct.rgb *= passes;
+#ifdef HAS_SPECULAR
+    specular.rgb *= passes;
 #endif
 }

@@ -3,6 +3,7 @@
 #define BLOCK_COSINE 0.9
 #include "shared/environment_lighting.h"
 #include "gather/block.glsl"
+#include "lib/medium.glsl"
 #include "visibility/sky_visibility.glsl"
 
 layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
@@ -27,6 +28,10 @@ float sky_specular(lobe o, int i) {
     return polygon_end(p, vec3(0.0, 0.0, 1.0)) / 3.14159265;
 }
 #endif
+
+vec3 through_medium(vec3 radiance, int i, vec3 position) {
+    return radiance * medium_passes_light(position, -sky_direction(i), false, 0.0);
+}
 
 const float PI = 3.14159265358979;
 
@@ -96,6 +101,7 @@ void main() {
             bool ask = shares[k] * radiance.a * apart[k] > limit;
             visible[k] = ask ? 0.0 : visible[k];
             asked |= ask ? 1u << (i - SKY_LAYER_LIGHTS * layers.x) : 0u;
+            radiance.rgb = through_medium(radiance.rgb, i, s.position);
             sum += radiance.rgb * (shares[k] * visible[k]);
 #ifdef HAS_SPECULAR
             if (i < params.count)

@@ -32,5 +32,5 @@ void make_courtyard(struct glb *glb) {
     add_pieces(glb, "blocks", (const float[]){.65F, .2F, .12F}, blocks, 3);
     glb_add_camera(glb, (const float[]){-3.4F, 2.5F, 2.6F}, (const float[]){3.4F, -1.35F, -2.9F},
                    55, .1, 50);
-    glb->environment = "day.hdr";
+    glb->extras = "\"environment\":\"day.hdr\"";
 }

@@ -17,6 +17,7 @@
 #include "reference/channels.h"
 #include "renderer/stage.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 #include "shared/composite.h"
 #include "techniques/many_lights.h"
 #include "techniques/volume.h"
@@ -59,8 +60,8 @@ static const struct option options[] = {
      .help = "rays per pixel that add the light cut off by the bound, exact on average;\n"
              "0: none; with vpl-raytraced or lightcuts and --set clamp=value"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
-     .help = "setting of the VPLs, for example vpls, seed or clamp (render --help-all);\n"
-             "repeatable"},
+     .help = "setting of the medium, for example medium.scatter, or of the VPLs, for\n"
+             "example vpls, seed or clamp (render --help-all); repeatable"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, tracer.bounces), 1, 0, 1000,
      .help = "number of indirect bounces; 0: direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, tracer.samples), 0, 0, 1e6,
@@ -107,8 +108,9 @@ static const struct arguments arguments = {
         "standard_error of the indirect layer (0 with one sample, which gives no estimate) and\n"
         "emitted, the radiance of environment and lamps. Specular surfaces add specular, the sum\n"
         "of direct.specular and indirect.specular, and standard_error.specular; the other layers\n"
-        "are diffuse. Lightcuts add bound, the largest error against the sum of all VPLs, and\n"
-        "nodes, the number of lights of a pixel.\n"
+        "are diffuse. A medium adds airlight and standard_error.airlight. Lightcuts add bound, "
+        "the\n"
+        "largest error against the sum of all VPLs, and nodes, the number of lights of a pixel.\n"
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,
@@ -166,6 +168,7 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     struct path_tracer_desc desc = values->tracer;
     if (ao_is_auto(values))
         desc.ao_distance = volume_ao_distance(settings, &stage->geometry);
+    desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
     desc.progress = show;
     desc.user = &progress;
     progress_start(&progress);
@@ -227,12 +230,21 @@ static bool check_compensation(const struct values *values, const struct measure
                      "--set clamp=value");
 }
 
+/* Paths know of the medium alone. */
+static bool check_given(const struct values *values, const struct settings *settings) {
+    for (int i = 0; values->technique == TECHNIQUE_PATH && i < settings->part_count; i++)
+        if (settings->given[i] && settings->parts[i] != &medium_part)
+            return error_set("--set %s...: for --technique vpl-raytraced and lightcuts; paths take "
+                             "settings of the medium alone",
+                             settings->parts[i]->owner);
+    return true;
+}
+
 static bool parse_settings(const struct values *values, struct measure_desc *desc) {
     *desc = measure_default(NULL, values->tracer.width, values->tracer.height);
-    if (values->technique == TECHNIQUE_PATH && values->settings.count)
-        return error_set("--set is for --technique vpl-raytraced and lightcuts");
     return measure_assign_all(desc, values->settings.items, values->settings.count) &&
-           measure_check(desc) && check_compensation(values, desc);
+           check_given(values, &desc->settings) && measure_check(desc) &&
+           check_compensation(values, desc);
 }
 
 /* Where the options tell none. */

@@ -4,6 +4,7 @@
 #include "scene/clips.h"
 #include "scene/lights/emitter.h"
 #include "scene/lights/environment.h"
+#include "scene/medium.h"
 #include "scene/node.h"
 #include "scene/open.h"
 
@@ -168,11 +169,20 @@ static void print_sky(const struct environment *sky) {
            sky->width, sky->height, brightest, (double)sky->turn);
 }
 
+static void print_medium(const struct medium *medium) {
+    const float *s = medium->scattering, *a = medium->absorption;
+    printf("medium     scatters (%.4g, %.4g, %.4g), absorbs (%.4g, %.4g, %.4g) 1/m, g %.4g\n",
+           (double)s[0], (double)s[1], (double)s[2], (double)a[0], (double)a[1], (double)a[2],
+           (double)medium->g);
+}
+
 /* Counted as --light and --camera count them: by node. */
 static void print_placed(const struct scene *scene) {
     print_each("lights", scene, emitter_node_count(scene), print_light);
     if (scene->environment)
         print_sky(scene->environment);
+    if (medium_exists(&scene->medium))
+        print_medium(&scene->medium);
     print_each("cameras", scene, camera_node_count(scene), print_camera);
 }
 

@@ -16,6 +16,7 @@ struct direct_desc {
     int width, height;
     const struct light_layout *lights;
     bool specular; /* the G-buffer has it */
+    bool medium;   /* frames have one, which takes its share of the light */
     /* For environment_direct alone (direct/environment.h): */
     struct caster_pool *casters;
     const struct direct_method *lamps;

@@ -71,7 +71,8 @@ static bool init(void **state, const struct direct_desc *desc) {
                                                    .block = BLOCK,
                                                    .shadow_rays = own->shadow_rays,
                                                    .disagree = disagree,
-                                                   .specular = desc->specular}) &&
+                                                   .specular = desc->specular,
+                                                   .medium = desc->medium}) &&
            buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block, NULL);
 }
 

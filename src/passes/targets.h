@@ -51,7 +51,8 @@ struct contribution {
     const struct irradiance *edge_sample_irradiance;
     const struct texture *edge_sample_texels;
     const struct texture *radiance;
-    const struct texture *in_scatter, *transmittance; /* both or none */
+    const struct texture *in_scatter,
+        *transmittance; /* both or none; a scene's medium replaces them */
 };
 
 /* What a display shows behind all surfaces. */

@@ -4,6 +4,7 @@
 #include "metrics/layer.h"
 #include "quality/picture.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 
 #include <math.h>
 
@@ -46,16 +47,19 @@ static bool trace(const struct estimate *estimate, int samples, uint32_t seed, s
     const struct material_settings *surface =
         settings_of(struct material_settings, &desc->settings, &material_part);
     struct image picture;
-    if (!picture_trace_paths(desc->stage,
-                             &(struct path_tracer_desc){.width = desc->width,
-                                                        .height = desc->height,
-                                                        .every = estimate->every,
-                                                        .bounces = measure_bounces(desc),
-                                                        .samples = samples,
-                                                        .paths = PATHS_PER_SAMPLE,
-                                                        .seed = seed,
-                                                        .materials = surface->materials},
-                             &picture, NULL))
+    if (!picture_trace_paths(
+            desc->stage,
+            &(struct path_tracer_desc){.width = desc->width,
+                                       .height = desc->height,
+                                       .every = estimate->every,
+                                       .bounces = measure_bounces(desc),
+                                       .samples = samples,
+                                       .paths = PATHS_PER_SAMPLE,
+                                       .seed = seed,
+                                       .materials = surface->materials,
+                                       .medium = medium_of(&desc->stage->scene, &desc->settings,
+                                                           desc->stage->geometry.radius)},
+            &picture, NULL))
         return false;
     take_sums(&picture, samples, sums);
     image_free(&picture);

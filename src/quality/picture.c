@@ -16,12 +16,14 @@ bool picture_render(const struct measure_desc *desc, struct image *image) {
     return ok;
 }
 
-/* The VPLs do not depend on the picture's size, and a frame of few pixels costs little. */
+/* The VPLs do not depend on the picture's size, and a frame of few pixels costs little. Sums over them know no medium,
+ * and so do they. */
 static bool make_lights(const struct measure_desc *desc, struct lights *lights) {
     struct measure_desc small = *desc;
     struct renderer renderer;
     small.width = small.height = 16;
-    if (!measure_start(&renderer, &small))
+    if (!settings_assign(&small.settings, "medium.scatter=0 medium.absorb=0 medium.scene=off") ||
+        !measure_start(&renderer, &small))
         return false;
     renderer_render(&renderer);
     bool ok = lights_read(lights, &renderer);

@@ -4,7 +4,8 @@
 
 /* Those of every picture, and what the path tracer has besides: the standard error of the indirect
  * layer, whose square, the variance, half floats could not hold; and what emits light itself. Then what shadows are made of, where that
- * is asked for. Then specular reflection, where some surface has it. Last, ambient occlusion, where it is asked for. */
+ * is asked for. Then specular reflection, where some surface has it, and ambient occlusion, where it is asked for. Last
+ * airlight, where there is a medium. */
 #define CHANNELS_COMMON                                                                            \
     "R G B A Z direct.R direct.G direct.B indirect.R indirect.G indirect.B "                       \
     "albedo.R albedo.G albedo.B normal.X normal.Y normal.Z"
@@ -21,6 +22,10 @@
     "specular.R specular.G specular.B "                                                            \
     "standard_error.specular.R standard_error.specular.G standard_error.specular.B"
 #define CHANNELS_OF_AO "ao.Y standard_error.ao.Y"
+
+#define CHANNELS_OF_AIRLIGHT                                                                       \
+    "airlight.R airlight.G airlight.B "                                                            \
+    "standard_error.airlight.R standard_error.airlight.G standard_error.airlight.B"
 
 /* The first channel of each layer. Beauty and what is emitted alone are not zero where no surface is seen. */
 enum film_channel {
@@ -65,6 +70,13 @@ enum ao_channel {
     AO_OPEN = 0, /* 1 = nothing is near */
     AO_STANDARD_ERROR = 1,
     AO_END = 2,
+};
+
+/* The same, from where the layers of a medium begin: radiance, W/(sr m2). */
+enum airlight_channel {
+    AIRLIGHT_RADIANCE = 0,
+    AIRLIGHT_STANDARD_ERROR = 3,
+    AIRLIGHT_END = 6,
 };
 
 #endif

@@ -64,14 +64,26 @@ static void filter(const struct denoise_desc *desc, const struct atrous_guide *g
     atrous_filter(&atrous, light);
 }
 
-static void write_light(const struct atrous_pixel *light, int specular, float *channels) {
+/* Radiance that leaves the surfaces. */
+static float surface_radiance(const struct denoise_desc *desc, const float *channels, int c) {
+    float light = channels[CHANNEL_DIRECT + c] + channels[CHANNEL_INDIRECT + c];
+    float sum = channels[CHANNEL_ALBEDO + c] * light + channels[CHANNEL_EMITTED + c];
+    return desc->specular_channel ? sum + channels[desc->specular_channel + SPECULAR_ALL + c] : sum;
+}
+
+/* A medium passes as much of the filtered light as of the light before. */
+static void write_light(const struct denoise_desc *desc, const struct atrous_pixel *light,
+                        float *channels) {
     for (int c = 0; c < 3; c++) {
+        float *beauty = &channels[CHANNEL_BEAUTY + c], before = surface_radiance(desc, channels, c);
         channels[CHANNEL_INDIRECT + c] = light->light.raw[c];
-        channels[CHANNEL_BEAUTY + c] =
-            channels[CHANNEL_ALBEDO + c] * (channels[CHANNEL_DIRECT + c] + light->light.raw[c]) +
-            channels[CHANNEL_EMITTED + c];
-        if (specular)
-            channels[CHANNEL_BEAUTY + c] += channels[specular + SPECULAR_ALL + c];
+        float after = surface_radiance(desc, channels, c);
+        if (!desc->airlight_channel) {
+            *beauty = after;
+        } else if (before > 0) {
+            float airlight = channels[desc->airlight_channel + AIRLIGHT_RADIANCE + c];
+            *beauty = airlight + (*beauty - airlight) * after / before;
+        }
     }
 }
 
@@ -80,8 +92,7 @@ void denoise(const struct denoise_desc *desc, struct image *image) {
     struct atrous_pixel *light = mem_alloc(pixel_count(desc), sizeof *light);
     filter(desc, guides, light);
     for (size_t i = 0; i < pixel_count(desc); i++)
-        write_light(&light[i], desc->specular_channel,
-                    &image->pixels[i * (size_t)image->channel_count]);
+        write_light(desc, &light[i], &image->pixels[i * (size_t)image->channel_count]);
     free(light);
     free(guides);
 }

@@ -19,6 +19,7 @@ struct denoise_desc {
     int samples, paths;   /* of each pixel, of indirect light from each sample */
     int threads;          /* 0 = all cores */
     int specular_channel; /* where CHANNELS_OF_SPECULAR begin; 0 = there are none */
+    int airlight_channel; /* the same of CHANNELS_OF_AIRLIGHT */
 };
 
 /* image: developed from the pixels. Writes the indirect layer and beauty; the standard errors stay

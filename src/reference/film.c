@@ -20,8 +20,9 @@ void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_samp
     add(pixel->position, sample->position.raw);
     add(pixel->albedo, sample->albedo.raw);
     add(pixel->normal, sample->normal.raw);
-    add(pixel->beauty, glms_vec3_add(glms_vec3_mul(sample->albedo, light), sample->emitted).raw);
-    add(pixel->beauty, specular.raw);
+    vec3s plain = glms_vec3_add(glms_vec3_mul(sample->albedo, light), sample->emitted);
+    add(pixel->beauty, glms_vec3_mul(plain, sample->passes).raw);
+    add(pixel->beauty, glms_vec3_mul(specular, sample->passes).raw);
     add(pixel->emitted, sample->emitted.raw);
     add(pixel->direct, glms_vec3_mul(weight, sample->direct.diffuse).raw);
     add(pixel->streams[stream].weight, weight.raw);
@@ -29,8 +30,8 @@ void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_samp
     pixel->streams[stream].direct += glms_vec3_dot(weight, sample->direct.diffuse);
 }
 
-void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance) {
-    add(pixel->beauty, radiance.raw);
+void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance, vec3s passes) {
+    add(pixel->beauty, glms_vec3_mul(radiance, passes).raw);
     add(pixel->emitted, radiance.raw);
 }
 
@@ -168,21 +169,49 @@ static int stream_samples(int stream, int samples) {
     return (samples + FILM_STREAMS - 1 - stream) / FILM_STREAMS;
 }
 
-struct film_estimate film_specular_estimate(const struct film_specular *sums, int samples) {
+/* Of sums of radiance by streams, over all samples. */
+static struct film_estimate estimate_radiance(const float streams[FILM_STREAMS][3], int samples) {
     struct film_estimate estimate = {0};
     int used = samples < FILM_STREAMS ? samples : FILM_STREAMS;
     for (int c = 0; c < 3; c++) {
         double sum = 0, square_sum = 0;
         for (int s = 0; s < used; s++)
-            sum += (double)sums->all[s][c];
+            sum += (double)streams[s][c];
         double mean = sum / samples;
         for (int s = 0; s < used; s++)
-            square_sum += pow((double)sums->all[s][c] - mean * stream_samples(s, samples), 2);
+            square_sum += pow((double)streams[s][c] - mean * stream_samples(s, samples), 2);
         estimate.mean[c] = mean;
         if (used > 1)
             estimate.variance[c] = square_sum * used / (used - 1) / ((double)samples * samples);
     }
     return estimate;
+}
+
+struct film_estimate film_specular_estimate(const struct film_specular *sums, int samples) {
+    return estimate_radiance(sums->all, samples);
+}
+
+void film_airlight_add(struct film_airlight *sums, struct film_pixel *pixel, int stream,
+                       vec3s radiance) {
+    add(pixel->beauty, radiance.raw);
+    add(sums->streams[stream], radiance.raw);
+}
+
+void film_airlight_merge(struct film_airlight *sums, const struct film_airlight *other) {
+    for (int s = 0; s < FILM_STREAMS; s++)
+        add(sums->streams[s], other->streams[s]);
+}
+
+struct film_estimate film_airlight_estimate(const struct film_airlight *sums, int samples) {
+    return estimate_radiance(sums->streams, samples);
+}
+
+void film_airlight_develop(const struct film_airlight *sums, int samples, float *channels) {
+    struct film_estimate estimate = film_airlight_estimate(sums, samples);
+    for (int c = 0; c < 3; c++) {
+        channels[AIRLIGHT_RADIANCE + c] = (float)estimate.mean[c];
+        channels[AIRLIGHT_STANDARD_ERROR + c] = (float)sqrt(estimate.variance[c]);
+    }
 }
 
 void film_specular_develop(const struct film_specular *sums, int samples, float *channels) {

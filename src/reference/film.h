@@ -3,7 +3,7 @@
  * Direct and indirect light of the diffuse parts are averaged with the albedo as weight: then
  * beauty = albedo x (direct + indirect) + specular + emitted holds in every pixel, also where a pixel shows
  * several surfaces, and partly covered pixels have no dark seam. Specular light is radiance, and averaged
- * as it is.
+ * as it is. A medium takes its share from the beauty alone, and adds airlight to it.
  */
 #ifndef REFERENCE_FILM_H
 #define REFERENCE_FILM_H
@@ -22,6 +22,7 @@ struct film_sample {
     vec3s position, albedo, normal;
     struct reflected direct, indirect;
     vec3s emitted; /* radiance */
+    vec3s passes;  /* the share of all this that comes to the eye */
 };
 
 /* Sums over samples; all zero = none. */
@@ -42,8 +43,22 @@ struct film_estimate {
 
 void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample);
 
-/* A sample that sees no surface. */
-void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance);
+/* A sample that sees no surface, and the share of the radiance that comes to the eye. */
+void film_pixel_add_background(struct film_pixel *pixel, vec3s radiance, vec3s passes);
+
+/* What a pixel sees of a medium, where there is one: sums of radiance. */
+struct film_airlight {
+    float streams[FILM_STREAMS][3];
+};
+
+/* To the pixel's beauty, too. */
+void film_airlight_add(struct film_airlight *sums, struct film_pixel *pixel, int stream,
+                       vec3s radiance);
+void film_airlight_merge(struct film_airlight *sums, const struct film_airlight *other);
+struct film_estimate film_airlight_estimate(const struct film_airlight *sums, int samples);
+
+/* Writes enum airlight_channel's layers. */
+void film_airlight_develop(const struct film_airlight *sums, int samples, float *channels);
 
 /* What a pixel sees of the lights, where that is asked for: sums, weighted as struct film_pixel's. */
 struct film_seen {

@@ -69,10 +69,21 @@ static struct reflected from_light_vertex(const struct light_vertices *lights, u
     };
 }
 
+/* The share of light that passes the medium. */
+static vec3s passes_between(const struct path_scene *scene, vec3s x, vec3s y) {
+    vec3s path = glms_vec3_sub(y, x);
+    float length = glms_vec3_norm(path);
+    if (!scene->emission->medium.exists)
+        return glms_vec3_one();
+    return medium_transmittance(&scene->emission->medium, x, glms_vec3_scale(path, 1 / length),
+                                length);
+}
+
 /* By way of the first hits of light rays, a run of them at once. */
-static struct reflected from_light_vertices(const struct ray_scene *rays, const struct hit *x,
+static struct reflected from_light_vertices(const struct path_scene *scene, const struct hit *x,
                                             const struct light_vertices *lights,
                                             struct sampler *sampler) {
+    const struct ray_scene *rays = scene->rays;
     uint32_t first = sampler_next_run(sampler, LIGHTS_PER_VERTEX), run[LIGHTS_PER_VERTEX];
     float p_cosine[LIGHTS_PER_VERTEX];
     vec3s to[LIGHTS_PER_VERTEX];
@@ -90,8 +101,9 @@ static struct reflected from_light_vertices(const struct ray_scene *rays, const 
         if (!visible[i])
             continue;
         struct reflected light = from_light_vertex(lights, run[i], x, p_cosine[i]);
-        sum.diffuse = glms_vec3_add(sum.diffuse, light.diffuse);
-        sum.specular = glms_vec3_add(sum.specular, light.specular);
+        vec3s passes = passes_between(scene, x->position, lights->items[run[i]].position);
+        sum.diffuse = glms_vec3_add(sum.diffuse, glms_vec3_mul(light.diffuse, passes));
+        sum.specular = glms_vec3_add(sum.specular, glms_vec3_mul(light.specular, passes));
     }
     return sum;
 }
@@ -103,7 +115,7 @@ struct step {
     vec3s direction;
     float density; /* 1/sr; of specular surfaces alone */
     struct reflected
-        share;   /* of radiance that comes along it, what is reflected over the density */
+        share;   /* of radiance that its end sends along it, what is reflected over the density */
     bool leaves; /* it does not run into its own surface */
     bool hits;   /* something, at `end` */
     struct hit end;
@@ -125,12 +137,24 @@ static void weigh(struct step *step, const struct hit *from) {
     step->share.specular = glms_vec3_scale(value.specular, share);
 }
 
-static struct step take_step(const struct ray_scene *rays, const struct hit *from, vec2s sample) {
+/* What the step's end sends passes the medium. */
+static void pass_medium(const struct medium_ball *medium, const struct hit *from,
+                        struct step *step) {
+    float length = glms_vec3_distance(from->position, step->end.position);
+    vec3s passes = medium_transmittance(medium, from->position, step->direction, length);
+    step->share.diffuse = glms_vec3_mul(step->share.diffuse, passes);
+    step->share.specular = glms_vec3_mul(step->share.specular, passes);
+}
+
+static struct step take_step(const struct path_scene *scene, const struct hit *from, vec2s sample) {
+    const struct ray_scene *rays = scene->rays;
     struct step step = {.direction = brdf_sample(&from->brdf, from->normal, from->towards, sample)};
     step.leaves = glms_vec3_dot(step.direction, from->geometric_normal) > 0;
     weigh(&step, from);
     step.hits = step.leaves &&
                 ray_scene_hit(rays, ray_scene_departure(rays, from), step.direction, &step.end);
+    if (step.hits)
+        pass_medium(&scene->emission->medium, from, &step);
     return step;
 }
 
@@ -233,8 +257,8 @@ struct reflected path_indirect(const struct path_scene *scene, const struct ligh
     struct step step, next;
     bool has_next = false; /* taken already, in search of lights */
     for (int bounce = 0; bounce < scene->bounces; bounce++) {
-        struct reflected light = from_light_vertices(rays, &place.x, lights, sampler);
-        step = has_next ? next : take_step(rays, &place.x, sampler_next(sampler));
+        struct reflected light = from_light_vertices(scene, &place.x, lights, sampler);
+        step = has_next ? next : take_step(scene, &place.x, sampler_next(sampler));
         bool ends = !goes_on(&step);
         vec3s along = glms_vec3_zero(); /* the step */
         if (!ends) {
@@ -242,7 +266,7 @@ struct reflected path_indirect(const struct path_scene *scene, const struct ligh
             along = from_ray(rays, emission, &step.end, p_ray, sampler);
             has_next = emission_can_be_found(emission, &step.end);
             if (has_next) {
-                next = take_step(rays, &step.end, sampler_next(sampler));
+                next = take_step(scene, &step.end, sampler_next(sampler));
                 along = glms_vec3_add(along, from_found_light(emission, &step.end, &next, p_ray));
             }
         }

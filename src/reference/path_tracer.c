@@ -1,5 +1,6 @@
 #include "reference/path_tracer.h"
 
+#include "reference/airlight.h"
 #include "reference/ao.h"
 #include "reference/channels.h"
 #include "reference/denoise.h"
@@ -8,6 +9,7 @@
 #include "reference/primary.h"
 #include "reference/rows.h"
 #include "scene/lights/environment.h"
+#include "scene/medium.h"
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -36,6 +38,7 @@ struct tracer {
     struct film_seen *seen;         /* where it is wanted */
     struct film_specular *specular; /* where there is some */
     struct ao_sums *ao;             /* where it is wanted */
+    struct film_airlight *airlight; /* where there is a medium */
     struct image *image;            /* once developed */
     uint32_t done, end;  /* samples of a pixel: of earlier passes, and after the present one */
     double noise;        /* after the last pass */
@@ -45,20 +48,8 @@ struct tracer {
 
 /* --- samples --- */
 
-static struct film_pixel *pixel_at(const struct tracer *tracer, int x, int y) {
-    return &tracer->pixels[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
-}
-
-static struct film_seen *seen_at(const struct tracer *tracer, int x, int y) {
-    return &tracer->seen[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
-}
-
-static struct film_specular *specular_at(const struct tracer *tracer, int x, int y) {
-    return &tracer->specular[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
-}
-
-static struct ao_sums *ao_at(const struct tracer *tracer, int x, int y) {
-    return &tracer->ao[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
+static size_t index_of(const struct tracer *tracer, int x, int y) {
+    return (size_t)y * (size_t)tracer->desc.width + (size_t)x;
 }
 
 /* The first of the channels that only some pictures have. */
@@ -73,6 +64,11 @@ static int specular_channel(const struct tracer *tracer) {
 
 static int ao_channel(const struct tracer *tracer) {
     return first_of_more(tracer) + (tracer->specular ? SPECULAR_END : 0);
+}
+
+/* And of airlight, which comes last. */
+static int airlight_channel(const struct tracer *tracer) {
+    return ao_channel(tracer) + (tracer->ao ? AO_END : 0);
 }
 
 static struct reflected mean_of_paths(const struct tracer *tracer, const struct hit *hit,
@@ -91,17 +87,17 @@ static struct reflected mean_of_paths(const struct tracer *tracer, const struct 
 }
 
 /* The indirect paths' samplers, at pairs that no path comes to. */
-enum { PAIR_OF_DIRECT = 1 << 20, PAIR_OF_AO = 1 << 30 };
+enum { DIRECT_PAIRS = 1 << 20, AIRLIGHT_PAIRS = 1 << 21, AO_PAIRS = 1 << 30 };
 
-struct more_samplers {
+struct samplers {
     struct sampler items[PATHS_PER_SAMPLE];
 };
 
-static struct more_samplers more_samplers(const struct sampler *start, uint32_t pair) {
-    struct more_samplers samplers;
+static struct samplers samplers_at(const struct sampler *start, uint32_t first_pair) {
+    struct samplers samplers;
     for (uint32_t i = 0; i < PATHS_PER_SAMPLE; i++)
         samplers.items[i] =
-            (struct sampler){start->seed, start->index * PATHS_PER_SAMPLE + i, pair};
+            (struct sampler){start->seed, start->index * PATHS_PER_SAMPLE + i, first_pair};
     return samplers;
 }
 
@@ -110,16 +106,16 @@ static int stream_of(uint32_t sample) {
 }
 
 /* Where no surface is seen. */
-static vec3s background(const struct tracer *tracer, float x, float y) {
+static vec3s background(const struct tracer *tracer, vec3s direction) {
     const struct environment *sky = tracer->desc.emitters.sky;
     vec3s radiance = glms_vec3_zero();
     if (sky && !tracer->desc.hides_sky)
-        environment_radiance(sky, primary_direction(&tracer->primary, x, y).raw, radiance.raw);
+        environment_radiance(sky, direction.raw, radiance.raw);
     return radiance;
 }
 
 static void add_seen(const struct tracer *tracer, const struct hit *hit, int stream,
-                     const struct more_samplers *samplers, struct film_seen *sums) {
+                     const struct samplers *samplers, struct film_seen *sums) {
     struct seen seen =
         seen_from(&tracer->emission, &tracer->rays, hit, samplers->items, PATHS_PER_SAMPLE);
     film_seen_add(sums, stream, hit->brdf.albedo, &seen);
@@ -127,7 +123,7 @@ static void add_seen(const struct tracer *tracer, const struct hit *hit, int str
 
 static void add_ao(const struct tracer *tracer, const struct hit *hit, int stream,
                    const struct sampler *start, struct ao_sums *sums) {
-    struct more_samplers samplers = more_samplers(start, PAIR_OF_AO);
+    struct samplers samplers = samplers_at(start, AO_PAIRS);
     ao_add(
         sums, stream,
         ao_trace(&tracer->rays, hit, tracer->desc.ao_distance, samplers.items, PATHS_PER_SAMPLE));
@@ -139,7 +135,54 @@ struct sums {
     struct film_seen seen;
     struct film_specular specular;
     struct ao_sums ao;
+    struct film_airlight airlight;
 };
+
+/* A ray of the camera, and how far it sees. */
+struct sight {
+    vec3s origin, direction;
+    float length;
+};
+
+static struct sight sight_to(const struct tracer *tracer, float x, float y, const struct hit *hit) {
+    struct sight sight = {.length = INFINITY};
+    primary_ray(&tracer->primary, x, y, &sight.origin, &sight.direction);
+    if (hit)
+        sight.length = glms_vec3_distance(sight.origin, hit->position);
+    return sight;
+}
+
+static void add_airlight(const struct tracer *tracer, const struct sight *sight, int stream,
+                         const struct sampler *start, struct sums *sums) {
+    struct samplers samplers = samplers_at(start, AIRLIGHT_PAIRS);
+    vec3s light = airlight_along(&tracer->emission, &tracer->rays, sight->origin, sight->direction,
+                                 sight->length, samplers.items, PATHS_PER_SAMPLE);
+    film_airlight_add(&sums->airlight, &sums->pixel, stream, light);
+}
+
+static void add_surface(const struct tracer *tracer, const struct hit *hit, vec3s passes,
+                        int stream, const struct sampler *sampler, struct sums *sums) {
+    struct samplers samplers = samplers_at(sampler, DIRECT_PAIRS);
+    struct film_sample sample = {
+        .position = hit->position,
+        .albedo = hit->brdf.albedo,
+        .normal = hit->normal,
+        .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, hit), hit->unlit),
+        .passes = passes,
+    };
+    if (!tracer->desc.ao_alone) {
+        sample.direct = emission_direct(&tracer->emission, &tracer->rays, hit, samplers.items,
+                                        PATHS_PER_SAMPLE);
+        sample.indirect = mean_of_paths(tracer, hit, stream, sampler);
+    }
+    film_pixel_add(&sums->pixel, stream, &sample);
+    if (tracer->specular)
+        film_specular_add(&sums->specular, stream, &sample);
+    if (tracer->desc.seen)
+        add_seen(tracer, hit, stream, &samplers, &sums->seen);
+    if (tracer->ao)
+        add_ao(tracer, hit, stream, sampler, &sums->ao);
+}
 
 /* Adds what a pixel's i-th sample sees. */
 static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
@@ -154,29 +197,16 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     struct pixel pixel = path_tracer_pixel(desc->every, px, py);
     float x = (float)pixel.x + at.x, y = (float)pixel.y + at.y;
     struct hit hit;
-    if (!primary_hit(&tracer->primary, x, y, &hit)) {
-        film_pixel_add_background(&sums->pixel, background(tracer, x, y));
-        return;
-    }
-    struct more_samplers samplers = more_samplers(&sampler, PAIR_OF_DIRECT);
-    struct film_sample sample = {
-        .position = hit.position,
-        .albedo = hit.brdf.albedo,
-        .normal = hit.normal,
-        .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, &hit), hit.unlit),
-    };
-    if (!desc->ao_alone) {
-        sample.direct = emission_direct(&tracer->emission, &tracer->rays, &hit, samplers.items,
-                                        PATHS_PER_SAMPLE);
-        sample.indirect = mean_of_paths(tracer, &hit, stream, &sampler);
-    }
-    film_pixel_add(&sums->pixel, stream, &sample);
-    if (tracer->specular)
-        film_specular_add(&sums->specular, stream, &sample);
-    if (desc->seen)
-        add_seen(tracer, &hit, stream, &samplers, &sums->seen);
-    if (tracer->ao)
-        add_ao(tracer, &hit, stream, &sampler, &sums->ao);
+    bool hits = primary_hit(&tracer->primary, x, y, &hit);
+    struct sight sight = sight_to(tracer, x, y, hits ? &hit : NULL);
+    vec3s passes =
+        medium_transmittance(&tracer->emission.medium, sight.origin, sight.direction, sight.length);
+    if (tracer->airlight)
+        add_airlight(tracer, &sight, stream, &sampler, sums);
+    if (hits)
+        add_surface(tracer, &hit, passes, stream, &sampler, sums);
+    else
+        film_pixel_add_background(&sums->pixel, background(tracer, sight.direction), passes);
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */
@@ -184,13 +214,15 @@ static void add_pass(const struct tracer *tracer, int px, int py) {
     struct sums sums = {0};
     for (uint32_t i = tracer->done; i < tracer->end; i++)
         take_sample(tracer, px, py, i, &sums);
-    film_pixel_merge(pixel_at(tracer, px, py), &sums.pixel);
+    film_pixel_merge(&tracer->pixels[index_of(tracer, px, py)], &sums.pixel);
     if (tracer->seen)
-        film_seen_merge(seen_at(tracer, px, py), &sums.seen);
+        film_seen_merge(&tracer->seen[index_of(tracer, px, py)], &sums.seen);
     if (tracer->specular)
-        film_specular_merge(specular_at(tracer, px, py), &sums.specular);
+        film_specular_merge(&tracer->specular[index_of(tracer, px, py)], &sums.specular);
     if (tracer->ao)
-        ao_merge(ao_at(tracer, px, py), &sums.ao);
+        ao_merge(&tracer->ao[index_of(tracer, px, py)], &sums.ao);
+    if (tracer->airlight)
+        film_airlight_merge(&tracer->airlight[index_of(tracer, px, py)], &sums.airlight);
 }
 
 /* --- passes --- */
@@ -263,13 +295,14 @@ static double estimate_direct_noise(const struct tracer *tracer) {
     return mean_sum > 0 ? sqrt(variance_sum * (double)pixel_count) / mean_sum : 0;
 }
 
-/* The same of specular light, but over the beauty's mean: there may be little of it. */
-static double estimate_specular_noise(const struct tracer *tracer) {
+/* The same of specular light, or of airlight, but over the beauty's mean: there may be little of it. */
+static double estimate_radiance_noise(const struct tracer *tracer, bool is_airlight) {
     size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
     double beauty_sum = 0, variance_sum = 0, values = 3 * (double)pixel_count;
-    for (size_t i = 0; tracer->specular && i < pixel_count; i++) {
+    for (size_t i = 0; i < pixel_count; i++) {
         struct film_estimate estimate =
-            film_specular_estimate(&tracer->specular[i], (int)tracer->done);
+            is_airlight ? film_airlight_estimate(&tracer->airlight[i], (int)tracer->done)
+                        : film_specular_estimate(&tracer->specular[i], (int)tracer->done);
         for (int c = 0; c < 3; c++) {
             beauty_sum += (double)tracer->pixels[i].beauty[c] / tracer->done;
             variance_sum += estimate.variance[c];
@@ -290,8 +323,11 @@ static bool render_pass(struct tracer *tracer, uint32_t end) {
         return false;
     tracer->done = end;
     tracer->noise = fmax(estimate_noise(tracer), estimate_direct_noise(tracer));
-    tracer->noise = fmax(tracer->noise, estimate_specular_noise(tracer));
     tracer->noise = fmax(tracer->noise, estimate_ao_noise(tracer));
+    if (tracer->specular)
+        tracer->noise = fmax(tracer->noise, estimate_radiance_noise(tracer, false));
+    if (tracer->airlight)
+        tracer->noise = fmax(tracer->noise, estimate_radiance_noise(tracer, true));
     if (tracer->first_done == 0) {
         tracer->first_done = tracer->done;
         tracer->first_noise = tracer->noise;
@@ -316,14 +352,18 @@ static void develop_row(void *context, int row) {
     for (int x = 0; x < tracer->desc.width; x++) {
         struct hit center;
         float *channels = image_at(tracer->image, x, row);
-        film_pixel_develop(pixel_at(tracer, x, row), samples, channels);
+        film_pixel_develop(&tracer->pixels[index_of(tracer, x, row)], samples, channels);
         if (tracer->seen)
-            film_seen_develop(seen_at(tracer, x, row), pixel_at(tracer, x, row), channels);
+            film_seen_develop(&tracer->seen[index_of(tracer, x, row)],
+                              &tracer->pixels[index_of(tracer, x, row)], channels);
         if (tracer->specular)
-            film_specular_develop(specular_at(tracer, x, row), samples,
+            film_specular_develop(&tracer->specular[index_of(tracer, x, row)], samples,
                                   &channels[specular_channel(tracer)]);
         if (tracer->ao)
-            ao_develop(ao_at(tracer, x, row), &channels[ao_channel(tracer)]);
+            ao_develop(&tracer->ao[index_of(tracer, x, row)], &channels[ao_channel(tracer)]);
+        if (tracer->airlight)
+            film_airlight_develop(&tracer->airlight[index_of(tracer, x, row)], samples,
+                                  &channels[airlight_channel(tracer)]);
         struct pixel pixel = path_tracer_pixel(tracer->desc.every, x, row);
         if (primary_hit(&tracer->primary, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
@@ -333,10 +373,10 @@ static void develop_row(void *context, int row) {
 static bool develop(struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
     char channels[1024];
-    snprintf(channels, sizeof channels, "%s%s%s%s", CHANNELS_OF_PATH_TRACER,
+    snprintf(channels, sizeof channels, "%s%s%s%s%s", CHANNELS_OF_PATH_TRACER,
              desc->seen ? " " CHANNELS_OF_SEEN : "",
-             tracer->specular ? " " CHANNELS_OF_SPECULAR : "",
-             tracer->ao ? " " CHANNELS_OF_AO : "");
+             tracer->specular ? " " CHANNELS_OF_SPECULAR : "", tracer->ao ? " " CHANNELS_OF_AO : "",
+             tracer->airlight ? " " CHANNELS_OF_AIRLIGHT : "");
     image_init(tracer->image, desc->width, desc->height, channels);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
@@ -403,6 +443,8 @@ static bool render(struct tracer *tracer, const struct hit_table *table) {
                                        .samples = (int)tracer->done,
                                        .paths = tracer->desc.paths,
                                        .specular_channel = specular_channel(tracer),
+                                       .airlight_channel =
+                                           tracer->airlight ? airlight_channel(tracer) : 0,
                                        .threads = tracer->desc.threads},
                 tracer->image);
     return true;
@@ -419,6 +461,8 @@ static bool check_memory(const struct path_tracer_desc *desc) {
         of_pixel += sizeof(struct film_specular) + sizeof(float) * SPECULAR_END;
     if (desc->ao_distance > 0)
         of_pixel += sizeof(struct ao_sums) + sizeof(float) * AO_END;
+    if (medium_exists(&desc->medium))
+        of_pixel += sizeof(struct film_airlight) + sizeof(float) * AIRLIGHT_END;
     return mem_check(pixels * of_pixel) ||
            error_prefix("a reference of %dx%d", desc->width, desc->height);
 }
@@ -442,11 +486,14 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
         return false;
     hit_table_init(&table, desc->scene, desc->geometry, (enum materials)desc->materials);
     emission_init(&tracer.emission, &desc->emitters, desc->geometry, &table, LIGHT_VERTEX_COUNT);
+    tracer.emission.medium = medium_ball_of(&desc->medium, desc->geometry);
     size_t pixels = (size_t)desc->width * (size_t)desc->height;
     tracer.pixels = mem_alloc(pixels, sizeof *tracer.pixels);
     tracer.seen = desc->seen ? mem_alloc(pixels, sizeof *tracer.seen) : NULL;
     tracer.specular = table.has_specular ? mem_alloc(pixels, sizeof *tracer.specular) : NULL;
     tracer.ao = desc->ao_distance > 0 ? mem_alloc(pixels, sizeof *tracer.ao) : NULL;
+    tracer.airlight =
+        medium_exists(&desc->medium) ? mem_alloc(pixels, sizeof *tracer.airlight) : NULL;
     bool ok = render(&tracer, &table);
     if (ok && reached)
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
@@ -456,6 +503,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     free(tracer.seen);
     free(tracer.specular);
     free(tracer.ao);
+    free(tracer.airlight);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

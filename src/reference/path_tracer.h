@@ -13,6 +13,9 @@
  * size. A light without one that smooth metal throws onto other surfaces, a caustic, is found by light
  * rays' hits alone, and stays noisy.
  *
+ * A medium takes its share of light on all segments. What it scatters once from the lights towards the eye is the
+ * layer airlight (reference/airlight.h); nothing is scattered twice.
+ *
  * Vertices carry shading normals without any terminator correction. A surface passes light only
  * between directions on one side of its triangle.
  */
@@ -43,9 +46,10 @@ struct path_tracer_desc {
     int paths;   /* of indirect light from each sample; default 1 below 16 samples, else 4 */
     double
         noise; /* standard error of the indirect layer, RMS over its mean, of direct light of lights with
-                     a size, of specular light over the beauty's mean, and of ao; default 0.01 */
+                     a size, of specular light and airlight over the beauty's mean, and of ao; default 0.01 */
     uint32_t seed;
-    int materials;     /* enum materials */
+    int materials;        /* enum materials */
+    struct medium medium; /* all zero: none */
     bool centers;      /* through pixels' centres, as a rasteriser has them; else all over pixels */
     bool seen;         /* the layers unshadowed and visibility, too: reference/seen.h */
     float ao_distance; /* metres: the layer ao, too (reference/ao.h); 0 = none */
@@ -69,7 +73,8 @@ struct pixel {
 struct pixel path_tracer_pixel(int every, int x, int y);
 
 /* Renders into a new image with CHANNELS_OF_PATH_TRACER, CHANNELS_OF_SEEN where asked for, CHANNELS_OF_SPECULAR
- * where some surface has it, and CHANNELS_OF_AO where asked for; reached, unless NULL, tells samples and
+ * where some surface has it, CHANNELS_OF_AO where asked for, and CHANNELS_OF_AIRLIGHT where there is a medium; reached,
+ * unless NULL, tells samples and
  * noise. Error: Embree's own, or "cancelled"; the image is then zeroed. */
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached);

@@ -10,22 +10,16 @@ struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct c
                                  camera_range_of(camera, geometry, (float)width / (float)height)};
 }
 
-static void find_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
-                     vec3s *direction) {
+void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
+                 vec3s *direction) {
     float width = (float)primary->width, height = (float)primary->height;
     camera_ray(primary->camera, x / width, y / height, width / height, origin->raw, direction->raw);
-}
-
-vec3s primary_direction(const struct primary_rays *primary, float x, float y) {
-    vec3s origin, direction;
-    find_ray(primary, x, y, &origin, &direction);
-    return direction;
 }
 
 bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit) {
     vec3s origin, direction;
     float from = 0, to = INFINITY;
-    find_ray(primary, x, y, &origin, &direction);
+    primary_ray(primary, x, y, &origin, &direction);
     if (primary->range.cuts) {
         float depth = glms_vec3_dot(direction, vector_of(primary->camera->forward));
         from = primary->range.near / depth;

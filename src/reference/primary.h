@@ -15,8 +15,9 @@ struct primary_rays {
 struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct camera *camera,
                                     const struct geometry *geometry, int width, int height);
 
-/* Where the ray leads through a point in pixels from the top left corner: unit. */
-vec3s primary_direction(const struct primary_rays *primary, float x, float y);
+/* The ray through a point in pixels from the top left corner: from where, and its unit direction. */
+void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
+                 vec3s *direction);
 
 /* The surface at a point; false where there is none. */
 bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit);

@@ -54,6 +54,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .camera = &renderer->camera_view,
         .camera_range = renderer->camera_range,
         .lights = &renderer->sample_buffer,
+        .medium = renderer->airlight.medium.id ? &renderer->airlight.medium : NULL,
         .scene = &renderer->scene,
         .emitters = &renderer->sample_emitters,
         .light_block = renderer->sample_block,
@@ -83,11 +84,17 @@ static bool is_refined(const struct renderer *renderer) {
     return renderer->pass > 0 && renderer->refining.technique;
 }
 
-/* What the last frame's indirect light is. */
+/* What the last frame's indirect light is, and the medium before it. */
 static struct contribution last_contribution(const struct renderer *renderer) {
     const struct refining *refining = &renderer->refining;
-    return is_refined(renderer) ? refining->technique->contribution(refining->state)
-                                : renderer_contribution(renderer);
+    struct contribution contribution = is_refined(renderer)
+                                           ? refining->technique->contribution(refining->state)
+                                           : renderer_contribution(renderer);
+    if (renderer->airlight.medium.id) {
+        contribution.in_scatter = &renderer->airlight.pass.in_scatter;
+        contribution.transmittance = &renderer->airlight.pass.transmittance;
+    }
+    return contribution;
 }
 
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer) {
@@ -131,6 +138,8 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
     if ((!keeps || renderer->pass > 0) && technique->render_lights &&
         !follows_camera(technique, state))
         technique->render_lights(state, frame);
+    if (frame->medium && (!keeps || renderer->pass > 0))
+        shadow_map_pass_render(&renderer->airlight.maps, frame);
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
 }
 
@@ -154,6 +163,9 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
         antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
     render_indirect(renderer, frame);
+    if (frame->medium)
+        airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
+                             renderer->airlight.maps.maps, &renderer->desc.emitters);
 }
 
 static void begin_pass(struct renderer *renderer, int pass) {
@@ -193,8 +205,9 @@ static void add_to_mean(struct renderer *renderer, const struct frame *frame) {
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
     float weight = pass_weight(renderer);
     for (int layer = 0; layer < refining->mean.layers; layer++)
-        composite_pass_add_layer(&renderer->composite, frame, &inputs, layer, weight,
-                                 refining->mean.framebuffers[layer]);
+        if (refining->mean.framebuffers[layer])
+            composite_pass_add_layer(&renderer->composite, frame, &inputs, layer, weight,
+                                     refining->mean.framebuffers[layer]);
     refining->count++;
     refining->weight += (double)weight;
 }
@@ -260,6 +273,9 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
         output_add(outputs, &rows[i]);
     if (renderer->technique->outputs)
         renderer->technique->outputs(renderer->technique_state, outputs);
+    if (renderer->airlight.medium.id)
+        output_add(outputs, &(struct output){"airlight", "what the medium scatters to the camera",
+                                             OUTPUT_AIRLIGHT, &renderer->airlight.pass.in_scatter});
     if (irradiance)
         output_add(outputs,
                    &(struct output){"irradiance", "after the blur, before the surfaces' colours",

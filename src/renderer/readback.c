@@ -25,11 +25,16 @@ static const struct layer_row {
     {LAYER_SPECULAR, "RGB", "specular."},
     {LAYER_DIRECT_SPECULAR, "RGB", "direct.specular."},
     {LAYER_INDIRECT_SPECULAR, "RGB", "indirect.specular."},
+    /* Where there is a medium: */
+    {LAYER_AIRLIGHT, "RGB", "airlight."},
 };
 
-static int row_count(const struct renderer *renderer) {
-    int all = sizeof layer_rows / sizeof *layer_rows;
-    return renderer->gbuffer.specular.id ? all : LAYERS_PLAIN;
+enum { ROWS = sizeof layer_rows / sizeof *layer_rows };
+
+static bool has_row(const struct renderer *renderer, int row) {
+    int layer = layer_rows[row].layer;
+    return layer < LAYERS_PLAIN || (layer == LAYER_AIRLIGHT ? renderer->airlight.medium.id != 0
+                                                            : renderer->gbuffer.specular.id != 0);
 }
 
 static void read_layers(struct renderer *renderer, struct image *image,
@@ -40,7 +45,9 @@ static void read_layers(struct renderer *renderer, struct image *image,
     struct composite_inputs inputs = renderer_composite_inputs(renderer);
     const struct refining *refining = &renderer->refining;
     int channel = 0;
-    for (int i = 0; i < row_count(renderer); i++) {
+    for (int i = 0; i < ROWS; i++) {
+        if (!has_row(renderer, i))
+            continue;
         int count = (int)strlen(layer_rows[i].channels);
         if (refining->count > 0)
             mean_pass_render_layer(&refining->mean, &frame, refining->weight, layer_rows[i].layer,
@@ -58,8 +65,8 @@ static bool read_part(struct renderer *renderer, int x, int y, int width, int he
                       struct image *image) {
     char names[512] = "";
     int count = 0;
-    for (int i = 0; i < row_count(renderer); i++)
-        for (const char *c = layer_rows[i].channels; *c; c++, count++) {
+    for (int i = 0; i < ROWS; i++)
+        for (const char *c = layer_rows[i].channels; has_row(renderer, i) && *c; c++, count++) {
             size_t used = strlen(names);
             snprintf(names + used, sizeof names - used, "%s%s%c", used ? " " : "",
                      layer_rows[i].prefix, *c);

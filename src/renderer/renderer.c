@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "renderer/views.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,9 +21,10 @@ enum part {
     PART_COMPOSITE = 32, /* size, what the technique contributes */
     PART_MEAN = 64,      /* size, whether progressive */
     PART_REFINER = 128,  /* as technique; whether progressive */
-    PART_ALL = 255,
+    PART_AIRLIGHT = 256, /* layout of light samples; whether there is a medium, its steps */
+    PART_ALL = 511,
     PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
-    PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE, /* what render_lights draws with */
+    PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE | PART_AIRLIGHT, /* what render_lights draws with */
 };
 
 /* Whether the G-buffer, and all that reads it, has a specular target: else all materials are plain
@@ -36,6 +38,15 @@ static bool has_specular(const struct renderer_desc *desc) {
 
 static bool has_emission(const struct renderer_desc *desc) {
     return desc->scene->surface_count > 0 || has_specular(desc);
+}
+
+static struct medium shown_medium(const struct renderer_desc *desc) {
+    return medium_of(desc->scene, &desc->settings, desc->geometry->radius);
+}
+
+static bool has_medium(const struct renderer_desc *desc) {
+    struct medium medium = shown_medium(desc);
+    return medium_exists(&medium);
 }
 
 static bool init_antialias(struct renderer *renderer) {
@@ -55,6 +66,7 @@ static bool init_direct(struct renderer *renderer) {
                                                                .height = desc->height,
                                                                .lights = &renderer->plan.layout,
                                                                .specular = has_specular(desc),
+                                                               .medium = has_medium(desc),
                                                                .casters = renderer->casters,
                                                                .lamps = desc->direct,
                                                                .sky = &renderer->plan.sky,
@@ -74,6 +86,7 @@ static bool make_technique(const struct renderer *renderer, const struct techniq
                                       .height = desc->height,
                                       .lights = &renderer->plan.sample_layout,
                                       .specular = has_specular(desc),
+                                      .medium = has_medium(desc),
                                   });
 }
 
@@ -88,7 +101,8 @@ static bool init_mean(struct renderer *renderer) {
     struct refining *refining = &renderer->refining;
     return !desc->progressive ||
            (mean_pass_init(&refining->mean,
-                           &(struct mean_desc){desc->width, desc->height, has_specular(desc)}) &&
+                           &(struct mean_desc){desc->width, desc->height, has_specular(desc),
+                                               has_medium(desc)}) &&
             antialias_pass_init(&refining->centers,
                                 &(struct antialias_desc){desc->width, desc->height, 1}));
 }
@@ -110,11 +124,13 @@ static bool init_refiner(struct renderer *renderer) {
 /* For the technique that is there, or else for what contributed before. */
 static bool init_composite(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    unsigned contributes = renderer->composite.desc.contributes;
+    unsigned contributes = renderer->composite.desc.contributes & ~(unsigned)HAS_MEDIUM;
     if (renderer->technique) {
         struct contribution contribution = renderer_contribution(renderer);
         contributes = composite_kinds(&contribution);
     }
+    if (has_medium(desc))
+        contributes |= HAS_MEDIUM;
     return composite_pass_init(&renderer->composite,
                                &(struct composite_desc){.width = desc->width,
                                                         .height = desc->height,
@@ -122,6 +138,18 @@ static bool init_composite(struct renderer *renderer) {
                                                         .has_sky = desc->scene->environment,
                                                         .has_emission = has_emission(desc),
                                                         .has_specular = has_specular(desc)});
+}
+
+static bool init_airlight(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    const struct medium_settings *own =
+        settings_of(struct medium_settings, &desc->settings, &medium_part);
+    return !has_medium(desc) ||
+           airlight_init(&renderer->airlight,
+                         &(struct airlight_part_desc){.width = desc->width,
+                                                      .height = desc->height,
+                                                      .steps = own->steps,
+                                                      .lights = renderer->plan.sample_layout});
 }
 
 static bool init_gbuffer(struct renderer *renderer) {
@@ -146,6 +174,11 @@ static bool init_geometry(struct renderer *renderer) {
 
 static bool resize_direct(struct renderer *renderer, int width, int height) {
     return renderer->direct->resize(renderer->direct_state, width, height);
+}
+
+static bool resize_airlight(struct renderer *renderer, int width, int height) {
+    return !renderer->airlight.medium.id ||
+           airlight_pass_resize(&renderer->airlight.pass, width, height);
 }
 
 static bool resize_technique(struct renderer *renderer, int width, int height) {
@@ -177,6 +210,7 @@ static const struct part_row {
     {PART_ANTIALIAS, MEMBERS(antialias, antialias), init_antialias, NULL},
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
     {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
+    {PART_AIRLIGHT, MEMBERS(airlight, airlight), init_airlight, resize_airlight},
     {PART_MEAN, MEMBERS(refining.centers, refining.mean), init_mean, NULL},
     {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
 };
@@ -243,6 +277,8 @@ void renderer_write_views(struct renderer *renderer) {
     buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
     buffer_write(&renderer->sample_buffer, 0, sizeof *renderer->sample_block,
                  renderer->sample_block);
+    struct medium medium = shown_medium(desc);
+    airlight_set_medium(&renderer->airlight, &medium, desc->geometry);
     scene_gpu_set_glow(&renderer->scene, &desc->emitters, has_specular(desc),
                        renderer_irradiance_scale(renderer));
 }
@@ -330,6 +366,7 @@ static void free_parts(struct renderer *renderer) {
     geometry_pass_free(&renderer->geometry);
     antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
+    airlight_free(&renderer->airlight);
     if (renderer->technique)
         renderer->technique->free(renderer->technique_state);
     if (renderer->direct)
@@ -432,7 +469,13 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         (plan->sky.count > 0 && !settings_same(&desc->settings, &old->settings, &sky_part)))
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->sample_layout, &renderer->plan.sample_layout))
-        parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
+        parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER | PART_AIRLIGHT;
+    if (has_medium(desc) != has_medium(old))
+        parts |= PART_DIRECT | PART_TECHNIQUE | PART_REFINER | PART_COMPOSITE | PART_MEAN |
+                 PART_AIRLIGHT;
+    if (settings_number(&desc->settings, "medium.steps") !=
+        settings_number(&old->settings, "medium.steps"))
+        parts |= PART_AIRLIGHT;
     if (picture->samples != renderer_picture(renderer).samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)

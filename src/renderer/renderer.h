@@ -14,6 +14,7 @@
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
 #include "passes/picture/mean.h"
+#include "renderer/airlight.h"
 #include "renderer/settings.h"
 #include "scene/camera_range.h"
 #include "scene/gpu/caster_pool.h"
@@ -65,8 +66,9 @@ struct renderer {
     void *technique_state;
     const struct direct_method *direct; /* desc.direct, or with it environment_direct */
     void *direct_state;
-    bool lights_drawn; /* what depends on no camera is that of desc */
-    int pass;          /* that the last frame was: 0 = the first, or the only one */
+    struct airlight airlight; /* of a medium; zeroed without one */
+    bool lights_drawn;        /* what depends on no camera is that of desc */
+    int pass;                 /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
     struct refining {
         const struct technique *technique; /* of passes after the first; NULL: the renderer's own */

@@ -7,6 +7,7 @@
 #include "lights/light_samples.h"
 #include "passes/picture/composite.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -44,6 +45,7 @@ void renderer_settings_init(struct settings *settings) {
         add_parts(settings, (*d)->parts);
     settings_add(settings, &sky_part);
     settings_add(settings, &material_part);
+    settings_add(settings, &medium_part);
     settings_add(settings, &picture_part);
 }
 
@@ -211,6 +213,7 @@ static void print_all(FILE *out, const struct technique *technique) {
     print_direct_parts(out, technique);
     print_part(out, &sky_part, technique);
     print_part(out, &material_part, technique);
+    print_part(out, &medium_part, technique);
     print_part(out, &picture_part, technique);
 }
 

@@ -167,6 +167,13 @@ struct clip {
     float duration; /* the last time of all channels, seconds */
 };
 
+/* A homogeneous participating medium, fog or smoke, RGB; all zero: none. It fills the bounding sphere of the scene:
+ * geometry.h's. Scattering is by the Henyey-Greenstein phase function, with the mean cosine g in (-1, 1). */
+struct medium {
+    float scattering[3], absorption[3]; /* 1/m */
+    float g;                            /* above 0: forward */
+};
+
 struct scene {
     char *path;
     double origin[3]; /* all positions are relative to it, metres; scene/recentre.h */
@@ -187,6 +194,7 @@ struct scene {
     /* Of the file, which are not drawn. */
     int point_primitives, line_primitives;
     struct environment *environment; /* scene/lights/environment.h; NULL = none */
+    struct medium medium;            /* the file's; scene/medium.h tells which one is shown */
     int *playing; /* the clips that play, in the order in which they act: scene/clips.h */
     int playing_count;
     bool plays_default; /* they were not chosen */

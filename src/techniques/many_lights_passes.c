@@ -89,6 +89,7 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
         .clamp = own->clamp,
         .clamp_value = many_lights_clamp_value,
         .sphere = sphere_radius,
+        .medium = lights->medium,
         .later = lights->bounces > 1,
     };
     if (!adaptive_pixels_init(lights, desc, &gather_desc))
@@ -139,6 +140,7 @@ static bool init_specular_rays(struct many_lights *lights, const struct techniqu
                    .has_maps =
                        !gather->map_per_vpl && gather->visibility.lookup != VISIBILITY_LOOKUP_NONE,
                    .visibility = gather->visibility,
+                   .medium = lights->medium,
                    .lights = *desc->lights,
                });
 }
@@ -194,6 +196,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .occlusion = occlusion,
         .casters = occlusion == NEAR_BY_RAYS ? desc->casters : NULL,
         .by_importance = many_lights_follow_camera(lights),
+        .medium = lights->medium,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
@@ -233,6 +236,7 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                                 .materials = desc->specular ? MATERIALS_FULL : MATERIALS_DIFFUSE,
                                 .casters = desc->casters,
                                 .bounces = own->bounces,
+                                .medium = lights->medium,
                                 .count = own->paths,
                                 .seed = own->seed,
                             });
@@ -295,7 +299,8 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     const float reach = own->facets ? near_reach_of_facets : near_reach;
-    *lights = (struct many_lights){.settings = *desc->settings, .visibility = *visibility};
+    *lights = (struct many_lights){
+        .settings = *desc->settings, .visibility = *visibility, .medium = desc->medium};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
             &lights->geometry,
@@ -303,8 +308,9 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                     .has_mappings = materials_have_mappings(desc->scene),
                                     .facets = sends_as_facets(desc)}) &&
         init_importance(lights, desc) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach,
-                                                       many_lights_follow_camera(lights)}) &&
+        vpl_pass_init(&lights->vpl,
+                      &(struct vpl_desc){own->vpls, own->seed, reach,
+                                         many_lights_follow_camera(lights), desc->medium}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
         init_sized(lights, desc) && init_specular_rays(lights, desc) &&
         init_near_field(lights, desc))

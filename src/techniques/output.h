@@ -20,6 +20,7 @@ enum output_kind {
     OUTPUT_BASIS,        /* struct texture: layers of paraboloid maps in [0, 1] */
     OUTPUT_SIGNED_BASIS, /* struct texture: the same in [-1, 1] */
     OUTPUT_AO,           /* struct renderer, which draws it when it is shown */
+    OUTPUT_AIRLIGHT,     /* struct texture: radiance times irradiance_scale */
     OUTPUT_KINDS,        /* new kinds stand before it */
 };
 

@@ -20,6 +20,7 @@ struct technique_desc {
     int width, height;
     const struct light_layout *lights;
     bool specular; /* some materials are specular: the G-buffer has a target for them */
+    bool medium;   /* frames have one, which takes its share of all light */
 };
 
 /* A named choice of settings. */

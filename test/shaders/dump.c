@@ -133,6 +133,14 @@ static void init_settings(struct settings *settings) {
     check(settings_assign(settings, "vpls=64"), "vpls");
 }
 
+/* With a medium, too. */
+static void make_progressive(struct renderer *renderer, struct renderer_desc desc) {
+    desc.progressive = true;
+    make(renderer, &desc);
+    check(settings_assign(&desc.settings, "medium.scatter=1"), "medium");
+    make(renderer, &desc);
+}
+
 static void make_technique(struct renderer *renderer, const struct technique *technique,
                            bool thorough) {
     struct renderer_desc desc = renderer->desc;
@@ -142,8 +150,7 @@ static void make_technique(struct renderer *renderer, const struct technique *te
     desc.technique = technique;
     make_and_inspect(renderer, &desc);
     turn(renderer, &desc, technique->parts, thorough);
-    desc.progressive = true;
-    make(renderer, &desc);
+    make_progressive(renderer, desc);
     for (const struct preset *p = technique->presets; p && p->name; p++) {
         struct renderer_desc preset = desc;
         preset.progressive = false;
@@ -166,8 +173,7 @@ static void make_direct(struct renderer *renderer, const struct direct_method *d
     desc.direct = direct;
     turn(renderer, &desc, direct->parts, thorough);
     turn(renderer, &desc, parts, thorough);
-    desc.progressive = true;
-    make(renderer, &desc);
+    make_progressive(renderer, desc);
 }
 
 static void make_scene(const char *path, bool thorough) {

@@ -38,8 +38,9 @@ static char *parts(const struct gather_desc *desc, int clamp, int specular) {
 
 static bool init_program(GLuint *program, const struct gather_desc *desc, int clamp, int specular) {
     char *lookup = visibility_defines(&desc->visibility), *files = parts(desc, clamp, specular);
-    char *defines = mem_printf("%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d", lookup,
-                               files, clamp, desc->map_per_vpl, desc->receivers, specular);
+    char *defines = mem_printf("%s%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d",
+                               desc->medium ? "HAS_MEDIUM;" : "", lookup, files, clamp,
+                               desc->map_per_vpl, desc->receivers, specular);
     bool ok = program_init(
         program,
         &(struct program_desc){
@@ -208,6 +209,8 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
     if (inputs->kept)
         pass_add_texture(&state, UNIT_PATHS_KEPT, inputs->kept->id);
+    if (frame->medium)
+        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
     if (inputs->rectangles)
         pass_add_block(&state, BLOCK_LIGHT_RECTANGLES, inputs->rectangles);
     pass_add_texture(&state, UNIT_VPLS,

@@ -40,7 +40,8 @@ static bool init_programs(struct near_field_pass *pass) {
     static const char *const tests[] = {[NEAR_UNOCCLUDED] = "near_unoccluded",
                                         [NEAR_BY_VIEWS] = "near_by_views",
                                         [NEAR_BY_RAYS] = "near_by_rays"};
-    char *of_light = mem_printf("LIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA %s", room, kinds,
+    char *of_light = mem_printf("%sLIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA %s",
+                                pass->desc.medium ? "HAS_MEDIUM;" : "", room, kinds,
                                 pass->desc.facets, vpl_area_file(pass->desc.by_importance));
     static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
     bool by_rays = !pass->desc.adaptive && pass->desc.occlusion == NEAR_BY_RAYS;
@@ -135,6 +136,8 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
                    {BLOCK_VPL_SHARES, shares},
                    {BLOCK_PASS, &pass->params}},
     };
+    if (frame->medium)
+        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
     rsm_add(&state, rsm);
     if (pass->desc.by_importance)
         pass_add_texture(&state, UNIT_VPL_DENSITY, importance->densities.id);
@@ -247,6 +250,8 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                    {BLOCK_VPL_SHARES, inputs->shares},
                    {BLOCK_PASS, &pass->params}},
     };
+    if (frame->medium)
+        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
         pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,
                          pass->lights[pass->lights[kind].id ? kind : !kind].id);

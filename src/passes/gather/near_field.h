@@ -33,6 +33,7 @@ struct near_field_desc {
     struct caster_pool *casters; /* of NEAR_BY_RAYS; must outlive the pass */
     bool facets;                 /* the shadow map's normals are of triangles */
     bool by_importance;          /* VPLs are as dense as an importance map has it */
+    bool medium;                 /* frames have one */
     int rsm_size;                /* as lights' settings have it */
     struct light_layout lights;
 };

@@ -28,7 +28,10 @@ static bool init_programs(struct bounce_pass *pass) {
                  {&pass->seen_program, "lights/bounce_seen.frag"},
                  {&pass->kept_program, "lights/bounce_kept.frag"}};
     for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
-        if (!program_init(drawn[i].program, &(struct program_desc){.screen = {drawn[i].fragment}}))
+        if (!program_init(drawn[i].program,
+                          &(struct program_desc){
+                              .screen = {drawn[i].fragment},
+                              .defines = i == 0 && pass->desc.medium ? "HAS_MEDIUM" : NULL}))
             return false;
     return program_init(&pass->vpl_program,
                         &(struct program_desc){.vertex = "lights/bounce_vpl.vert"});
@@ -216,7 +219,8 @@ static void draw_rows(struct pass_state *state, GLuint framebuffer, int width, i
     pass_draw_fullscreen(1);
 }
 
-static void trace_paths(const struct bounce_pass *pass, const struct vpl_buffer *vpls) {
+static void trace_paths(const struct bounce_pass *pass, const struct frame *frame,
+                        const struct vpl_buffer *vpls) {
     struct pass_state trace = {
         .name = "bounces",
         .program = pass->path_program,
@@ -226,6 +230,8 @@ static void trace_paths(const struct bounce_pass *pass, const struct vpl_buffer 
                      {UNIT_PATH_NUMBERS, pass->numbers.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
+    if (frame->medium)
+        pass_add_block(&trace, BLOCK_MEDIUM, frame->medium);
     draw_rows(&trace, pass->path_framebuffer, pass->desc.count, BOUNCE_ROWS);
 }
 
@@ -234,7 +240,7 @@ void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
     int count = pass->desc.count;
     timer_begin(frame->timers, "bounces");
     follow(pass, frame, vpls->count);
-    trace_paths(pass, vpls);
+    trace_paths(pass, frame, vpls);
     struct pass_state areas = state_of(pass, pass->area_program),
                       shares = state_of(pass, pass->share_program),
                       fluxes = state_of(pass, pass->flux_program),

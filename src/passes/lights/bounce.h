@@ -33,8 +33,9 @@ struct bounce_desc {
     struct caster_pool *casters; /* of the geometry */
     enum materials materials;
     int bounces;
-    int count; /* P */
-    int seed;  /* 0 = Halton's points as they are; else shifted on the torus */
+    bool medium; /* frames have one */
+    int count;   /* P */
+    int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
 };
 
 struct bounce_pass {

@@ -26,16 +26,17 @@ struct vpl_point {
 static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
-    const struct program_desc vpl = {.vertex = "lights/vpl.vert",
-                                     .defines = pass->desc.by_importance
-                                                    ? "VPL_CHOICE lights/vpl_by_importance.glsl"
-                                                    : "VPL_CHOICE lights/vpl_by_flux.glsl"};
+    char *vpl_defines =
+        mem_printf("%sVPL_CHOICE lights/vpl_by_%s.glsl", pass->desc.medium ? "HAS_MEDIUM;" : "",
+                   pass->desc.by_importance ? "importance" : "flux");
+    const struct program_desc vpl = {.vertex = "lights/vpl.vert", .defines = vpl_defines};
     bool ok =
         program_init(&pass->program, &vpl) &&
         program_init(&pass->sums_program, &(struct program_desc){.vertex = "lights/vpl_sums.vert",
                                                                  .fragment = "lights/vpl_sums.frag",
                                                                  .defines = defines});
     free(defines);
+    free(vpl_defines);
     return ok;
 }
 
@@ -198,6 +199,8 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
     };
     if (pass->desc.by_importance)
         importance_map_add(&state, importance);
+    if (frame->medium)
+        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
     add_maps(pass, &state, rsm);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);

@@ -27,6 +27,7 @@ struct vpl_desc {
     int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
     float reach; /* of the near field that is asked for, in spacings of VPLs */
     bool by_importance;
+    bool medium; /* frames have one */
 };
 
 struct vpl_pass {

@@ -7,29 +7,39 @@
 #include "passes/targets.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+static bool has_layer(const struct mean_desc *desc, int layer) {
+    return layer < LAYERS_PLAIN || (layer == LAYER_AIRLIGHT ? desc->medium : desc->specular);
+}
 
 static bool init_sums(struct mean_pass *pass) {
     bool ok = true;
     for (int i = 0; ok && i < pass->layers; i++)
-        ok = texture_init(&pass->sums[i], &(struct texture_desc){.label = "sum of passes",
-                                                                 .format = GL_RGBA32F,
-                                                                 .width = pass->desc.width,
-                                                                 .height = pass->desc.height}) &&
-             framebuffer_init(
-                 &pass->framebuffers[i],
-                 &(struct framebuffer_desc){.label = "sum of passes", .colors = {&pass->sums[i]}});
+        ok = !has_layer(&pass->desc, i) ||
+             (texture_init(&pass->sums[i], &(struct texture_desc){.label = "sum of passes",
+                                                                  .format = GL_RGBA32F,
+                                                                  .width = pass->desc.width,
+                                                                  .height = pass->desc.height}) &&
+              framebuffer_init(&pass->framebuffers[i],
+                               &(struct framebuffer_desc){.label = "sum of passes",
+                                                          .colors = {&pass->sums[i]}}));
     return ok;
 }
 
 bool mean_pass_init(struct mean_pass *pass, const struct mean_desc *desc) {
-    *pass = (struct mean_pass){.desc = *desc, .layers = desc->specular ? LAYERS : LAYERS_PLAIN};
+    *pass = (struct mean_pass){.desc = *desc, .layers = LAYERS};
+    while (!has_layer(desc, pass->layers - 1))
+        pass->layers--;
+    char layers[32], display_layers[sizeof layers + 8];
+    snprintf(layers, sizeof layers, "LAYER_COUNT %d", pass->layers);
+    snprintf(display_layers, sizeof display_layers, "DISPLAY;%s", layers);
     /* Drawn: in compute shaders llvmpipe 22.3 reads zeros by an index of sums[] that varies. */
-    struct program_desc program = {.vertex = "fullscreen.vert",
-                                   .fragment = "picture/mean.frag",
-                                   .defines = desc->specular ? "HAS_SPECULAR" : NULL};
+    struct program_desc program = {
+        .vertex = "fullscreen.vert", .fragment = "picture/mean.frag", .defines = layers};
     struct program_desc display = program;
-    display.defines = desc->specular ? "DISPLAY;HAS_SPECULAR" : "DISPLAY";
+    display.defines = display_layers;
     if (program_init(&pass->layer_program, &program) &&
         program_init(&pass->display_program, &display) && init_sums(pass) &&
         buffer_init(&pass->params, "mean parameters", sizeof(struct composite_params), NULL))
@@ -52,7 +62,8 @@ void mean_pass_free(struct mean_pass *pass) {
 void mean_pass_clear(const struct mean_pass *pass) {
     static const float zero[4] = {0};
     for (int i = 0; i < pass->layers; i++)
-        framebuffer_clear_color(pass->framebuffers[i], TARGET_RESULT, zero);
+        if (pass->framebuffers[i])
+            framebuffer_clear_color(pass->framebuffers[i], TARGET_RESULT, zero);
 }
 
 static void draw(const struct mean_pass *pass, const struct frame *frame, GLuint program,
@@ -65,8 +76,8 @@ static void draw(const struct mean_pass *pass, const struct frame *frame, GLuint
         .height = pass->desc.height,
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
-    for (GLuint i = 0; i < (GLuint)pass->layers; i++)
-        pass_add_texture(&state, UNIT_LAYER_SUMS + i, pass->sums[i].id);
+    for (GLuint i = 0; i < (GLuint)pass->layers; i++) /* drivers warn of empty units */
+        pass_add_texture(&state, UNIT_LAYER_SUMS + i, pass->sums[pass->framebuffers[i] ? i : 0].id);
     buffer_write(&pass->params, 0, sizeof *params, params);
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);

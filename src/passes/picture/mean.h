@@ -17,15 +17,16 @@ struct frame;
 
 struct mean_desc {
     int width, height;
-    bool specular; /* all LAYERS; else LAYERS_PLAIN */
+    bool specular, medium; /* with their layers */
 };
 
 struct mean_pass {
     struct mean_desc desc;
     GLuint display_program, layer_program;
-    int layers;
+    int layers;                  /* one more than the last that there is */
     struct texture sums[LAYERS]; /* RGBA32F, at LAYER_... */
-    GLuint framebuffers[LAYERS]; /* for passes/picture/composite.h to add to */
+    GLuint framebuffers
+        [LAYERS]; /* for passes/picture/composite.h to add to; 0: the layer is not there */
     struct buffer params;
 };
 

@@ -21,7 +21,8 @@ static float disagree_of(const struct environment_lighting_desc *desc) {
 
 static bool init_programs(struct environment_lighting_pass *pass) {
     char *defines = mem_printf("SUNS %d;SHADOW_RAYS %d", pass->desc.suns, pass->desc.shadow_rays);
-    char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
+    char *light_defines = mem_printf("%s%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "",
+                                     pass->desc.medium ? ";HAS_MEDIUM" : "");
     bool ok = program_init(&pass->share_program,
                            &(struct program_desc){
                                .screen = {"visibility/sky_shares.frag", .layers = true}}) &&
@@ -205,5 +206,7 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
     }
+    if (frame->medium)
+        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
     draw_light(pass, frame, &state);
 }

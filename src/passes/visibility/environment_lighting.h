@@ -20,6 +20,7 @@ struct environment_lighting_desc {
     int shadow_rays;             /* to each light; more to suns */
     float disagree; /* of light, for few lights: where blocks do by more, rays start at the pixel */
     bool specular;  /* the G-buffer has it */
+    bool medium;    /* frames have one */
 };
 
 struct environment_lighting_pass {

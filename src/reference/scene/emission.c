@@ -108,6 +108,11 @@ static struct emitter piece_of(const struct emission *emission, int n, vec2s pla
     return emitter_piece(&source->light, place.raw);
 }
 
+struct emitter emission_piece(const struct emission *emission, int n, vec2s place) {
+    double density;
+    return piece_of(emission, n, place, &density);
+}
+
 /* Light rays start from an area light by the cosine, which is in the strength, else evenly. */
 static float ray_density(const struct emitter *piece, const struct source *source, float strength,
                          float distance) {
@@ -132,6 +137,13 @@ static float picked_density(const struct emitter *light, const struct hit *hit, 
     if (hit->brdf.diffuse || emitter_shape(light) == EMITTER_IS_POINT)
         return 0;
     return 1 / (weight * (float)emitter_extent(light) * solid_angle);
+}
+
+/* What of light arrives from so far away. */
+static vec3s through_medium(const struct emission *emission, const struct hit *hit, vec3s direction,
+                            float distance, vec3s light) {
+    return glms_vec3_mul(
+        light, medium_transmittance(&emission->medium, hit->position, direction, distance));
 }
 
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
@@ -173,6 +185,7 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     arrival->at = glms_vec3_add(hit->position, glms_vec3_scale(to_light, distance));
     arrival->irradiance =
         glms_vec3_scale(vector_of(light.intensity), weight * strength * in_range * cos_shading);
+    arrival->irradiance = through_medium(emission, hit, to_light, distance, arrival->irradiance);
     arrival->density = weight * density * cos_geometric * source->share;
     arrival->direction = to_light;
     arrival->picked = source->kind == SOURCE_LIGHT
@@ -246,9 +259,11 @@ bool emission_found(const struct emission *emission, int n, const struct hit *hi
     if (is_sky == (end != NULL) || !(end ? find_surface(emission, hit, direction, end, &found)
                                          : find_sky(emission, direction, &found)))
         return false;
+    float distance = end ? glms_vec3_distance(end->position, hit->position) : INFINITY;
+    vec3s irradiance = glms_vec3_scale(found.radiance, cosine / found.picked);
     *arrival = (struct arrival){
         .direction = direction,
-        .irradiance = glms_vec3_scale(found.radiance, cosine / found.picked),
+        .irradiance = through_medium(emission, hit, direction, distance, irradiance),
         .density = found.rays * cos_geometric,
         .picked = found.picked,
         .found = hit_density(hit, direction, cosine) / found.picked,

@@ -4,6 +4,7 @@
 
 #include "base/deal.h"
 #include "reference/sampler.h"
+#include "reference/scene/medium_ball.h"
 #include "reference/scene/ray_scene.h"
 #include "reference/scene/sky.h"
 #include "reference/scene/surfaces.h"
@@ -27,14 +28,15 @@ struct emission {
     bool has_sizes;                  /* some light has a size: places on lights are to be drawn */
     bool has_found;                  /* rays of diffuse surfaces may come to one by chance */
     struct dealt *rays; /* from which light each light ray starts: as many as it has flux */
-    vec3s center;       /* of the scene's bounding sphere */
-    float radius;       /* the same sphere's, m */
+    struct medium_ball medium;
+    vec3s center; /* of the scene's bounding sphere */
+    float radius; /* the same sphere's, m */
 };
 
 /* A light as it reaches a surface from one place of its own when nothing is between: places are two
  * numbers in [0, 1), and a light without a size is the same from all. irradiance is what the whole
- * light would give if all were as this place, over the density with which emission_place picks it;
- * density is over the same. */
+ * light would give if all were as this place, over the density with which emission_place picks it, and what of that
+ * passes the medium; density is over the same. */
 struct arrival {
     vec3s at;         /* a point towards the light beyond which nothing can block */
     vec3s direction;  /* unit: to the light */
@@ -46,7 +48,7 @@ struct arrival {
 };
 
 /* With so many light rays, or none. table, which must live on, has the emissive surfaces; NULL: what stands
- * in for them is taken for lights. A black sky is no source. */
+ * in for them is taken for lights. A black sky is no source. Without a medium, which may be set afterwards. */
 void emission_init(struct emission *emission, const struct emitters *emitters,
                    const struct geometry *geometry, const struct hit_table *table, int ray_count);
 
@@ -55,6 +57,10 @@ void emission_free(struct emission *emission);
 
 /* Whether the n-th light has more than one place. */
 bool emission_has_size(const struct emission *emission, int n);
+
+/* The light without a size that shines from one place, two numbers in [0, 1), as the whole n-th light does on
+ * average. */
+struct emitter emission_piece(const struct emission *emission, int n, vec2s place);
 
 /* A place of the n-th light picked for this surface: of a rectangle by solid angle, of a sphere on the
  * side that it sees, of a sky by radiance. */

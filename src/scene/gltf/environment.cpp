@@ -9,14 +9,15 @@ extern "C" {
 #include <cmath>
 
 namespace gltf {
-namespace {
 
-const tinygltf::Value *find_extras(const Model &model) {
+const tinygltf::Value *find_extras(const Model &model, const char *key) {
     size_t shown = model.defaultScene >= 0 ? size_t(model.defaultScene) : 0;
-    if (shown < model.scenes.size() && model.scenes[shown].extras.Has("environment"))
+    if (shown < model.scenes.size() && model.scenes[shown].extras.Has(key))
         return &model.scenes[shown].extras;
-    return model.asset.extras.Has("environment") ? &model.asset.extras : nullptr;
+    return model.asset.extras.Has(key) ? &model.asset.extras : nullptr;
 }
+
+namespace {
 
 bool read_number(const tinygltf::Value &extras, const char *key, float &to) {
     if (!extras.Has(key))
@@ -35,7 +36,7 @@ bool read_desc(const tinygltf::Value &extras, struct environment_desc &desc) {
 } // namespace
 
 bool load_environment(Loader &loader) {
-    const tinygltf::Value *extras = find_extras(loader.model);
+    const tinygltf::Value *extras = find_extras(loader.model, "environment");
     struct environment_desc desc = {nullptr, 0, 1};
     if (!extras)
         return true;

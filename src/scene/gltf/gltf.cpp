@@ -76,7 +76,8 @@ class MemoryEnds {
 bool load_parts(Loader &loader) {
     return check_extensions(loader) && load_materials(loader) && load_meshes(loader) &&
            load_lights(loader) && load_cameras(loader) && load_nodes(loader) &&
-           load_skins(loader) && load_clips(loader) && load_environment(loader);
+           load_skins(loader) && load_clips(loader) && load_environment(loader) &&
+           load_medium(loader);
 }
 
 } // namespace

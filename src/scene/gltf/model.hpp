@@ -173,6 +173,11 @@ bool load_nodes(Loader &loader);
 bool load_skins(Loader &loader);
 bool load_clips(Loader &loader);
 bool load_environment(Loader &loader);
+bool load_medium(Loader &loader);
+
+/* environment.cpp: the extras with that key, of the scene that is shown or else of the asset; nullptr: there are
+ * none. */
+const tinygltf::Value *find_extras(const Model &model, const char *key);
 
 /* instances.cpp: how often a node's mesh is there by EXT_mesh_gpu_instancing, 0 = plainly; and the
  * nodes for that, behind the scene's last one, which is the node. */

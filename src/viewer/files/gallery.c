@@ -95,7 +95,7 @@ static bool go_on(void *user, const struct path_tracer_progress *progress) {
 /* As the scene begins; where nothing is seen then, as behind a door that is shut, in the middle of its clip. */
 static bool trace(struct gallery *gallery, const char *path, struct image *image) {
     struct stage stage;
-    const struct path_tracer_desc desc = {
+    struct path_tracer_desc desc = {
         .width = GALLERY_WIDTH,
         .height = GALLERY_HEIGHT,
         .bounces = 1,
@@ -107,6 +107,7 @@ static bool trace(struct gallery *gallery, const char *path, struct image *image
     };
     if (!stage_init(&stage, &(struct stage_desc){.path = path}))
         return false;
+    desc.medium = stage.scene.medium;
     bool ok = picture_trace_paths(&stage, &desc, image, NULL);
     double duration = scene_duration(&stage.scene);
     if (ok && duration > 0 && develop_is_black(image)) {

@@ -39,6 +39,7 @@ static bool trace(struct preview *preview, int samples) {
         .width = (int)fmax(16, scale * wanted->width),
         .height = (int)fmax(16, scale * wanted->height),
         .bounces = 1,
+        .medium = wanted->scene->medium,
         .samples = samples,
         .paths = 1,
         .centers = true,

@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/shell.h"
 #include "renderer/renderer.h"
+#include "scene/medium.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -61,7 +62,8 @@ void session_set_sky(struct session *session, const struct environment *sky) {
 bool session_same_view(const struct session *a, const struct session *b) {
     return strcmp(a->clip, b->clip) == 0 && a->time == b->time &&
            session_bounces(a) == session_bounces(b) && strcmp(a->camera, b->camera) == 0 &&
-           strcmp(a->lights, b->lights) == 0 && session_same_sky(a, b);
+           strcmp(a->lights, b->lights) == 0 && session_same_sky(a, b) &&
+           settings_same(&a->settings, &b->settings, &medium_part);
 }
 
 /* Steps through the settings that are not at their defaults. */

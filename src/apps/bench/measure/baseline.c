@@ -4,6 +4,7 @@
 #include "base/clock.h"
 #include "quality/picture.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 
 #include <stdio.h>
 
@@ -17,13 +18,15 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
     const struct material_settings *surface =
         settings_of(struct material_settings, &desc->settings, &material_part);
     struct image image;
-    struct path_tracer_desc tracer = {.width = desc->width,
-                                      .height = desc->height,
-                                      .bounces = bounces,
-                                      .samples = samples,
-                                      .materials = surface->materials,
-                                      .centers = reference->kind == REFERENCE_CENTERS,
-                                      .denoise = true};
+    struct path_tracer_desc tracer = {
+        .width = desc->width,
+        .height = desc->height,
+        .bounces = bounces,
+        .samples = samples,
+        .materials = surface->materials,
+        .medium = medium_of(&desc->stage->scene, &desc->settings, desc->stage->geometry.radius),
+        .centers = reference->kind == REFERENCE_CENTERS,
+        .denoise = true};
     snprintf(desc->point, sizeof desc->point, "spp=%d", samples);
     bool resumed;
     if (!results_resume(results, desc, &resumed) || resumed)
@@ -45,6 +48,7 @@ bool baseline_measure(struct results *results, const struct measure_desc *desc,
     struct measure_desc baseline = measure_default(desc->stage, desc->width, desc->height);
     struct image exact;
     settings_copy(&baseline.settings, &desc->settings, &material_part);
+    settings_copy(&baseline.settings, &desc->settings, &medium_part);
     bool ok = reference_get(reference, desc, &exact);
     baseline.technique = NULL;
     snprintf(baseline.variant, sizeof baseline.variant, "denoised tracer");

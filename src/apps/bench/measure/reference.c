@@ -11,6 +11,7 @@
 #include "quality/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 #include "techniques/volume.h"
 
 #include "sources.h"
@@ -33,6 +34,11 @@ static float ao_distance_of(const struct measure_desc *desc) {
     return volume_ao_distance(&desc->settings, &desc->stage->geometry);
 }
 
+static struct medium medium_shown(const struct measure_desc *desc) {
+    const struct stage *stage = desc->stage;
+    return medium_of(&stage->scene, &desc->settings, stage->geometry.radius);
+}
+
 /* --- where it is kept ------------------------------------------------------------------------- */
 
 /* Of all that the reference depends on; the renderer's own picture on all sources. */
@@ -48,6 +54,9 @@ static uint64_t hash_of(const struct measure_desc *desc, enum reference_kind kin
         hash_bytes(&sum, &materials, sizeof materials);
     if (kind == REFERENCE_AO)
         hash_bytes(&sum, &ao_distance, sizeof ao_distance);
+    struct medium medium = medium_shown(desc);
+    if (medium_exists(&medium))
+        hash_bytes(&sum, &medium, sizeof medium);
     return sum;
 }
 
@@ -84,6 +93,7 @@ static struct path_tracer_desc tracer_of(const struct reference_desc *reference,
                                      .bounces = seen || ao ? 0 : measure_bounces(desc),
                                      .noise = reference->noise,
                                      .materials = materials_of(desc),
+                                     .medium = medium_shown(desc),
                                      .centers = seen || reference->kind == REFERENCE_CENTERS,
                                      .ao_distance = ao ? ao_distance_of(desc) : 0,
                                      .ao_alone = ao,
@@ -119,6 +129,7 @@ static bool render_all_vpls(const struct measure_desc *desc, struct image *image
     char bounces[32];
     snprintf(bounces, sizeof bounces, "bounces=%d", measure_bounces(desc));
     settings_copy(&all.settings, &desc->settings, &material_part);
+    settings_copy(&all.settings, &desc->settings, &medium_part);
     return variant_apply(&all, reference_vpls) && measure_assign(&all, bounces) &&
            picture_render(&all, image);
 }

@@ -1,0 +1,208 @@
+#include "passes/picture/airlight.h"
+
+#include "gl/framebuffer.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+#include "lights/light_samples.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
+
+#include <cglm/util.h>
+
+#include <math.h>
+#include <stdio.h>
+
+static bool init_programs(struct airlight_pass *pass) {
+    bool ok = true;
+    for (int kind = 0; ok && kind < AIRLIGHT_KINDS; kind++) {
+        char defines[32];
+        snprintf(defines, sizeof defines, "HAS_MEDIUM;KIND %d", kind);
+        ok = program_init(
+            &pass->programs[kind],
+            &(struct program_desc){.screen = {"picture/airlight.frag", .blended = true},
+                                   .defines = defines});
+    }
+    for (int axis = 0; ok && axis < 2; axis++)
+        ok = program_init(&pass->blur_programs[axis],
+                          &(struct program_desc){.screen = {"picture/airlight_blur.frag"},
+                                                 .defines = axis ? "HAS_MEDIUM;LAST" : NULL});
+    return ok;
+}
+
+static bool init_texture(struct airlight_pass *pass, struct texture *texture, const char *label,
+                         GLenum format) {
+    return texture_init(texture, &(struct texture_desc){.label = label,
+                                                        .format = format,
+                                                        .width = pass->desc.width,
+                                                        .height = pass->desc.height});
+}
+
+static bool init_targets(struct airlight_pass *pass) {
+    return init_texture(pass, &pass->steps, "airlight steps", GL_RGBA32F) &&
+           init_texture(pass, &pass->half_blurred, "airlight half blurred", GL_RGBA32F) &&
+           init_texture(pass, &pass->in_scatter, "airlight", GL_RGBA16F) &&
+           init_texture(pass, &pass->transmittance, "transmittance", GL_RGBA16F) &&
+           framebuffer_init(
+               &pass->steps_framebuffer,
+               &(struct framebuffer_desc){.label = "airlight steps", .colors = {&pass->steps}}) &&
+           framebuffer_init(&pass->half_framebuffer,
+                            &(struct framebuffer_desc){.label = "airlight half blurred",
+                                                       .colors = {&pass->half_blurred}}) &&
+           framebuffer_init(&pass->framebuffer,
+                            &(struct framebuffer_desc){
+                                .label = "airlight",
+                                .colors = {[TARGET_RESULT] = &pass->in_scatter,
+                                           [TARGET_TRANSMITTANCE] = &pass->transmittance}});
+}
+
+static void free_targets(struct airlight_pass *pass) {
+    framebuffer_free(&pass->steps_framebuffer);
+    framebuffer_free(&pass->half_framebuffer);
+    framebuffer_free(&pass->framebuffer);
+    texture_free(&pass->steps);
+    texture_free(&pass->half_blurred);
+    texture_free(&pass->in_scatter);
+    texture_free(&pass->transmittance);
+}
+
+bool airlight_pass_resize(struct airlight_pass *pass, int width, int height) {
+    struct airlight_pass fresh = *pass;
+    fresh.steps = fresh.half_blurred = fresh.in_scatter = fresh.transmittance = (struct texture){0};
+    fresh.steps_framebuffer = fresh.half_framebuffer = fresh.framebuffer = 0;
+    fresh.desc.width = width;
+    fresh.desc.height = height;
+    bool ok = init_targets(&fresh);
+    free_targets(ok ? pass : &fresh);
+    if (ok)
+        *pass = fresh;
+    return ok;
+}
+
+bool airlight_pass_init(struct airlight_pass *pass, const struct airlight_desc *desc) {
+    *pass = (struct airlight_pass){.desc = *desc};
+    if (init_programs(pass) && init_targets(pass) &&
+        buffer_init(&pass->params, "airlight parameters", sizeof(struct airlight_params), NULL) &&
+        buffer_init(&pass->blur_params, "airlight parameters", sizeof(struct airlight_params),
+                    NULL))
+        return true;
+    airlight_pass_free(pass);
+    return false;
+}
+
+void airlight_pass_free(struct airlight_pass *pass) {
+    for (int kind = 0; kind < AIRLIGHT_KINDS; kind++)
+        program_free(&pass->programs[kind]);
+    for (int axis = 0; axis < 2; axis++)
+        program_free(&pass->blur_programs[axis]);
+    free_targets(pass);
+    buffer_free(&pass->params);
+    buffer_free(&pass->blur_params);
+    *pass = (struct airlight_pass){0};
+}
+
+/* Fewer would show as noise that the blur does not join. */
+enum { LEAST_STEPS = 8 };
+
+/* Light samples of a lamp are spread over it; those of a ball do not grow nearer to them than so much of the radius of
+ * their share. */
+static const double ball_width = .25;
+
+static void set_source(struct airlight_params *params, int n, const struct emitter *lamp,
+                       int samples) {
+    enum emitter_shape shape = emitter_shape(lamp);
+    bool is_flat = shape == EMITTER_IS_RECTANGLE || shape == EMITTER_IS_DISK;
+    double width = shape == EMITTER_IS_CAP ? 0 : sqrt(emitter_extent(lamp) / (GLM_PI * samples));
+    float half[2] = {lamp->size[0] / 2, lamp->size[1] / 2};
+    params->sources[n][1] = (float)(is_flat ? width : ball_width * width);
+    params->sources[n][2] = !is_flat                        ? AIRLIGHT_FLAT_NONE
+                            : shape == EMITTER_IS_RECTANGLE ? AIRLIGHT_FLAT_RECTANGLE
+                                                            : AIRLIGHT_FLAT_DISK;
+    for (int c = 0; c < 3; c++) {
+        params->middles[n][c] = lamp->position[c];
+        params->rights[n][c] = half[0] * lamp->right[c];
+        params->ups[n][c] = half[shape == EMITTER_IS_RECTANGLE] * lamp->up[c];
+    }
+}
+
+static void write_params(const struct airlight_pass *pass, const struct frame *frame,
+                         const struct emitters *whole) {
+    struct airlight_params params = {
+        .scale = frame->irradiance_scale, .turn = frame_turn(frame), .along = {1, 0}};
+    for (int i = 0; i < frame->layout.groups; i++) {
+        const struct light_group *group = &frame->groups[i];
+        int share = (pass->desc.steps + group->count - 1) / group->count;
+        int least = pass->desc.steps < LEAST_STEPS ? pass->desc.steps : LEAST_STEPS;
+        for (int n = group->first; n < group->first + group->count; n++) {
+            params.sources[n][0] = (float)(share > least ? share : least);
+            if (i < whole->count)
+                set_source(&params, n, &whole->items[i], group->count);
+        }
+    }
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    params.along[0] = 0;
+    params.along[1] = 1;
+    buffer_write(&pass->blur_params, 0, sizeof params, &params);
+}
+
+static int kind_of(const struct light *light) {
+    return light->type == LIGHT_TYPE_DIRECTIONAL ? AIRLIGHT_DIRECTIONAL
+           : light->view_count > 1               ? AIRLIGHT_POINT
+                                                 : AIRLIGHT_SPOT;
+}
+
+static void march(const struct airlight_pass *pass, const struct frame *frame,
+                  const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
+                  int index) {
+    const struct light *light = &frame->light_block->sources[index];
+    GLuint program = pass->programs[kind_of(light)];
+    pass_set_state(&(struct pass_state){
+        .name = "airlight",
+        .program = program,
+        .framebuffer = pass->steps_framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .blend = index > 0 ? PASS_BLEND_ADD : PASS_BLEND_OFF,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_MAP_DEPTH, maps[frame->light_block->views[light->first_view].kind].id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_MEDIUM, frame->medium},
+                   {BLOCK_PASS, &pass->params}},
+    });
+    gl.ProgramUniform1i(program, LOCATION_LIGHT, index);
+    pass_draw_fullscreen(1);
+}
+
+static void blur(const struct airlight_pass *pass, const struct frame *frame,
+                 const struct gbuffer *gbuffer, int axis) {
+    pass_set_state(&(struct pass_state){
+        .name = "airlight",
+        .program = pass->blur_programs[axis],
+        .framebuffer = axis ? pass->framebuffer : pass->half_framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_AIRLIGHT, axis ? pass->half_blurred.id : pass->steps.id}},
+        .blocks = {{BLOCK_VIEW, frame->view},
+                   {BLOCK_MEDIUM, frame->medium},
+                   {BLOCK_PASS, axis ? &pass->blur_params : &pass->params}},
+    });
+    pass_draw_fullscreen(1);
+}
+
+void airlight_pass_render(const struct airlight_pass *pass, const struct frame *frame,
+                          const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
+                          const struct emitters *whole) {
+    static const float none[4] = {0};
+    timer_begin(frame->timers, "airlight");
+    write_params(pass, frame, whole);
+    if (frame->light_block->count == 0)
+        framebuffer_clear_color(pass->steps_framebuffer, TARGET_RESULT, none);
+    for (int i = 0; i < frame->light_block->count; i++)
+        march(pass, frame, gbuffer, maps, i);
+    blur(pass, frame, gbuffer, 0);
+    blur(pass, frame, gbuffer, 1);
+    timer_end(frame->timers);
+}

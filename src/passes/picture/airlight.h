@@ -1,0 +1,44 @@
+/* Airlight with shadows: what a medium scatters once from the lights towards the camera, and what it lets pass.
+ *
+ * For each pixel and light, steps along the ray look up the light's shadow map [Dong 2011 §8.2 names Wyman and Ramsey's
+ * shadow volumes instead]. Steps are even in the angle seen from the light [Kulla and Fajardo 2012]. Pixels of an 8x8
+ * pattern step at different places, and a blur by depth joins them. The cost is steps times lights times pixels. */
+#ifndef PASSES_AIRLIGHT_H
+#define PASSES_AIRLIGHT_H
+
+#include "gl/buffer.h"
+#include "gl/texture.h"
+#include "shared/airlight.h"
+
+struct emitters;
+struct frame;
+struct gbuffer;
+
+struct airlight_desc {
+    int width, height;
+    int steps; /* of a light; light samples of one light share them, at least 8 each */
+};
+
+struct airlight_pass {
+    struct airlight_desc desc;
+    GLuint programs[AIRLIGHT_KINDS], blur_programs[2];
+    struct texture steps, half_blurred; /* RGBA32F */
+    struct texture in_scatter;          /* RGBA16F, radiance times irradiance_scale */
+    struct texture transmittance;       /* RGBA16F */
+    GLuint steps_framebuffer, half_framebuffer, framebuffer;
+    struct buffer params, blur_params;
+};
+
+bool airlight_pass_init(struct airlight_pass *pass, const struct airlight_desc *desc);
+void airlight_pass_free(struct airlight_pass *pass);
+
+/* Error: out of GPU memory; all is as it was. */
+bool airlight_pass_resize(struct airlight_pass *pass, int width, int height);
+
+/* Fills in_scatter and transmittance for a frame with a medium. maps: shadow maps of the frame's lights; whole: what its
+ * groups of lights are samples of. Timer "airlight". */
+void airlight_pass_render(const struct airlight_pass *pass, const struct frame *frame,
+                          const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
+                          const struct emitters *whole);
+
+#endif

@@ -1,0 +1,94 @@
+#include "reference/airlight.h"
+
+#include "reference/vector.h"
+
+#include <math.h>
+
+struct ray {
+    vec3s origin, direction;
+    float segment[2]; /* in the medium */
+};
+
+/* A point of the ray: how far along it, and the metres of ray that it stands for. */
+struct point {
+    float along, stands_for;
+};
+
+/* Even in psi, where tan(angle / 2) = tan(psi) / k, k = (1 + g) / (1 - g), and the angle is that of the scattering:
+ * its density is a wrapped Cauchy distribution, as pointed as the phase function is, and even in the angle where
+ * g = 0. */
+static float psi_at(float from_foot, float h, float k) {
+    float r = hypotf(from_foot, h);
+    return from_foot > 0 ? atan2f(k * (r + from_foot), h) : atan2f(k * h, r - from_foot);
+}
+
+static struct point point_towards(const struct ray *ray, vec3s light, float g, float least_h,
+                                  float sample) {
+    vec3s to_light = glms_vec3_sub(light, ray->origin);
+    float foot = glms_vec3_dot(to_light, ray->direction);
+    vec3s aside = glms_vec3_muladds(ray->direction, -foot, to_light);
+    float h = fmaxf(glms_vec3_norm(aside), least_h), k = (1 + g) / (1 - g);
+    float from = psi_at(ray->segment[0] - foot, h, k), to = psi_at(ray->segment[1] - foot, h, k);
+    float psi = glm_lerp(from, to, sample), s = sinf(psi), c = k * cosf(psi);
+    float r = h * (s * s + c * c) / (2 * s * c);
+    float along = foot - h * (c * c - s * s) / (2 * s * c);
+    return (struct point){along, (to - from) * 2 * k * r * r / ((s * s + c * c) * h)};
+}
+
+/* By the light that passes the medium. */
+static struct point point_by_depth(const struct ray *ray, const struct medium_ball *medium,
+                                   float sample) {
+    float sigma = glms_vec3_hadd(medium->extinction) / 3;
+    float length = ray->segment[1] - ray->segment[0], stopped = -expm1f(-sigma * length);
+    float along = sigma * length < 1e-3F ? sample * length : -log1pf(-sample * stopped) / sigma;
+    float density = sigma * length < 1e-3F ? 1 / length : sigma * expf(-sigma * along) / stopped;
+    return (struct point){ray->segment[0] + along, 1 / density};
+}
+
+static vec3s from_piece(const struct emission *emission, const struct ray_scene *rays,
+                        const struct ray *ray, const struct emitter *piece, float sample) {
+    const struct medium_ball *medium = &emission->medium;
+    bool directional = piece->type == EMITTER_DIRECTIONAL;
+    vec3s light = vector_of(piece->position),
+          to_light = glms_vec3_negate(vector_of(piece->direction));
+    float distance = 2 * emission->radius, strength = 1;
+    struct point point =
+        directional ? point_by_depth(ray, medium, sample)
+                    : point_towards(ray, light, medium->g, 1e-6F * emission->radius, sample);
+    vec3s x = glms_vec3_muladds(ray->direction, point.along, ray->origin);
+    if (!directional) {
+        vec3s path = glms_vec3_sub(light, x);
+        distance = glms_vec3_norm(path);
+        float cos_axis = glms_vec3_dot(path, to_light) / distance;
+        to_light = glms_vec3_scale(path, 1 / distance);
+        strength = emitter_cone(piece, cos_axis) * emitter_in_range(piece, distance) /
+                   (distance * distance);
+    }
+    float phase = medium_phase(medium->g, glms_vec3_dot(to_light, ray->direction));
+    float share = strength * phase * point.stands_for;
+    if (!(share > 0 && isfinite(share)) ||
+        !ray_scene_visible(rays, x, glms_vec3_muladds(to_light, distance, x)))
+        return glms_vec3_zero();
+    vec3s passes = glms_vec3_mul(medium_passes(medium, point.along - ray->segment[0]),
+                                 medium_transmittance(medium, x, to_light, distance));
+    vec3s scattered = glms_vec3_mul(medium->scattering, vector_of(piece->intensity));
+    return glms_vec3_scale(glms_vec3_mul(scattered, passes), share);
+}
+
+vec3s airlight_along(const struct emission *emission, const struct ray_scene *rays, vec3s origin,
+                     vec3s direction, float length, const struct sampler *samplers, int count) {
+    struct ray ray = {origin, direction, {0}};
+    vec3s sum = glms_vec3_zero();
+    if (!medium_segment(&emission->medium, origin, direction, length, ray.segment))
+        return sum;
+    for (int i = 0; i < count; i++) {
+        struct sampler sampler = samplers[i];
+        for (int n = 0; n < emission->count; n++) {
+            vec2s place = sampler_next(&sampler);
+            struct emitter piece = emission_piece(emission, n, place);
+            sum = glms_vec3_add(sum,
+                                from_piece(emission, rays, &ray, &piece, sampler_next(&sampler).x));
+        }
+    }
+    return glms_vec3_scale(sum, 1 / (float)count);
+}

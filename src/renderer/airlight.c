@@ -1,0 +1,43 @@
+#include "renderer/airlight.h"
+
+#include "shared/medium.h"
+
+/* Texels along each side of a light's map, for up to so many views: the blur is wider than the steps of its edges. */
+enum { MAP_SIZE = 1024, FULL_VIEWS = 8 };
+
+static int map_size(const struct light_layout *lights) {
+    const int faces_of_view = 4; /* which are half as large */
+    int views = lights->views[LIGHT_MAP_SINGLE] + lights->views[LIGHT_MAP_FACE] / faces_of_view;
+    return light_map_share(MAP_SIZE, views, FULL_VIEWS);
+}
+
+bool airlight_init(struct airlight *airlight, const struct airlight_part_desc *desc) {
+    *airlight = (struct airlight){0};
+    if (buffer_init(&airlight->medium, "medium", sizeof(struct medium_params), NULL) &&
+        shadow_map_pass_init(&airlight->maps,
+                             &(struct shadow_map_desc){map_size(&desc->lights), desc->lights}) &&
+        airlight_pass_init(&airlight->pass,
+                           &(struct airlight_desc){desc->width, desc->height, desc->steps}))
+        return true;
+    airlight_free(airlight);
+    return false;
+}
+
+void airlight_free(struct airlight *airlight) {
+    buffer_free(&airlight->medium);
+    shadow_map_pass_free(&airlight->maps);
+    airlight_pass_free(&airlight->pass);
+}
+
+void airlight_set_medium(const struct airlight *airlight, const struct medium *medium,
+                         const struct geometry *geometry) {
+    struct medium_params params = {.radius = geometry->radius, .g = medium->g};
+    for (int c = 0; c < 3; c++) {
+        params.center[c] = geometry->center[c];
+        params.scattering[c] = medium->scattering[c];
+        params.extinction[c] = medium->scattering[c] + medium->absorption[c];
+        params.mean_extinction += params.extinction[c] / 3;
+    }
+    if (airlight->medium.id)
+        buffer_write(&airlight->medium, 0, sizeof params, &params);
+}

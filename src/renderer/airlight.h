@@ -1,0 +1,28 @@
+/* What a renderer has for a medium: its block, shadow maps from all light samples, and the airlight pass. */
+#ifndef RENDERER_AIRLIGHT_H
+#define RENDERER_AIRLIGHT_H
+
+#include "passes/picture/airlight.h"
+#include "passes/visibility/shadow_map.h"
+#include "scene/mesh/geometry.h"
+
+struct airlight_part_desc {
+    int width, height, steps;
+    struct light_layout lights; /* light samples */
+};
+
+/* All zero: no medium. */
+struct airlight {
+    struct buffer medium; /* for BLOCK_MEDIUM */
+    struct shadow_map_pass maps;
+    struct airlight_pass pass;
+};
+
+bool airlight_init(struct airlight *airlight, const struct airlight_part_desc *desc);
+void airlight_free(struct airlight *airlight);
+
+/* The medium of the next frames, in the geometry's bounding sphere. */
+void airlight_set_medium(const struct airlight *airlight, const struct medium *medium,
+                         const struct geometry *geometry);
+
+#endif
