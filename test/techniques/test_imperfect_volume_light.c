@@ -320,17 +320,17 @@ static void add_room(struct shape *shape, vec3s low, vec3s high) {
 
 static double mean_on_floor(struct stage *stage, float x) {
     look(stage, at(x, 0, .5F), at(0, -1, 0), at(0, 0, -1), .9F);
-    struct image image = render_stage(stage, "imperfect-volume", "volume.size=64", 48);
+    struct image image = render_stage(stage, "imperfect-volume", "volume.size=65", 48);
     double mean = layer_mean(&image, "indirect");
     image_free(&image);
     return mean;
 }
 
-/* Two rooms of 1 m side by side, the light in one: 59 voxels are 2 m and the wall. */
+/* Two rooms of 1 m side by side, the light in one: 60 voxels are 2 m and the wall, whose middle is that of voxels. */
 static double leak(double wall) {
     struct stage stage;
     struct shape *shape = new_shape();
-    float width = (float)(wall * 2 / (59 - wall));
+    float width = (float)(wall * 2 / (60 - wall));
     add_room(shape, at(0, 0, 0), at(1, 1, 1));
     add_room(shape, at(1 + width, 0, 0), at(2 + width, 1, 1));
     open_shape(&stage, shape, .7, false, at(.5F, .7F, .5F));
@@ -343,7 +343,7 @@ static double leak(double wall) {
 
 static void test_leaks(void **state) {
     (void)state;
-    check_at_most("through a wall of half a voxel", leak(.5), .02);
+    check_at_most("through a wall of half a voxel", leak(.5), .1);
     check_at_most("of a voxel", leak(1), .02);
     check_at_most("of two voxels", leak(2), .02);
     check_at_most("of four voxels", leak(4), .02);
