@@ -19,6 +19,7 @@
 #include "scene/material.h"
 #include "shared/composite.h"
 #include "techniques/many_lights.h"
+#include "techniques/volume.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -33,7 +34,7 @@ struct values {
     struct stage_desc stage;
     struct path_tracer_desc tracer;
     struct text_list settings;
-    const char *output, *format, *background;
+    const char *output, *format, *background, *ao;
     float noise, tolerance;
     int technique, compensation;
 };
@@ -70,7 +71,7 @@ static const struct option options[] = {
     {"noise", 0, OPTION_FLOAT, offsetof(struct values, noise), 0, 0, 1, .value_name = "X%",
      .help =
          "limit of the standard error over the mean, for indirect light, direct light of lights\n"
-         "with a size, and specular light (over the mean of all light); 0: 1%"},
+         "with a size, specular light (over the mean of all light), and ao; 0: 1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
      .help = "samples at pixel centres only, as a rasteriser has them: no antialiasing"},
     {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none",
@@ -79,6 +80,11 @@ static const struct option options[] = {
     {"seen", 0, OPTION_FLAG, offsetof(struct values, tracer.seen),
      .help = "adds the layers unshadowed (direct light without occluders) and visibility (visible\n"
              "fraction of the lights), and their standard errors: means over the colours"},
+    {"ao", 0, OPTION_TEXT, offsetof(struct values, ao), .value_name = "D",
+     .help =
+         "adds the layer ao, ambient occlusion (fraction of cosine-weighted rays from a surface\n"
+         "that meet nothing within D metres), and its standard error;\n"
+         "auto: that of render --aov ao, .27 of the scene's longest side"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
@@ -110,6 +116,19 @@ static const struct arguments arguments = {
     .max_positional = 1,
 };
 
+static const struct option ao_distance = {
+    "ao", 0, OPTION_FLOAT, offsetof(struct values, tracer.ao_distance), 0, 1e-6, 1e9, .unit = "m"};
+
+static bool ao_is_auto(const struct values *values) {
+    return values->ao && strcmp(values->ao, "auto") == 0;
+}
+
+static bool parse_ao(struct values *values) {
+    if (values->ao && values->technique != TECHNIQUE_PATH)
+        return error_set("--ao is for --technique path");
+    return !values->ao || ao_is_auto(values) || option_parse(&ao_distance, values, values->ao);
+}
+
 static bool check_values(struct values *values) {
     struct background background;
     if (!values->output)
@@ -123,7 +142,7 @@ static bool check_values(struct values *values) {
         return error_set("--denoise is for --technique path");
     if (values->technique != TECHNIQUE_PATH && values->tracer.materials)
         return error_set("--materials is for --technique path");
-    if (!background_parse(&background, values->background) ||
+    if (!parse_ao(values) || !background_parse(&background, values->background) ||
         !background_check(&background, &values->output, 1))
         return false;
     values->tracer.hides_sky = background.kind != BACKGROUND_SCENE;
@@ -141,10 +160,12 @@ static bool show(void *user, const struct path_tracer_progress *progress) {
 }
 
 static bool trace_paths(const struct values *values, const struct stage *stage,
-                        struct image *image) {
+                        const struct settings *settings, struct image *image) {
     struct progress progress;
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
+    if (ao_is_auto(values))
+        desc.ao_distance = volume_ao_distance(settings, &stage->geometry);
     desc.progress = show;
     desc.user = &progress;
     progress_start(&progress);
@@ -242,9 +263,10 @@ int app_reference(int argc, char **argv) {
     if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
     choose_size(&values, &desc, &stage);
-    bool ok = (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &image)
-                                                  : trace_vpls(&values, &stage, &desc, &image)) &&
-              image_write(&image, values.output);
+    bool ok =
+        (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
+                                            : trace_vpls(&values, &stage, &desc, &image)) &&
+        image_write(&image, values.output);
     image_free(&image);
     stage_free(&stage);
     return ok ? STATUS_OK : arguments_fail(argv[0]);

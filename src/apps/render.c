@@ -80,7 +80,8 @@ static const struct option options[] = {
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
      .help = "more layers of an EXR: outputs of the technique, for example gathered\n"
              "(before the blur), val (colour of the strongest VAL), visibility\n"
-             "(fraction of the VALs' light that arrives), vpl (flux of VPLs)",
+             "(fraction of the VALs' light that arrives), vpl (flux of VPLs);\n"
+             "with every technique ao (ambient occlusion, by volume.size and volume.ao-distance)",
      .rare = true},
     STAGE_OPTIONS(struct values, stage),
     {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",

@@ -3,6 +3,8 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/names.h"
+#include "gl/pass.h"
+#include "gl/program.h"
 #include "inspect/lights.h"
 #include "passes/frame.h"
 #include "passes/gather/blur.h"
@@ -69,6 +71,41 @@ static bool fill_visibility(const struct fill *fill, const void *source) {
     return fill_from_vals(fill, source, 3, 1);
 }
 
+/* The mean over a pixel's samples. */
+static void draw_open(const struct fill *fill, const struct texture *open, GLuint program) {
+    const struct frame *frame = fill->frame;
+    const struct gbuffer *gbuffer = &fill->renderer->gbuffer;
+    pass_set_state(
+        &(struct pass_state){.name = "ambient occlusion",
+                             .program = program,
+                             .framebuffer = fill->target->framebuffer,
+                             .width = gbuffer->width,
+                             .height = gbuffer->height,
+                             .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                          {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                          {UNIT_IRRADIANCE, open->id},
+                                          {UNIT_SAMPLE_ASSIGNMENT, frame->assignment->id},
+                                          {UNIT_EDGE_SAMPLES, frame->edge_samples->id}},
+                             .blocks = {{BLOCK_VIEW, frame->view}}});
+    pass_draw_fullscreen(1);
+}
+
+static bool fill_ambient_occlusion(const struct fill *fill, const void *source) {
+    const struct texture *open = renderer_ambient_occlusion(fill->renderer);
+    struct composite_inputs inputs = renderer_composite_inputs(fill->renderer);
+    char defines[32];
+    GLuint program;
+    (void)source; /* the renderer */
+    snprintf(defines, sizeof defines, "SAMPLES %d", inputs.samples);
+    if (!open || !program_init(&program, &(struct program_desc){.screen = {"inspect/ao.frag"},
+                                                                .defines = defines}))
+        return false;
+    draw_open(fill, open, program);
+    layer_target_read(fill->target, 0, 1, fill->image, fill->channel);
+    program_free(&program);
+    return true;
+}
+
 /* --- VPLs --- */
 
 /* The pixel that a point falls on and its distance along the view's axis; false outside. */
@@ -118,10 +155,9 @@ static const struct layer_kind {
     const char *channels; /* one character each */
     bool (*fill)(const struct fill *fill, const void *source);
 } kinds[] = {
-    [OUTPUT_IRRADIANCE] = {"RGB", fill_irradiance},
-    [OUTPUT_VPLS] = {"RGB", fill_flux},
-    [OUTPUT_VALS] = {"RGB", fill_strongest},
-    [OUTPUT_VISIBILITY] = {"Y", fill_visibility},
+    [OUTPUT_IRRADIANCE] = {"RGB", fill_irradiance}, [OUTPUT_VPLS] = {"RGB", fill_flux},
+    [OUTPUT_VALS] = {"RGB", fill_strongest},        [OUTPUT_VISIBILITY] = {"Y", fill_visibility},
+    [OUTPUT_AO] = {"Y", fill_ambient_occlusion},
 };
 
 static const struct layer_kind *kind_of(const struct output *output) {

@@ -13,7 +13,7 @@ bool aov_check(const struct renderer *renderer, const char *names);
  *
  * irradiance: of a white surface, as the indirect layer. vpl: flux of the VPLs that a pixel shows,
  * W. val: the colour of the VAL that lights the pixel most. visibility: the share of the VALs' light
- * that arrives. */
+ * that arrives. ao: of cosine-weighted rays, the fraction that meets nothing near, by voxels. */
 bool aov_append(struct renderer *renderer, const char *names, struct image *image);
 
 #endif

@@ -74,6 +74,7 @@ static const struct texture *texture_of(const struct renderer *renderer,
     case OUTPUT_VPLS:
     case OUTPUT_VALS:
     case OUTPUT_VISIBILITY:
+    case OUTPUT_AO: /* of the same size */
         return &renderer->composite.display;
     default:
         return output->source;
@@ -235,6 +236,7 @@ static int mode_of(enum output_kind kind) {
         [OUTPUT_VPLS] = INSPECT_DIMMED,           [OUTPUT_VALS] = INSPECT_DIMMED,
         [OUTPUT_VISIBILITY] = INSPECT_VISIBILITY, [OUTPUT_MAP_DEPTH] = INSPECT_MAP_DEPTH,
         [OUTPUT_BASIS] = INSPECT_BASIS,           [OUTPUT_SIGNED_BASIS] = INSPECT_SIGNED_BASIS,
+        [OUTPUT_AO] = INSPECT_IRRADIANCE,
     };
     _Static_assert(sizeof modes / sizeof *modes == OUTPUT_KINDS, "a mode for each kind");
     return modes[kind];
@@ -251,6 +253,8 @@ static void write_params(const struct inspect *inspect, const struct renderer *r
         .layer_count = shown->layers,
         .exposure = exp2f(renderer_exposure(renderer)) / ((float)GLM_PI * frame->irradiance_scale),
     };
+    if (shown->kind == OUTPUT_AO)
+        params.exposure = 1;
     if (sheet) {
         params.columns = sheet->columns;
         params.rows = sheet->rows;
@@ -270,6 +274,8 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (!find(&shown, renderer, choice->output))
         return error_set("technique '%s' has no output '%s'", renderer->technique->name,
                          choice->output);
+    if (shown.kind == OUTPUT_AO && !(shown.texture = renderer_ambient_occlusion(renderer)))
+        return false;
     bool visibility = shown.kind == OUTPUT_VISIBILITY,
          whole = shown.layers > 1 && choice->layer < 0;
     struct sheet sheet = sheet_of(&shown, choice);

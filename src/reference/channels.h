@@ -4,7 +4,7 @@
 
 /* Those of every picture, and what the path tracer has besides: the standard error of the indirect
  * layer, whose square, the variance, half floats could not hold; and what emits light itself. Then what shadows are made of, where that
- * is asked for. Last, specular reflection, where some surface has it. */
+ * is asked for. Then specular reflection, where some surface has it. Last, ambient occlusion, where it is asked for. */
 #define CHANNELS_COMMON                                                                            \
     "R G B A Z direct.R direct.G direct.B indirect.R indirect.G indirect.B "                       \
     "albedo.R albedo.G albedo.B normal.X normal.Y normal.Z"
@@ -20,6 +20,7 @@
     "indirect.specular.R indirect.specular.G indirect.specular.B "                                 \
     "specular.R specular.G specular.B "                                                            \
     "standard_error.specular.R standard_error.specular.G standard_error.specular.B"
+#define CHANNELS_OF_AO "ao.Y standard_error.ao.Y"
 
 /* The first channel of each layer. Beauty and what is emitted alone are not zero where no surface is seen. */
 enum film_channel {
@@ -57,6 +58,13 @@ enum specular_channel {
     SPECULAR_ALL = 6,
     SPECULAR_STANDARD_ERROR = 9, /* of all */
     SPECULAR_END = 12,
+};
+
+/* The same, from where ambient occlusion begins: reference/ao.h. */
+enum ao_channel {
+    AO_OPEN = 0, /* 1 = nothing is near */
+    AO_STANDARD_ERROR = 1,
+    AO_END = 2,
 };
 
 #endif

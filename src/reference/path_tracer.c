@@ -1,5 +1,6 @@
 #include "reference/path_tracer.h"
 
+#include "reference/ao.h"
 #include "reference/channels.h"
 #include "reference/denoise.h"
 #include "reference/film.h"
@@ -34,6 +35,7 @@ struct tracer {
     struct film_pixel *pixels;
     struct film_seen *seen;         /* where it is wanted */
     struct film_specular *specular; /* where there is some */
+    struct ao_sums *ao;             /* where it is wanted */
     struct image *image;            /* once developed */
     uint32_t done, end;  /* samples of a pixel: of earlier passes, and after the present one */
     double noise;        /* after the last pass */
@@ -55,9 +57,22 @@ static struct film_specular *specular_at(const struct tracer *tracer, int x, int
     return &tracer->specular[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
 }
 
+static struct ao_sums *ao_at(const struct tracer *tracer, int x, int y) {
+    return &tracer->ao[(size_t)y * (size_t)tracer->desc.width + (size_t)x];
+}
+
+/* The first of the channels that only some pictures have. */
+static int first_of_more(const struct tracer *tracer) {
+    return tracer->desc.seen ? CHANNEL_END : CHANNEL_PATH_TRACER_END;
+}
+
 /* Of the picture's channels, the first of specular reflection; 0 = it has none. */
 static int specular_channel(const struct tracer *tracer) {
-    return !tracer->specular ? 0 : tracer->desc.seen ? CHANNEL_END : CHANNEL_PATH_TRACER_END;
+    return tracer->specular ? first_of_more(tracer) : 0;
+}
+
+static int ao_channel(const struct tracer *tracer) {
+    return first_of_more(tracer) + (tracer->specular ? SPECULAR_END : 0);
 }
 
 static struct reflected mean_of_paths(const struct tracer *tracer, const struct hit *hit,
@@ -76,16 +91,17 @@ static struct reflected mean_of_paths(const struct tracer *tracer, const struct 
 }
 
 /* The indirect paths' samplers, at pairs that no path comes to. */
-struct direct_samplers {
+enum { PAIR_OF_DIRECT = 1 << 20, PAIR_OF_AO = 1 << 30 };
+
+struct more_samplers {
     struct sampler items[PATHS_PER_SAMPLE];
 };
 
-static struct direct_samplers direct_samplers(const struct sampler *start) {
-    enum { FIRST_PAIR = 1 << 20 };
-    struct direct_samplers samplers;
+static struct more_samplers more_samplers(const struct sampler *start, uint32_t pair) {
+    struct more_samplers samplers;
     for (uint32_t i = 0; i < PATHS_PER_SAMPLE; i++)
         samplers.items[i] =
-            (struct sampler){start->seed, start->index * PATHS_PER_SAMPLE + i, FIRST_PAIR};
+            (struct sampler){start->seed, start->index * PATHS_PER_SAMPLE + i, pair};
     return samplers;
 }
 
@@ -103,10 +119,18 @@ static vec3s background(const struct tracer *tracer, float x, float y) {
 }
 
 static void add_seen(const struct tracer *tracer, const struct hit *hit, int stream,
-                     const struct direct_samplers *samplers, struct film_seen *sums) {
+                     const struct more_samplers *samplers, struct film_seen *sums) {
     struct seen seen =
         seen_from(&tracer->emission, &tracer->rays, hit, samplers->items, PATHS_PER_SAMPLE);
     film_seen_add(sums, stream, hit->brdf.albedo, &seen);
+}
+
+static void add_ao(const struct tracer *tracer, const struct hit *hit, int stream,
+                   const struct sampler *start, struct ao_sums *sums) {
+    struct more_samplers samplers = more_samplers(start, PAIR_OF_AO);
+    ao_add(
+        sums, stream,
+        ao_trace(&tracer->rays, hit, tracer->desc.ao_distance, samplers.items, PATHS_PER_SAMPLE));
 }
 
 /* Sums of a pixel. */
@@ -114,6 +138,7 @@ struct sums {
     struct film_pixel pixel;
     struct film_seen seen;
     struct film_specular specular;
+    struct ao_sums ao;
 };
 
 /* Adds what a pixel's i-th sample sees. */
@@ -133,21 +158,25 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
         film_pixel_add_background(&sums->pixel, background(tracer, x, y));
         return;
     }
-    struct direct_samplers samplers = direct_samplers(&sampler);
+    struct more_samplers samplers = more_samplers(&sampler, PAIR_OF_DIRECT);
     struct film_sample sample = {
         .position = hit.position,
         .albedo = hit.brdf.albedo,
         .normal = hit.normal,
-        .direct = emission_direct(&tracer->emission, &tracer->rays, &hit, samplers.items,
-                                  PATHS_PER_SAMPLE),
-        .indirect = mean_of_paths(tracer, &hit, stream, &sampler),
         .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, &hit), hit.unlit),
     };
+    if (!desc->ao_alone) {
+        sample.direct = emission_direct(&tracer->emission, &tracer->rays, &hit, samplers.items,
+                                        PATHS_PER_SAMPLE);
+        sample.indirect = mean_of_paths(tracer, &hit, stream, &sampler);
+    }
     film_pixel_add(&sums->pixel, stream, &sample);
     if (tracer->specular)
         film_specular_add(&sums->specular, stream, &sample);
     if (desc->seen)
         add_seen(tracer, &hit, stream, &samplers, &sums->seen);
+    if (tracer->ao)
+        add_ao(tracer, &hit, stream, &sampler, &sums->ao);
 }
 
 /* Sums of a pass are made apart, so that a long render loses no digits. */
@@ -160,6 +189,8 @@ static void add_pass(const struct tracer *tracer, int px, int py) {
         film_seen_merge(seen_at(tracer, px, py), &sums.seen);
     if (tracer->specular)
         film_specular_merge(specular_at(tracer, px, py), &sums.specular);
+    if (tracer->ao)
+        ao_merge(ao_at(tracer, px, py), &sums.ao);
 }
 
 /* --- passes --- */
@@ -247,6 +278,11 @@ static double estimate_specular_noise(const struct tracer *tracer) {
     return beauty_sum > 0 ? sqrt(variance_sum * values) / beauty_sum : 0;
 }
 
+static double estimate_ao_noise(const struct tracer *tracer) {
+    size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
+    return tracer->ao ? ao_noise(tracer->ao, pixel_count, (int)tracer->done) : 0;
+}
+
 static bool render_pass(struct tracer *tracer, uint32_t end) {
     const struct path_tracer_desc *desc = &tracer->desc;
     tracer->end = end;
@@ -255,6 +291,7 @@ static bool render_pass(struct tracer *tracer, uint32_t end) {
     tracer->done = end;
     tracer->noise = fmax(estimate_noise(tracer), estimate_direct_noise(tracer));
     tracer->noise = fmax(tracer->noise, estimate_specular_noise(tracer));
+    tracer->noise = fmax(tracer->noise, estimate_ao_noise(tracer));
     if (tracer->first_done == 0) {
         tracer->first_done = tracer->done;
         tracer->first_noise = tracer->noise;
@@ -285,6 +322,8 @@ static void develop_row(void *context, int row) {
         if (tracer->specular)
             film_specular_develop(specular_at(tracer, x, row), samples,
                                   &channels[specular_channel(tracer)]);
+        if (tracer->ao)
+            ao_develop(ao_at(tracer, x, row), &channels[ao_channel(tracer)]);
         struct pixel pixel = path_tracer_pixel(tracer->desc.every, x, row);
         if (primary_hit(&tracer->primary, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
@@ -294,9 +333,10 @@ static void develop_row(void *context, int row) {
 static bool develop(struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
     char channels[1024];
-    snprintf(channels, sizeof channels, "%s%s%s", CHANNELS_OF_PATH_TRACER,
+    snprintf(channels, sizeof channels, "%s%s%s%s", CHANNELS_OF_PATH_TRACER,
              desc->seen ? " " CHANNELS_OF_SEEN : "",
-             tracer->specular ? " " CHANNELS_OF_SPECULAR : "");
+             tracer->specular ? " " CHANNELS_OF_SPECULAR : "",
+             tracer->ao ? " " CHANNELS_OF_AO : "");
     image_init(tracer->image, desc->width, desc->height, channels);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
 }
@@ -325,7 +365,8 @@ static bool render_passes(struct tracer *tracer) {
 static struct path_tracer_desc resolve(const struct path_tracer_desc *desc) {
     struct path_tracer_desc resolved = *desc;
     assert(desc->scene && desc->geometry && desc->camera &&
-           (desc->emitters.count || desc->emitters.sky) && desc->bounces >= 0);
+           (desc->emitters.count || desc->emitters.sky) && desc->bounces >= 0 &&
+           desc->ao_distance >= 0);
     if (resolved.width == 0)
         resolved.width = 800;
     if (resolved.height == 0)
@@ -376,6 +417,8 @@ static bool check_memory(const struct path_tracer_desc *desc) {
             sizeof(struct film_seen) + sizeof(float) * (CHANNEL_END - CHANNEL_PATH_TRACER_END);
     if (desc->materials == MATERIALS_FULL && !materials_are_plain(desc->scene))
         of_pixel += sizeof(struct film_specular) + sizeof(float) * SPECULAR_END;
+    if (desc->ao_distance > 0)
+        of_pixel += sizeof(struct ao_sums) + sizeof(float) * AO_END;
     return mem_check(pixels * of_pixel) ||
            error_prefix("a reference of %dx%d", desc->width, desc->height);
 }
@@ -403,6 +446,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     tracer.pixels = mem_alloc(pixels, sizeof *tracer.pixels);
     tracer.seen = desc->seen ? mem_alloc(pixels, sizeof *tracer.seen) : NULL;
     tracer.specular = table.has_specular ? mem_alloc(pixels, sizeof *tracer.specular) : NULL;
+    tracer.ao = desc->ao_distance > 0 ? mem_alloc(pixels, sizeof *tracer.ao) : NULL;
     bool ok = render(&tracer, &table);
     if (ok && reached)
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
@@ -411,6 +455,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     free(tracer.pixels);
     free(tracer.seen);
     free(tracer.specular);
+    free(tracer.ao);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

@@ -43,14 +43,16 @@ struct path_tracer_desc {
     int paths;   /* of indirect light from each sample; default 1 below 16 samples, else 4 */
     double
         noise; /* standard error of the indirect layer, RMS over its mean, of direct light of lights with
-                     a size, and of specular light over the beauty's mean; default 0.01 */
+                     a size, of specular light over the beauty's mean, and of ao; default 0.01 */
     uint32_t seed;
-    int materials;  /* enum materials */
-    bool centers;   /* through pixels' centres, as a rasteriser has them; else all over pixels */
-    bool seen;      /* the layers unshadowed and visibility, too: reference/seen.h */
-    bool hides_sky; /* which is not seen, and shines */
-    bool denoise;   /* the indirect layer (reference/denoise.h), after the noise is told */
-    int threads;    /* 0 = all cores; does not change the picture */
+    int materials;     /* enum materials */
+    bool centers;      /* through pixels' centres, as a rasteriser has them; else all over pixels */
+    bool seen;         /* the layers unshadowed and visibility, too: reference/seen.h */
+    float ao_distance; /* metres: the layer ao, too (reference/ao.h); 0 = none */
+    bool ao_alone;     /* without direct and indirect light: their noise is not waited for */
+    bool hides_sky;    /* which is not seen, and shines */
+    bool denoise;      /* the indirect layer (reference/denoise.h), after the noise is told */
+    int threads;       /* 0 = all cores; does not change the picture */
     /* Called now and then from any of the threads, one at a time; false cancels. */
     bool (*progress)(void *user, const struct path_tracer_progress *progress);
     /* Called on the calling thread with the picture so far, of each pass but the last, which are then
@@ -66,8 +68,8 @@ struct pixel {
 };
 struct pixel path_tracer_pixel(int every, int x, int y);
 
-/* Renders into a new image with CHANNELS_OF_PATH_TRACER, CHANNELS_OF_SEEN where asked for, and CHANNELS_OF_SPECULAR
- * where some surface has it; reached, unless NULL, tells samples and
+/* Renders into a new image with CHANNELS_OF_PATH_TRACER, CHANNELS_OF_SEEN where asked for, CHANNELS_OF_SPECULAR
+ * where some surface has it, and CHANNELS_OF_AO where asked for; reached, unless NULL, tells samples and
  * noise. Error: Embree's own, or "cancelled"; the image is then zeroed. */
 bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image,
                         struct path_tracer_progress *reached);

@@ -264,4 +264,6 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
         output_add(outputs,
                    &(struct output){"irradiance", "after the blur, before the surfaces' colours",
                                     OUTPUT_IRRADIANCE, irradiance});
+    output_add(outputs, &(struct output){"ao", "ambient occlusion by voxels: nothing near is white",
+                                         OUTPUT_AO, renderer});
 }

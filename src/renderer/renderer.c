@@ -342,6 +342,7 @@ static void free_parts(struct renderer *renderer) {
 
 void renderer_free(struct renderer *renderer) {
     free_parts(renderer);
+    renderer_forget_ambient_occlusion(renderer);
     timers_free(&renderer->timers);
     scene_gpu_free(&renderer->scene);
     caster_pool_free(renderer->casters);
@@ -392,6 +393,8 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc,
                              .composite.desc = renderer->composite.desc};
     bool ok = init_parts(&fresh, parts) && resize_parts(renderer, desc, ~parts);
     if (ok) {
+        if (parts || !settings_same(&desc->settings, &renderer->desc.settings, &volume_part))
+            renderer_forget_ambient_occlusion(renderer);
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
         renderer->plan = *plan;

@@ -18,6 +18,7 @@
 #include "scene/camera_range.h"
 #include "scene/gpu/caster_pool.h"
 #include "techniques/technique.h"
+#include "techniques/volume.h"
 
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
 extern const char *const shown_layer_names[];
@@ -75,6 +76,7 @@ struct renderer {
         int count;     /* of passes in the mean; 0: none */
         double weight; /* of them */
     } refining;
+    struct ambient_occlusion *ambient_occlusion; /* NULL until somebody asks for it */
     struct view camera_view;
     struct camera_range camera_range;
     struct ranged { /* the view that it is of */
@@ -150,11 +152,15 @@ bool renderer_read_display(const struct renderer *renderer, struct bitmap *bitma
 struct frame renderer_frame(struct renderer *renderer);
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer);
 
+/* Draws the ambient occlusion of what the last frame shows, by the settings volume.*: R = the open fraction, A = 0 where it
+ * is not known. The renderer's until the next change. NULL: an error, out of GPU memory or a shader. */
+const struct texture *renderer_ambient_occlusion(struct renderer *renderer);
+
 struct contribution renderer_contribution(const struct renderer *renderer);
 /* As the settings have it, EV. */
 float renderer_exposure(const struct renderer *renderer);
 
-/* What there is to look at: the G-buffer, the technique's, the irradiance. */
+/* What there is to look at: the G-buffer, the technique's, the irradiance, ambient occlusion. */
 void renderer_outputs(const struct renderer *renderer, struct output_list *outputs);
 
 #endif

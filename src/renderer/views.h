@@ -14,4 +14,7 @@ struct picture_settings renderer_picture(const struct renderer *renderer);
  * floats in range whatever the units. */
 float renderer_irradiance_scale(const struct renderer *renderer);
 
+/* It is made anew when somebody asks for it again. */
+void renderer_forget_ambient_occlusion(struct renderer *renderer);
+
 #endif

@@ -19,6 +19,7 @@ enum output_kind {
     OUTPUT_MAP_DEPTH,    /* struct depth_maps */
     OUTPUT_BASIS,        /* struct texture: layers of paraboloid maps in [0, 1] */
     OUTPUT_SIGNED_BASIS, /* struct texture: the same in [-1, 1] */
+    OUTPUT_AO,           /* struct renderer, which draws it when it is shown */
     OUTPUT_KINDS,        /* new kinds stand before it */
 };
 

@@ -137,6 +137,30 @@ static void test_sweep_and_cache(void **state) {
     free(text);
 }
 
+/* More voxels err less, at the same distance. */
+static void test_ambient_occlusion(void **state) {
+    (void)state;
+    char arguments[1024];
+    double error[2] = {0};
+    const char *csv = scratch("ao.csv");
+    snprintf(arguments, sizeof arguments,
+             "sweep scenes/cornell-box.glb --size 40x40 --frames 1 --variant "
+             "u:technique=unshadowed,volume.ao-distance=.2 --vary volume.size=16,64 --reference ao "
+             "--noise .1 --cache %s --csv %s",
+             scratch("ao-cache"), csv);
+    check_runs(arguments);
+    char *text = read_text(csv);
+    for (int i = 0; i < 2; i++) {
+        char *row = strstr(text, i ? "volume.size=64" : "volume.size=16");
+        row = row ? strstr(row, ",rmse,ao,1,") : NULL;
+        assert_non_null(row);
+        error[i] = atof(row + strlen(",rmse,ao,1,"));
+        printf("    RMSE %g\n", error[i]);
+    }
+    assert_true(error[1] > 0 && error[1] < error[0] && error[0] < .3);
+    free(text);
+}
+
 /* --- charts ----------------------------------------------------------------------------------- */
 
 /* Draws a file of the scratch folder into a folder there; the test is skipped without gnuplot. */
@@ -423,6 +447,8 @@ static void test_refusals(void **state) {
         {"times scenes/cornell-box.glb --light woof", "no light 'woof'", 1},
         {"direct scenes/cornell-box.glb --light woof", "no light 'woof'", 1},
         {"temporal scenes/cornell-box.glb", "cornell-box: nothing moves", 1},
+        {"sweep scenes/cornell-box.glb --size 8x8 --tracer --reference ao",
+         "--tracer has indirect light alone to compare, not --reference ao", 1},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         int status = bench(cases[i].arguments);
@@ -434,19 +460,13 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_times),
-        cmocka_unit_test(test_times_by_light),
-        cmocka_unit_test(test_sweep_and_cache),
-        cmocka_unit_test(test_chart),
-        cmocka_unit_test(test_front),
-        cmocka_unit_test(test_other_charts),
-        cmocka_unit_test(test_odd_names),
-        cmocka_unit_test(test_scaling),
-        cmocka_unit_test(test_budget),
-        cmocka_unit_test(test_quality),
-        cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpl_raytraced),
-        cmocka_unit_test(test_help),
+        cmocka_unit_test(test_times),           cmocka_unit_test(test_times_by_light),
+        cmocka_unit_test(test_sweep_and_cache), cmocka_unit_test(test_ambient_occlusion),
+        cmocka_unit_test(test_chart),           cmocka_unit_test(test_front),
+        cmocka_unit_test(test_other_charts),    cmocka_unit_test(test_odd_names),
+        cmocka_unit_test(test_scaling),         cmocka_unit_test(test_budget),
+        cmocka_unit_test(test_quality),         cmocka_unit_test(test_direct),
+        cmocka_unit_test(test_vpl_raytraced),   cmocka_unit_test(test_help),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -256,8 +256,7 @@ static void test_without_vpls(void **state) {
     renderer.technique = &voxels;
     check_refused(lights_read(&lights, &renderer), "technique 'voxels' has no VPLs");
     lights_free(&lights);
-    check_refused(aov_check(&renderer, "vpl"),
-                  "'voxels' has no layer 'vpl' to add (there are none");
+    check_refused(aov_check(&renderer, "vpl"), "'voxels' has no layer 'vpl' to add (there are ao");
     renderer.technique = own;
     renderer_free(&renderer);
     stage_free(&stage);

@@ -37,6 +37,12 @@ static void test_usage(void **state) {
          "'-1%' is not a number from 0 to 1", 2},
         {"scenes/sphere.glb -o x.exr --technique vpl-raytraced --compensation 4",
          "--compensation is for", 2},
+        {"scenes/sphere.glb -o x.exr --ao 0", "ao: '0' is not a number from 1e-06 to", 2},
+        {"scenes/sphere.glb -o x.exr --ao -1m", "ao: '-1m' is not a number", 2},
+        {"scenes/sphere.glb -o x.exr --ao nan", "ao: 'nan' is not a number", 2},
+        {"scenes/sphere.glb -o x.exr --ao near", "ao: 'near' is not a number", 2},
+        {"scenes/sphere.glb -o x.exr --ao 1 --technique lightcuts", "--ao is for --technique path",
+         2},
         {"scenes/sphere.glb -o x.exr --set vpls=64", "vpl-raytraced and lightcuts", 2},
         {"no-such.glb -o x.exr", "no-such.glb", 1},
         {"scenes/sphere.glb -o x.exr --light sun", "no light 'sun'", 1},
@@ -79,6 +85,29 @@ static void test_sphere_file(void **state) {
     assert_true(image_find_channel(&image, "Z") >= 0);
     assert_true(image_find_channel(&image, "normal.X") >= 0);
     image_free(&image);
+}
+
+/* The sphere's diameter is 2 m: nothing is open from 2 m on, and all but (D / 2)^2 within D. */
+static void test_ao_file(void **state) {
+    (void)state;
+    static const struct {
+        const char *distance;
+        double open;
+    } cases[] = {{"2.1", 0}, {"1m", .75}, {"auto", 1 - .2711864 * .2711864}};
+    const char *path = scratch("reference-ao.exr");
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char arguments[700], output[4096];
+        struct image image;
+        int channels[3];
+        snprintf(arguments, sizeof arguments,
+                 "scenes/sphere.glb -o %s --size 16x12 --spp 64 --bounces 0 -q --ao %s", path,
+                 cases[i].distance);
+        assert_int_equal(reference(arguments, output, sizeof output), 0);
+        check_ok("read", image_read(&image, path) && image_find_layer(&image, "ao", channels));
+        check_near("open", image_mean(&image, channels), cases[i].open, .003);
+        assert_true(image_find_channel(&image, "standard_error.ao.Y") >= 0);
+        image_free(&image);
+    }
 }
 
 /* A block of pixels as one: layer x albedo, which a box filter keeps, unlike the layer alone. */
@@ -160,9 +189,8 @@ static void test_given_horse(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usage),
-        cmocka_unit_test(test_sphere_file),
-        cmocka_unit_test(test_given_box),
+        cmocka_unit_test(test_usage),       cmocka_unit_test(test_sphere_file),
+        cmocka_unit_test(test_ao_file),     cmocka_unit_test(test_given_box),
         cmocka_unit_test(test_given_horse),
     };
     return cmocka_run_group_tests_name("reference_app", tests, NULL, NULL);

@@ -304,7 +304,7 @@ static void test_kept(void **state) {
     check_kept("scenes", switch_scene, 4);
     check_kept("sizes", switch_size, 6);
     check_kept("wipes", switch_wipe, 6);
-    check_kept("outputs", switch_output, 13);
+    check_kept("outputs", switch_output, 14);
     check_kept("frames of an animation", play, 40);
     check_kept("scales of widgets", change_scale, 2);
     check_kept("minimised and back", minimise, 2);

@@ -93,7 +93,7 @@ static const struct option options[] = {
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = reference_names,
      .help = "reference with as many bounces: path-traced, path-traced at pixel centres\n"
              "(centers), all VPLs with a map each (vpls; the default for a clip), or\n"
-             "the visible fraction of direct light (seen)"},
+             "the visible fraction of direct light (seen), or ambient occlusion (ao)"},
     {"tracer", 0, OPTION_FLAG, VALUE(tracer),
      .help =
          "also measure the denoised path tracer with 1 to 16 samples per pixel, by default\n"

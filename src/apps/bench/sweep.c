@@ -10,8 +10,9 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
     bench_expect(bench, subjects->count + (bench->values.tracer ? BASELINE_SUBJECTS : 0));
     if (!bench->values.tracer)
         return bench_time(bench, subjects, kind);
-    if (kind == REFERENCE_SEEN)
-        return error_set("--tracer has no share of the lights that is seen to compare");
+    if (kind == REFERENCE_SEEN || kind == REFERENCE_AO)
+        return error_set("--tracer has indirect light alone to compare, not --reference %s",
+                         reference_names[kind]);
     if (kind == REFERENCE_NONE)
         kind = REFERENCE_PATH;
     struct reference_desc reference = bench_reference(bench, kind);

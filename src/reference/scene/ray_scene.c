@@ -160,15 +160,19 @@ bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s dire
     return trace(rays, origin, direction, ends, let_pass_hidden, hit);
 }
 
-bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to) {
-    vec3s direction = glms_vec3_sub(to, from);
-    float distance = glms_vec3_norm(direction);
-    if (distance <= rays->clearance)
-        return true;
+bool ray_scene_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
+                       float distance) {
     struct ray_context context = make_context(rays, NULL);
-    struct RTCRay ray = make_ray(from, direction, 1 - rays->clearance / distance);
+    struct RTCRay ray = make_ray(origin, direction, distance);
     rtcOccluded1(rays->scene, &context.embree, &ray);
     return ray.tfar >= 0;
+}
+
+bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to) {
+    vec3s path = glms_vec3_sub(to, from);
+    float distance = glms_vec3_norm(path);
+    return distance <= rays->clearance ||
+           ray_scene_is_open(rays, from, path, 1 - rays->clearance / distance);
 }
 
 static void set_ray(struct RTCRay4 *packet, int i, const struct RTCRay *ray) {

@@ -35,7 +35,10 @@ bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s dire
 /* Whether nothing lies between two points. */
 bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to);
 
-/* The same from one point to four, of those that are marked on entry. */
+/* Whether a ray meets nothing up to a distance, in lengths of the direction. */
+bool ray_scene_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction, float distance);
+
+/* As ray_scene_visible from one point to four, of those that are marked on entry. */
 void ray_scene_visible_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
                          bool visible[4]);
 

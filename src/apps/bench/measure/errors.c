@@ -7,10 +7,16 @@
 static const struct error_row {
     const char *metric, *layer, *unit;
     double scale;
-} rows[] = {
-    {"relative-rmse", "indirect", "%", 100}, {"relative-mae", "indirect", "%", 100},
-    {"relative-bias", "indirect", "%", 100}, {"gradient", "indirect", "1", 1},
-    {"ldr-flip", "beauty", "1", 1},
+} rows[] =
+    {
+        {"relative-rmse", "indirect", "%", 100}, {"relative-mae", "indirect", "%", 100},
+        {"relative-bias", "indirect", "%", 100}, {"gradient", "indirect", "1", 1},
+        {"ldr-flip", "beauty", "1", 1},
+},
+  ao_rows[] = {
+      {"relative-rmse", "ao", "%", 100}, {"relative-mae", "ao", "%", 100},
+      {"relative-bias", "ao", "%", 100}, {"gradient", "ao", "1", 1},
+      {"ldr-flip", "ao", "1", 1},        {"rmse", "ao", "1", 1},
 };
 
 static bool add(struct results *results, const struct error_row *row, const struct image *test,
@@ -29,10 +35,20 @@ static bool add(struct results *results, const struct error_row *row, const stru
     return ok;
 }
 
-bool errors_add(struct results *results, const struct image *test, const struct image *reference,
-                const char *against) {
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        if (!add(results, &rows[i], test, reference, against))
+static bool add_all(struct results *results, const struct error_row *row, size_t count,
+                    const struct image *test, const struct image *reference, const char *against) {
+    for (size_t i = 0; i < count; i++)
+        if (!add(results, &row[i], test, reference, against))
             return false;
     return true;
+}
+
+bool errors_add(struct results *results, const struct image *test, const struct image *reference,
+                const char *against) {
+    return add_all(results, rows, sizeof rows / sizeof *rows, test, reference, against);
+}
+
+bool errors_add_ao(struct results *results, const struct image *test, const struct image *reference,
+                   const char *against) {
+    return add_all(results, ao_rows, sizeof ao_rows / sizeof *ao_rows, test, reference, against);
 }

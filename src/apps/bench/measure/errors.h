@@ -12,6 +12,10 @@
 bool errors_add(struct results *results, const struct image *test, const struct image *reference,
                 const char *against);
 
+/* The same of the layer ao, and its rmse. */
+bool errors_add_ao(struct results *results, const struct image *test, const struct image *reference,
+                   const char *against);
+
 /* The columns of these errors, for the table of a results_print. */
 #define ERROR_COLUMNS(against)                                                                     \
     {"rRMSE %", "relative-rmse", against}, {"rMAE %", "relative-mae", against},                    \

@@ -11,6 +11,7 @@
 #include "quality/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
+#include "techniques/volume.h"
 
 #include "sources.h"
 
@@ -18,7 +19,7 @@
 #include <stdlib.h>
 #include <unistd.h>
 
-const char *const reference_names[] = {"none", "path", "centers", "vpls", "seen", NULL};
+const char *const reference_names[] = {"none", "path", "centers", "vpls", "seen", "ao", NULL};
 
 const char reference_vpls[] = "R:technique=instant-radiosity,interleave=1,blur-radius=0";
 
@@ -28,6 +29,10 @@ static int materials_of(const struct measure_desc *desc) {
     return surface->materials;
 }
 
+static float ao_distance_of(const struct measure_desc *desc) {
+    return volume_ao_distance(&desc->settings, &desc->stage->geometry);
+}
+
 /* --- where it is kept ------------------------------------------------------------------------- */
 
 /* Of all that the reference depends on; the renderer's own picture on all sources. */
@@ -35,11 +40,14 @@ static uint64_t hash_of(const struct measure_desc *desc, enum reference_kind kin
     static const char tracer[] = MANYLIGHT_TRACER, all[] = MANYLIGHT_SOURCES;
     const struct stage *stage = desc->stage;
     int materials = materials_of(desc);
+    float ao_distance = ao_distance_of(desc);
     uint64_t sum = scene_hash(&stage->scene, &stage->geometry, &stage->camera, &stage->emitters);
     hash_bytes(&sum, kind == REFERENCE_VPLS ? all : tracer,
                kind == REFERENCE_VPLS ? sizeof all : sizeof tracer);
     if (materials != MATERIALS_FULL)
         hash_bytes(&sum, &materials, sizeof materials);
+    if (kind == REFERENCE_AO)
+        hash_bytes(&sum, &ao_distance, sizeof ao_distance);
     return sum;
 }
 
@@ -70,13 +78,15 @@ char *reference_path(const struct reference_desc *reference, const struct measur
 
 static struct path_tracer_desc tracer_of(const struct reference_desc *reference,
                                          const struct measure_desc *desc) {
-    bool seen = reference->kind == REFERENCE_SEEN;
+    bool seen = reference->kind == REFERENCE_SEEN, ao = reference->kind == REFERENCE_AO;
     return (struct path_tracer_desc){.width = desc->width,
                                      .height = desc->height,
-                                     .bounces = seen ? 0 : measure_bounces(desc),
+                                     .bounces = seen || ao ? 0 : measure_bounces(desc),
                                      .noise = reference->noise,
                                      .materials = materials_of(desc),
                                      .centers = seen || reference->kind == REFERENCE_CENTERS,
+                                     .ao_distance = ao ? ao_distance_of(desc) : 0,
+                                     .ao_alone = ao,
                                      .seen = seen};
 }
 

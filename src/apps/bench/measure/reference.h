@@ -16,9 +16,10 @@ enum reference_kind {
     REFERENCE_CENTERS, /* the same through pixels' centres: without the error of edges */
     REFERENCE_VPLS,    /* every pixel takes every VPL, a hard shadow map each */
     REFERENCE_SEEN, /* path-traced through pixels' centres: direct light alone, and what it is made of */
+    REFERENCE_AO, /* path-traced: ambient occlusion alone */
 };
 
-/* For option tables: "none", "path", "centers", "vpls", "seen", NULL. */
+/* For option tables: "none", "path", "centers", "vpls", "seen", "ao", NULL. */
 extern const char *const reference_names[];
 
 /* How REFERENCE_VPLS is rendered, for variants. */

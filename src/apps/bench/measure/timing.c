@@ -7,6 +7,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "gl/memory.h"
+#include "inspect/aov.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -101,15 +102,23 @@ static void add_times(struct results *results, struct run *run, int first) {
     results_add(results, "gpu-memory", "", "MiB", run->gpu_memory);
 }
 
+static bool compare(struct results *results, struct run *run, enum reference_kind kind,
+                    struct image *frame, const struct image *exact) {
+    if (kind == REFERENCE_SEEN)
+        return shares_add(results, frame, exact, run->desc->stage->emitters.sky);
+    if (kind == REFERENCE_AO)
+        return aov_append(&run->renderer, "ao", frame) &&
+               errors_add_ao(results, frame, exact, reference_names[kind]);
+    return errors_add(results, frame, exact, reference_names[kind]);
+}
+
 static bool add_errors(struct results *results, struct run *run,
                        const struct reference_desc *reference) {
     struct image frame = {0}, exact = {0};
     bool ok = reference->kind == REFERENCE_NONE ||
               (reference_get(reference, run->desc, &exact) &&
                renderer_read_layers(&run->renderer, &frame) &&
-               (reference->kind == REFERENCE_SEEN
-                    ? shares_add(results, &frame, &exact, run->desc->stage->emitters.sky)
-                    : errors_add(results, &frame, &exact, reference_names[reference->kind])));
+               compare(results, run, reference->kind, &frame, &exact));
     image_free(&frame);
     image_free(&exact);
     baseline_add_ratios(results);

@@ -1,0 +1,41 @@
+/* Ambient occlusion of the last frame: nobody pays for it who does not ask. */
+#include "renderer/views.h"
+
+#include "base/memory.h"
+#include "passes/frame.h"
+
+#include <stdlib.h>
+
+static bool init(struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    struct ambient_occlusion *made = mem_alloc(1, sizeof *made);
+    if (ambient_occlusion_init(made, &(struct ambient_occlusion_desc){.settings = &desc->settings,
+                                                                      .scene = desc->scene,
+                                                                      .geometry = desc->geometry,
+                                                                      .width = desc->width,
+                                                                      .height = desc->height})) {
+        renderer->ambient_occlusion = made;
+        return true;
+    }
+    free(made);
+    return false;
+}
+
+const struct texture *renderer_ambient_occlusion(struct renderer *renderer) {
+    struct timers untimed = {0};
+    struct frame frame = renderer_frame(renderer);
+    if (!renderer->ambient_occlusion && !init(renderer))
+        return NULL;
+    if (!volume_light_update(&renderer->ambient_occlusion->light, frame.geometry))
+        return NULL;
+    frame.timers = &untimed;
+    ambient_occlusion_render(renderer->ambient_occlusion, &frame, &renderer->gbuffer);
+    return ambient_occlusion_texture(renderer->ambient_occlusion);
+}
+
+void renderer_forget_ambient_occlusion(struct renderer *renderer) {
+    if (renderer->ambient_occlusion)
+        ambient_occlusion_free(renderer->ambient_occlusion);
+    free(renderer->ambient_occlusion);
+    renderer->ambient_occlusion = NULL;
+}

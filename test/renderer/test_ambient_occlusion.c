@@ -1,0 +1,176 @@
+/* Ambient occlusion of a frame: the same of every technique, beside traced rays, and only for who asks. */
+#include "render_support.h"
+
+#include "inspect/aov.h"
+#include "quality/picture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { SIZE = 64 };
+
+static const char small[] = "vpls=64 map-size=32 rsm-size=64 shadow-size=128 interleave=4";
+
+/* The frame's layers with ao, which aov_append puts last. */
+static struct image layers_with_ao(struct renderer *renderer) {
+    struct image image;
+    check_ok("layers", renderer_read_layers(renderer, &image));
+    check_ok("ao", aov_append(renderer, "ao", &image));
+    assert_string_equal(image.names[image.channel_count - 1], "ao.Y");
+    return image;
+}
+
+static float ao_at(const struct image *image, int i) {
+    return image->pixels[(size_t)(i + 1) * (size_t)image->channel_count - 1];
+}
+
+static double worst_difference(const struct image *a, const struct image *b) {
+    double worst = 0;
+    for (int i = 0; i < a->width * a->height; i++)
+        worst = fmax(worst, fabs((double)ao_at(a, i) - (double)ao_at(b, i)));
+    return worst;
+}
+
+/* The frame does not see that it is asked, before or after; and what it says is no technique's. */
+static void test_every_technique(void **state) {
+    (void)state;
+    struct stage stage;
+    struct image first = {0};
+    open_stage(&stage, "scenes/cornell-box.glb");
+    for (const struct technique *const *t = techniques; *t; t++) {
+        struct renderer renderer;
+        struct renderer_desc desc = desc_of(&stage, (*t)->name, small, SIZE, SIZE);
+        open_renderer(&renderer, &desc);
+        struct image before, with, after;
+        check_ok("layers", renderer_read_layers(&renderer, &before));
+        assert_null(renderer.ambient_occlusion);
+        with = layers_with_ao(&renderer);
+        renderer_render(&renderer);
+        check_ok("layers", renderer_read_layers(&renderer, &after));
+        assert_true(same_pixels(&before, &after));
+        if (first.pixels)
+            check_near((*t)->name, worst_difference(&with, &first), 0, 0);
+        image_free(&before);
+        image_free(&after);
+        image_free(first.pixels ? &with : &(struct image){0});
+        first = first.pixels ? first : with;
+        renderer_free(&renderer);
+    }
+    image_free(&first);
+    stage_free(&stage);
+}
+
+static struct image trace(const struct stage *stage, float distance) {
+    struct image image;
+    check_ok("trace", picture_trace_paths(stage,
+                                          &(struct path_tracer_desc){.width = SIZE,
+                                                                     .height = SIZE,
+                                                                     .samples = 64,
+                                                                     .ao_distance = distance,
+                                                                     .ao_alone = true},
+                                          &image, NULL));
+    return image;
+}
+
+/* With all samples of a pixel, and 0 beside the box. */
+static void test_traced(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=64 samples=12", SIZE, SIZE);
+    open_renderer(&renderer, &desc);
+    struct image drawn = layers_with_ao(&renderer);
+    struct image traced = trace(&stage, volume_ao_distance(&desc.settings, &stage.geometry));
+    int ao = image_find_channel(&traced, "ao.Y"), covered = 0;
+    double squares = 0, sum = 0;
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        const float *pixel = image_at(&traced, i % SIZE, i / SIZE);
+        double off = (double)ao_at(&drawn, i) - (double)pixel[ao];
+        if (!(pixel[3] > 0 && image_at(&drawn, i % SIZE, i / SIZE)[3] > 0))
+            continue;
+        covered++;
+        squares += off * off;
+        sum += off;
+    }
+    check_at_most("RMSE", sqrt(squares / covered), .06);
+    check_near("bias", sum / covered, 0, .04);
+    check_near("outside", (double)ao_at(&drawn, 0), 0, 0);
+    image_free(&drawn);
+    image_free(&traced);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* After a change it is what a new renderer has. */
+static void check_as_fresh(const char *what, struct renderer *renderer,
+                           const struct renderer_desc *desc, const struct image *before) {
+    struct renderer fresh;
+    check_ok(what, renderer_follow(renderer, desc));
+    renderer_render(renderer);
+    open_renderer(&fresh, desc);
+    struct image changed = layers_with_ao(renderer), expected = layers_with_ao(&fresh);
+    printf("  %s\n", what);
+    check_near("less a new renderer's", worst_difference(&changed, &expected), 0, 0);
+    if (before->width == changed.width)
+        assert_true(worst_difference(&changed, before) > .01);
+    image_free(&changed);
+    image_free(&expected);
+    renderer_free(&fresh);
+}
+
+static void test_changes(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
+    open_renderer(&renderer, &desc);
+    struct image before = layers_with_ao(&renderer);
+    desc.camera.eye[0] += .2F;
+    check_as_fresh("another camera", &renderer, &desc, &before);
+    check_ok("setting", settings_assign(&desc.settings, "volume.ao-distance=.1"));
+    check_as_fresh("a shorter distance", &renderer, &desc, &before);
+    check_ok("setting", settings_assign(&desc.settings, "volume.size=24"));
+    check_as_fresh("fewer voxels", &renderer, &desc, &before);
+    desc.width = SIZE / 2;
+    check_as_fresh("another size", &renderer, &desc, &before);
+    image_free(&before);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* Points move with their triangles. */
+static void test_poses(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer moved, fresh;
+    open_stage(&stage, "scenes/door.glb");
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
+    open_renderer(&moved, &desc);
+    struct image before = layers_with_ao(&moved);
+    check_ok("pose", stage_pose(&stage, 2) && stage_show(&stage, &moved));
+    renderer_render(&moved);
+    open_renderer(&fresh, &desc);
+    struct image after = layers_with_ao(&moved), expected = layers_with_ao(&fresh);
+    check_near("less a new renderer's", worst_difference(&after, &expected), 0, 0);
+    assert_true(worst_difference(&after, &before) > .01);
+    image_free(&before);
+    image_free(&after);
+    image_free(&expected);
+    renderer_free(&moved);
+    renderer_free(&fresh);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_every_technique),
+        cmocka_unit_test(test_traced),
+        cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_poses),
+    };
+    return cmocka_run_group_tests_name("ambient occlusion", tests, open_group_context,
+                                       close_group_context);
+}
