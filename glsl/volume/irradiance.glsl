@@ -46,16 +46,19 @@ voxel_sum no_voxels() {
 }
 
 // The plane of all surfaces among eight voxels, and how far the place is before it: voxels behind it are another room's.
-// xyz: normal, not unit, 0 without surfaces.
-vec4 surface_of_eight(ivec3 base) {
+// A thin wall, and what is seen from both sides, faces the place around which they lie. xyz: normal, not unit, 0 without
+// surfaces.
+vec4 surface_of_eight(ivec3 base, vec3 around) {
     vec3 normals = vec3(0.0), middles = vec3(0.0);
     float count = 0.0;
     for (int i = 0; i < 8; i++) {
         ivec3 voxel = base + ivec3(i & 1, (i >> 1) & 1, i >> 2);
         if (volume_has(vec3(voxel)) && volume_distance(voxel) == 0) {
             vec4 surface = texelFetch(surfaces, volume_texel(voxel), 0);
-            normals += surface.xyz / surface.a;
-            middles += vec3(voxel) + 0.5;
+            vec3 normal = surface.xyz / surface.a, middle = vec3(voxel) + 0.5, off = around - middle;
+            normal *= BOTH_SIDES == 1 && dot(normal, off) < 0.0 ? -1.0 : 1.0;
+            normals += dot(normal, normal) < 0.25 ? normalize(off + 1e-4) : normal;
+            middles += middle;
             count += 1.0;
         }
     }
@@ -66,7 +69,7 @@ vec4 surface_of_eight(ivec3 base) {
 voxel_sum sum_of_eight(vec3 around, vec3 place, vec3 normal) {
     voxel_sum sum = no_voxels();
     vec3 base = floor(around - 0.5), part = around - 0.5 - base;
-    vec4 plane = surface_of_eight(ivec3(base));
+    vec4 plane = surface_of_eight(ivec3(base), around);
     for (int i = 0; i < 8; i++) {
         vec3 corner = vec3(i & 1, (i >> 1) & 1, i >> 2), middle = base + corner + 0.5;
         vec3 weights = mix(1.0 - part, part, corner);
@@ -97,12 +100,13 @@ voxel_sum sum_of_six(vec3 place, vec3 normal) {
     return sum;
 }
 
-// Whether the voxel there holds a surface that faces away: that of a thin wall's other side, or of another wall.
+// Whether the voxel there holds a surface that faces away: that of a thin wall's other side, or of another wall. What is
+// seen from both sides may face any way.
 bool is_beyond_wall(vec3 place, vec3 normal) {
-    if (!volume_has(place))
+    if (BOTH_SIDES == 1 || !volume_has(place))
         return false;
     vec4 surface = texelFetch(surfaces, volume_texel(ivec3(place)), 0);
-    return dot(surface.xyz, normal) < 0.0;
+    return dot(surface.xyz, normal) < -0.3 * surface.a;
 }
 
 // False where no voxel knows; in voxels from the corner. Where a wall is near, a voxel away from it may know.
@@ -114,7 +118,7 @@ bool volume_irradiance(vec3 place, vec3 normal, out vec3 irradiance) {
     vec3 around = place + lift * normal;
     voxel_sum sum = sum_of_eight(around, place, normal);
     if (sum.weight < 1e-3) {
-        vec3 walls = surface_of_eight(ivec3(floor(around - 0.5))).xyz;
+        vec3 walls = surface_of_eight(ivec3(floor(around - 0.5)), around).xyz;
         sum = sum_of_eight(around + normalize(walls + 1e-3 * normal), place, normal);
     }
     if (sum.weight < 1e-3)

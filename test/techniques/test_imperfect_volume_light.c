@@ -305,13 +305,57 @@ static void test_shift(void **state) {
     check_at_most("a third of a voxel on", corner_difference(.0625F / 3), .03);
 }
 
+/* --- leaks ------------------------------------------------------------------------------------ */
+
+/* The inside of a box. */
+static void add_room(struct shape *shape, vec3s low, vec3s high) {
+    vec3s x = at(high.x - low.x, 0, 0), y = at(0, high.y - low.y, 0), z = at(0, 0, high.z - low.z);
+    add_rectangle(shape, low, z, x);
+    add_rectangle(shape, low, x, y);
+    add_rectangle(shape, low, y, z);
+    add_rectangle(shape, high, glms_vec3_negate(x), glms_vec3_negate(z));
+    add_rectangle(shape, high, glms_vec3_negate(y), glms_vec3_negate(x));
+    add_rectangle(shape, high, glms_vec3_negate(z), glms_vec3_negate(y));
+}
+
+static double mean_on_floor(struct stage *stage, float x) {
+    look(stage, at(x, 0, .5F), at(0, -1, 0), at(0, 0, -1), .9F);
+    struct image image = render_stage(stage, "imperfect-volume", "volume.size=65", 48);
+    double mean = layer_mean(&image, "indirect");
+    image_free(&image);
+    return mean;
+}
+
+/* Two rooms of 1 m side by side, the light in one: 60 voxels are 2 m and the wall, whose middle is that of voxels. */
+static double leak(double wall) {
+    struct stage stage;
+    struct shape *shape = new_shape();
+    float width = (float)(wall * 2 / (60 - wall));
+    add_room(shape, at(0, 0, 0), at(1, 1, 1));
+    add_room(shape, at(1 + width, 0, 0), at(2 + width, 1, 1));
+    open_shape(&stage, shape, .7, false, at(.5F, .7F, .5F));
+    double lit = mean_on_floor(&stage, .5F), dark = mean_on_floor(&stage, 1.5F + width);
+    printf("  wall of %g voxels: %.4f of the light leaks\n", wall, dark / lit);
+    assert_true(lit > 0);
+    stage_free(&stage);
+    return dark / lit;
+}
+
+static void test_leaks(void **state) {
+    (void)state;
+    check_at_most("through a wall of half a voxel", leak(.5), .1);
+    check_at_most("of a voxel", leak(1), .02);
+    check_at_most("of two voxels", leak(2), .02);
+    check_at_most("of four voxels", leak(4), .02);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_harmonics),   cmocka_unit_test(test_occupancy),
         cmocka_unit_test(test_flux),        cmocka_unit_test(test_bounces),
         cmocka_unit_test(test_furnace),     cmocka_unit_test(test_camera),
         cmocka_unit_test(test_permutation), cmocka_unit_test(test_linear),
-        cmocka_unit_test(test_shift),
+        cmocka_unit_test(test_shift),       cmocka_unit_test(test_leaks),
     };
     return cmocka_run_group_tests(tests, open_group_shaders, close_group_shaders);
 }
