@@ -20,33 +20,15 @@ vec3 sky_vector(int i) {
     return sky_rows[i * SKY_ROWS + 5].xyz;
 }
 
-struct sky_view {
-    vec3 right, up, forward, origin;
-    vec2 half_size;
-    float far;
-    mat2 sides;
-};
-
-sky_view sky_view_at(int i) {
-    int row = i * SKY_ROWS;
-    vec4 right = sky_rows[row + 6], up = sky_rows[row + 7], sides = sky_rows[row + 10];
-    return sky_view(right.xyz, up.xyz, sky_rows[row + 8].xyz, sky_rows[row + 9].xyz, vec2(right.w, up.w),
-                    sky_rows[row + 5].w, mat2(sides.xy, sides.zw));
-}
-
 // Unit: to its middle.
 vec3 sky_direction(int i) {
-    return -sky_rows[i * SKY_ROWS + 8].xyz;
+    return sky_rows[i * SKY_ROWS + 6].xyz;
 }
 
-// The next light beyond each quarter of it: -x -y, +x -y, -x +y, +x +y; itself where there is none.
-ivec4 sky_beyond(int i) {
-    return ivec4(sky_rows[i * SKY_ROWS + 11]);
-}
-
-// And beyond those.
-ivec4 sky_further(int i) {
-    return ivec4(sky_rows[i * SKY_ROWS + 12]);
+// The direction to a point of it, not of unit length.
+vec3 sky_towards(int i, vec2 point) {
+    int row = i * SKY_ROWS;
+    return sky_rows[row + 6].xyz + point.x * sky_rows[row + 7].xyz + point.y * sky_rows[row + 8].xyz;
 }
 
 // Irradiance over radiance of a light that nothing hides, exact: the vector's where all is above the

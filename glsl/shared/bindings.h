@@ -141,6 +141,7 @@
 #define LOCATION_SCREEN_AREA 12 /* of screen passes that are dispatched */
 #define LOCATION_SCREEN_ADDS 14
 #define LOCATION_SCREEN_ROW 15
+#define LOCATION_SKY_LAYERS 13 /* first and count */
 #define LOCATION_SLOT_LIGHTS 16 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

@@ -4,19 +4,21 @@
 
 #include "shared/types.h"
 
-#define UNIT_SKY_MAPS (UNIT_OWN + 0)
-#define UNIT_SKY_SHARES (UNIT_OWN + 1)
+#define UNIT_SKY_SHARES (UNIT_OWN + 0)
 
 /* Of the table of what lights give by a surface's normal, texels a side. */
 #define SKY_SHARES_SIZE 65
 
 struct environment_lighting_params {
     int count;         /* of lights */
-    int block;         /* pixels a side of a block that shares its visibility; 0: each pixel looks itself up */
-    float bias;        /* texels: what is no higher above a receiver's plane hides nothing */
-    float disagree;    /* of all light: where blocks do by more, a pixel looks itself up */
-    int unused0, unused1, unused2, unused3;
+    int block;         /* pixels a side of a block that shares its visibility */
+    float disagree;    /* of all light: where blocks do by more, rays start at the pixel */
+    int unused;
 };
-PASS_BLOCK(environment_lighting_params, 32)
+PASS_BLOCK(environment_lighting_params, 16)
+
+/* Lights of one layer of an array, and layers of one draw. */
+#define SKY_LAYER_LIGHTS 4
+#define SKY_DRAW_LAYERS 8 /* as many lights as a mask has bits */
 
 #endif

@@ -1,4 +1,4 @@
-/* A sky as area lights, infinitely far away, and the orthographic view from each. */
+/* A sky as area lights, infinitely far away. */
 #ifndef SHARED_SKY_H
 #define SHARED_SKY_H
 
@@ -6,27 +6,21 @@
 
 #define ENVIRONMENT_LIGHTS_MAX 256
 
-#define SKY_ROWS 13
+#define SKY_ROWS 9
 
 struct sky_source {
     vec4 corners[4]; /* unit directions; their last number is 0 */
     vec3 radiance;   /* W/(sr m2) */
     float luminance; /* of it */
     vec3 vector;     /* irradiance over radiance, as a vector: where all of the light is above the horizon */
-    float far;       /* where map depth is 1, metres */
-    /* The view along the light's middle. Its frame: */
-    vec3 right; /* unit */
-    float half_width; /* of the map, metres */
-    vec3 up;
-    float half_height;
-    vec3 forward; /* unit: away from the light */
     float unused0;
-    vec3 origin;
+    /* Points of the light are the parallelogram middle + x side_x + y side_y, x and y from -1 to 1. */
+    vec3 middle; /* unit: towards the light */
     float unused1;
-    /* Two half sides of the parallelogram that the light is on a plane at distance 1, in that frame. */
-    vec4 sides;
-    vec4 beyond; /* the number of the next light beyond each quarter: -x -y, +x -y, -x +y, +x +y; its own: none */
-    vec4 further; /* likewise beyond those, in the same direction */
+    vec3 side_x;
+    float unused2;
+    vec3 side_y;
+    float unused3;
 };
 STD140_SIZE(sky_source, 16 * SKY_ROWS)
 

@@ -5,6 +5,8 @@
 
 layout(binding = UNIT_BVH) uniform usamplerBuffer bvh;
 
+const float BVH_FAR = 1e30;
+
 struct bvh_ray {
     vec3 origin, direction;
     float end;                  // of the direction's length
@@ -79,12 +81,9 @@ int leaf_texel(uint leaf) {
     return int(leaf & ((1u << STACKLESS_COUNT_SHIFT) - 1u));
 }
 
-// Between a point of a surface and one of another surface; never where they are one.
-bool is_blocked(vec3 from, vec3 normal, vec3 to) {
-    float clearance = bvh_clearance(), way = distance(from, to);
-    vec3 origin = from + clearance * normal;
-    bvh_ray ray = bvh_ray_along(origin, to - origin, 1.0 - clearance / way);
-    int box = STACKLESS_HEADER, end = way > clearance ? bvh_end() : 0;
+// Whether the ray meets any triangle; not where `asks` is false.
+bool bvh_meets_any(bvh_ray ray, bool asks) {
+    int box = STACKLESS_HEADER, end = asks ? bvh_end() : 0;
     bool blocked = false;
     while (box < end) {
         uint leaf = bvh_leaf(ray, box, end);
@@ -94,6 +93,18 @@ bool is_blocked(vec3 from, vec3 normal, vec3 to) {
         box = blocked ? end : box;
     }
     return blocked;
+}
+
+// Between a point of a surface and one of another surface; never where they are one.
+bool is_blocked(vec3 from, vec3 normal, vec3 to) {
+    float clearance = bvh_clearance(), way = distance(from, to);
+    vec3 origin = from + clearance * normal;
+    return bvh_meets_any(bvh_ray_along(origin, to - origin, 1.0 - clearance / way), way > clearance);
+}
+
+// From a point of a surface to infinity.
+bool is_blocked_towards(vec3 from, vec3 normal, vec3 direction, bool asks) {
+    return bvh_meets_any(bvh_ray_along(from + bvh_clearance() * normal, direction, BVH_FAR), asks);
 }
 
 // What a ray meets first.
@@ -106,8 +117,7 @@ struct bvh_hit {
 
 // Along a unit direction; not where `asks` is false.
 bvh_hit bvh_meet(vec3 origin, vec3 direction, bool asks) {
-    const float FAR = 1e30;
-    bvh_ray ray = bvh_ray_along(origin, direction, FAR);
+    bvh_ray ray = bvh_ray_along(origin, direction, BVH_FAR);
     int box = STACKLESS_HEADER, end = asks ? bvh_end() : 0, met = 0;
     while (box < end) {
         uint leaf = bvh_leaf(ray, box, end);

@@ -1,5 +1,5 @@
-// Direct light with that of a sky. Visibility is that of the blocks of pixels around, between which it is
-// interpolated; a pixel on none of their surfaces, or where they disagree about much light, looks itself up.
+// Direct light with that of some layers of environment lights. Visibility is that of the blocks of pixels around, between
+// which it is interpolated. Rays start at a pixel on none of their surfaces, or where blocks disagree about much light.
 #define BLOCK_COSINE 0.9
 #include "shared/environment_lighting.h"
 #include "gather/block.glsl"
@@ -8,6 +8,8 @@
 
 layout(binding = UNIT_BLOCK_VISIBILITY) uniform sampler2DArray block_visibilities;
 layout(binding = UNIT_DIRECT) uniform sampler2D direct; // of all other lights
+
+layout(location = LOCATION_SKY_LAYERS) uniform ivec4 layers; // first, count
 
 layout(location = TARGET_RESULT) out vec4 lit;
 #ifdef HAS_SPECULAR
@@ -70,56 +72,51 @@ vec4 visibility_of_blocks(blocks b, int layer, out vec4 apart) {
     return sum / max(weight, 1e-6);
 }
 
-const int LAYERS_TOGETHER = 8; // as many lights as a mask has bits
-
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    lit = texelFetch(direct, pixel, 0);
+    lit = layers.x > 0 ? vec4(0.0) : texelFetch(direct, pixel, 0);
 #ifdef HAS_SPECULAR
-    specular = texelFetch(direct_specular, pixel, 0);
+    specular = layers.x > 0 ? vec4(0.0) : texelFetch(direct_specular, pixel, 0);
 #endif
     surface s = gbuffer_surface(pixel);
     if (!s.present)
         return;
     blocks b = blocks_of(s, pixel);
-    int layers = (params.count + 3) / 4;
-    float all = 0.0;
-    for (int i = 0; i < params.count; i++)
-        all += max(dot(sky_vector(i), s.normal), 0.0) * sky_radiance(i).a;
+    int count = (params.count + SKY_LAYER_LIGHTS - 1) / SKY_LAYER_LIGHTS;
+    float limit = params.disagree * sky_shares(s.normal, count).r;
     vec3 sum = vec3(0.0);
 #ifdef HAS_SPECULAR
     vec3 shining = vec3(0.0);
     lobe o = lobe_of(gbuffer_specular(s, pixel));
 #endif
-    for (int first = 0; first < layers; first += LAYERS_TOGETHER) {
-        // A mask and a loop over its bits, no branch in the loop over lights: a software rasteriser runs what a branch
-        // leaves out for all pixels.
-        uint asked = 0u;
-        for (int layer = first; layer < min(first + LAYERS_TOGETHER, layers); layer++) {
-            vec4 shares = sky_shares(s.normal, layer), apart;
-            vec4 visible = visibility_of_blocks(b, layer, apart);
-            for (int k = 0; k < 4; k++) {
-                vec4 radiance = sky_radiance(4 * layer + k);
-                bool ask = shares[k] * radiance.a * apart[k] > params.disagree * all;
-                visible[k] = ask ? 0.0 : visible[k];
-                asked |= ask ? 1u << (4 * (layer - first) + k) : 0u;
-                radiance.rgb = through_medium(radiance.rgb, 4 * layer + k, s.position);
-                sum += radiance.rgb * (shares[k] * visible[k]);
+    // A mask and a loop over its bits, no branch in the loop over lights: a software rasteriser runs what a branch
+    // leaves out for all pixels.
+    uint asked = 0u;
+    for (int layer = layers.x; layer < min(layers.x + layers.y, count); layer++) {
+        vec4 shares = sky_shares(s.normal, layer), apart;
+        vec4 visible = visibility_of_blocks(b, layer, apart);
+        for (int k = 0; k < SKY_LAYER_LIGHTS; k++) {
+            int i = SKY_LAYER_LIGHTS * layer + k;
+            vec4 radiance = sky_radiance(i);
+            bool ask = shares[k] * radiance.a * apart[k] > limit;
+            visible[k] = ask ? 0.0 : visible[k];
+            asked |= ask ? 1u << (i - SKY_LAYER_LIGHTS * layers.x) : 0u;
+            radiance.rgb = through_medium(radiance.rgb, i, s.position);
+            sum += radiance.rgb * (shares[k] * visible[k]);
 #ifdef HAS_SPECULAR
-                if (4 * layer + k < params.count)
-                    shining += radiance.rgb * (sky_specular(o, 4 * layer + k) * visible[k]);
-#endif
-            }
-        }
-        for (; asked != 0u; asked &= asked - 1u) {
-            int i = 4 * first + findLSB(asked);
-            vec3 seen = sky_radiance(i).rgb * sky_visibility(i, s.position, s.normal);
-            seen = through_medium(seen, i, s.position);
-            sum += seen * sky_shares(s.normal, i / 4)[i % 4];
-#ifdef HAS_SPECULAR
-            shining += seen * sky_specular(o, i);
+            if (i < params.count)
+                shining += radiance.rgb * (sky_specular(o, i) * visible[k]);
 #endif
         }
+    }
+    for (; asked != 0u; asked &= asked - 1u) {
+        int i = SKY_LAYER_LIGHTS * layers.x + findLSB(asked);
+        vec3 seen = sky_radiance(i).rgb * sky_visibility(i, s.position, s.normal);
+        seen = through_medium(seen, i, s.position);
+        sum += seen * sky_shares(s.normal, i / SKY_LAYER_LIGHTS)[i % SKY_LAYER_LIGHTS];
+#ifdef HAS_SPECULAR
+        shining += seen * sky_specular(o, i);
+#endif
     }
     lit.rgb += sum / PI;
 #ifdef HAS_SPECULAR

@@ -3,7 +3,6 @@
 #include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/visibility/environment_lighting.h"
-#include "passes/visibility/sky_map.h"
 
 #include <stdlib.h>
 
@@ -18,10 +17,8 @@ static const struct option table[] = {
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
      .help = "fit of the area lights: rectangles grown from the\n"
              "brightest texel, or cells of nearly even radiance"},
-    {"map-size", 0, OPTION_INT, ROW(map_size), 256, 16, 4096,
-     .help = "texels along each side of the shadow map of an environment light"},
-    {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 256,
-     .help = "shadow rays per lookup of an environment light; at least 16 for a sun"},
+    {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 64,
+     .help = "shadow rays per environment light; at least 16 for a sun"},
     {"directions", 0, OPTION_INT, ROW(directions), 12, ENVIRONMENT_LIGHTS_MIN, LIGHTS_MAX,
      .help = "largest number of directions from which an environment's reflected\n"
              "light starts; raise, with lights.vpls, where it comes through windows"},
@@ -31,23 +28,14 @@ static const struct option table[] = {
 const struct settings_part sky_part = {"sky", "direct light of an environment", table,
                                        sizeof(struct environment_settings)};
 
-/* Maps along each side of a sun, an environment light below .01 sr with at least 1/40 of the light; and pixels along each
- * side of a block that shares its visibility. */
-enum { SUN_MAPS = 4, BLOCK = 7 };
+/* Pixels along each side of a block that shares its visibility. */
+enum { BLOCK = 4 };
 
-/* Height above the receiver's plane up to which nothing casts a shadow, in texels of a map. */
-static const float bias = .1F;
-
-/* Blocks that differ by more, over the environment's light, leave the pixels between them their own lookups; of more than
- * 60 lights divided by lights / 60. */
+/* Where blocks differ by more, over the environment's light, rays start at the pixels between them; of more than 60 lights
+ * divided by lights / 60. */
 static const float disagree = .02F;
 
-/* Those that the maps of VALs have by default, so that both share them. */
-static const struct caster_desc caster = {.error = (float)CASTER_ERROR,
-                                          .long_count = CASTER_LONG_COUNT};
-
 struct lighting {
-    struct sky_map_pass maps;
     struct environment_lighting_pass light;
     struct environment_lights lights; /* as the map lies, without its turn and strength */
     struct sky_block block;           /* as it is turned */
@@ -59,7 +47,6 @@ struct lighting {
 static void free_state(void *state) {
     struct lighting *lighting = state;
     if (lighting) {
-        sky_map_pass_free(&lighting->maps);
         environment_lighting_pass_free(&lighting->light);
         buffer_free(&lighting->buffer);
         lighting->lamps->free(lighting->lamps_state);
@@ -70,27 +57,22 @@ static void free_state(void *state) {
 static bool init(void **state, const struct direct_desc *desc) {
     const struct environment_settings *own =
         settings_of(struct environment_settings, desc->settings, &sky_part);
-    const struct sky_map_layout layout = {.size = own->map_size,
-                                          .count = desc->sky->count,
-                                          .suns = environment_lights_suns(desc->sky),
-                                          .sun_maps = SUN_MAPS};
     struct lighting *lighting = *state = mem_alloc(1, sizeof *lighting);
     lighting->lights = *desc->sky;
     lighting->lamps = desc->lamps;
     return lighting->lamps->init(&lighting->lamps_state, desc) &&
-           sky_map_pass_init(&lighting->maps, &(struct sky_map_desc){.casters = desc->casters,
-                                                                     .caster = caster,
-                                                                     .layout = layout}) &&
            environment_lighting_pass_init(
-               &lighting->light, &(struct environment_lighting_desc){.width = desc->width,
-                                                                     .height = desc->height,
-                                                                     .maps = layout,
-                                                                     .block = BLOCK,
-                                                                     .ways = own->shadow_rays,
-                                                                     .bias = bias,
-                                                                     .disagree = disagree,
-                                                                     .specular = desc->specular,
-                                                                     .medium = desc->medium}) &&
+               &lighting->light,
+               &(struct environment_lighting_desc){.width = desc->width,
+                                                   .height = desc->height,
+                                                   .casters = desc->casters,
+                                                   .lights = desc->sky->count,
+                                                   .suns = environment_lights_suns(desc->sky),
+                                                   .block = BLOCK,
+                                                   .shadow_rays = own->shadow_rays,
+                                                   .disagree = disagree,
+                                                   .specular = desc->specular,
+                                                   .medium = desc->medium}) &&
            buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block, NULL);
 }
 
@@ -110,17 +92,16 @@ static void render_lights(void *state, const struct frame *frame) {
     const int count = lighting->lights.count;
     if (lighting->lamps->render_lights)
         lighting->lamps->render_lights(lighting->lamps_state, frame);
-    sky_block_of(&lighting->block, &lighting->lights, frame->emitters->sky, frame->geometry);
+    sky_block_of(&lighting->block, &lighting->lights, frame->emitters->sky);
     buffer_write(&lighting->buffer, 0, (size_t)count * sizeof *lighting->block.sources,
                  lighting->block.sources);
-    sky_map_pass_render(&lighting->maps, frame, &lighting->buffer);
     environment_lighting_pass_render_lights(&lighting->light, frame, &lighting->buffer);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct lighting *lighting = state;
     const struct direct_method *lamps = lighting->lamps;
-    struct environment_lighting_inputs inputs = {&lighting->buffer, &lighting->maps.maps,
+    struct environment_lighting_inputs inputs = {&lighting->buffer,
                                                  lamps->light(lighting->lamps_state), NULL};
     if (lighting->light.desc.specular)
         inputs.specular = lamps->specular(lighting->lamps_state);

@@ -7,7 +7,6 @@
 
 struct environment_settings {
     int lights, fit; /* enum sky_fit */
-    int map_size;    /* texels a side */
     int shadow_rays;
     int directions; /* that reflected light starts from, at most */
 };

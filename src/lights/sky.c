@@ -92,14 +92,6 @@ int environment_lights_suns(const struct environment_lights *lights) {
     return suns;
 }
 
-int sky_map_layers(const struct sky_map_layout *layout) {
-    return layout->count + layout->suns * (layout->sun_maps * layout->sun_maps - 1);
-}
-
-char *sky_map_defines(const struct sky_map_layout *layout) {
-    return mem_printf("SUNS %d;SUN_MAPS %d", layout->suns, layout->sun_maps);
-}
-
 static struct emitter towards(const float direction[3]) {
     struct emitter emitter = {.type = EMITTER_DIRECTIONAL, .number = -1};
     vec3 away;
@@ -162,7 +154,7 @@ struct emitter sky_group_piece(const struct environment_lights *lights,
     return emitter;
 }
 
-/* --- views ---------------------------------------------------------------------------------------- */
+/* --- points of lights ---------------------------------------------------------------------------------------- */
 
 /* Where the light's corners are on a plane across the axis, at distance 1, and their middle. */
 static void project_corners(const struct environment_light *light, const struct emitter *axis,
@@ -196,16 +188,10 @@ static struct emitter axis_of(const struct environment_light *light, float place
     return axis;
 }
 
-static struct sky_source source_of(const struct environment_light *light,
-                                   const struct geometry *geometry) {
+static struct sky_source source_of(const struct environment_light *light) {
     float places[4][2];
     struct emitter axis = axis_of(light, places);
-    struct view view;
-    view_of_directional(&view, &axis, geometry);
     struct sky_source source = {
-        .far = view.far,
-        .half_width = glm_vec3_norm(view.right),
-        .half_height = glm_vec3_norm(view.up),
         .luminance =
             .2126F * light->radiance[0] + .7152F * light->radiance[1] + .0722F * light->radiance[2],
     };
@@ -213,78 +199,21 @@ static struct sky_source source_of(const struct environment_light *light,
         glm_vec3_copy((float *)light->corners[i], source.corners[i]);
     environment_light_vector(light, source.vector);
     glm_vec3_copy((float *)light->radiance, source.radiance);
-    glm_vec3_copy(axis.right, source.right);
-    glm_vec3_copy(axis.up, source.up);
-    glm_vec3_copy(axis.direction, source.forward);
-    glm_vec3_copy(view.origin, source.origin);
+    glm_vec3_negate_to(axis.direction, source.middle);
     for (int c = 0; c < 2; c++) {
-        source.sides[c] = (places[1][c] - places[0][c] + places[2][c] - places[3][c]) / 4;
-        source.sides[2 + c] = (places[3][c] - places[0][c] + places[2][c] - places[1][c]) / 4;
+        const float *across = c == 0 ? axis.right : axis.up;
+        float x = (places[1][c] - places[0][c] + places[2][c] - places[3][c]) / 4,
+              y = (places[3][c] - places[0][c] + places[2][c] - places[1][c]) / 4;
+        glm_vec3_muladds((float *)across, x, source.side_x);
+        glm_vec3_muladds((float *)across, y, source.side_y);
     }
     return source;
 }
 
-static void towards_middle(const struct sky_source *source, float direction[3]) {
-    glm_vec3_negate_to((float *)source->forward, direction);
-}
-
-/* Of all lights but the i-th and the k-th the one whose axis is nearest to a direction, where ways to `ways` are
- * not too far aside in its map, which knows what the i-th's cannot; else the i-th. */
-static int find_nearest(const struct sky_block *block, int count, int i, int k,
-                        const float direction[3], const float ways[3]) {
-    static const float least_cosine = .5F;
-    int found = i;
-    float most = -1;
-    for (int n = 0; n < count; n++) {
-        vec3 axis;
-        towards_middle(&block->sources[n], axis);
-        float cosine = glm_vec3_dot(axis, (float *)direction);
-        if (n != i && n != k && cosine > most && glm_vec3_dot(axis, (float *)ways) > least_cosine) {
-            most = cosine;
-            found = n;
-        }
-    }
-    return found;
-}
-
-/* The corner of the i-th's quarter. */
-static void corner_of(const struct sky_source *own, int quarter, float direction[3]) {
-    float x = quarter & 1 ? 1 : -1, y = quarter & 2 ? 1 : -1;
-    towards_middle(own, direction);
-    glm_vec3_muladds((float *)own->right, own->sides[0] * x + own->sides[2] * y, direction);
-    glm_vec3_muladds((float *)own->up, own->sides[1] * x + own->sides[3] * y, direction);
-    glm_vec3_normalize(direction);
-}
-
-/* What is as far from the one beyond as that is from the i-th. */
-static void mirror(const struct sky_block *block, int i, int beyond, float direction[3]) {
-    vec3 from;
-    towards_middle(&block->sources[i], from);
-    towards_middle(&block->sources[beyond], direction);
-    glm_vec3_scale(direction, 2, direction);
-    glm_vec3_sub(direction, from, direction);
-    glm_vec3_normalize(direction);
-}
-
-static void link_source(struct sky_block *block, int count, int i) {
-    struct sky_source *own = &block->sources[i];
-    for (int quarter = 0; quarter < 4; quarter++) {
-        vec3 corner, far;
-        corner_of(own, quarter, corner);
-        int beyond = find_nearest(block, count, i, i, corner, corner);
-        mirror(block, i, beyond, far);
-        own->beyond[quarter] = (float)beyond;
-        own->further[quarter] =
-            (float)(beyond == i ? i : find_nearest(block, count, i, beyond, far, corner));
-    }
-}
-
 void sky_block_of(struct sky_block *block, const struct environment_lights *lights,
-                  const struct environment *sky, const struct geometry *geometry) {
+                  const struct environment *sky) {
     for (int i = 0; i < lights->count; i++) {
         struct environment_light light = environment_light_turned(&lights->items[i], sky);
-        block->sources[i] = source_of(&light, geometry);
+        block->sources[i] = source_of(&light);
     }
-    for (int i = 0; i < lights->count; i++)
-        link_source(block, lights->count, i);
 }

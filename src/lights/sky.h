@@ -19,18 +19,6 @@ void environment_lights_fit(struct environment_lights *lights, const struct envi
 enum { SKY_SUNS_MAX = 4 };
 int environment_lights_suns(const struct environment_lights *lights);
 
-/* A map a light, or of each of the first ones, the suns, sun_maps^2, which part it. */
-struct sky_map_layout {
-    int size;        /* of a map, texels a side */
-    int count, suns; /* of lights */
-    int sun_maps;    /* a side */
-};
-
-int sky_map_layers(const struct sky_map_layout *layout);
-
-/* Definitions for glsl/visibility/sky_maps.glsl; to be freed. */
-char *sky_map_defines(const struct sky_map_layout *layout);
-
 /* Some of them that stand together: each light's group, from 0. */
 struct sky_groups {
     int of[ENVIRONMENT_LIGHTS_MAX];
@@ -41,9 +29,9 @@ struct sky_groups {
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
                               int count);
 
-/* As the sky is turned, over the scene's bounds. */
+/* As the sky is turned. */
 void sky_block_of(struct sky_block *block, const struct environment_lights *lights,
-                  const struct environment *sky, const struct geometry *geometry);
+                  const struct environment *sky);
 
 /* A directional light in the middle of a group, which gives a surface that faces it as much as all lights
  * of the group; or from a place of it, two numbers in [0, 1), as much as all on average. */

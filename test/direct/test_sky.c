@@ -114,7 +114,7 @@ static double all_of_it(const float place[3]) {
 /* --- a sky of 1: irradiance pi, as the direct layer has it 1 -------------------------------------- */
 
 static const char *const settings_tried[] = {"", "sky.lights=6", "fit=rectangles lights=60",
-                                             "sky.map-size=64"};
+                                             "sky.shadow-rays=2"};
 
 static void test_floor(void **state) {
     (void)state;
@@ -172,7 +172,7 @@ static void test_wall(void **state) {
     static const struct {
         const char *settings;
         double bound;
-    } rows[] = {{"", .05}, {"lights=100 sky.map-size=512", .04}, {"fit=rectangles", .08}};
+    } rows[] = {{"", .05}, {"lights=100 sky.shadow-rays=8", .04}, {"fit=rectangles", .08}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         printf("  %s\n", rows[i].settings);
         struct shares shares = measure_shares(&stage, rows[i].settings, beside_wall);
@@ -344,8 +344,7 @@ static void test_courtyard(void **state) {
 
 static void test_sum(void **state) {
     (void)state;
-    const char *settings =
-        is_long_run() ? "" : "sky.map-size=64 shadow-size=512 rsm-size=64 vpls=64";
+    const char *settings = is_long_run() ? "" : "shadow-size=512 rsm-size=64 vpls=64";
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     set_sky(&stage, paint_day);

@@ -103,7 +103,7 @@ static void test_times_by_light(void **state) {
             "--set sky.lights=6 --variant fast --environment scenes/overcast.hdr%s",
             lights[i]);
         check_runs(arguments);
-        bool sky = strstr(output, "frame/sky maps") != NULL;
+        bool sky = strstr(output, "frame/sky blocks") != NULL;
         printf("    all%s: %s of the sky\n", lights[i], sky ? "passes" : "no pass");
         assert_int_equal(sky, i != 1);
     }

@@ -25,7 +25,6 @@ static const struct series of_skies[] = {
     {"even parts:" DIRECT_ALONE, "sky.lights=15,30,60,120"},
     {"rectangles:fit=rectangles," DIRECT_ALONE, "sky.lights=30,60"},
     {"ways:" DIRECT_ALONE, "sky.shadow-rays=3,16"},
-    {"maps:" DIRECT_ALONE, "sky.map-size=512,1024"},
     {NULL, NULL},
 };
 

@@ -15,35 +15,32 @@
 static const int few = 60;
 
 static float disagree_of(const struct environment_lighting_desc *desc) {
-    int count = desc->maps.count;
+    int count = desc->lights;
     return count > few ? desc->disagree * (float)few / (float)count : desc->disagree;
 }
 
 static bool init_programs(struct environment_lighting_pass *pass) {
-    char *maps = sky_map_defines(&pass->desc.maps);
-    char *defines = mem_printf("%s;WAYS %d", maps, pass->desc.ways);
+    char *defines = mem_printf("SUNS %d;SHADOW_RAYS %d", pass->desc.suns, pass->desc.shadow_rays);
     char *light_defines = mem_printf("%s%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "",
                                      pass->desc.medium ? ";HAS_MEDIUM" : "");
-    bool ok =
-        program_init(
-            &pass->share_program,
-            &(struct program_desc){.screen = {"visibility/sky_shares.frag", .layers = true}}) &&
-        program_init(
-            &pass->block_program,
-            &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
-                                   .defines = defines}) &&
-        program_init(&pass->light_program,
-                     &(struct program_desc){.screen = {"visibility/environment_lighting.frag"},
-                                            .defines = light_defines});
-    free(maps);
+    bool ok = program_init(&pass->share_program,
+                           &(struct program_desc){
+                               .screen = {"visibility/sky_shares.frag", .layers = true}}) &&
+              program_init(
+                  &pass->block_program,
+                  &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
+                                         .defines = defines}) &&
+              program_init(&pass->light_program,
+                           &(struct program_desc){
+                               .screen = {"visibility/environment_lighting.frag", .blended = true},
+                               .defines = light_defines});
     free(defines);
     free(light_defines);
     return ok;
 }
 
-/* Each layer has four. */
 static int layers(const struct environment_lighting_desc *desc) {
-    return (desc->maps.count + 3) / 4;
+    return (desc->lights + SKY_LAYER_LIGHTS - 1) / SKY_LAYER_LIGHTS;
 }
 
 static bool init_shares(struct environment_lighting_pass *pass) {
@@ -52,7 +49,7 @@ static bool init_shares(struct environment_lighting_pass *pass) {
                                                               .format = GL_RGBA32F,
                                                               .width = SKY_SHARES_SIZE,
                                                               .height = SKY_SHARES_SIZE,
-                                                              .layers = layers(&pass->desc),
+                                                              .layers = layers(&pass->desc) + 1,
                                                               .filter = FILTER_LINEAR}) &&
            framebuffer_init(
                &pass->share_framebuffer,
@@ -101,11 +98,10 @@ static void free_targets(struct environment_lighting_pass *pass) {
 bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
                                     const struct environment_lighting_desc *desc) {
     *pass = (struct environment_lighting_pass){.desc = *desc};
-    struct environment_lighting_params params = {.count = desc->maps.count,
-                                                 .block = desc->block,
-                                                 .bias = desc->bias,
-                                                 .disagree = disagree_of(desc)};
-    if (init_programs(pass) && init_shares(pass) && init_targets(pass) &&
+    struct environment_lighting_params params = {
+        .count = desc->lights, .block = desc->block, .disagree = disagree_of(desc)};
+    if (caster_pool_acquire_tree(desc->casters, &pass->bvh) && init_programs(pass) &&
+        init_shares(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "sky parameters", sizeof params, &params))
         return true;
     environment_lighting_pass_free(pass);
@@ -113,6 +109,7 @@ bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
 }
 
 void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
+    caster_pool_release_tree(pass->desc.casters, &pass->bvh);
     program_free(&pass->share_program);
     program_free(&pass->block_program);
     program_free(&pass->light_program);
@@ -148,35 +145,60 @@ void environment_lighting_pass_render_lights(const struct environment_lighting_p
                                   .height = SKY_SHARES_SIZE,
                                   .blocks = {{BLOCK_SKY, lights}, {BLOCK_PASS, &pass->params}},
                               });
+    pass_draw_fullscreen(layers(&pass->desc) + 1);
+    pass_end(frame->timers);
+}
+
+static void draw_blocks(const struct environment_lighting_pass *pass, const struct frame *frame,
+                        struct pass_state *state) {
+    state->name = "sky blocks";
+    state->program = pass->block_program;
+    state->framebuffer = pass->block_framebuffer;
+    state->width = pass->blocks.desc.width;
+    state->height = pass->blocks.desc.height;
+    pass_begin(frame->timers, state);
     pass_draw_fullscreen(layers(&pass->desc));
     pass_end(frame->timers);
+}
+
+/* llvmpipe ends the loops of a shader after 65,535 steps in all, of which a ray takes hundreds in a large scene. */
+static int layers_of_draw(const struct environment_lighting_desc *desc) {
+    static const int rays = 128;
+    int most = rays / (SKY_LAYER_LIGHTS * desc->shadow_rays);
+    return most < 1 ? 1 : most > SKY_DRAW_LAYERS ? SKY_DRAW_LAYERS : most;
+}
+
+static void draw_light(const struct environment_lighting_pass *pass, const struct frame *frame,
+                       struct pass_state *state) {
+    state->name = "environment lighting";
+    state->program = pass->light_program;
+    state->framebuffer = pass->light_framebuffer;
+    state->width = pass->light.desc.width;
+    state->height = pass->light.desc.height;
+    timer_begin(frame->timers, state->name);
+    int count = layers_of_draw(&pass->desc);
+    for (int first = 0; first < layers(&pass->desc); first += count) {
+        state->blend = first > 0 ? PASS_BLEND_ADD : PASS_BLEND_OFF;
+        pass_set_state(state);
+        pass_set_ints(LOCATION_SKY_LAYERS, first, count, 0, 0);
+        pass_draw_fullscreen(1);
+    }
+    timer_end(frame->timers);
 }
 
 void environment_lighting_pass_render(const struct environment_lighting_pass *pass,
                                       const struct frame *frame, const struct gbuffer *gbuffer,
                                       const struct environment_lighting_inputs *inputs) {
     struct pass_state state = {
-        .name = "sky blocks",
-        .program = pass->block_program,
-        .framebuffer = pass->block_framebuffer,
-        .width = pass->blocks.desc.width,
-        .height = pass->blocks.desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_SKY_MAPS, inputs->maps->id},
+                     {UNIT_BVH, pass->bvh->texels},
                      {UNIT_SKY_SHARES, pass->shares.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_SKY, inputs->lights},
                    {BLOCK_PASS, &pass->params}},
     };
-    pass_begin(frame->timers, &state);
-    pass_draw_fullscreen(layers(&pass->desc));
-    pass_end(frame->timers);
-    state.name = "environment lighting";
-    state.program = pass->light_program;
-    state.framebuffer = pass->light_framebuffer;
-    state.width = pass->light.desc.width;
-    state.height = pass->light.desc.height;
+    draw_blocks(pass, frame, &state);
     pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
     pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
     if (pass->desc.specular) {
@@ -186,7 +208,5 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
     }
     if (frame->medium)
         pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
-    pass_begin(frame->timers, &state);
-    pass_draw_fullscreen(1);
-    pass_end(frame->timers);
+    draw_light(pass, frame, &state);
 }

@@ -47,7 +47,6 @@ static const struct row {
     {"sky.lights", "area lights"},
     {"sky.fit", "fit"},
     {"sky.directions", "directions"},
-    {"sky.map-size", "map texels"},
     {"sky.shadow-rays", "shadow rays"},
     {"surface.materials", "materials"},
     {"medium.scatter", "fog that scatters"},
