@@ -20,15 +20,15 @@ vec3 sky_vector(int i) {
     return sky_rows[i * SKY_ROWS + 5].xyz;
 }
 
+// Unit: to its middle.
+vec3 sky_direction(int i) {
+    return sky_rows[i * SKY_ROWS + 6].xyz;
+}
+
 // The direction to a point of it, not of unit length.
 vec3 sky_towards(int i, vec2 point) {
     int row = i * SKY_ROWS;
     return sky_rows[row + 6].xyz + point.x * sky_rows[row + 7].xyz + point.y * sky_rows[row + 8].xyz;
-}
-
-// Unit: to its middle.
-vec3 sky_direction(int i) {
-    return sky_rows[i * SKY_ROWS + 6].xyz;
 }
 
 // Irradiance over radiance of a light that nothing hides, exact: the vector's where all is above the

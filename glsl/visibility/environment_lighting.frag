@@ -112,6 +112,7 @@ void main() {
     for (; asked != 0u; asked &= asked - 1u) {
         int i = SKY_LAYER_LIGHTS * layers.x + findLSB(asked);
         vec3 seen = sky_radiance(i).rgb * sky_visibility(i, s.position, s.normal);
+        seen = through_medium(seen, i, s.position);
         sum += seen * sky_shares(s.normal, i / SKY_LAYER_LIGHTS)[i % SKY_LAYER_LIGHTS];
 #ifdef HAS_SPECULAR
         shining += seen * sky_specular(o, i);
