@@ -209,7 +209,6 @@ static void test_old_names(void **state) {
         {"gather-further-points", "edge-samples"},
         {"gather.gloss", "specular"},
         {"ways", "shadow-rays"},
-        {"sky-size", "map-size"},
         {"sky-ways", "shadow-rays"},
         {"start.directions", "directions"},
         {"cluster-lights.steps", "iterations"},
@@ -223,7 +222,8 @@ static void test_old_names(void **state) {
         check_ok(old[i][0], settings_find(&settings, old[i][0], &setting));
         assert_string_equal(setting.option->name, old[i][1]);
     }
-    static const char *const removed[] = {"lookup.bias", "cluster-lights.weight-distance",
+    static const char *const removed[] = {"lookup.bias", "sky.map-size",
+                                          "cluster-lights.weight-distance",
                                           "row-column.column-interleave"};
     for (size_t i = 0; i < sizeof removed / sizeof *removed; i++) {
         assert_false(settings_find(&settings, removed[i], &setting));
