@@ -32,15 +32,8 @@ int volume_points_count(const struct geometry *geometry, float voxel, float per_
     return (int)fmin(fmax(count, 1), most_points);
 }
 
-static bool has_dynamic_parts(const struct geometry *geometry) {
-    for (int p = 0; p < geometry->part_count; p++)
-        if (geometry->parts[p].dynamic)
-            return true;
-    return false;
-}
-
 bool volume_points_check(const struct geometry *geometry) {
-    return has_dynamic_parts(geometry) || area_of(geometry) > 0 ||
+    return surface_points_differ_by_pose(geometry) || area_of(geometry) > 0 ||
            error_set("volume: the scene's %u triangles have no area, so no points lie on them",
                      geometry_triangle_count(geometry));
 }
@@ -106,8 +99,8 @@ static void init_vertices(struct volume_points *points) {
 }
 
 bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc) {
-    *points =
-        (struct volume_points){.desc = *desc, .dealt_by_pose = has_dynamic_parts(desc->geometry)};
+    *points = (struct volume_points){
+        .desc = *desc, .dealt_by_pose = surface_points_differ_by_pose(desc->geometry)};
     deal(points, desc->geometry);
     size_t count = (size_t)points->points.count;
     if (!buffer_init(&points->buffer, "volume points", count * sizeof *points->room, NULL)) {
@@ -140,9 +133,10 @@ static void place_some(void *context, size_t run) {
         struct volume_point *to = &placing->points->room[i];
         struct surface_place place =
             surface_points_place(&placing->points->points, placing->geometry, i);
+        bool exists = place.area > 0 && glms_vec3_norm2(place.normal) > 0;
         for (int c = 0; c < 3; c++) {
-            /* Where there is no point it lies outside of all volumes. */
-            to->position[c] = place.area > 0 ? place.position.raw[c] : INFINITY;
+            /* A point that does not exist lies outside of all volumes. */
+            to->position[c] = exists ? place.position.raw[c] : INFINITY;
             to->normal[c] = (int16_t)lroundf(INT16_MAX * fmaxf(fminf(place.normal.raw[c], 1), -1));
         }
     }
