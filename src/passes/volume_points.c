@@ -99,8 +99,7 @@ static void init_vertices(struct volume_points *points) {
 }
 
 bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc) {
-    *points = (struct volume_points){
-        .desc = *desc, .dealt_by_pose = surface_points_differ_by_pose(desc->geometry)};
+    *points = (struct volume_points){.desc = *desc, .dealt = desc->geometry->pose_count};
     deal(points, desc->geometry);
     size_t count = (size_t)points->points.count;
     if (!buffer_init(&points->buffer, "volume points", count * sizeof *points->room, NULL)) {
@@ -142,16 +141,15 @@ static void place_some(void *context, size_t run) {
     }
 }
 
+bool volume_points_fit(const struct volume_points *points, const struct geometry *geometry) {
+    return points->dealt == geometry->pose_count || !surface_points_differ_by_pose(geometry);
+}
+
 void volume_points_place(struct volume_points *points, const struct geometry *geometry) {
     if (points->pose == geometry->pose_count)
         return;
-    if (points->dealt_by_pose && points->pose != 0)
-        deal(points, geometry);
     points->pose = geometry->pose_count;
-    size_t room = points->buffer.size / sizeof *points->room, count = (size_t)points->points.count;
-    /* Metaballs may come to have more triangles. */
-    count = count < room ? count : room;
-    points->count = (int)count;
+    size_t count = (size_t)points->points.count;
     parallel_for((count + PLACED_TOGETHER - 1) / PLACED_TOGETHER, 0, place_some,
                  &(struct placing){points, geometry});
     buffer_write(&points->buffer, 0, count * sizeof *points->room, points->room);

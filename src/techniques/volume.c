@@ -161,7 +161,7 @@ bool volume_light_resize(struct volume_light *light, int width, int height) {
     return reconstruct_pass_resize(&light->reconstruct, width, height);
 }
 
-/* Voxels of another size need another number of points. */
+/* Voxels of another size, or other triangles, need another number of points. */
 static bool renew_points(struct volume_light *light, const struct geometry *geometry) {
     struct volume_points_desc desc = light->points.desc;
     desc.geometry = geometry;
@@ -176,7 +176,7 @@ bool volume_light_update(struct volume_light *light, const struct geometry *geom
     struct volume fresh;
     set_box(&desc, geometry);
     if (memcmp(&desc, &light->volume.desc, sizeof desc) == 0)
-        return true;
+        return volume_points_fit(&light->points, geometry) || renew_points(light, geometry);
     if (!volume_init(&fresh, &desc))
         return false;
     volume_free(&light->volume);
