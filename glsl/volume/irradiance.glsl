@@ -46,8 +46,7 @@ voxel_sum no_voxels() {
 }
 
 // The plane of all surfaces among eight voxels, and how far the place is before it: voxels behind it are another room's.
-// A thin wall, and what is seen from both sides, faces the place around which they lie. xyz: normal, not unit, 0 without
-// surfaces.
+// What is seen from both sides, and clearly faces away, faces the place around which they lie. xyz: normal, not unit.
 vec4 surface_of_eight(ivec3 base, vec3 around) {
     vec3 normals = vec3(0.0), middles = vec3(0.0);
     float count = 0.0;
@@ -55,9 +54,9 @@ vec4 surface_of_eight(ivec3 base, vec3 around) {
         ivec3 voxel = base + ivec3(i & 1, (i >> 1) & 1, i >> 2);
         if (volume_has(vec3(voxel)) && volume_distance(voxel) == 0) {
             vec4 surface = texelFetch(surfaces, volume_texel(voxel), 0);
-            vec3 normal = surface.xyz / surface.a, middle = vec3(voxel) + 0.5, off = around - middle;
-            normal *= BOTH_SIDES == 1 && dot(normal, off) < 0.0 ? -1.0 : 1.0;
-            normals += dot(normal, normal) < 0.25 ? normalize(off + 1e-4) : normal;
+            vec3 normal = surface.xyz / surface.a, middle = vec3(voxel) + 0.5;
+            normal *= BOTH_SIDES == 1 && dot(normal, around - middle) < -0.5 ? -1.0 : 1.0;
+            normals += normal;
             middles += middle;
             count += 1.0;
         }
@@ -100,13 +99,12 @@ voxel_sum sum_of_six(vec3 place, vec3 normal) {
     return sum;
 }
 
-// Whether the voxel there holds a surface that faces away: that of a thin wall's other side, or of another wall. What is
-// seen from both sides may face any way.
+// Whether the voxel there holds a surface that faces away: that of a thin wall's other side, or of another wall.
 bool is_beyond_wall(vec3 place, vec3 normal) {
-    if (BOTH_SIDES == 1 || !volume_has(place))
+    if (!volume_has(place))
         return false;
     vec4 surface = texelFetch(surfaces, volume_texel(ivec3(place)), 0);
-    return dot(surface.xyz, normal) < -0.3 * surface.a;
+    return dot(surface.xyz, normal) < 0.0;
 }
 
 // False where no voxel knows; in voxels from the corner. Where a wall is near, a voxel away from it may know.
