@@ -18,7 +18,7 @@ vec2 random_of(ivec3 voxel, int ray) {
     v ^= v >> 16u;
     v.x += v.y * v.z;
     v.y += v.z * v.x;
-    return vec2(v.xy >> 8u) / 16777216.0;
+    return fract(vec2(v.xy >> 8u) / 16777216.0 + params.turn);
 }
 
 vec3 ray_direction(ivec3 voxel, int ray) {

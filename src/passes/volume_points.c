@@ -32,15 +32,8 @@ int volume_points_count(const struct geometry *geometry, float voxel, float per_
     return (int)fmin(fmax(count, 1), most_points);
 }
 
-static bool has_dynamic_parts(const struct geometry *geometry) {
-    for (int p = 0; p < geometry->part_count; p++)
-        if (geometry->parts[p].dynamic)
-            return true;
-    return false;
-}
-
 bool volume_points_check(const struct geometry *geometry) {
-    return has_dynamic_parts(geometry) || area_of(geometry) > 0 ||
+    return surface_points_differ_by_pose(geometry) || area_of(geometry) > 0 ||
            error_set("volume: the scene's %u triangles have no area, so no points lie on them",
                      geometry_triangle_count(geometry));
 }
@@ -106,8 +99,7 @@ static void init_vertices(struct volume_points *points) {
 }
 
 bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc) {
-    *points =
-        (struct volume_points){.desc = *desc, .dealt_by_pose = has_dynamic_parts(desc->geometry)};
+    *points = (struct volume_points){.desc = *desc, .dealt = desc->geometry->pose_count};
     deal(points, desc->geometry);
     size_t count = (size_t)points->points.count;
     if (!buffer_init(&points->buffer, "volume points", count * sizeof *points->room, NULL)) {
@@ -140,24 +132,24 @@ static void place_some(void *context, size_t run) {
         struct volume_point *to = &placing->points->room[i];
         struct surface_place place =
             surface_points_place(&placing->points->points, placing->geometry, i);
+        bool exists = place.area > 0 && glms_vec3_norm2(place.normal) > 0;
         for (int c = 0; c < 3; c++) {
-            /* Where there is no point it lies outside of all volumes. */
-            to->position[c] = place.area > 0 ? place.position.raw[c] : INFINITY;
+            /* A point that does not exist lies outside of all volumes. */
+            to->position[c] = exists ? place.position.raw[c] : INFINITY;
             to->normal[c] = (int16_t)lroundf(INT16_MAX * fmaxf(fminf(place.normal.raw[c], 1), -1));
         }
     }
 }
 
+bool volume_points_fit(const struct volume_points *points, const struct geometry *geometry) {
+    return points->dealt == geometry->pose_count || !surface_points_differ_by_pose(geometry);
+}
+
 void volume_points_place(struct volume_points *points, const struct geometry *geometry) {
     if (points->pose == geometry->pose_count)
         return;
-    if (points->dealt_by_pose && points->pose != 0)
-        deal(points, geometry);
     points->pose = geometry->pose_count;
-    size_t room = points->buffer.size / sizeof *points->room, count = (size_t)points->points.count;
-    /* Metaballs may come to have more triangles. */
-    count = count < room ? count : room;
-    points->count = (int)count;
+    size_t count = (size_t)points->points.count;
     parallel_for((count + PLACED_TOGETHER - 1) / PLACED_TOGETHER, 0, place_some,
                  &(struct placing){points, geometry});
     buffer_write(&points->buffer, 0, count * sizeof *points->room, points->room);

@@ -17,8 +17,7 @@ struct volume_points_desc {
 struct volume_points {
     struct volume_points_desc desc;
     struct surface_points points;
-    int count;                 /* that the buffer holds */
-    bool dealt_by_pose;        /* metaballs have other points in each pose */
+    unsigned dealt;            /* pose whose triangles they lie on */
     unsigned pose;             /* that they were uploaded for; 0: none */
     struct volume_point *room; /* what is uploaded */
     struct buffer buffer;
@@ -35,7 +34,10 @@ int volume_points_count(const struct geometry *geometry, float voxel, float per_
 bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc);
 void volume_points_free(struct volume_points *points);
 
-/* Puts them where the geometry is. */
+/* Whether they lie on the geometry's triangles: metaballs have others in each pose, so that points are to be made anew. */
+bool volume_points_fit(const struct volume_points *points, const struct geometry *geometry);
+
+/* Puts them where the geometry is; they fit. */
 void volume_points_place(struct volume_points *points, const struct geometry *geometry);
 
 #endif

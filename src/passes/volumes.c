@@ -9,7 +9,7 @@
 enum { MARGIN = 2 }; /* voxels around the box, from which surfaces at its sides read */
 
 void volume_grid_fit(struct volume_grid *grid, const struct volume_desc *desc) {
-    float longest = 0;
+    float longest = 1e-6F; /* metres: the bounds are a point where all metaballs have vanished */
     *grid = (struct volume_grid){0};
     for (int c = 0; c < 3; c++)
         longest = fmaxf(longest, desc->high[c] - desc->low[c]);

@@ -26,8 +26,10 @@ const struct texture *renderer_ambient_occlusion(struct renderer *renderer) {
     struct frame frame = renderer_frame(renderer);
     if (!renderer->ambient_occlusion && !init(renderer))
         return NULL;
-    if (!volume_light_update(&renderer->ambient_occlusion->light, frame.geometry))
+    if (!volume_light_update(&renderer->ambient_occlusion->light, frame.geometry)) {
+        renderer_forget_ambient_occlusion(renderer);
         return NULL;
+    }
     frame.timers = &untimed;
     ambient_occlusion_render(renderer->ambient_occlusion, &frame, &renderer->gbuffer);
     return ambient_occlusion_texture(renderer->ambient_occlusion);

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "passes/frame.h"
+#include "techniques/many_lights.h"
 
 #include <math.h>
 #include <string.h>
@@ -30,7 +31,8 @@ static const struct option table[] = {
              "at most e^-k of these voxels stays empty; with volume.published=on\n"
              "the number of points of each triangle"},
     {"ao-distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9,
-     .help = "distance within which surfaces hide ambient light, m; 0: 16 voxels",
+     .help = "distance within which surfaces hide ambient light, also of the layer ao, m;\n"
+             "0: 16 voxels",
      .needs = "volume.volume=ao"},
     {"reprojection", 0, OPTION_FLAG, ROW(reprojection), 0,
      .help = "adds points at the camera's pixels: fewer holes in visible surfaces,\n"
@@ -54,17 +56,26 @@ static struct volume_settings own_of(const struct settings *settings) {
     return *settings_of(struct volume_settings, settings, &volume_part);
 }
 
-bool volume_check(const struct settings *settings) {
+static bool check_memory(const struct volume_desc *volume) {
     const double mebibyte = 1048576;
-    struct volume_settings own = own_of(settings);
-    /* As of a cube: no scene needs more. */
-    struct volume_desc cube = {
-        .size = own.size, .high = {1, 1, 1}, .channels = VOLUME_RADIANCE, .order = own.order};
-    double bytes = volume_bytes(&cube);
+    double bytes = volume_bytes(volume);
     return bytes <= most_bytes ||
-           error_set("volume.size %d: up to %.0f MiB of GPU memory; at most %.0f MiB (256 voxels "
-                     "take about 1500)",
-                     own.size, bytes / mebibyte, most_bytes / mebibyte);
+           error_set("volume.size %d: up to %.0f MiB of GPU memory; at most %.0f MiB: take fewer "
+                     "voxels, for example 200",
+                     volume->size, bytes / mebibyte, most_bytes / mebibyte);
+}
+
+/* As of a cube, in which no surface is seen from both sides: volume_light_init knows the scene. */
+bool volume_check(const struct settings *settings) {
+    struct volume_settings own = own_of(settings);
+    bool lit = own.volume == VOLUME_LIGHT_GI;
+    return check_memory(&(struct volume_desc){
+        .size = own.size,
+        .high = {1, 1, 1},
+        .channels = lit ? VOLUME_RADIANCE : VOLUME_VISIBILITY,
+        .order = own.order,
+        .bounces =
+            lit && settings_of(struct lights_settings, settings, &lights_part)->bounces > 1});
 }
 
 static void set_box(struct volume_desc *volume, const struct geometry *geometry) {
@@ -122,7 +133,7 @@ static bool init_points(struct volume_light *light, const struct volume_light_de
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
     struct volume_desc volume = volume_of(desc, &light->settings);
-    if (volume_check(desc->settings) && volume_points_check(desc->geometry) &&
+    if (check_memory(&volume) && volume_points_check(desc->geometry) &&
         volume_init(&light->volume, &volume) && init_points(light, desc) &&
         inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
         distance_pass_init(&light->distance, &light->volume) &&
@@ -150,22 +161,33 @@ bool volume_light_resize(struct volume_light *light, int width, int height) {
     return reconstruct_pass_resize(&light->reconstruct, width, height);
 }
 
+/* Voxels of another size, or other triangles, need another number of points. */
+static bool renew_points(struct volume_light *light, const struct geometry *geometry) {
+    struct volume_points_desc desc = light->points.desc;
+    desc.geometry = geometry;
+    desc.count = volume_points_count(geometry, light->volume.grid.voxel, light->settings.points);
+    volume_points_free(&light->points);
+    return volume_points_init(&light->points, &desc);
+}
+
 /* The bounds are those of the whole clip: another clip plays, or a pose reaches beyond. */
 bool volume_light_update(struct volume_light *light, const struct geometry *geometry) {
     struct volume_desc desc = light->volume.desc;
     struct volume fresh;
     set_box(&desc, geometry);
     if (memcmp(&desc, &light->volume.desc, sizeof desc) == 0)
-        return true;
+        return volume_points_fit(&light->points, geometry) || renew_points(light, geometry);
     if (!volume_init(&fresh, &desc))
         return false;
     volume_free(&light->volume);
     light->volume = fresh;
     reflect_pass_free(&light->reflect);
-    return !desc.bounces || reflect_pass_init(&light->reflect, &light->volume);
+    return renew_points(light, geometry) &&
+           (!desc.bounces || reflect_pass_init(&light->reflect, &light->volume));
 }
 
-/* Rays of marches whose light is reflected once more, over those of the last one: their noise is smoothed again. */
+/* Rays of marches whose light is reflected once more, as a fraction of the last march's: their noise
+ * is smoothed again. */
 static const float early_rays = .25F;
 
 /* Surfaces read voxels 1.5 voxels above them, so that a mean ray, of cosine 2/3, begins a voxel nearer to what it meets;
@@ -180,8 +202,9 @@ static float ray_voxels(const struct volume_light *light, float voxel) {
 static void write_params(const struct volume_light *light, int pass, bool last, float unit) {
     struct volume_params params = volume_params_of(&light->volume);
     bool visibility = light->volume.desc.channels == VOLUME_VISIBILITY;
-    params.rays =
-        last ? light->settings.rays : (int)ceilf(early_rays * (float)light->settings.rays);
+    params.rays = last || light->settings.published
+                      ? light->settings.rays
+                      : (int)ceilf(early_rays * (float)light->settings.rays);
     params.distance = visibility ? ray_voxels(light, params.voxel) : 1e9F;
     params.irradiance_scale = unit;
     params.turn[0] = (float)fmod(pass * .7548776662466927, 1);

@@ -41,9 +41,8 @@ bool volume_check(const struct settings *settings);
 float volume_ao_distance(const struct settings *settings, const struct geometry *geometry);
 
 struct volume_light_desc {
-    const struct settings *settings;   /* of init alone, as are those that follow */
-    const struct geometry *geometry;   /* in its pose at this time */
-    const struct light_layout *lights; /* of radiance: those of the frames */
+    const struct settings *settings; /* of init alone, as are those that follow */
+    const struct geometry *geometry; /* in its pose at this time */
     int width, height;
     const struct scene *scene; /* must outlive the light */
     int channels;              /* VOLUME_RADIANCE or VOLUME_VISIBILITY */
@@ -63,7 +62,7 @@ struct volume_light {
     struct buffer params;
 };
 
-/* Error: out of GPU memory, or shader. */
+/* Error: out of GPU memory, shader, or a scene without area. */
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc);
 void volume_light_free(struct volume_light *light);
 bool volume_light_resize(struct volume_light *light, int width, int height);
@@ -71,8 +70,9 @@ bool volume_light_resize(struct volume_light *light, int width, int height);
 /* The geometry has moved. Error: out of GPU memory; the light must then be freed. */
 bool volume_light_update(struct volume_light *light, const struct geometry *geometry);
 
-/* The part that depends on no camera, unless frame->gbuffer is reprojected: all but the last step. shadow_maps: of the frame's lights, LIGHT_MAP_KINDS of them;
- * NULL: of visibility. unit: what the result is times. */
+/* All but the last step. It depends on no camera, unless frame->gbuffer is reprojected.
+ * shadow_maps: LIGHT_MAP_KINDS of them, of the frame's lights; NULL for visibility. unit: factor of
+ * the result. */
 void volume_light_render(struct volume_light *light, const struct frame *frame,
                          const struct texture *shadow_maps, float unit);
 
@@ -93,7 +93,7 @@ struct ambient_occlusion {
     struct volume_light light;
 };
 
-/* Error: out of GPU memory, shader, or volume_check's. */
+/* Error: out of GPU memory, shader, or a scene without area. */
 bool ambient_occlusion_init(struct ambient_occlusion *ao,
                             const struct ambient_occlusion_desc *desc);
 void ambient_occlusion_free(struct ambient_occlusion *ao);

@@ -238,7 +238,6 @@ static inline void open_lit(struct lit *lit, const struct stage *stage, const ch
     check_ok("volume", volume_light_init(&lit->light, &(struct volume_light_desc){
                                                           .settings = &lit->renderer.desc.settings,
                                                           .geometry = &stage->geometry,
-                                                          .lights = &lit->frame.layout,
                                                           .width = 32,
                                                           .height = 32,
                                                           .scene = &stage->scene,

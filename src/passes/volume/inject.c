@@ -76,7 +76,7 @@ void inject_pass_render(const struct inject_pass *pass, const struct frame *fram
     state.vertex_array = points->vertices;
     pass_begin(frame->timers, &state);
     clear(volume);
-    pass_draw(GL_POINTS, points->count, 1);
+    pass_draw(GL_POINTS, points->points.count, 1);
     pass_end(frame->timers);
 }
 

@@ -223,6 +223,13 @@ void surface_points_free(struct surface_points *points) {
     *points = (struct surface_points){0};
 }
 
+bool surface_points_differ_by_pose(const struct geometry *geometry) {
+    for (int p = 0; p < geometry->part_count; p++)
+        if (geometry->parts[p].dynamic)
+            return true;
+    return false;
+}
+
 struct surface_place surface_points_place(const struct surface_points *points,
                                           const struct geometry *geometry, int i) {
     const struct surface_point *point = &points->items[i];

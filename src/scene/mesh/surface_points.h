@@ -1,10 +1,11 @@
-/* Points spread evenly over the surfaces of a scene, of which shadows are made: each surface once, as both of its sides
- * hide light.
+/* Points spread evenly over the surfaces of a scene, of which shadows and volumes are made: each surface once, as both of
+ * its sides hide light.
  *
  * Halton's points over the running sum of the triangles' areas: any run of the sequence is an even
- * subset. A triangle that would have more than a tenth of all points counts for a tenth: a plain
- * around a room takes few (unless by_area). Points keep their place in their triangle when it moves or is deformed. Holes of
- * alpha masks have none. Where there are metaballs, they are dealt anew for each pose.
+ * subset. A triangle that would have more than a tenth of all points counts for a tenth, unless
+ * by_area: a plain around a room takes few. Points keep their place in their triangle when it moves
+ * or is deformed. Holes of alpha masks have none. Where there are metaballs, points are dealt anew
+ * for each pose.
  */
 #ifndef SCENE_MESH_SURFACE_POINTS_H
 #define SCENE_MESH_SURFACE_POINTS_H
@@ -39,6 +40,9 @@ struct surface_place {
 
 void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc);
 void surface_points_free(struct surface_points *points);
+
+/* Whether there are metaballs: each pose then has other triangles, and needs points of its own. */
+bool surface_points_differ_by_pose(const struct geometry *geometry);
 
 struct corners surface_point_corners(const struct surface_point *point,
                                      const struct geometry *geometry);

@@ -17,17 +17,10 @@ static void deal(struct caster_points *points, const struct geometry *geometry) 
                                                                        .count = count_all(points)});
 }
 
-static bool has_dynamic_parts(const struct geometry *geometry) {
-    for (int p = 0; p < geometry->part_count; p++)
-        if (geometry->parts[p].dynamic)
-            return true;
-    return false;
-}
-
 bool caster_points_init(struct caster_points *points, const struct caster_points_desc *desc) {
     *points = (struct caster_points){.desc = *desc};
     size_t count = (size_t)count_all(points);
-    points->dealt_by_pose = has_dynamic_parts(desc->geometry);
+    points->dealt_by_pose = surface_points_differ_by_pose(desc->geometry);
     points->room = mem_alloc(count, sizeof *points->room);
     deal(points, desc->geometry);
     if (!buffer_init(&points->buffer, "caster points", count * sizeof *points->room, NULL)) {

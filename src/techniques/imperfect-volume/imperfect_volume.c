@@ -48,7 +48,6 @@ static bool init(void **state, const struct technique_desc *desc) {
                                  .height = desc->height,
                                  .channels = lit ? VOLUME_RADIANCE : VOLUME_VISIBILITY,
                                  .bounces = lit ? lights->bounces : 1,
-                                 .lights = desc->lights,
                              }) &&
            (!lit || shadow_map_pass_init(&technique->shadows,
                                          &(struct shadow_map_desc){SHADOW_SIZE, *desc->lights}));
