@@ -349,6 +349,23 @@ static void test_without_light(void **state) {
     stage_free(&stage);
 }
 
+/* A light in the camera: airlight without a bound, but a number. */
+static void test_light_in_camera(void **state) {
+    (void)state;
+    struct stage stage;
+    open_wall(&stage, 5, 10);
+    place_light(&stage, 0, 0);
+    set_medium(&stage, .1F, 0, 0);
+    struct image drawn = render_stage(&stage, "unshadowed", CHEAP, SIZE);
+    struct image traced = trace(&stage, SIZE, 4);
+    check_finite("drawn", &drawn);
+    check_finite("traced", &traced);
+    check_at_most("100 over the airlight", 100 / mean_of(&drawn, "airlight"), 1);
+    image_free(&drawn);
+    image_free(&traced);
+    stage_free(&stage);
+}
+
 /* Passes add up: their mean has the airlight of one frame, with less noise. */
 static void test_passes(void **state) {
     (void)state;
@@ -560,7 +577,8 @@ int main(void) {
         cmocka_unit_test(test_filled_sphere), cmocka_unit_test(test_absorption),
         cmocka_unit_test(test_scale),         cmocka_unit_test(test_halves),
         cmocka_unit_test(test_settings),      cmocka_unit_test(test_without_light),
-        cmocka_unit_test(test_passes),        cmocka_unit_test(test_follow),
+        cmocka_unit_test(test_passes),        cmocka_unit_test(test_light_in_camera),
+        cmocka_unit_test(test_follow),
         cmocka_unit_test(test_scenes),        cmocka_unit_test(test_indirect),
         cmocka_unit_test(test_extremes),      cmocka_unit_test(test_opaque),
         cmocka_unit_test(test_files),
