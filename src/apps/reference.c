@@ -237,9 +237,10 @@ static bool check_given(const struct values *values, const struct settings *sett
         const struct settings_part *part = settings->parts[i];
         if (!settings->given[i] || (part == &medium_part) == is_path)
             continue;
-        return error_set(is_path ? "--set %s...: for --technique vpl-raytraced and lightcuts; "
-                                   "paths take settings of the medium alone"
-                                 : "--set %s...: for --technique path; sums of VPLs ignore a medium",
+        return error_set(is_path
+                             ? "--set %s...: for --technique vpl-raytraced and lightcuts; "
+                               "paths take settings of the medium alone"
+                             : "--set %s...: for --technique path; sums of VPLs ignore a medium",
                          part->owner);
     }
     return true;

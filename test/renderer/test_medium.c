@@ -578,10 +578,9 @@ int main(void) {
         cmocka_unit_test(test_scale),         cmocka_unit_test(test_halves),
         cmocka_unit_test(test_settings),      cmocka_unit_test(test_without_light),
         cmocka_unit_test(test_passes),        cmocka_unit_test(test_light_in_camera),
-        cmocka_unit_test(test_follow),
-        cmocka_unit_test(test_scenes),        cmocka_unit_test(test_indirect),
-        cmocka_unit_test(test_extremes),      cmocka_unit_test(test_opaque),
-        cmocka_unit_test(test_files),
+        cmocka_unit_test(test_follow),        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_indirect),      cmocka_unit_test(test_extremes),
+        cmocka_unit_test(test_opaque),        cmocka_unit_test(test_files),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
