@@ -119,7 +119,8 @@ vec4 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
     vec3 to_light = l.position - ray.origin;
     float foot = dot(to_light, ray.direction), k = (1.0 + medium.g) / (1.0 - medium.g);
     vec3 aside = to_light - foot * ray.direction;
-    float h = sqrt(dot(aside, aside) + width * width + 1e-6 * dot(to_light, to_light));
+    float least_h = 1e-6 * medium.radius; // of a light in the camera
+    float h = sqrt(dot(aside, aside) + width * width + 1e-6 * dot(to_light, to_light) + least_h * least_h);
     float from = psi_at(ends.x - foot, h, k), psi_step = (psi_at(ends.y - foot, h, k) - from) / float(steps);
     float start = from + psi_step * jitter, entered = medium_segment(ray.origin, ray.direction, 1e30).x;
     vec2 at = vec2(cos(start), sin(start)), turn = vec2(cos(psi_step), sin(psi_step));

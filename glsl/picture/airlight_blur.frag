@@ -17,6 +17,7 @@ layout(location = TARGET_TRANSMITTANCE) out vec4 transmittance;
 const int RADIUS = AIRLIGHT_PATTERN / 2;
 const float LIKE = 0.05; // depths differ by no more than so much of the greater one
 const float EVEN = 0.05, UNEVEN = 0.25; // what differs from the mean by so much of it
+const float HALF_MOST = 65504.0; // the target's largest number; beside a light there is more
 
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), last = gbuffer_size() - 1;
@@ -37,6 +38,7 @@ void main() {
         unshadowed = mix(mean, own.a, smoothstep(EVEN, UNEVEN, abs(own.a - mean) / mean));
     blurred = vec4(mean > 0.0 ? sum.rgb / sum.a * unshadowed : vec3(0.0), unshadowed);
 #ifdef LAST
+    blurred = min(blurred, vec4(HALF_MOST));
     sight ray = sight_of(pixel);
     vec2 ends = medium_segment(ray.origin, ray.direction, ray.ray_length);
     transmittance = vec4(medium_passes(ends.y - ends.x), 1.0);

@@ -13,7 +13,7 @@ struct environment_lighting_params {
     int count;         /* of lights */
     int block;         /* pixels a side of a block that shares its visibility */
     float disagree;    /* of all light: where blocks do by more, rays start at the pixel */
-    int unused;
+    int pass;          /* of several: each has other points of the lights */
 };
 PASS_BLOCK(environment_lighting_params, 16)
 

@@ -35,7 +35,8 @@ vec2 sky_shift(ivec2 pixel, int light) {
 
 // Of the light's part above the horizon.
 float sky_visibility(int i, vec3 position, vec3 normal) {
-    vec2 shift = sky_shift(ivec2(gl_FragCoord.xy), i);
+    vec2 turn = float(params.pass) * vec2(0.7548776662, 0.5698402910); // of a pass
+    vec2 shift = fract(sky_shift(ivec2(gl_FragCoord.xy), i) + turn);
     int rays = i < SUNS ? max(SHADOW_RAYS, SUN_RAYS_LEAST) : SHADOW_RAYS;
     float visible = 0.0, above = 0.0;
     for (int k = 0; k < rays; k++) {

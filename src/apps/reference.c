@@ -60,8 +60,8 @@ static const struct option options[] = {
      .help = "rays per pixel that add the light cut off by the bound, exact on average;\n"
              "0: none; with vpl-raytraced or lightcuts and --set clamp=value"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
-     .help = "setting of the medium, for example medium.scatter, or of the VPLs, for\n"
-             "example vpls, seed or clamp (render --help-all); repeatable"},
+     .help = "with --technique path a setting of the medium, for example medium.scatter;\n"
+             "else of the VPLs, for example vpls, seed or clamp (render --help-all); repeatable"},
     {"bounces", 0, OPTION_INT, offsetof(struct values, tracer.bounces), 1, 0, 1000,
      .help = "number of indirect bounces; 0: direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, tracer.samples), 0, 0, 1e6,
@@ -230,13 +230,19 @@ static bool check_compensation(const struct values *values, const struct measure
                      "--set clamp=value");
 }
 
-/* Paths know of the medium alone. */
+/* Paths know of the medium alone, and sums of VPLs know no medium. */
 static bool check_given(const struct values *values, const struct settings *settings) {
-    for (int i = 0; values->technique == TECHNIQUE_PATH && i < settings->part_count; i++)
-        if (settings->given[i] && settings->parts[i] != &medium_part)
-            return error_set("--set %s...: for --technique vpl-raytraced and lightcuts; paths take "
-                             "settings of the medium alone",
-                             settings->parts[i]->owner);
+    bool is_path = values->technique == TECHNIQUE_PATH;
+    for (int i = 0; i < settings->part_count; i++) {
+        const struct settings_part *part = settings->parts[i];
+        if (!settings->given[i] || (part == &medium_part) == is_path)
+            continue;
+        return error_set(is_path
+                             ? "--set %s...: for --technique vpl-raytraced and lightcuts; "
+                               "paths take settings of the medium alone"
+                             : "--set %s...: for --technique path; sums of VPLs ignore a medium",
+                         part->owner);
+    }
     return true;
 }
 

@@ -15,6 +15,7 @@ struct airlight_part_desc {
 struct airlight {
     struct buffer medium; /* for BLOCK_MEDIUM */
     struct shadow_map_pass maps;
+    int maps_pass; /* whose light samples the maps are of */
     struct airlight_pass pass;
 };
 

@@ -138,8 +138,11 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
     if ((!keeps || renderer->pass > 0) && technique->render_lights &&
         !follows_camera(technique, state))
         technique->render_lights(state, frame);
-    if (frame->medium && (!keeps || renderer->pass > 0))
-        shadow_map_pass_render(&renderer->airlight.maps, frame);
+    struct airlight *airlight = &renderer->airlight;
+    if (frame->medium && (!keeps || renderer->pass > 0 || airlight->maps_pass > 0)) {
+        shadow_map_pass_render(&airlight->maps, frame);
+        airlight->maps_pass = renderer->pass;
+    }
     renderer->lights_drawn = renderer->pass == 0 || (keeps && is_refined(renderer));
 }
 

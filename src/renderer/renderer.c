@@ -124,7 +124,7 @@ static bool init_refiner(struct renderer *renderer) {
 /* For the technique that is there, or else for what contributed before. */
 static bool init_composite(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    unsigned contributes = renderer->composite.desc.contributes & ~(unsigned)HAS_MEDIUM;
+    unsigned contributes = renderer->composite.desc.contributes;
     if (renderer->technique) {
         struct contribution contribution = renderer_contribution(renderer);
         contributes = composite_kinds(&contribution);
@@ -506,12 +506,13 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     bool same_lights = emitters_same(&desc.emitters, &old);
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
     unsigned parts = parts_between(renderer, &desc, &plan);
-    bool same_picture =
-        parts == 0 && same_lights && cameras_same(&desc.camera, &renderer->desc.camera);
+    bool same_medium = settings_same(&desc.settings, &renderer->desc.settings, &medium_part);
+    bool same_picture = parts == 0 && same_lights && same_medium &&
+                        cameras_same(&desc.camera, &renderer->desc.camera);
     bool ok = change(renderer, &desc, &plan, parts);
     if (!same_lights)
         emitters_free(ok ? &old : &desc.emitters);
-    renderer->lights_drawn &= same_lights || !ok;
+    renderer->lights_drawn &= (same_lights && same_medium) || !ok; /* VPLs hold what it passes */
     if (ok && !same_picture)
         renderer->refining.count = 0;
     return ok;

@@ -44,6 +44,8 @@ static void test_usage(void **state) {
         {"scenes/sphere.glb -o x.exr --ao 1 --technique lightcuts", "--ao is for --technique path",
          2},
         {"scenes/sphere.glb -o x.exr --set vpls=64", "vpl-raytraced and lightcuts", 2},
+        {"scenes/sphere.glb -o x.exr --technique lightcuts --set medium.scatter=1",
+         "sums of VPLs ignore a medium", 2},
         {"no-such.glb -o x.exr", "no-such.glb", 1},
         {"scenes/sphere.glb -o x.exr --light sun", "no light 'sun'", 1},
         {"scenes/sphere.glb -o no/such/x.exr --size 8x8 --spp 4", "no/such/x.exr", 1},

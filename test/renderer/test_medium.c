@@ -349,6 +349,23 @@ static void test_without_light(void **state) {
     stage_free(&stage);
 }
 
+/* A light in the camera: airlight without a bound, but a number. */
+static void test_light_in_camera(void **state) {
+    (void)state;
+    struct stage stage;
+    open_wall(&stage, 5, 10);
+    place_light(&stage, 0, 0);
+    set_medium(&stage, .1F, 0, 0);
+    struct image drawn = render_stage(&stage, "unshadowed", CHEAP, SIZE);
+    struct image traced = trace(&stage, SIZE, 4);
+    check_finite("drawn", &drawn);
+    check_finite("traced", &traced);
+    check_at_most("100 over the airlight", 100 / mean_of(&drawn, "airlight"), 1);
+    image_free(&drawn);
+    image_free(&traced);
+    stage_free(&stage);
+}
+
 /* Passes add up: their mean has the airlight of one frame, with less noise. */
 static void test_passes(void **state) {
     (void)state;
@@ -370,6 +387,35 @@ static void test_passes(void **state) {
     check_finite("passes", &mean);
     image_free(&one);
     image_free(&mean);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* One renderer that goes from medium to medium, and back from passes: the pictures of renderers of their own. */
+static void test_follow(void **state) {
+    (void)state;
+    static const char *const all[] = {CHEAP "medium.scatter=.1", CHEAP "medium.scatter=.6", CHEAP,
+                                      CHEAP "medium.scatter=.6 medium.g=.5",
+                                      CHEAP "medium.scatter=.6 medium.g=.5 medium.steps=8"};
+    struct stage stage;
+    open_stage(&stage, "scenes/table.glb");
+    struct renderer renderer = {0};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        struct renderer_desc desc =
+            desc_of(&stage, "clustered", all[i], SIZE + (int)i % 2, SIZE + (int)i % 2);
+        struct image own = render_layers(&desc);
+        desc.progressive = desc.keep_lights = true;
+        struct image followed = follow_layers(&renderer, &desc);
+        for (int pass = 0; pass < 3; pass++)
+            renderer_add_pass(&renderer, pass);
+        struct image again = follow_layers(&renderer, &desc);
+        printf("    %s\n", all[i]);
+        assert_true(same_pixels(&own, &followed));
+        assert_true(same_pixels(&own, &again));
+        image_free(&own);
+        image_free(&followed);
+        image_free(&again);
+    }
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -421,7 +467,7 @@ static double drawn_over_traced(struct stage *stage, const char *technique, cons
     return ratio;
 }
 
-/* Indirect light passes the medium, too: of VPLs, of the near field, of rays and of further bounces. It errs as without
+/* Indirect light passes the medium, too: of VPLs, of the near field, of rays and of indirect bounces. It errs as without
  * one. */
 static void test_indirect(void **state) {
     (void)state;
@@ -531,7 +577,8 @@ int main(void) {
         cmocka_unit_test(test_filled_sphere), cmocka_unit_test(test_absorption),
         cmocka_unit_test(test_scale),         cmocka_unit_test(test_halves),
         cmocka_unit_test(test_settings),      cmocka_unit_test(test_without_light),
-        cmocka_unit_test(test_passes),        cmocka_unit_test(test_scenes),
+        cmocka_unit_test(test_passes),        cmocka_unit_test(test_light_in_camera),
+        cmocka_unit_test(test_follow),        cmocka_unit_test(test_scenes),
         cmocka_unit_test(test_indirect),      cmocka_unit_test(test_extremes),
         cmocka_unit_test(test_opaque),        cmocka_unit_test(test_files),
     };

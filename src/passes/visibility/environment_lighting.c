@@ -19,6 +19,12 @@ static float disagree_of(const struct environment_lighting_desc *desc) {
     return count > few ? desc->disagree * (float)few / (float)count : desc->disagree;
 }
 
+static struct environment_lighting_params params_of(const struct environment_lighting_desc *desc,
+                                                    int pass) {
+    return (struct environment_lighting_params){
+        .count = desc->lights, .block = desc->block, .disagree = disagree_of(desc), .pass = pass};
+}
+
 static bool init_programs(struct environment_lighting_pass *pass) {
     char *defines = mem_printf("SUNS %d;SHADOW_RAYS %d", pass->desc.suns, pass->desc.shadow_rays);
     char *light_defines = mem_printf("%s%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "",
@@ -98,8 +104,7 @@ static void free_targets(struct environment_lighting_pass *pass) {
 bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
                                     const struct environment_lighting_desc *desc) {
     *pass = (struct environment_lighting_pass){.desc = *desc};
-    struct environment_lighting_params params = {
-        .count = desc->lights, .block = desc->block, .disagree = disagree_of(desc)};
+    struct environment_lighting_params params = params_of(desc, 0);
     if (caster_pool_acquire_tree(desc->casters, &pass->bvh) && init_programs(pass) &&
         init_shares(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "sky parameters", sizeof params, &params))
@@ -198,6 +203,8 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
                    {BLOCK_SKY, inputs->lights},
                    {BLOCK_PASS, &pass->params}},
     };
+    struct environment_lighting_params params = params_of(&pass->desc, frame->pass);
+    buffer_write(&pass->params, 0, sizeof params, &params);
     draw_blocks(pass, frame, &state);
     pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
     pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
