@@ -17,7 +17,7 @@ static const struct option table[] = {
     {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
      .help = "fit of the area lights: rectangles grown from the\n"
              "brightest texel, or cells of nearly even radiance"},
-    {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 64,
+    {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 32,
      .help = "shadow rays per environment light; at least 16 for a sun"},
     {"directions", 0, OPTION_INT, ROW(directions), 12, ENVIRONMENT_LIGHTS_MIN, LIGHTS_MAX,
      .help = "largest number of directions from which an environment's reflected\n"
@@ -73,7 +73,8 @@ static bool init(void **state, const struct direct_desc *desc) {
                                                    .disagree = disagree,
                                                    .specular = desc->specular,
                                                    .medium = desc->medium}) &&
-           buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block, NULL);
+           buffer_init(&lighting->buffer, "environment lights", sizeof lighting->block,
+                       &lighting->block);
 }
 
 static bool resize(void *state, int width, int height) {

@@ -1,8 +1,5 @@
 #include "lights/sky.h"
 
-#include "base/memory.h"
-#include "lights/view.h"
-
 #include <cglm/cglm.h>
 
 #include <math.h>

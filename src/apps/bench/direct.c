@@ -24,7 +24,7 @@ static const struct series of_lamps[] = {
 static const struct series of_skies[] = {
     {"even parts:" DIRECT_ALONE, "sky.lights=15,30,60,120"},
     {"rectangles:fit=rectangles," DIRECT_ALONE, "sky.lights=30,60"},
-    {"ways:" DIRECT_ALONE, "sky.shadow-rays=3,16"},
+    {"shadow rays:" DIRECT_ALONE, "sky.shadow-rays=3,16"},
     {NULL, NULL},
 };
 
