@@ -193,6 +193,8 @@ bool aov_check(const struct renderer *renderer, const char *names) {
         const struct output *output = output_find(&outputs, name);
         if (!output || !kind_of(output))
             return refuse(renderer, &outputs, name);
+        if (output->kind == OUTPUT_AO && !renderer_check_ambient_occlusion(renderer))
+            return false;
     }
     return true;
 }

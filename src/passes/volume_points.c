@@ -32,10 +32,17 @@ int volume_points_count(const struct geometry *geometry, float voxel, float per_
     return (int)fmin(fmax(count, 1), most_points);
 }
 
-bool volume_points_check(const struct geometry *geometry) {
+bool volume_points_check(const struct geometry *geometry, int per_triangle) {
+    static const double most_published = 1 << 24;
+    const uint32_t triangles = geometry_triangle_count(geometry);
+    double published = (double)per_triangle * triangles;
+    if (published > most_published)
+        return error_set("volume.voxel-points %d: %.0f points on %u triangles; at most %.0f with "
+                         "volume.published=on",
+                         per_triangle, published, triangles, most_published);
     return surface_points_differ_by_pose(geometry) || area_of(geometry) > 0 ||
            error_set("volume: the scene's %u triangles have no area, so no points lie on them",
-                     geometry_triangle_count(geometry));
+                     triangles);
 }
 
 static vec3s color_of(const struct volume_points *points, const struct surface_point *point,

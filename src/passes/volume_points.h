@@ -24,8 +24,8 @@ struct volume_points {
     GLuint vertices;
 };
 
-/* Refuses a scene on which no points lie. */
-bool volume_points_check(const struct geometry *geometry);
+/* Refuses a scene on which no points lie, and one with too many; per_triangle 0: by area. */
+bool volume_points_check(const struct geometry *geometry, int per_triangle);
 
 /* How many points give a voxel of that side so many where a surface crosses it. */
 int volume_points_count(const struct geometry *geometry, float voxel, float per_voxel);

@@ -6,14 +6,24 @@
 
 #include <stdlib.h>
 
-static bool init(struct renderer *renderer) {
+static struct ambient_occlusion_desc desc_of(const struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
+    return (struct ambient_occlusion_desc){.settings = &desc->settings,
+                                           .scene = desc->scene,
+                                           .geometry = desc->geometry,
+                                           .width = desc->width,
+                                           .height = desc->height};
+}
+
+bool renderer_check_ambient_occlusion(const struct renderer *renderer) {
+    struct ambient_occlusion_desc desc = desc_of(renderer);
+    return ambient_occlusion_check(&desc);
+}
+
+static bool init(struct renderer *renderer) {
+    struct ambient_occlusion_desc desc = desc_of(renderer);
     struct ambient_occlusion *made = mem_alloc(1, sizeof *made);
-    if (ambient_occlusion_init(made, &(struct ambient_occlusion_desc){.settings = &desc->settings,
-                                                                      .scene = desc->scene,
-                                                                      .geometry = desc->geometry,
-                                                                      .width = desc->width,
-                                                                      .height = desc->height})) {
+    if (ambient_occlusion_init(made, &desc)) {
         renderer->ambient_occlusion = made;
         return true;
     }

@@ -158,6 +158,9 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
  * is not known. The renderer's until the next change. NULL: an error, out of GPU memory or a shader. */
 const struct texture *renderer_ambient_occlusion(struct renderer *renderer);
 
+/* Before anything is drawn. Error: ambient_occlusion_check's. */
+bool renderer_check_ambient_occlusion(const struct renderer *renderer);
+
 struct contribution renderer_contribution(const struct renderer *renderer);
 /* As the settings have it, EV. */
 float renderer_exposure(const struct renderer *renderer);

@@ -118,6 +118,10 @@ static enum materials materials_of(const struct settings *settings) {
         ->materials;
 }
 
+static int points_per_triangle(const struct volume_settings *own) {
+    return own->published ? (int)ceilf(own->points) : 0;
+}
+
 static bool init_points(struct volume_light *light, const struct volume_light_desc *desc) {
     const struct volume_settings *own = &light->settings;
     float voxel = light->volume.grid.voxel;
@@ -127,14 +131,19 @@ static bool init_points(struct volume_light *light, const struct volume_light_de
                                   .geometry = desc->geometry,
                                   .materials = materials_of(desc->settings),
                                   .count = volume_points_count(desc->geometry, voxel, own->points),
-                                  .per_triangle = own->published ? (int)ceilf(own->points) : 0});
+                                  .per_triangle = points_per_triangle(own)});
+}
+
+static bool check(const struct volume_light_desc *desc) {
+    struct volume_settings own = own_of(desc->settings);
+    struct volume_desc volume = volume_of(desc, &own);
+    return check_memory(&volume) && volume_points_check(desc->geometry, points_per_triangle(&own));
 }
 
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
     struct volume_desc volume = volume_of(desc, &light->settings);
-    if (check_memory(&volume) && volume_points_check(desc->geometry) &&
-        volume_init(&light->volume, &volume) && init_points(light, desc) &&
+    if (check(desc) && volume_init(&light->volume, &volume) && init_points(light, desc) &&
         inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
         distance_pass_init(&light->distance, &light->volume) &&
         march_pass_init(&light->march, &light->volume) &&
@@ -240,15 +249,25 @@ void volume_light_render_view(const struct volume_light *light, const struct fra
 
 /* --- ambient occlusion ------------------------------------------------------------------------ */
 
+static struct volume_light_desc visibility_of(const struct ambient_occlusion_desc *desc) {
+    return (struct volume_light_desc){.settings = desc->settings,
+                                      .scene = desc->scene,
+                                      .geometry = desc->geometry,
+                                      .width = desc->width,
+                                      .height = desc->height,
+                                      .channels = VOLUME_VISIBILITY,
+                                      .bounces = 1};
+}
+
+bool ambient_occlusion_check(const struct ambient_occlusion_desc *desc) {
+    struct volume_light_desc light = visibility_of(desc);
+    return check(&light);
+}
+
 bool ambient_occlusion_init(struct ambient_occlusion *ao,
                             const struct ambient_occlusion_desc *desc) {
-    return volume_light_init(&ao->light, &(struct volume_light_desc){.settings = desc->settings,
-                                                                     .scene = desc->scene,
-                                                                     .geometry = desc->geometry,
-                                                                     .width = desc->width,
-                                                                     .height = desc->height,
-                                                                     .channels = VOLUME_VISIBILITY,
-                                                                     .bounces = 1});
+    struct volume_light_desc light = visibility_of(desc);
+    return volume_light_init(&ao->light, &light);
 }
 
 void ambient_occlusion_free(struct ambient_occlusion *ao) {

@@ -93,7 +93,10 @@ struct ambient_occlusion {
     struct volume_light light;
 };
 
-/* Error: out of GPU memory, shader, or a scene without area. */
+/* Error: more memory or points than a volume may have, or a scene without area. */
+bool ambient_occlusion_check(const struct ambient_occlusion_desc *desc);
+
+/* Error: that of ambient_occlusion_check, out of GPU memory, or shader. */
 bool ambient_occlusion_init(struct ambient_occlusion *ao,
                             const struct ambient_occlusion_desc *desc);
 void ambient_occlusion_free(struct ambient_occlusion *ao);

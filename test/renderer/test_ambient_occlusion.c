@@ -164,12 +164,27 @@ static void test_poses(void **state) {
     stage_free(&stage);
 }
 
+/* Before a frame is drawn. */
+static void test_refusal(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
+    check_ok("setting", settings_assign(&desc.settings, "volume.size=2000"));
+    open_renderer(&renderer, &desc);
+    check_refused(aov_check(&renderer, "ao"), "volume.size 2000: up to ");
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_every_technique),
         cmocka_unit_test(test_traced),
         cmocka_unit_test(test_changes),
         cmocka_unit_test(test_poses),
+        cmocka_unit_test(test_refusal),
     };
     return cmocka_run_group_tests_name("ambient occlusion", tests, open_group_context,
                                        close_group_context);
