@@ -180,10 +180,8 @@ static void test_refusal(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_technique),
-        cmocka_unit_test(test_traced),
-        cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_poses),
+        cmocka_unit_test(test_every_technique), cmocka_unit_test(test_traced),
+        cmocka_unit_test(test_changes),         cmocka_unit_test(test_poses),
         cmocka_unit_test(test_refusal),
     };
     return cmocka_run_group_tests_name("ambient occlusion", tests, open_group_context,
