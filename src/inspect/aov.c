@@ -6,6 +6,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "inspect/lights.h"
+#include "inspect/voxels.h"
 #include "passes/frame.h"
 #include "passes/gather/blur.h"
 #include "passes/lights/val_light.h"
@@ -106,6 +107,25 @@ static bool fill_ambient_occlusion(const struct fill *fill, const void *source) 
     return true;
 }
 
+static bool fill_voxels(const struct fill *fill, const void *source) {
+    struct voxel_view view = {0};
+    const struct gbuffer *gbuffer = &fill->renderer->gbuffer;
+    const struct image *image = fill->image;
+    if (!voxel_view_fit(&view, source, gbuffer->width, gbuffer->height))
+        return false;
+    voxel_view_draw(&view, fill->frame, gbuffer, source);
+    struct layer_target target = {view.picture.texture, view.picture.framebuffer, fill->target->x,
+                                  fill->target->y};
+    layer_target_read(&target, 0, 3, fill->image, fill->channel);
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++) {
+            float *radiosity = image_at(fill->image, x, y) + fill->channel;
+            glm_vec3_divs(radiosity, fill->frame->irradiance_scale, radiosity);
+        }
+    voxel_view_free(&view);
+    return true;
+}
+
 /* --- VPLs --- */
 
 /* The pixel that a point falls on and its distance along the view's axis; false outside. */
@@ -157,7 +177,7 @@ static const struct layer_kind {
 } kinds[] = {
     [OUTPUT_IRRADIANCE] = {"RGB", fill_irradiance}, [OUTPUT_VPLS] = {"RGB", fill_flux},
     [OUTPUT_VALS] = {"RGB", fill_strongest},        [OUTPUT_VISIBILITY] = {"Y", fill_visibility},
-    [OUTPUT_AO] = {"Y", fill_ambient_occlusion},
+    [OUTPUT_AO] = {"Y", fill_ambient_occlusion},    [OUTPUT_VOXELS] = {"RGB", fill_voxels},
 };
 
 static const struct layer_kind *kind_of(const struct output *output) {

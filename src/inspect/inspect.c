@@ -42,6 +42,7 @@ static void free_canvas(struct inspect *inspect) {
 void inspect_free(struct inspect *inspect) {
     program_free(&inspect->program);
     lookup_free(&inspect->visibility);
+    voxel_view_free(&inspect->voxels);
     buffer_free(&inspect->params);
     texture_free(&inspect->no_plane);
     texture_free(&inspect->no_layers);
@@ -56,9 +57,10 @@ struct shown {
     enum output_kind kind;
     const struct vpl_buffer *vpls;
     const struct val_output *vals;
-    const struct texture *texture; /* what is drawn, or the ground for marks */
-    const struct texture *depth;   /* of normals: whether a surface is there */
-    int width, height, layers;     /* of one layer in its own size, and how many */
+    const struct volume_light *light; /* of voxels */
+    const struct texture *texture;    /* what is drawn, or the ground for marks */
+    const struct texture *depth;      /* of normals: whether a surface is there */
+    int width, height, layers;        /* of one layer in its own size, and how many */
 };
 
 /* By the output's kind. Marks lie on the picture. */
@@ -74,7 +76,8 @@ static const struct texture *texture_of(const struct renderer *renderer,
     case OUTPUT_VPLS:
     case OUTPUT_VALS:
     case OUTPUT_VISIBILITY:
-    case OUTPUT_AO: /* of the same size */
+    case OUTPUT_AO:
+    case OUTPUT_VOXELS: /* of the same size */
         return &renderer->composite.display;
     default:
         return output->source;
@@ -99,6 +102,8 @@ static bool find(struct shown *shown, const struct renderer *renderer, const cha
                        .layers = texture->desc.layers};
     if (shown->kind == OUTPUT_NORMAL)
         shown->depth = &((const struct gbuffer *)output->source)->depth;
+    if (shown->kind == OUTPUT_VOXELS)
+        shown->light = output->source;
     if (shown->kind == OUTPUT_VISIBILITY)
         shown->layers = shown->vals->maps.views->count;
     return true;
@@ -228,6 +233,20 @@ static void draw_marks(const struct inspect *inspect, const struct renderer *ren
                });
 }
 
+/* Outputs that are drawn only when they are shown. */
+static bool draw_asked(struct inspect *inspect, struct renderer *renderer,
+                       const struct frame *frame, struct shown *shown) {
+    if (shown->kind == OUTPUT_AO)
+        return (shown->texture = renderer_ambient_occlusion(renderer)) != NULL;
+    if (shown->kind != OUTPUT_VOXELS)
+        return true;
+    if (!voxel_view_fit(&inspect->voxels, shown->light, shown->width, shown->height))
+        return false;
+    voxel_view_draw(&inspect->voxels, frame, &renderer->gbuffer, shown->light);
+    shown->texture = &inspect->voxels.picture.texture;
+    return true;
+}
+
 static int mode_of(enum output_kind kind) {
     static const int modes[] = {
         [OUTPUT_NORMAL] = INSPECT_NORMAL,         [OUTPUT_ALBEDO] = INSPECT_ALBEDO,
@@ -237,6 +256,7 @@ static int mode_of(enum output_kind kind) {
         [OUTPUT_VISIBILITY] = INSPECT_VISIBILITY, [OUTPUT_MAP_DEPTH] = INSPECT_MAP_DEPTH,
         [OUTPUT_BASIS] = INSPECT_BASIS,           [OUTPUT_SIGNED_BASIS] = INSPECT_SIGNED_BASIS,
         [OUTPUT_AO] = INSPECT_IRRADIANCE,         [OUTPUT_AIRLIGHT] = INSPECT_IRRADIANCE,
+        [OUTPUT_VOXELS] = INSPECT_IRRADIANCE,
     };
     _Static_assert(sizeof modes / sizeof *modes == OUTPUT_KINDS, "a mode for each kind");
     return modes[kind];
@@ -276,7 +296,7 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (!find(&shown, renderer, choice->output))
         return error_set("technique '%s' has no output '%s'", renderer->technique->name,
                          choice->output);
-    if (shown.kind == OUTPUT_AO && !(shown.texture = renderer_ambient_occlusion(renderer)))
+    if (!draw_asked(inspect, renderer, &frame, &shown))
         return false;
     bool visibility = shown.kind == OUTPUT_VISIBILITY,
          whole = shown.layers > 1 && choice->layer < 0;

@@ -5,11 +5,13 @@
 #include "inspect/lookup.h"
 #include "inspect/marks.h"
 #include "inspect/sheet.h"
+#include "inspect/voxels.h"
 #include "renderer/renderer.h"
 
 struct inspect {
     GLuint program;
     struct lookup visibility;
+    struct voxel_view voxels;
     struct buffer params;
     struct texture no_plane, no_layers; /* a sampler that nothing is read by has one of them */
     struct texture canvas;

@@ -221,6 +221,13 @@ static void write_params(const struct volume_light *light, int pass, bool last, 
     buffer_write(&light->params, 0, sizeof params, &params);
 }
 
+struct march_inputs volume_light_reflected(const struct volume_light *light) {
+    const struct volume *volume = &light->volume;
+    const struct reflect_pass *reflect = &light->reflect;
+    return volume->desc.bounces ? (struct march_inputs){&reflect->radiosity, &reflect->back}
+                                : (struct march_inputs){&volume->radiosity, &volume->back};
+}
+
 void volume_light_render(struct volume_light *light, const struct frame *frame,
                          const struct texture *shadow_maps, float unit) {
     const struct volume *volume = &light->volume;
@@ -234,7 +241,7 @@ void volume_light_render(struct volume_light *light, const struct frame *frame,
         inject_pass_add_pixels(&light->inject, frame, frame->gbuffer, volume, params, shadow_maps);
     distance_pass_render(&light->distance, frame, volume, params);
     march_pass_render(&light->march, frame, volume, params, &inputs);
-    inputs = (struct march_inputs){&light->reflect.radiosity, &light->reflect.back};
+    inputs = volume_light_reflected(light);
     for (int bounce = 2; bounce <= bounces; bounce++) {
         reflect_pass_render(&light->reflect, frame, volume, params);
         write_params(light, frame->pass, bounce == bounces, unit);

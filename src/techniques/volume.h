@@ -76,6 +76,9 @@ bool volume_light_update(struct volume_light *light, const struct geometry *geom
 void volume_light_render(struct volume_light *light, const struct frame *frame,
                          const struct texture *shadow_maps, float unit);
 
+/* The light that leaves surfaces in the volume, as the last march meets it. */
+struct march_inputs volume_light_reflected(const struct volume_light *light);
+
 /* The rest, into light->reconstruct.irradiance. */
 void volume_light_render_view(const struct volume_light *light, const struct frame *frame,
                               const struct gbuffer *gbuffer);

@@ -2,6 +2,7 @@
 #include "volume_scenes.h"
 
 #include "gl/program.h"
+#include "inspect/aov.h"
 #include "shared/vpl.h"
 
 /* --- spherical harmonics ---------------------------------------------------------------------- */
@@ -305,7 +306,7 @@ static void test_shift(void **state) {
     check_at_most("a third of a voxel on", corner_difference(.0625F / 3), .03);
 }
 
-/* --- leaks ------------------------------------------------------------------------------------ */
+/* --- rooms ------------------------------------------------------------------------------------ */
 
 /* The inside of a box. */
 static void add_room(struct shape *shape, vec3s low, vec3s high) {
@@ -317,6 +318,51 @@ static void add_room(struct shape *shape, vec3s low, vec3s high) {
     add_rectangle(shape, high, glms_vec3_negate(y), glms_vec3_negate(x));
     add_rectangle(shape, high, glms_vec3_negate(z), glms_vec3_negate(y));
 }
+
+/* --- voxels before the camera ----------------------------------------------------------------- */
+
+/* The top of a cube of 1 m, of albedo 1/2, under a light of 1 W/sr at 2.5 m: albedo times irradiance, and nothing beside
+ * the cube. Places of a voxel differ by less than 1 % of the light. */
+static void test_voxels(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    struct image image;
+    struct shape *shape = new_shape();
+    double worst = 0, beside = 0;
+    int inside = 0, outside = 0;
+    add_room(shape, at(.5F, .5F, .5F), at(-.5F, -.5F, -.5F)); /* seen from without */
+    open_shape(&stage, shape, .5, false, at(0, 3, 0));
+    look(&stage, at(0, .5F, 0), at(0, -1, 0), at(0, 0, -1), 2);
+    struct renderer_desc desc = desc_of(&stage, "imperfect-volume", "volume.size=32", 64, 64);
+    open_renderer(&renderer, &desc);
+    check_ok("layers", renderer_read_layers(&renderer, &image));
+    check_ok("voxels", aov_append(&renderer, "voxels", &image));
+    int channel = image_find_channel(&image, "voxels.R");
+    for (int y = 0; y < 64; y++)
+        for (int x = 0; x < 64; x++) {
+            double across = ((double)x - 31.5) / 32, along = ((double)y - 31.5) / 32;
+            double off = fmax(fabs(across), fabs(along));
+            double radiosity = (double)image_at(&image, x, y)[channel];
+            double distance2 = across * across + along * along + 2.5 * 2.5;
+            double exact = .5 * 2.5 / pow(distance2, 1.5);
+            if (off < .45) { /* not in a voxel of two faces */
+                worst = fmax(worst, fabs(radiosity / exact - 1));
+                inside++;
+            } else if (off > .55) {
+                beside = fmax(beside, fabs(radiosity));
+                outside++;
+            }
+        }
+    assert_true(inside > 700 && outside > 2500);
+    check_at_most("relative error of the radiosity", worst, .015);
+    check_near("beside the cube", beside, 0, 0);
+    image_free(&image);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* --- leaks ------------------------------------------------------------------------------------ */
 
 static double mean_on_floor(struct stage *stage, float x) {
     look(stage, at(x, 0, .5F), at(0, -1, 0), at(0, 0, -1), .9F);
@@ -355,7 +401,8 @@ int main(void) {
         cmocka_unit_test(test_flux),        cmocka_unit_test(test_bounces),
         cmocka_unit_test(test_furnace),     cmocka_unit_test(test_camera),
         cmocka_unit_test(test_permutation), cmocka_unit_test(test_linear),
-        cmocka_unit_test(test_shift),       cmocka_unit_test(test_leaks),
+        cmocka_unit_test(test_shift),       cmocka_unit_test(test_voxels),
+        cmocka_unit_test(test_leaks),
     };
     return cmocka_run_group_tests(tests, open_group_shaders, close_group_shaders);
 }

@@ -88,6 +88,13 @@ static struct contribution contribution(const void *state) {
     return (struct contribution){.irradiance = &technique->light.reconstruct.irradiance};
 }
 
+static void outputs(const void *state, struct output_list *list) {
+    const struct imperfect_volume *technique = state;
+    if (is_lit(technique))
+        output_add(list, &(struct output){"voxels", "voxels of surfaces, in their reflected light",
+                                          OUTPUT_VOXELS, &technique->light});
+}
+
 static const struct settings_part *const parts[] = {&lights_part, &volume_part, NULL};
 
 static const struct preset presets[] = {
@@ -111,4 +118,5 @@ const struct technique imperfect_volume_technique = {
     .follows_camera = follows_camera,
     .render_view = render_view,
     .contribution = contribution,
+    .outputs = outputs,
 };
