@@ -1,5 +1,6 @@
 // The visible fraction of an environment light: of shadow rays to points of it, those that no triangle blocks. SUNS lights are
 // suns; others take SHADOW_RAYS.
+#include "lib/random.glsl"
 #include "lib/sky.glsl"
 #include "shared/environment_lighting.h"
 #include "visibility/bvh.glsl"
@@ -22,21 +23,10 @@ vec2 sky_point(int k, int count, vec2 shift) {
     return 2.0 * fract(vec2((float(k) + shift.x) / float(count), float(k) * 0.61803399 + shift.y)) - 1.0;
 }
 
-// Two numbers from 0 to 1 of a pixel and a light [Jarzynski and Olano 2020].
-vec2 sky_shift(ivec2 pixel, int light) {
-    uint first = uint(pixel.x) * 1664525u + 1013904223u + uint(light) * 747796405u;
-    uint second = uint(pixel.y) * 1664525u + 1013904223u + first * 2891336453u;
-    first = (first + second * 1664525u) * 277803737u;
-    second += first * 1664525u;
-    first ^= first >> 16;
-    second ^= second >> 16;
-    return vec2(first * 277803737u >> 8, second * 277803737u >> 8) / 16777216.0;
-}
-
 // Of the light's part above the horizon.
 float sky_visibility(int i, vec3 position, vec3 normal) {
     vec2 turn = float(params.pass) * vec2(0.7548776662, 0.5698402910); // of a pass
-    vec2 shift = fract(sky_shift(ivec2(gl_FragCoord.xy), i) + turn);
+    vec2 shift = fract(random_of(uvec3(gl_FragCoord.xy, i)) + turn);
     int rays = i < SUNS ? max(SHADOW_RAYS, SUN_RAYS_LEAST) : SHADOW_RAYS;
     float visible = 0.0, above = 0.0;
     for (int k = 0; k < rays; k++) {

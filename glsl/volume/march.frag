@@ -1,5 +1,6 @@
 // What arrives at a voxel's middle from all around, as spherical harmonics: the mean over rays [Mavridis and
 // Papaioannou 2011, eq. 3]. Rays leap over voxels that are known to be empty and so meet what steps of a voxel meet.
+#include "lib/random.glsl"
 #include "lib/sh.glsl"
 #include "lib/volume_distances.glsl"
 #include RAY_END
@@ -10,19 +11,8 @@ const float FIRST_STEP = 0.8660254; // half of a voxel's diagonal
 
 #if PUBLISHED
 // Random in each of as many slices as there are rays.
-vec2 random_of(ivec3 voxel, int ray) {
-    uvec3 v = uvec3(voxel.xy, voxel.z * 8192 + ray) * 1664525u + 1013904223u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    v.z += v.x * v.y;
-    v ^= v >> 16u;
-    v.x += v.y * v.z;
-    v.y += v.z * v.x;
-    return fract(vec2(v.xy >> 8u) / 16777216.0 + params.turn);
-}
-
 vec3 ray_direction(ivec3 voxel, int ray) {
-    vec2 place = random_of(voxel, ray);
+    vec2 place = fract(random_of(uvec3(voxel.xy, voxel.z * 8192 + ray)) + params.turn);
     float z = 1.0 - 2.0 * (float(ray) + place.x) / float(params.rays), turn = 6.2831853 * place.y;
     return vec3(sqrt(max(1.0 - z * z, 0.0)) * vec2(cos(turn), sin(turn)), z);
 }

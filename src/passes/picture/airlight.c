@@ -29,25 +29,22 @@ static bool init_programs(struct airlight_pass *pass) {
     return ok;
 }
 
-static bool init_texture(struct airlight_pass *pass, struct texture *texture, const char *label,
-                         GLenum format) {
-    return texture_init(texture, &(struct texture_desc){.label = label,
-                                                        .format = format,
-                                                        .width = pass->desc.width,
-                                                        .height = pass->desc.height});
+/* As large as the picture. */
+static struct texture_desc target_desc(const struct airlight_pass *pass, const char *label,
+                                       GLenum format) {
+    return (struct texture_desc){
+        .label = label, .format = format, .width = pass->desc.width, .height = pass->desc.height};
 }
 
 static bool init_targets(struct airlight_pass *pass) {
-    return init_texture(pass, &pass->steps, "airlight steps", GL_RGBA32F) &&
-           init_texture(pass, &pass->half_blurred, "airlight half blurred", GL_RGBA32F) &&
-           init_texture(pass, &pass->in_scatter, "airlight", GL_RGBA16F) &&
-           init_texture(pass, &pass->transmittance, "transmittance", GL_RGBA16F) &&
-           framebuffer_init(
-               &pass->steps_framebuffer,
-               &(struct framebuffer_desc){.label = "airlight steps", .colors = {&pass->steps}}) &&
-           framebuffer_init(&pass->half_framebuffer,
-                            &(struct framebuffer_desc){.label = "airlight half blurred",
-                                                       .colors = {&pass->half_blurred}}) &&
+    const struct texture_desc steps = target_desc(pass, "airlight steps", GL_RGBA32F),
+                              half = target_desc(pass, "airlight half blurred", GL_RGBA32F),
+                              light = target_desc(pass, "airlight", GL_RGBA16F),
+                              transmittance = target_desc(pass, "transmittance", GL_RGBA16F);
+    return framebuffer_init_target(&pass->steps, &pass->steps_framebuffer, &steps) &&
+           framebuffer_init_target(&pass->half_blurred, &pass->half_framebuffer, &half) &&
+           texture_init(&pass->in_scatter, &light) &&
+           texture_init(&pass->transmittance, &transmittance) &&
            framebuffer_init(&pass->framebuffer,
                             &(struct framebuffer_desc){
                                 .label = "airlight",
@@ -154,10 +151,9 @@ static void march(const struct airlight_pass *pass, const struct frame *frame,
                   const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
                   int index) {
     const struct light *light = &frame->light_block->sources[index];
-    GLuint program = pass->programs[kind_of(light)];
     pass_set_state(&(struct pass_state){
         .name = "airlight",
-        .program = program,
+        .program = pass->programs[kind_of(light)],
         .framebuffer = pass->steps_framebuffer,
         .width = pass->desc.width,
         .height = pass->desc.height,
@@ -170,7 +166,7 @@ static void march(const struct airlight_pass *pass, const struct frame *frame,
                    {BLOCK_MEDIUM, frame->medium},
                    {BLOCK_PASS, &pass->params}},
     });
-    gl.ProgramUniform1i(program, LOCATION_LIGHT, index);
+    pass_set_int(LOCATION_LIGHT, index);
     pass_draw_fullscreen(1);
 }
 

@@ -18,13 +18,11 @@ static bool init_sums(struct mean_pass *pass) {
     bool ok = true;
     for (int i = 0; ok && i < pass->layers; i++)
         ok = !has_layer(&pass->desc, i) ||
-             (texture_init(&pass->sums[i], &(struct texture_desc){.label = "sum of passes",
-                                                                  .format = GL_RGBA32F,
-                                                                  .width = pass->desc.width,
-                                                                  .height = pass->desc.height}) &&
-              framebuffer_init(&pass->framebuffers[i],
-                               &(struct framebuffer_desc){.label = "sum of passes",
-                                                          .colors = {&pass->sums[i]}}));
+             framebuffer_init_target(&pass->sums[i], &pass->framebuffers[i],
+                                     &(struct texture_desc){.label = "sum of passes",
+                                                            .format = GL_RGBA32F,
+                                                            .width = pass->desc.width,
+                                                            .height = pass->desc.height});
     return ok;
 }
 

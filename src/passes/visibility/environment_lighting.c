@@ -50,16 +50,14 @@ static int layers(const struct environment_lighting_desc *desc) {
 }
 
 static bool init_shares(struct environment_lighting_pass *pass) {
-    return texture_init(&pass->shares, &(struct texture_desc){.label = "sky shares",
-                                                              .target = GL_TEXTURE_2D_ARRAY,
-                                                              .format = GL_RGBA32F,
-                                                              .width = SKY_SHARES_SIZE,
-                                                              .height = SKY_SHARES_SIZE,
-                                                              .layers = layers(&pass->desc) + 1,
-                                                              .filter = FILTER_LINEAR}) &&
-           framebuffer_init(
-               &pass->share_framebuffer,
-               &(struct framebuffer_desc){.label = "sky shares", .colors = {&pass->shares}});
+    return framebuffer_init_target(&pass->shares, &pass->share_framebuffer,
+                                   &(struct texture_desc){.label = "sky shares",
+                                                          .target = GL_TEXTURE_2D_ARRAY,
+                                                          .format = GL_RGBA32F,
+                                                          .width = SKY_SHARES_SIZE,
+                                                          .height = SKY_SHARES_SIZE,
+                                                          .layers = layers(&pass->desc) + 1,
+                                                          .filter = FILTER_LINEAR});
 }
 
 static bool init_light(struct environment_lighting_pass *pass, struct texture *texture,
@@ -76,8 +74,8 @@ static bool init_targets(struct environment_lighting_pass *pass) {
     struct framebuffer_desc light = {.label = "environment lighting", .colors = {&pass->light}};
     if (desc->specular)
         light.colors[TARGET_DIRECT_SPECULAR] = &pass->specular;
-    return texture_init(
-               &pass->blocks,
+    return framebuffer_init_target(
+               &pass->blocks, &pass->block_framebuffer,
                &(struct texture_desc){.label = "sky blocks",
                                       .target = GL_TEXTURE_2D_ARRAY,
                                       .format = GL_RGBA8,
@@ -87,9 +85,6 @@ static bool init_targets(struct environment_lighting_pass *pass) {
            init_light(pass, &pass->light, "environment lighting") &&
            (!desc->specular ||
             init_light(pass, &pass->specular, "environment lighting, specular")) &&
-           framebuffer_init(
-               &pass->block_framebuffer,
-               &(struct framebuffer_desc){.label = "sky blocks", .colors = {&pass->blocks}}) &&
            framebuffer_init(&pass->light_framebuffer, &light);
 }
 
