@@ -85,6 +85,20 @@ int glb_add_specular(struct glb *glb, const char *name, const float color[3], fl
     return add_material(glb, name, color, metalness, roughness, GLB_SINGLE_SIDED);
 }
 
+int glb_add_glass(struct glb *glb, const char *name, float index_of_refraction, float distance,
+                  const float color[3]) {
+    int index = next_element(&glb->materials, &glb->material_count);
+    text_print(&glb->materials,
+               "{\"name\":\"%s\",\"pbrMetallicRoughness\":{\"metallicFactor\":0,"
+               "\"roughnessFactor\":0},\"extensions\":{\"KHR_materials_transmission\":"
+               "{\"transmissionFactor\":1},\"KHR_materials_ior\":{\"ior\":%.9g},"
+               "\"KHR_materials_volume\":{\"thicknessFactor\":1,\"attenuationDistance\":%.9g,"
+               "\"attenuationColor\":[%.9g,%.9g,%.9g]}}}",
+               name, index_of_refraction, distance, color[0], color[1], color[2]);
+    glb->has_glass = true;
+    return index;
+}
+
 int glb_add_lamp(struct glb *glb, const char *name, const float radiance[3]) {
     int index = next_element(&glb->materials, &glb->material_count);
     float strength = glm_vec3_max((float *)radiance);
@@ -420,9 +434,12 @@ static void append_textures(const struct glb *glb, struct text *json) {
 static void compose_json(const struct glb *glb, struct text *json) {
     text_print(json,
                "{\"asset\":{\"version\":\"2.0\",\"generator\":\"manylight make_scenes\"},\n"
-               "\"extensionsUsed\":[\"KHR_lights_punctual\"%s],\n"
+               "\"extensionsUsed\":[\"KHR_lights_punctual\"%s%s],\n"
                "\"extensions\":{\"KHR_lights_punctual\":{\"lights\":[",
-               glb->has_lamps ? ",\"KHR_materials_emissive_strength\"" : "");
+               glb->has_lamps ? ",\"KHR_materials_emissive_strength\"" : "",
+               glb->has_glass ? ",\"KHR_materials_transmission\",\"KHR_materials_ior\","
+                                "\"KHR_materials_volume\""
+                              : "");
     text_append(json, glb->lights.data, glb->lights.length);
     text_print(json, "]}},\n\"scene\":0,\"scenes\":[{\"name\":\"%s\",\"nodes\":[", glb->name);
     for (int i = 0, roots = 0; i < glb->node_count; i++)

@@ -22,7 +22,7 @@ struct glb {
     struct text binary;
     int node_count, mesh_count, material_count, accessor_count, view_count, camera_count,
         light_count, skin_count, channel_count, sampler_count, texture_count;
-    bool has_lamps;
+    bool has_lamps, has_glass;
     const char *extras; /* members of the scene's extras in JSON; NULL = none */
     struct glb_node {
         size_t begin; /* of its JSON in nodes */
@@ -42,6 +42,10 @@ int glb_add_material(struct glb *glb, const char *name, const float albedo[3],
 /* A single-sided one of that base colour, metal or plastic: metalness 1 or 0. */
 int glb_add_specular(struct glb *glb, const char *name, const float color[3], float metalness,
                      float roughness);
+
+/* Glass through so many metres of which white light has that colour. */
+int glb_add_glass(struct glb *glb, const char *name, float index_of_refraction, float distance,
+                  const float color[3]);
 
 /* A picture of at most PNG_SIDE_MOST texels a side, RGBA from the top row on, with the members of a sampler in
  * JSON, "" = none; returns the texture's index. */

@@ -21,6 +21,9 @@ void make_roughness(struct glb *glb);
 void make_plant(struct glb *glb);
 void make_courtyard(struct glb *glb);
 void make_hall(struct glb *glb);
+void make_ring(struct glb *glb);
+void make_pawns(struct glb *glb);
+void make_gem(struct glb *glb);
 
 /* scenes/boxes/failures.c */
 void make_room(struct glb *glb);

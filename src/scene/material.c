@@ -31,6 +31,17 @@ bool material_is_diffuse(const struct material *material) {
                          (is_rough && has_reflectance(material, DIELECTRIC_F0, 1)));
 }
 
+enum smooth_kind material_smooth_kind(const struct material *material) {
+    const float least_transmission = .5F, least_metalness = .9F, most_roughness = .1F;
+    if (material->unlit)
+        return SMOOTH_NONE;
+    if (material->transmission * (1 - material->metalness) > least_transmission)
+        return SMOOTH_GLASS;
+    return material->metalness > least_metalness && material->roughness < most_roughness
+               ? SMOOTH_MIRROR
+               : SMOOTH_NONE;
+}
+
 struct reflectance material_reflectance(const struct material *material) {
     const float *f0 = material->specular_f0;
     return (struct reflectance){

@@ -27,6 +27,11 @@ extern const struct settings_part material_part;
  * scenes have always meant it. */
 bool material_is_diffuse(const struct material *material);
 
+/* Smooth surfaces that cast caustics: glass transmits more than half of its light, mirrors are metals of roughness
+ * below a tenth (chapter 8 of [Dong 2011] says "specular objects"). By the factors alone. */
+enum smooth_kind { SMOOTH_NONE, SMOOTH_GLASS, SMOOTH_MIRROR };
+enum smooth_kind material_smooth_kind(const struct material *material);
+
 /* How a surface reflects at one place, besides its base colour: the reflectance, from straight on and
  * grazing, is of what is no metal. */
 struct reflectance {

@@ -67,9 +67,13 @@ struct material {
     float metalness, roughness;         /* in [0, 1] */
     float specular_f0[3], specular_f90; /* reflectance of what is no metal, from straight on and
                                             grazing: .04 and 1, or of KHR_materials_{ior,specular} */
-    float emission[3];                  /* linear, W/(sr m2) */
-    int base_color_texture;             /* -1 = none, as of the others */
-    int metal_roughness_texture;        /* roughness in G, metalness in B */
+    float transmission;                 /* share of light that enters and is not scattered: glass */
+    float index_of_refraction;          /* 1.5 where the file gives none */
+    float absorption[3];                /* within, 1/m */
+    bool thin_walled;            /* light goes straight on: KHR_materials_transmission alone */
+    float emission[3];           /* linear, W/(sr m2) */
+    int base_color_texture;      /* -1 = none, as of the others */
+    int metal_roughness_texture; /* roughness in G, metalness in B */
     int emission_texture;
     int normal_texture; /* tangent space, X along the u of its uv, Y against the v */
     float normal_scale; /* of its X and Y */

@@ -345,7 +345,14 @@ static void test_materials(void **state) {
                 " {\"KHR_materials_emissive_strength\": {\"emissiveStrength\": 20},"
                 " \"KHR_materials_ior\": {\"ior\": 2}, \"KHR_materials_specular\":"
                 " {\"specularFactor\": 0.5, \"specularColorFactor\": [0.9, 18, 0]},"
-                " \"KHR_materials_unlit\": {}}}, {}]"});
+                " \"KHR_materials_unlit\": {}}}, {\"pbrMetallicRoughness\": {\"metallicFactor\": "
+                "0},"
+                " \"extensions\": {\"KHR_materials_transmission\": {\"transmissionFactor\": 0.75},"
+                " \"KHR_materials_ior\": {\"ior\": 1.25}, \"KHR_materials_volume\":"
+                " {\"thicknessFactor\": 0.1, \"attenuationDistance\": 2,"
+                " \"attenuationColor\": [1, 0.5, 0.25]}}},"
+                " {\"extensions\": {\"KHR_materials_transmission\":"
+                " {\"transmissionFactor\": 0.5}}}]"});
     const struct material *plain = &scene.materials[0], *lamp = &scene.materials[1];
     check_near("metalness", plain->metalness, .25, 0);
     check_near("roughness", plain->roughness, .75, 0);
@@ -354,8 +361,7 @@ static void test_materials(void **state) {
     assert_int_equal(plain->base_color_texture, 0);
     assert_int_equal(plain->metal_roughness_texture, 1);
     assert_int_equal(plain->emission_texture, 0);
-    assert_int_equal(plain->metal_roughness_mapping, 0);
-    assert_int_equal(plain->emission_mapping, 1);
+    assert_true(plain->metal_roughness_mapping == 0 && plain->emission_mapping == 1);
     assert_int_equal(lamp->emission_mapping, 0);
     assert_int_equal(lamp->normal_mapping, 0);
     assert_int_equal(lamp->base_color_texture, -1);
@@ -366,6 +372,12 @@ static void test_materials(void **state) {
     check_values("reflectance", lamp->specular_f0, 3, (double[]){.05, .5, 0}, 1e-7);
     check_near("grazing", lamp->specular_f90, .5, 0);
     assert_true(lamp->unlit && !plain->unlit);
+    const struct material *glass = &scene.materials[2], *pane = &scene.materials[3];
+    check_near("transmission", glass->transmission, .75, 0);
+    check_values("absorption", glass->absorption, 3, (double[]){0, log(2) / 2, log(2)}, 1e-6);
+    assert_true(!glass->thin_walled && pane->thin_walled && glass->index_of_refraction == 1.25F &&
+                material_smooth_kind(glass) == SMOOTH_GLASS &&
+                material_smooth_kind(pane) == SMOOTH_NONE);
     assert_int_equal(plain->normal_texture, -1);
     check_near("plain reflectance", plain->specular_f0[0], .04, 1e-8);
     check_near("plain, grazing", plain->specular_f90, 1, 0);
@@ -374,7 +386,7 @@ static void test_materials(void **state) {
     assert_true(scene.textures[1].linear);
     assert_int_equal(scene.textures[1].bitmap.rgba[5], 255);
     /* One that says nothing, and the one for primitives without. */
-    for (int i = 2; i < 4; i++) {
+    for (int i = 3; i < 5; i++) {
         check_near("metalness by default", scene.materials[i].metalness, 1, 0);
         check_near("roughness by default", scene.materials[i].roughness, 1, 0);
         assert_int_equal(scene.materials[i].emission_texture, -1);

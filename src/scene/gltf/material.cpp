@@ -156,7 +156,7 @@ bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &m
     mean = {1, 1, 1, 1};
     if (info.index < 0)
         return true;
-    lack(loader, "textures of specular reflection (it is their mean everywhere)");
+    lack(loader, "textures of specular reflection and transmission (each is its mean everywhere)");
     int image = texture_source(loader.model.textures[size_t(info.index)]), number;
     auto known = loader.texture_means.find(image);
     int before = loader.scene->texture_count;
@@ -174,6 +174,8 @@ bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &m
     }
     return true;
 }
+
+const double absorption_most = 1e9; /* 1/m */
 
 /* KHR_materials_pbrSpecularGlossiness: the specular colour is the reflectance, whether of metals or not. */
 void load_specular_color(const tinygltf::Value &from, struct material &to) {
@@ -194,6 +196,7 @@ bool load_reflectance(Loader &loader, const tinygltf::Material &from, struct mat
     const tinygltf::Value specular =
         found == from.extensions.end() ? tinygltf::Value() : found->second;
     double index = ior == from.extensions.end() ? 1.5 : number_of(ior->second, "ior", 0, 1.5);
+    to.index_of_refraction = index == 0 ? 1.5F : float(index);
     double straight = std::pow((index - 1) / (index + 1), 2);
     TextureMean strengths, colors;
     if (!(index == 0 || index >= 1))
@@ -209,6 +212,35 @@ bool load_reflectance(Loader &loader, const tinygltf::Material &from, struct mat
         to.specular_f0[c] = float(std::min(straight * color, 1.) * factor);
     }
     to.specular_f90 = float(factor);
+    return true;
+}
+
+/* KHR_materials_transmission, and KHR_materials_volume: without a thickness the wall is thin, and light goes straight
+ * on. */
+bool load_transmission(Loader &loader, const tinygltf::Material &from, struct material &to) {
+    auto transmission = from.extensions.find("KHR_materials_transmission");
+    if (transmission == from.extensions.end())
+        return true;
+    TextureMean strengths;
+    if (!find_mean(loader, texture_of(transmission->second, "transmissionTexture"), strengths))
+        return false;
+    to.transmission =
+        float(number_of(transmission->second, "transmissionFactor", 0, 0) * strengths[0]);
+    auto volume = from.extensions.find("KHR_materials_volume");
+    to.thin_walled =
+        volume == from.extensions.end() || number_of(volume->second, "thicknessFactor", 0, 0) <= 0;
+    if (to.thin_walled)
+        return true;
+    double distance = number_of(volume->second, "attenuationDistance", 0, HUGE_VAL);
+    if (!(distance > 0))
+        return error_set("KHR_materials_volume: attenuationDistance: %g is not positive", distance);
+    for (int c = 0; c < 3; c++) {
+        double color = number_of(volume->second, "attenuationColor", c, 1);
+        if (!(color >= 0 && color <= 1))
+            return error_set("KHR_materials_volume: attenuationColor: %g is not from 0 to 1",
+                             color);
+        to.absorption[c] = float(std::min(-std::log(color) / distance, absorption_most));
+    }
     return true;
 }
 
@@ -235,8 +267,8 @@ bool load_material(Loader &loader, const tinygltf::Material &from, struct materi
            copy_numbers({pbr.metallicFactor}, &to.metalness, "metallicFactor") &&
            copy_numbers({pbr.roughnessFactor}, &to.roughness, "roughnessFactor") &&
            copy_numbers({from.normalTexture.scale}, &to.normal_scale, "normalTexture: scale") &&
-           load_reflectance(loader, from, to) && load_emission(from, to) &&
-           load_textures(loader, from, to, mappings);
+           load_reflectance(loader, from, to) && load_transmission(loader, from, to) &&
+           load_emission(from, to) && load_textures(loader, from, to, mappings);
 }
 
 /* The standard's default: white, rough and, as it is, a metal. */
@@ -247,6 +279,7 @@ void make_default(struct material &to) {
     for (float &c : to.specular_f0)
         c = DIELECTRIC_F0;
     to.metalness = to.roughness = to.specular_f90 = to.normal_scale = 1;
+    to.index_of_refraction = 1.5F;
     to.base_color_texture = to.metal_roughness_texture = -1;
     to.emission_texture = to.normal_texture = -1;
 }

@@ -183,6 +183,19 @@ const Field specular_glossiness[] = {
 
 const Field index_of_refraction[] = {{"ior", Optional, Kind::Number}, end};
 
+const Field transmission[] = {
+    {"transmissionFactor", Optional, Kind::Share},
+    {"transmissionTexture", Optional, Kind::Object, nullptr, texture_info},
+    end,
+};
+
+const Field volume[] = {
+    {"thicknessFactor", Optional, Kind::Positive},
+    {"attenuationDistance", Optional, Kind::Positive},
+    {"attenuationColor", Optional, Kind::Shares, nullptr, nullptr, 3},
+    end,
+};
+
 const Field specular[] = {
     {"specularFactor", Optional, Kind::Share},
     {"specularTexture", Optional, Kind::Object, nullptr, texture_info},
@@ -196,6 +209,8 @@ const Field material_extensions[] = {
     {"KHR_materials_emissive_strength", Optional, Kind::Object, nullptr, emissive_strength},
     {"KHR_materials_ior", Optional, Kind::Object, nullptr, index_of_refraction},
     {"KHR_materials_specular", Optional, Kind::Object, nullptr, specular},
+    {"KHR_materials_transmission", Optional, Kind::Object, nullptr, transmission},
+    {"KHR_materials_volume", Optional, Kind::Object, nullptr, volume},
     end,
 };
 
