@@ -362,8 +362,7 @@ static void test_materials(void **state) {
     assert_int_equal(plain->metal_roughness_texture, 1);
     assert_int_equal(plain->emission_texture, 0);
     assert_true(plain->metal_roughness_mapping == 0 && plain->emission_mapping == 1);
-    assert_int_equal(lamp->emission_mapping, 0);
-    assert_int_equal(lamp->normal_mapping, 0);
+    assert_true(lamp->emission_mapping == 0 && lamp->normal_mapping == 0);
     assert_int_equal(lamp->base_color_texture, -1);
     assert_int_equal(lamp->metal_roughness_texture, -1);
     assert_int_equal(lamp->emission_texture, 0);
