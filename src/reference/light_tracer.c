@@ -63,6 +63,15 @@ static void add_balance(struct light_balance *sum, const struct light_balance *p
     sum->cut += part->cut;
 }
 
+/* Each batch sends all flux. */
+static struct light_balance balance_of_batch(const struct light_tracer *tracer) {
+    const struct light_balance *sum = &tracer->balance;
+    double batches = tracer->batches > 0 ? tracer->batches : 1;
+    return (struct light_balance){sum->emitted / batches, sum->missed / batches,
+                                  sum->landed / batches,  sum->absorbed / batches,
+                                  sum->escaped / batches, sum->cut / batches};
+}
+
 static void trace_wave(struct light_tracer *tracer, int count) {
     parallel_for((size_t)count, tracer->desc.threads, trace_chunk, tracer);
     for (int i = 0; i < count; i++) {
@@ -160,7 +169,7 @@ bool light_tracer_render(const struct light_tracer_desc *desc, struct image *ima
         light_film_end_batch(&tracer->film);
     if (ok)
         result->noise = light_film_develop(&tracer->film, medium_exists(&desc->medium), image);
-    result->balance = tracer->balance;
+    result->balance = balance_of_batch(tracer);
     light_film_free(&tracer->film);
     emission_free(&tracer->emission);
     ray_scene_free(&tracer->rays);
