@@ -115,9 +115,9 @@ static const struct arguments arguments = {
         "standard_error of the indirect layer (0 with one sample, which gives no estimate) and\n"
         "emitted, the radiance of environment and lamps. Specular surfaces add specular, the sum\n"
         "of direct.specular and indirect.specular, and standard_error.specular; the other layers\n"
-        "are diffuse. A medium adds airlight and standard_error.airlight. Lightcuts add bound, "
-        "the\n"
-        "largest error against the sum of all VPLs, and nodes, the number of lights of a pixel.\n"
+        "are diffuse. A medium adds airlight and standard_error.airlight. Light paths add caustic\n"
+        "and volume, and their standard errors. Lightcuts add bound, the largest error against\n"
+        "the sum of all VPLs, and nodes, the number of lights of a pixel.\n"
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,

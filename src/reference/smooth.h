@@ -1,10 +1,10 @@
 /* Glass and mirrors: where a ray goes on that meets one, and the share of its light that does.
  *
- * Glass has Fresnel's reflectance for light without polarisation (eqs. 2.12 to 2.14 of [Dong 2011, errata in
- * METHOD-TRANSPORT]), and refracts by Snell's law. A number picks one of the two directions, with the reflectance as
- * its probability, so that the light keeps its amount. The base colour tints light that passes an interface, and
- * absorption light within, as glTF has them. Thin walls let light go straight on; their reflectance is that of both
- * interfaces, with all reflections between them. A mirror reflects its base colour at all angles. Neither is rough.
+ * Glass has Fresnel's reflectance for light without polarisation [Dong 2011, eqs. 2.12 to 2.14], and refracts by Snell's
+ * law. A number picks one of the two directions, with the reflectance as its probability: the light keeps its amount.
+ * The base colour tints light that passes an interface, and absorption light within, as glTF has them. Thin walls let
+ * light go straight on; their reflectance is that of both interfaces, with all reflections between them. A mirror
+ * reflects its base colour at all angles. Neither is rough.
  *
  * The vertices' normals bend the light; the triangle's side tells whether it enters or leaves. Each interface has air on
  * its other side, in nested glass, too. Radiance is not scaled by the square of the index of refraction.
