@@ -203,12 +203,14 @@ static void test_energy(void **state) {
     check_balance(&result.balance);
     check_near("seen over landed",
                4 * GLM_PI * mean_of_layer(&image, "caustic") / result.balance.landed, 1, 1e-3);
+    double aimed = result.balance.landed;
     image_free(&image);
     result =
         trace(&world, NULL,
               &(struct look){.size = 16, .samples = 4, .paths = 100000, .straight = true}, &image);
     check_near("emitted over the light's flux",
                result.balance.emitted / emitter_flux(&world.light, 1), 1, 2e-3);
+    check_near("landed over that of rays to the ball", result.balance.landed / aimed, 1, .01);
     image_free(&image);
     world_free(&world);
 }
@@ -317,7 +319,29 @@ static void test_index_one(void **state) {
     }
 }
 
-/* The camera looks down at the floor through it. */
+/* Nor does it hide anything from the camera above it. */
+static void test_window(void **state) {
+    (void)state;
+    struct material glass;
+    make_glass(&glass, 1);
+    double beauty[2];
+    for (int with = 0; with < 2; with++) {
+        struct world world;
+        struct image image;
+        make_roof(&world, with ? &glass : NULL);
+        look_down(&world, -.6F, -.6F, 1.2F, 1.5F);
+        place_light(&world, EMITTER_POINT, at(.1F, .8F, 0), at(0, -1, 0), 1);
+        trace(&world, NULL,
+              &(struct look){.size = 16, .samples = 64, .paths = 20000, .medium = fog}, &image);
+        beauty[with] = mean_of_layer(&image, "");
+        printf("    specular light %g\n", with ? mean_of_layer(&image, "specular") : 0);
+        image_free(&image);
+        world_free(&world);
+    }
+    check_near("seen through over seen", beauty[1] / beauty[0], 1, .005);
+}
+
+/* Glass takes no light and adds none. */
 static void test_seen_through(void **state) {
     (void)state;
     float texels[2][3] = {{1, 1, 1}, {1, 1, 1}};
@@ -491,13 +515,13 @@ static void test_no_glass(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fresnel),      cmocka_unit_test(test_ball),
-        cmocka_unit_test(test_cusp),         cmocka_unit_test(test_mirror),
-        cmocka_unit_test(test_slab),         cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_straight),     cmocka_unit_test(test_index_one),
-        cmocka_unit_test(test_seen_through), cmocka_unit_test(test_relations),
-        cmocka_unit_test(test_noise),        cmocka_unit_test(test_hard),
-        cmocka_unit_test(test_no_glass),
+        cmocka_unit_test(test_fresnel),   cmocka_unit_test(test_ball),
+        cmocka_unit_test(test_cusp),      cmocka_unit_test(test_mirror),
+        cmocka_unit_test(test_slab),      cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_straight),  cmocka_unit_test(test_index_one),
+        cmocka_unit_test(test_window),    cmocka_unit_test(test_seen_through),
+        cmocka_unit_test(test_relations), cmocka_unit_test(test_noise),
+        cmocka_unit_test(test_hard),      cmocka_unit_test(test_no_glass),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
