@@ -2,6 +2,7 @@
  * numbers that are none. */
 #include "light_scenes.h"
 
+#include "reference/scene/medium_ball.h"
 #include "reference/smooth.h"
 #include "scene/lights/environment.h"
 
@@ -393,22 +394,60 @@ static void test_relations(void **state) {
     trace(&world, NULL, &look, &again);
     size_t bytes = sizeof(float) * 256 * (size_t)one.channel_count;
     assert_memory_equal(one.pixels, again.pixels, bytes);
+    image_free(&again);
     struct emitter pair[2] = {world.light, world.light};
     for (int c = 0; c < 3; c++)
         pair[0].intensity[c] = pair[1].intensity[c] = world.light.intensity[c] / 2;
     trace(&world, &(struct emitters){.items = pair, .count = 2}, &look, &halves);
+    double mean = mean_of_layer(&one, "caustic");
+    look.size *= 2;
+    trace(&world, NULL, &look, &again);
+    check_near("twice the pixels over one", mean_of_layer(&again, "caustic") / mean, 1, 1e-3);
+    image_free(&again);
+    look.size /= 2;
     look.paths *= 4;
     look.seed = 7;
     struct light_tracer_result many = trace(&world, NULL, &look, &more);
-    double mean = mean_of_layer(&one, "caustic");
     check_near("two half lights over one", mean_of_layer(&halves, "caustic") / mean, 1, .02);
     check_near("four times the rays over one", mean_of_layer(&more, "caustic") / mean, 1, .02);
     check_near("noise over twice the noise", few.noise / many.noise / 2, 1, .35);
     image_free(&one);
-    image_free(&again);
     image_free(&halves);
     image_free(&more);
     world_free(&world);
+}
+
+/* A beam that a window lets through, seen from the front and from behind. */
+static void test_sides(void **state) {
+    (void)state;
+    double volumes[2];
+    for (int side = 0; side < 2; side++) {
+        struct world world;
+        struct image image;
+        float turn = side ? -1 : 1;
+        world_init(&world);
+        make_glass(&world.materials[MATERIAL_SMOOTH], 1);
+        world.materials[MATERIAL_SMOOTH].thin_walled = true;
+        add_rectangle(&world, MATERIAL_SMOOTH, at(-.9F, -.2F, -.2F), at(0, 0, .4F), at(0, .4F, 0));
+        finish(&world, 1.5F);
+        world.camera = (struct camera){.orthographic = true,
+                                       .eye = {1.6F * turn, 0, 1.2F * turn},
+                                       .right = {.6F * turn, 0, -.8F * turn},
+                                       .up = {0, 1, 0},
+                                       .forward = {-.8F * turn, 0, -.6F * turn},
+                                       .y_extent = .1F};
+        place_light(&world, EMITTER_DIRECTIONAL, at(0, 0, 0), at(1, 0, 0), 1);
+        struct medium thin = {.scattering = {1e-3F, 1e-3F, 1e-3F}, .g = .6F * turn};
+        trace(&world, NULL, &(struct look){.size = 8, .samples = 1, .paths = 30000, .medium = thin},
+              &image);
+        volumes[side] = mean_of_layer(&image, "volume");
+        image_free(&image);
+        world_free(&world);
+    }
+    /* Irradiance 1 along the view's path through a beam .4 wide. */
+    double expected = 1e-3 * .4 / .6 * (double)medium_phase(.6F, .8F);
+    check_near("from the front over expected", volumes[0] / expected, 1, .005);
+    check_near("from behind, for -g, over expected", volumes[1] / expected, 1, .005);
 }
 
 /* The error that is told is that between two seeds. */
@@ -521,7 +560,8 @@ int main(void) {
         cmocka_unit_test(test_straight),  cmocka_unit_test(test_index_one),
         cmocka_unit_test(test_window),    cmocka_unit_test(test_seen_through),
         cmocka_unit_test(test_relations), cmocka_unit_test(test_noise),
-        cmocka_unit_test(test_hard),      cmocka_unit_test(test_no_glass),
+        cmocka_unit_test(test_sides),     cmocka_unit_test(test_hard),
+        cmocka_unit_test(test_no_glass),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
