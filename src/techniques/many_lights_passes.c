@@ -228,6 +228,8 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     lights->bounces = own->bounces;
+    /* Lamps next door, whose light comes by later bounces as well. */
+    bool by_power = many_lights_follow_camera(lights) && !has_light_samples(desc->lights);
     return lights->bounces == 1 ||
            bounce_pass_init(&lights->bounce,
                             &(struct bounce_desc){
@@ -237,6 +239,7 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                                 .casters = desc->casters,
                                 .bounces = own->bounces,
                                 .medium = lights->medium,
+                                .by_power = by_power ? own->vpls : 0,
                                 .count = own->paths,
                                 .seed = own->seed,
                             });
