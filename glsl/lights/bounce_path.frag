@@ -7,6 +7,7 @@
 #include "lib/vpl_texels.glsl"
 #include "lib/weighted_pick.glsl"
 #include "shared/bounce.h"
+#include PATH_START
 
 layout(binding = UNIT_PATH_NUMBERS) uniform sampler2D path_numbers;
 layout(binding = UNIT_TRIANGLE_ALBEDOS) uniform samplerBuffer albedos; // A: 1 where backs reflect, too
@@ -37,8 +38,8 @@ void main() {
     ivec2 path = ivec2(gl_FragCoord.xy);
     int i = BOUNCE_ROWS * path.x + path.y;
     vec2 choice = number_at(path, BOUNCE_NUMBER_CHOICE);
-    float vpls_per_path = float(params.vpls) / float(BOUNCE_ROWS * params.later);
-    vpl light = vpl_at(min(int((float(i) + choice.x) * vpls_per_path), params.vpls - 1));
+    float vpls_per_path;
+    vpl light = vpl_at(path_start(i, choice.x, vpls_per_path));
     vec3 place = light.position + params.start * light.normal, axis = light.normal;
     vec3 carried = light.flux * vpls_per_path;
     bool goes = light.reach > 0.0;

@@ -12,6 +12,7 @@
 #define UNIT_PATH_NUMBERS (UNIT_OWN + 5)
 #define UNIT_PATH_RESULTS (UNIT_OWN + 6) /* what the pass before has of each path */
 #define UNIT_TRIANGLE_ALBEDOS (UNIT_OWN + 7)
+#define UNIT_PATH_STARTS (UNIT_OWN + 8)
 
 /* So many paths share their light out to each VPL: path (i, 0) leaves VPL i, and those of the other rows only light. Textures
  * of paths have a row for each. */

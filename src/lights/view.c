@@ -116,7 +116,8 @@ bool light_layout_of(struct light_layout *layout, const struct emitters *emitter
 
 bool light_layouts_same(const struct light_layout *a, const struct light_layout *b) {
     return a->lights == b->lights && a->groups == b->groups && a->maps == b->maps &&
-           a->sized == b->sized && memcmp(a->views, b->views, sizeof a->views) == 0;
+           a->sized == b->sized && a->unseen == b->unseen &&
+           memcmp(a->views, b->views, sizeof a->views) == 0;
 }
 
 int light_map_size(int kind, int size) {

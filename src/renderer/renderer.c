@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
+#include "renderer/light_search.h"
 #include "renderer/views.h"
 #include "scene/material.h"
 #include "scene/medium.h"
@@ -319,9 +320,10 @@ enum { LIGHT_SAMPLES = 4 };
 /* A wider light has several light samples; over the scene's radius, of a sun in radians. */
 static const float wide_light = .3F;
 
-/* Error: more lights than there is room for. */
-static bool plan_lights(struct light_plan *plan, const struct light_plan *before,
+/* Takes what the renderer has where that is as wanted. Error: more lights than there is room for. */
+static bool plan_lights(struct light_plan *plan, const struct renderer *renderer,
                         const struct renderer_desc *desc) {
+    const struct light_plan *before = plan == &renderer->plan ? NULL : &renderer->plan;
     struct light_samples samples;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
@@ -335,18 +337,21 @@ static bool plan_lights(struct light_plan *plan, const struct light_plan *before
                         &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
                         &plan->light_samples, 0);
     plan->sample_layout = light_samples_layout(&samples);
+    plan->sample_layout.unseen =
+        light_search_is_unseen(renderer->light_search, desc, &plan->sample_layout);
     return true;
 }
 
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
     *renderer = (struct renderer){.desc = *desc,
                                   .casters = caster_pool_create(desc->scene, desc->geometry),
+                                  .light_search = light_search_create(),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
                                   .sample_block = mem_alloc(1, sizeof *renderer->sample_block)};
     renderer->desc.emitters = emitters_copy(&desc->emitters);
     set_defaults(&renderer->desc);
     timers_init(&renderer->timers, desc->timed, gl.software);
-    if (plan_lights(&renderer->plan, NULL, &renderer->desc) &&
+    if (plan_lights(&renderer->plan, renderer, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
@@ -383,6 +388,7 @@ void renderer_free(struct renderer *renderer) {
     timers_free(&renderer->timers);
     scene_gpu_free(&renderer->scene);
     caster_pool_free(renderer->casters);
+    light_search_free(renderer->light_search);
     buffer_free(&renderer->view_buffer);
     buffer_free(&renderer->light_buffer);
     buffer_free(&renderer->sample_buffer);
@@ -492,7 +498,7 @@ bool renderer_makes_programs(const struct renderer *renderer, const struct rende
     struct renderer_desc desc = *wanted;
     struct light_plan plan;
     set_defaults(&desc);
-    return plan_lights(&plan, &renderer->plan, &desc) &&
+    return plan_lights(&plan, renderer, &desc) &&
            parts_between(renderer, &desc, &plan) & with_programs;
 }
 
@@ -501,7 +507,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     struct emitters old = renderer->desc.emitters;
     struct light_plan plan;
     set_defaults(&desc);
-    if (!plan_lights(&plan, &renderer->plan, &desc))
+    if (!plan_lights(&plan, renderer, &desc))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);

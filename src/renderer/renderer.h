@@ -89,6 +89,7 @@ struct renderer {
     } ranged;
     struct buffer view_buffer;
     struct light_plan plan;
+    struct light_search *light_search;
     /* What shines, for direct light; and what techniques are given for it. */
     struct light_block *light_block, *sample_block;
     struct buffer light_buffer, sample_buffer;

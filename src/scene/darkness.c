@@ -5,16 +5,15 @@
 #include "scene/camera.h"
 #include "scene/lights/emitter.h"
 #include "scene/mesh/corners.h"
-#include "scene/mesh/bvh_ray.h"
+#include "scene/surface_rays.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum {
-    GRID = 16,    /* rays a side of the picture */
-    BOUNCES = 4,  /* rays from each place for reflected light */
-    SURFACES = 8, /* culled backs that a camera's ray passes */
+    GRID = 16,   /* rays a side of the picture */
+    BOUNCES = 4, /* rays from each place for reflected light */
 };
 
 /* A candle of 0.02 W/sr gives white walls 1/1600 at 3 m, and automatic exposure shows them; an LED gives the
@@ -25,90 +24,43 @@ static const int least_share = 4; /* one place in so many */
 static const float reflectance = .5F; /* of surfaces on the way */
 
 struct search {
-    const struct scene *scene;
-    const struct geometry *geometry;
+    struct surface_rays rays;
     struct emitters emitters;
-    struct bvh tree;
-    float clearance;
     float srgb_to_linear[256];
-};
-
-/* A place on a surface, on the side that is looked at. */
-struct place {
-    vec3s position, normal; /* above the surface by the clearance */
-    float emission;         /* W/(sr m2) */
 };
 
 /* --- surfaces --------------------------------------------------------------------------------- */
 
-static void plant(struct search *search) {
-    const struct geometry *geometry = search->geometry;
-    uint32_t count = geometry->index_count / 3;
-    struct bvh_triangle *triangles = mem_alloc(count, sizeof *triangles);
-    for (uint32_t i = 0; i < count; i++) {
-        triangles[i] = (struct bvh_triangle){.number = i};
-        triangles[i].corner =
-            corners_edges(geometry, &geometry->indices[3 * i], triangles[i].edges);
-    }
-    bvh_init(&search->tree, triangles, count);
-}
-
-static const struct material *material_of(const struct search *search, uint32_t triangle) {
-    const struct geometry_batch *batch = search->geometry->batches;
-    while (3 * triangle >= batch->first_index + batch->index_count)
-        batch++;
-    return &search->scene->materials[batch->material];
-}
-
-/* Its brightest channel, at a point of the triangle's plane. */
-static float emission_at(const struct search *search, const struct bvh_triangle *triangle,
-                         const struct material *material, vec3s position) {
+/* Its brightest channel, W/(sr m2). */
+static float emission_at(const struct search *search, const struct surface_hit *place) {
+    const struct bvh_triangle *triangle = place->triangle;
+    const struct material *material = place->material;
+    const struct geometry *geometry = search->rays.geometry;
     vec3s color = {{material->emission[0], material->emission[1], material->emission[2]}};
     if (material->emission_texture >= 0) {
         struct corners corners;
         vec3s normal = glms_vec3_cross(triangle->edges[0], triangle->edges[1]);
-        vec3s from = glms_vec3_sub(position, triangle->corner);
+        vec3s from = glms_vec3_sub(place->position, triangle->corner);
         float area2 = glms_vec3_norm2(normal);
-        memcpy(corners.index, &search->geometry->indices[3 * triangle->number],
-               sizeof corners.index);
+        memcpy(corners.index, &geometry->indices[3 * triangle->number], sizeof corners.index);
         corners.weight[1] =
             glms_vec3_dot(glms_vec3_cross(from, triangle->edges[1]), normal) / area2;
         corners.weight[2] =
             glms_vec3_dot(glms_vec3_cross(triangle->edges[0], from), normal) / area2;
         corners.weight[0] = 1 - corners.weight[1] - corners.weight[2];
         vec4s texel = corners_texel(
-            &corners, search->scene, search->geometry, search->srgb_to_linear,
+            &corners, search->rays.scene, geometry, search->srgb_to_linear,
             &(struct corners_texture){material->emission_texture, material->emission_mapping});
         color = glms_vec3_mul(color, glms_vec3(texel));
     }
     return glms_vec3_max(color);
 }
 
-static bool find_place(const struct search *search, vec3s origin, vec3s direction,
-                       struct place *place) {
-    for (int i = 0; i < SURFACES; i++) {
-        struct bvh_hit hit = bvh_ray_trace(&search->tree, origin, direction);
-        if (!hit.triangle)
-            return false;
-        const struct material *material = material_of(search, hit.triangle->number);
-        vec3s at = glms_vec3_muladds(direction, hit.distance, origin);
-        vec3s normal = glms_vec3_crossn(hit.triangle->edges[0], hit.triangle->edges[1]);
-        if (hit.front || material->double_sided) {
-            place->emission = emission_at(search, hit.triangle, material, at);
-            place->normal = hit.front ? normal : glms_vec3_negate(normal);
-            place->position = glms_vec3_muladds(place->normal, search->clearance, at);
-            return true;
-        }
-        origin = glms_vec3_muladds(direction, search->clearance, at);
-    }
-    return false;
-}
-
 /* --- light ------------------------------------------------------------------------------------ */
 
 /* Of a white surface, by one light without a size; the brightest channel. */
 static float reflected(const struct search *search, const struct emitter *piece,
-                       const struct place *place) {
+                       const struct surface_hit *place) {
     vec3s at = {{piece->position[0], piece->position[1], piece->position[2]}};
     vec3s axis = {{piece->direction[0], piece->direction[1], piece->direction[2]}};
     vec3s path = glms_vec3_sub(at, place->position);
@@ -123,11 +75,10 @@ static float reflected(const struct search *search, const struct emitter *piece,
     /* Sums of what is as small as this do not count either. */
     if (!(radiance > least_radiance / 256))
         return 0;
-    struct bvh_hit hit = bvh_ray_trace(&search->tree, place->position, to_light);
-    return hit.distance < distance - search->clearance ? 0 : radiance;
+    return surface_rays_blocked(&search->rays, place->position, at) ? 0 : radiance;
 }
 
-static float direct(const struct search *search, const struct place *place, uint32_t number) {
+static float direct(const struct search *search, const struct surface_hit *place, uint32_t number) {
     const float point[2] = {(float)radical_inverse(2, number), (float)radical_inverse(3, number)};
     float sum = 0;
     for (int i = 0; i < search->emitters.count; i++) {
@@ -148,14 +99,15 @@ static vec3s way_from(vec3s normal, float x, float y) {
 }
 
 /* What the place emits and reflects: light of the lamps, and what surfaces reflect of it once. */
-static float radiance_of(const struct search *search, const struct place *place, uint32_t number) {
-    float sum = place->emission + direct(search, place, number);
+static float radiance_of(const struct search *search, const struct surface_hit *place,
+                         uint32_t number) {
+    float sum = emission_at(search, place) + direct(search, place, number);
     for (uint32_t i = 0; sum < least_radiance && i < BOUNCES; i++) {
         uint32_t point = number * BOUNCES + i;
         vec3s way = way_from(place->normal, (float)radical_inverse(5, point),
                              (float)radical_inverse(7, point));
-        struct place next;
-        if (find_place(search, place->position, way, &next))
+        struct surface_hit next;
+        if (surface_rays_find(&search->rays, place->position, way, &next))
             sum += reflectance * direct(search, &next, point) / BOUNCES;
     }
     return sum;
@@ -166,15 +118,11 @@ static float radiance_of(const struct search *search, const struct place *place,
 static bool picture_is_dark(const struct search *search) {
     struct camera camera;
     int seen = 0, lit = 0;
-    camera_place(&camera, search->scene, 0, 0);
-    vec3s axis = {{camera.forward[0], camera.forward[1], camera.forward[2]}};
+    camera_place(&camera, search->rays.scene, 0, 0);
     for (uint32_t i = 0; i < GRID * GRID; i++) {
-        vec3s origin, direction;
-        struct place place;
-        camera_ray(&camera, ((float)(i % GRID) + .5F) / GRID, ((float)(i / GRID) + .5F) / GRID, 1,
-                   origin.raw, direction.raw);
-        float along = camera.near / glms_vec3_dot(direction, axis);
-        if (!find_place(search, glms_vec3_muladds(direction, along, origin), direction, &place))
+        const float point[2] = {((float)(i % GRID) + .5F) / GRID, ((float)(i / GRID) + .5F) / GRID};
+        struct surface_hit place;
+        if (!surface_rays_find_seen(&search->rays, &camera, point, 1, &place))
             continue;
         seen++;
         lit += radiance_of(search, &place, 1 + i) >= least_radiance;
@@ -193,16 +141,13 @@ static bool has_lamps_alone(const struct emitters *emitters) {
 }
 
 bool scene_is_dark(const struct scene *scene, const struct geometry *geometry) {
-    struct search search = {.scene = scene,
-                            .geometry = geometry,
-                            .emitters = emitters_place(scene, 0),
-                            .clearance = geometry_clearance(geometry)};
+    struct search search = {.emitters = emitters_place(scene, 0)};
     bool dark = false;
     if (has_lamps_alone(&search.emitters)) {
         texture_decode_table(search.srgb_to_linear);
-        plant(&search);
+        surface_rays_init(&search.rays, scene, geometry);
         dark = picture_is_dark(&search);
-        bvh_free(&search.tree);
+        surface_rays_free(&search.rays);
     }
     emitters_free(&search.emitters);
     return dark;

@@ -228,6 +228,8 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     lights->bounces = own->bounces;
+    /* Lamps next door, whose light comes by later bounces as well. */
+    bool by_power = many_lights_follow_camera(lights) && !has_light_samples(desc->lights);
     return lights->bounces == 1 ||
            bounce_pass_init(&lights->bounce,
                             &(struct bounce_desc){
@@ -237,6 +239,7 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                                 .casters = desc->casters,
                                 .bounces = own->bounces,
                                 .medium = lights->medium,
+                                .by_power = by_power ? own->vpls : 0,
                                 .count = own->paths,
                                 .seed = own->seed,
                             });
@@ -273,12 +276,14 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
     return ok;
 }
 
-/* Where light starts from many light samples, most VPLs lie where the camera sees nothing of their light. */
+/* Where light starts from many light samples, or where the camera sees little that it falls on, most VPLs by flux alone lie where
+ * the camera sees nothing of their light. */
 static bool wants_importance(const struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     const struct light_layout *layout = desc->lights;
-    bool gains = has_light_samples(layout) && lights->visibility.lookup != VISIBILITY_LOOKUP_NONE;
+    bool gains = (has_light_samples(layout) || layout->unseen) &&
+                 lights->visibility.lookup != VISIBILITY_LOOKUP_NONE;
     return layout->lights > 0 && (own->importance == IMPORTANCE_ON ||
                                   (own->importance == IMPORTANCE_AUTO && gains &&
                                    many_lights_may_trace(desc->scene, desc->geometry)));

@@ -286,10 +286,62 @@ static void test_door(void **state) {
     stage_free(&stage);
 }
 
+/* One material alone keeps a texture that a mask cuts; trilinear, and with other colours in its holes. */
+static int prepare_holes(struct stage *stage, const unsigned char color[3], int *holes) {
+    struct material *materials = stage->scene.materials;
+    int first = 0;
+    while (!materials[first].alpha_mask || materials[first].base_color_texture < 0)
+        first++;
+    int number = materials[first].base_color_texture;
+    for (int m = 0; m < stage->scene.material_count; m++)
+        if (m != first && materials[m].base_color_texture == number)
+            materials[m].base_color_texture = -1;
+    struct scene_texture *texture = &stage->scene.textures[number];
+    texture->nearest = false;
+    for (int i = 0; i < texture->bitmap.width * texture->bitmap.height; i++) {
+        unsigned char *rgba = &texture->bitmap.rgba[4 * i];
+        if ((float)rgba[3] >= 255 * materials[first].alpha_cutoff)
+            continue;
+        memcpy(rgba, color, 3);
+        *holes += 1;
+    }
+    return number;
+}
+
+/* The texel of the coarsest MIP level. */
+static void find_mean(const unsigned char color[3], unsigned char mean[4]) {
+    struct stage stage;
+    struct renderer renderer;
+    int holes = 0;
+    open_stage(&stage, "scenes/materials.glb");
+    int number = prepare_holes(&stage, color, &holes);
+    assert_true(holes > 0);
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", "", 8, 8);
+    open_renderer(&renderer, &desc);
+    const struct texture *texture = &renderer.scene.textures[number];
+    assert_true(texture->desc.levels > 1);
+    gl.GetTextureImage(texture->id, texture->desc.levels - 1, GL_RGBA, GL_UNSIGNED_BYTE, 4, mean);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* MIP levels are means over what a mask keeps: the colours that it cuts out are in none. */
+static void test_hole_colors(void **state) {
+    (void)state;
+    unsigned char white[4], magenta[4];
+    find_mean((const unsigned char[]){255, 255, 255}, white);
+    find_mean((const unsigned char[]){255, 0, 255}, magenta);
+    printf("    mean with white holes %d %d %d, with magenta ones %d %d %d\n", white[0], white[1],
+           white[2], magenta[0], magenta[1], magenta[2]);
+    assert_memory_equal(white, magenta, sizeof white);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_domes), cmocka_unit_test(test_wraps),   cmocka_unit_test(test_alphas),
-        cmocka_unit_test(test_lamps), cmocka_unit_test(test_spheres), cmocka_unit_test(test_door),
+        cmocka_unit_test(test_domes),       cmocka_unit_test(test_wraps),
+        cmocka_unit_test(test_alphas),      cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_spheres),     cmocka_unit_test(test_door),
+        cmocka_unit_test(test_hole_colors),
     };
     return cmocka_run_group_tests(tests, make_pictures, free_pictures);
 }

@@ -137,7 +137,7 @@ static bool same(const struct stage *stage, const char *technique, const char *a
     return equal;
 }
 
-/* By itself where light starts from several samples and something tests visibility. */
+/* By itself where light starts from several samples, and something tests visibility. */
 static void test_auto(void **state) {
     (void)state;
     struct stage box, courtyard;
@@ -150,6 +150,36 @@ static void test_auto(void **state) {
     assert_true(same(&courtyard, "unshadowed", "", "lights.importance=off"));
     stage_free(&box);
     stage_free(&courtyard);
+}
+
+/* The hall's lamp stands outdoors: an eleventh of its light falls where the camera sees any of it. Indoors all
+ * of it does, and a renderer whose lamp moves there chooses anew. */
+static void test_next_door(void **state) {
+    (void)state;
+    const float down[] = {0, -1, 0};
+    struct stage hall;
+    struct renderer renderer;
+    struct image moved;
+    open_stage(&hall, "scenes/hall.glb");
+    assert_true(same(&hall, "clustered", "", "lights.importance=on"));
+    assert_false(same(&hall, "clustered", "", "lights.importance=off"));
+    assert_true(same(&hall, "unshadowed", "", "lights.importance=off"));
+    struct renderer_desc desc = desc_of(&hall, "clustered", "", SIZE, SIZE);
+    open_renderer(&renderer, &desc);
+    memcpy(hall.emitters.items[0].position, (float[]){0, 4, 0}, sizeof(float[3]));
+    emitter_aim(&hall.emitters.items[0], down);
+    assert_true(same(&hall, "clustered", "", "lights.importance=off"));
+    assert_false(same(&hall, "clustered", "", "lights.importance=on"));
+    desc.emitters = hall.emitters;
+    check_ok("lamp indoors", renderer_follow(&renderer, &desc));
+    renderer_render(&renderer);
+    check_ok("layers", renderer_read_layers(&renderer, &moved));
+    struct image fresh = render_layers(&desc);
+    assert_true(same_pixels(&moved, &fresh));
+    image_free(&moved);
+    image_free(&fresh);
+    renderer_free(&renderer);
+    stage_free(&hall);
 }
 
 /* Lights that are kept while the camera moves are no others than those of a frame that begins there. */
@@ -176,10 +206,8 @@ static void test_kept(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_densities),
-        cmocka_unit_test(test_sky),
-        cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_kept),
+        cmocka_unit_test(test_densities), cmocka_unit_test(test_sky),  cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_next_door), cmocka_unit_test(test_kept),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -17,23 +17,39 @@ static const float start_above = 1e-3F;
 
 /* --- programs and targets --------------------------------------------------------------------- */
 
+static bool init_path_program(struct bounce_pass *pass) {
+    char *defines =
+        mem_printf("%sPATH_START lights/path_start_%s.glsl", pass->desc.medium ? "HAS_MEDIUM;" : "",
+                   pass->desc.by_power ? "by_power" : "even");
+    const struct program_desc desc = {.screen = {"lights/bounce_path.frag"}, .defines = defines};
+    bool ok = program_init(&pass->path_program, &desc);
+    free(defines);
+    return ok;
+}
+
+static bool init_starts(struct bounce_pass *pass) {
+    const struct texture_desc starts = {
+        .label = "starts of paths", .format = GL_R32F, .width = pass->desc.by_power, .height = 1};
+    return !pass->desc.by_power ||
+           (program_init(&pass->start_program,
+                         &(struct program_desc){.screen = {"lights/path_starts.frag"}}) &&
+            framebuffer_init_target(&pass->starts, &pass->start_framebuffer, &starts));
+}
+
 static bool init_programs(struct bounce_pass *pass) {
     const struct {
         GLuint *program;
         const char *fragment;
-    } drawn[] = {{&pass->path_program, "lights/bounce_path.frag"},
-                 {&pass->area_program, "lights/bounce_area.frag"},
+    } drawn[] = {{&pass->area_program, "lights/bounce_area.frag"},
                  {&pass->share_program, "lights/bounce_shares.frag"},
                  {&pass->flux_program, "lights/bounce_flux.frag"},
                  {&pass->seen_program, "lights/bounce_seen.frag"},
                  {&pass->kept_program, "lights/bounce_kept.frag"}};
     for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
-        if (!program_init(drawn[i].program,
-                          &(struct program_desc){
-                              .screen = {drawn[i].fragment},
-                              .defines = i == 0 && pass->desc.medium ? "HAS_MEDIUM" : NULL}))
+        if (!program_init(drawn[i].program, &(struct program_desc){.screen = {drawn[i].fragment}}))
             return false;
-    return program_init(&pass->vpl_program,
+    return init_path_program(pass) &&
+           program_init(&pass->vpl_program,
                         &(struct program_desc){.vertex = "lights/bounce_vpl.vert"});
 }
 
@@ -141,7 +157,8 @@ static bool init_albedos(struct bounce_pass *pass, const struct geometry *geomet
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) {
     *pass = (struct bounce_pass){.desc = *desc};
     if (caster_pool_acquire_tree(desc->casters, &pass->tree) && init_programs(pass) &&
-        init_targets(pass) && init_numbers(pass) && init_albedos(pass, desc->geometry) &&
+        init_targets(pass) && init_starts(pass) && init_numbers(pass) &&
+        init_albedos(pass, desc->geometry) &&
         vpl_buffer_init(&pass->vpls, "VPLs of bounces", desc->count) &&
         buffer_init(&pass->params, "paths' parameters", sizeof(struct bounce_params), NULL))
         return true;
@@ -158,6 +175,7 @@ void bounce_pass_free(struct bounce_pass *pass) {
     program_free(&pass->seen_program);
     program_free(&pass->kept_program);
     program_free(&pass->vpl_program);
+    program_free(&pass->start_program);
     free_albedos(pass);
     framebuffer_free(&pass->path_framebuffer);
     framebuffer_free(&pass->area_framebuffer);
@@ -165,6 +183,7 @@ void bounce_pass_free(struct bounce_pass *pass) {
     framebuffer_free(&pass->shared_framebuffer);
     framebuffer_free(&pass->seen_framebuffer);
     framebuffer_free(&pass->kept_framebuffer);
+    framebuffer_free(&pass->start_framebuffer);
     texture_free(&pass->numbers);
     texture_free(&pass->positions);
     texture_free(&pass->normals);
@@ -175,6 +194,7 @@ void bounce_pass_free(struct bounce_pass *pass) {
     texture_free(&pass->shared);
     texture_free(&pass->seen);
     texture_free(&pass->kept);
+    texture_free(&pass->starts);
     vpl_buffer_free(&pass->vpls);
     buffer_free(&pass->params);
     *pass = (struct bounce_pass){0};
@@ -219,6 +239,16 @@ static void draw_rows(struct pass_state *state, GLuint framebuffer, int width, i
     pass_draw_fullscreen(1);
 }
 
+static void find_starts(const struct bounce_pass *pass, const struct vpl_buffer *vpls) {
+    struct pass_state state = {
+        .name = "bounces",
+        .program = pass->start_program,
+        .textures = {{UNIT_VPLS, vpls->texels}},
+        .blocks = {{BLOCK_PASS, &pass->params}},
+    };
+    draw_rows(&state, pass->start_framebuffer, pass->desc.by_power, 1);
+}
+
 static void trace_paths(const struct bounce_pass *pass, const struct frame *frame,
                         const struct vpl_buffer *vpls) {
     struct pass_state trace = {
@@ -232,6 +262,8 @@ static void trace_paths(const struct bounce_pass *pass, const struct frame *fram
     };
     if (frame->medium)
         pass_add_block(&trace, BLOCK_MEDIUM, frame->medium);
+    if (pass->desc.by_power)
+        pass_add_texture(&trace, UNIT_PATH_STARTS, pass->starts.id);
     draw_rows(&trace, pass->path_framebuffer, pass->desc.count, BOUNCE_ROWS);
 }
 
@@ -240,6 +272,8 @@ void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
     int count = pass->desc.count;
     timer_begin(frame->timers, "bounces");
     follow(pass, frame, vpls->count);
+    if (pass->desc.by_power)
+        find_starts(pass, vpls);
     trace_paths(pass, frame, vpls);
     struct pass_state areas = state_of(pass, pass->area_program),
                       shares = state_of(pass, pass->share_program),

@@ -1,6 +1,6 @@
 /* Light of later bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
- * Each of 4 P paths takes an even share of the first bounce's VPLs, and follows it from surface to surface by rays through
+ * Each of 4 P paths takes an even share of the first bounce's VPLs, or one of those by importance half by power, and follows it from surface to surface by rays through
  * the scene's triangles (glsl/lights/bounce_path.frag). It leaves the light of all its bounces at one of its surfaces, picked
  * by light: one gather of the picture serves all bounces. What there is of light is right on the mean, whatever the scene is
  * made of: nothing leaks, and nothing is lost between what is near.
@@ -33,15 +33,19 @@ struct bounce_desc {
     struct caster_pool *casters; /* of the geometry */
     enum materials materials;
     int bounces;
-    bool medium; /* frames have one */
-    int count;   /* P */
-    int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
+    bool medium;  /* frames have one */
+    int by_power; /* N of VPLs by importance, at whose power paths look; 0: VPLs are by flux */
+    int count;    /* P */
+    int seed;     /* 0 = Halton's points as they are; else shifted on the torus */
 };
 
 struct bounce_pass {
     struct bounce_desc desc;
     GLuint path_program, area_program, share_program, flux_program, vpl_program;
     GLuint seen_program, kept_program;
+    GLuint start_program;  /* by_power; likewise: */
+    struct texture starts; /* N x 1, R32F: fraction of the paths that begin at VPLs up to each */
+    GLuint start_framebuffer;
     const struct caster_bvh *tree;
     struct buffer albedos; /* struct triangle_albedo of each triangle */
     GLuint albedo_texels;

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/vertex_array.h"
+#include "scene/gpu/hole_colors.h"
 #include "scene/gpu/lobes.h"
 #include "scene/lights/environment.h"
 #include "scene/material.h"
@@ -75,7 +76,22 @@ static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
     return ok;
 }
 
-static bool upload_texture(struct texture *texture, const struct scene_texture *source) {
+/* Texels of less alpha are never seen: 0 where any material shows all of the texture. */
+static float cutoff_of(const struct scene *scene, int texture) {
+    float least = INFINITY;
+    for (int i = 0; i < scene->material_count; i++) {
+        const struct material *material = &scene->materials[i];
+        if (material->emission_texture == texture || material->normal_texture == texture ||
+            material->metal_roughness_texture == texture)
+            return 0;
+        if (material->base_color_texture == texture)
+            least = fminf(least, material->alpha_mask ? material->alpha_cutoff : 0);
+    }
+    return least < INFINITY ? least : 0;
+}
+
+static bool upload_texture(struct texture *texture, const struct scene_texture *source,
+                           float cutoff) {
     static const GLenum wraps[] = {GL_REPEAT, GL_CLAMP_TO_EDGE, GL_MIRRORED_REPEAT};
     const struct bitmap *bitmap = &source->bitmap;
     int levels = source->nearest ? 1 : texture_full_levels(bitmap->width, bitmap->height, 1);
@@ -90,8 +106,10 @@ static bool upload_texture(struct texture *texture, const struct scene_texture *
                                    .wrap_t = wraps[source->wrap_v],
                                }))
         return false;
+    unsigned char *filled = levels > 1 && cutoff > 0 ? hole_colors_fill(bitmap, cutoff) : NULL;
     gl.TextureSubImage2D(texture->id, 0, 0, 0, bitmap->width, bitmap->height, GL_RGBA,
-                         GL_UNSIGNED_BYTE, bitmap->rgba);
+                         GL_UNSIGNED_BYTE, filled ? filled : bitmap->rgba);
+    free(filled);
     if (levels > 1)
         gl.GenerateTextureMipmap(texture->id);
     return true;
@@ -111,7 +129,7 @@ static bool upload_textures(struct scene_gpu *gpu, const struct scene *scene) {
     gpu->textures = mem_alloc((size_t)scene->texture_count, sizeof *gpu->textures);
     gpu->texture_count = scene->texture_count;
     for (int i = 0; i < scene->texture_count; i++)
-        if (!upload_texture(&gpu->textures[i], &scene->textures[i]))
+        if (!upload_texture(&gpu->textures[i], &scene->textures[i], cutoff_of(scene, i)))
             return false;
     return true;
 }
