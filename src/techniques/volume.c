@@ -65,19 +65,6 @@ static bool check_memory(const struct volume_desc *volume) {
                      volume->size, bytes / mebibyte, most_bytes / mebibyte);
 }
 
-/* As of a cube, in which no surface is seen from both sides: volume_light_init knows the scene. */
-bool volume_check(const struct settings *settings) {
-    struct volume_settings own = own_of(settings);
-    bool lit = own.volume == VOLUME_LIGHT_GI;
-    return check_memory(&(struct volume_desc){
-        .size = own.size,
-        .high = {1, 1, 1},
-        .channels = lit ? VOLUME_RADIANCE : VOLUME_VISIBILITY,
-        .order = own.order,
-        .bounces =
-            lit && settings_of(struct lights_settings, settings, &lights_part)->bounces > 1});
-}
-
 static void set_box(struct volume_desc *volume, const struct geometry *geometry) {
     memcpy(volume->low, geometry->bounds_min, sizeof volume->low);
     memcpy(volume->high, geometry->bounds_max, sizeof volume->high);
@@ -122,28 +109,33 @@ static int points_per_triangle(const struct volume_settings *own) {
     return own->published ? (int)ceilf(own->points) : 0;
 }
 
-static bool init_points(struct volume_light *light, const struct volume_light_desc *desc) {
+static bool init_points(struct volume_light *light, const struct volume_light_desc *desc,
+                        double area) {
     const struct volume_settings *own = &light->settings;
     float voxel = light->volume.grid.voxel;
-    return volume_points_init(&light->points,
-                              &(struct volume_points_desc){
-                                  .scene = desc->scene,
-                                  .geometry = desc->geometry,
-                                  .materials = materials_of(desc->settings),
-                                  .count = volume_points_count(desc->geometry, voxel, own->points),
-                                  .per_triangle = points_per_triangle(own)});
+    return volume_points_init(
+        &light->points,
+        &(struct volume_points_desc){.scene = desc->scene,
+                                     .geometry = desc->geometry,
+                                     .materials = materials_of(desc->settings),
+                                     .count = volume_points_count(area, voxel, own->points),
+                                     .per_triangle = points_per_triangle(own)});
 }
 
-static bool check(const struct volume_light_desc *desc) {
+/* area: volume_points_area's. */
+static bool check(const struct volume_light_desc *desc, double area) {
     struct volume_settings own = own_of(desc->settings);
     struct volume_desc volume = volume_of(desc, &own);
-    return check_memory(&volume) && volume_points_check(desc->geometry, points_per_triangle(&own));
+    return check_memory(&volume) &&
+           volume_points_check(desc->geometry, area, points_per_triangle(&own));
 }
 
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
     struct volume_desc volume = volume_of(desc, &light->settings);
-    if (check(desc) && volume_init(&light->volume, &volume) && init_points(light, desc) &&
+    double area = volume_points_area(desc->geometry);
+    if (check(desc, area) && volume_init(&light->volume, &volume) &&
+        init_points(light, desc, area) &&
         inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
         distance_pass_init(&light->distance, &light->volume) &&
         march_pass_init(&light->march, &light->volume) &&
@@ -174,7 +166,8 @@ bool volume_light_resize(struct volume_light *light, int width, int height) {
 static bool renew_points(struct volume_light *light, const struct geometry *geometry) {
     struct volume_points_desc desc = light->points.desc;
     desc.geometry = geometry;
-    desc.count = volume_points_count(geometry, light->volume.grid.voxel, light->settings.points);
+    desc.count = volume_points_count(volume_points_area(geometry), light->volume.grid.voxel,
+                                     light->settings.points);
     volume_points_free(&light->points);
     return volume_points_init(&light->points, &desc);
 }
@@ -268,12 +261,13 @@ static struct volume_light_desc visibility_of(const struct ambient_occlusion_des
 
 bool ambient_occlusion_check(const struct ambient_occlusion_desc *desc) {
     struct volume_light_desc light = visibility_of(desc);
-    return check(&light);
+    return check(&light, volume_points_area(desc->geometry));
 }
 
 bool ambient_occlusion_init(struct ambient_occlusion *ao,
                             const struct ambient_occlusion_desc *desc) {
     struct volume_light_desc light = visibility_of(desc);
+    *ao = (struct ambient_occlusion){0};
     return volume_light_init(&ao->light, &light);
 }
 
@@ -283,9 +277,15 @@ void ambient_occlusion_free(struct ambient_occlusion *ao) {
 
 void ambient_occlusion_render(struct ambient_occlusion *ao, const struct frame *frame,
                               const struct gbuffer *gbuffer) {
-    struct frame seen = *frame;
-    seen.gbuffer = gbuffer;
-    volume_light_render(&ao->light, &seen, NULL, 1);
+    const struct geometry *geometry = frame->geometry;
+    if (ao->pose != geometry->pose_count || ao->pass != frame->pass ||
+        ao->light.settings.reprojection) {
+        struct frame seen = *frame;
+        seen.gbuffer = gbuffer;
+        volume_light_render(&ao->light, &seen, NULL, 1);
+        ao->pose = geometry->pose_count;
+        ao->pass = frame->pass;
+    }
     volume_light_render_view(&ao->light, frame, gbuffer);
 }
 
