@@ -214,11 +214,16 @@ static void write_params(const struct volume_light *light, int pass, bool last, 
     buffer_write(&light->params, 0, sizeof params, &params);
 }
 
+static struct march_inputs direct_of(const struct volume *volume) {
+    return (struct march_inputs){&volume->radiosity, &volume->back, &volume->turned_radiosity};
+}
+
 struct march_inputs volume_light_reflected(const struct volume_light *light) {
     const struct volume *volume = &light->volume;
     const struct reflect_pass *reflect = &light->reflect;
-    return volume->desc.bounces ? (struct march_inputs){&reflect->radiosity, &reflect->back}
-                                : (struct march_inputs){&volume->radiosity, &volume->back};
+    if (volume->desc.bounces)
+        return (struct march_inputs){&reflect->radiosity, &reflect->back, &reflect->turned};
+    return direct_of(volume);
 }
 
 void volume_light_render(struct volume_light *light, const struct frame *frame,
@@ -226,7 +231,7 @@ void volume_light_render(struct volume_light *light, const struct frame *frame,
     const struct volume *volume = &light->volume;
     const struct buffer *params = &light->params;
     const int bounces = light->desc.bounces;
-    struct march_inputs inputs = {&volume->radiosity, &volume->back};
+    struct march_inputs inputs = direct_of(volume);
     write_params(light, frame->pass, bounces == 1, unit);
     volume_points_place(&light->points, frame->geometry);
     inject_pass_render(&light->inject, frame, volume, params, &light->points, shadow_maps);

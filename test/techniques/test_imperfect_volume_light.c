@@ -424,7 +424,7 @@ static double leak(double wall) {
 
 static void test_leaks(void **state) {
     (void)state;
-    check_at_most("through a wall of half a voxel", leak(.5), .1);
+    check_at_most("through a wall of half a voxel", leak(.5), .02);
     check_at_most("of a voxel", leak(1), .02);
     check_at_most("of two voxels", leak(2), .02);
     check_at_most("of four voxels", leak(4), .02);
