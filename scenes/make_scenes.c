@@ -33,6 +33,7 @@ static const struct scene_maker {
     {"plant", make_plant},
     {"courtyard", make_courtyard},
     {"hall", make_hall},
+    {"vase", make_vase},
     {"failures/room", make_room},
     {"failures/table-legs", make_table_legs},
     {"failures/contact", make_contact},

@@ -21,6 +21,7 @@ void make_roughness(struct glb *glb);
 void make_plant(struct glb *glb);
 void make_courtyard(struct glb *glb);
 void make_hall(struct glb *glb);
+void make_vase(struct glb *glb);
 
 /* scenes/boxes/failures.c */
 void make_room(struct glb *glb);

@@ -39,6 +39,7 @@ static const struct expectation {
     {"roughness", 36490, 0, 28, {-3, -.3f, -1}, {3, 5, 6.5f}, WALLS},
     {"courtyard", 156, 0, 4, {-4.3F, -.2F, -3.3F}, {4.3F, 4, 3.3F}, ""},
     {"hall", 204, 0, 4, {-6.3F, -.3F, -3.3F}, {6.3F, 6.3F, 3.3F}, ""},
+    {"vase", 6556, 0, 4, {-2, 0, -1}, {2, 2, 2}, "|floor|wall|vase|"},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };
 enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };
