@@ -83,7 +83,7 @@ static void deal(struct volume_points *points, const struct geometry *geometry) 
                         &(struct surface_points_desc){.scene = points->desc.scene,
                                                       .geometry = geometry,
                                                       .count = points->desc.count,
-                                                      .by_area = true,
+                                                      .by_area = !points->desc.few_large,
                                                       .per_triangle = points->desc.per_triangle});
     free(points->room);
     points->room = mem_alloc((size_t)points->points.count, sizeof *points->room);

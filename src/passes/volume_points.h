@@ -12,6 +12,7 @@ struct volume_points_desc {
     enum materials materials;
     int count;        /* by area */
     int per_triangle; /* in place of it: random ones; 0: none */
+    bool few_large;   /* huge triangles have fewer than their area asks for */
 };
 
 struct volume_points {

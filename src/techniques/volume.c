@@ -65,13 +65,20 @@ static bool check_memory(const struct volume_desc *volume) {
                      volume->size, bytes / mebibyte, most_bytes / mebibyte);
 }
 
-static void set_box(struct volume_desc *volume, const struct geometry *geometry) {
+/* box NULL: all of the scene. */
+static void set_box(struct volume_desc *volume, const struct geometry *geometry,
+                    const struct volume_box *box) {
     memcpy(volume->low, geometry->bounds_min, sizeof volume->low);
     memcpy(volume->high, geometry->bounds_max, sizeof volume->high);
+    for (int c = 0; c < 3 && box; c++) {
+        volume->low[c] = fmaxf(volume->low[c], box->low[c]);
+        volume->high[c] = fminf(volume->high[c], box->high[c]);
+    }
 }
 
 static struct volume_desc volume_of(const struct volume_light_desc *desc,
-                                    const struct volume_settings *own) {
+                                    const struct volume_settings *own,
+                                    const struct volume_box *box) {
     struct volume_desc volume = {
         .size = own->size,
         .channels = desc->channels,
@@ -79,10 +86,18 @@ static struct volume_desc volume_of(const struct volume_light_desc *desc,
         .bounces = desc->bounces > 1,
         .published = own->published,
     };
-    set_box(&volume, desc->geometry);
+    set_box(&volume, desc->geometry, box);
     for (int m = 0; m < desc->scene->material_count; m++)
         volume.both_sides |= desc->scene->materials[m].double_sided;
     return volume;
+}
+
+/* Ambient light is the same beyond: its volume holds all. */
+static struct volume_box box_of(const struct volume_light_desc *desc) {
+    struct volume_box box = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+    if (desc->channels == VOLUME_RADIANCE)
+        volume_box_fit(&box, desc->scene, desc->geometry);
+    return box;
 }
 
 static float ao_distance(const struct volume_settings *own, float voxel) {
@@ -93,7 +108,7 @@ float volume_ao_distance(const struct settings *settings, const struct geometry 
     struct volume_settings own = own_of(settings);
     struct volume_desc desc = {.size = own.size};
     struct volume_grid grid;
-    set_box(&desc, geometry);
+    set_box(&desc, geometry, NULL);
     volume_grid_fit(&grid, &desc);
     return ao_distance(&own, grid.voxel);
 }
@@ -119,20 +134,22 @@ static bool init_points(struct volume_light *light, const struct volume_light_de
                                      .geometry = desc->geometry,
                                      .materials = materials_of(desc->settings),
                                      .count = volume_points_count(area, voxel, own->points),
-                                     .per_triangle = points_per_triangle(own)});
+                                     .per_triangle = points_per_triangle(own),
+                                     .few_large = volume_box_cuts(&light->box)});
 }
 
 /* area: volume_points_area's. */
 static bool check(const struct volume_light_desc *desc, double area) {
     struct volume_settings own = own_of(desc->settings);
-    struct volume_desc volume = volume_of(desc, &own);
+    struct volume_desc volume = volume_of(desc, &own, NULL);
     return check_memory(&volume) &&
            volume_points_check(desc->geometry, area, points_per_triangle(&own));
 }
 
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
-    struct volume_desc volume = volume_of(desc, &light->settings);
+    light->box = box_of(desc);
+    struct volume_desc volume = volume_of(desc, &light->settings, &light->box);
     double area = volume_points_area(desc->geometry);
     if (check(desc, area) && volume_init(&light->volume, &volume) &&
         init_points(light, desc, area) &&
@@ -176,7 +193,7 @@ static bool renew_points(struct volume_light *light, const struct geometry *geom
 bool volume_light_update(struct volume_light *light, const struct geometry *geometry) {
     struct volume_desc desc = light->volume.desc;
     struct volume fresh;
-    set_box(&desc, geometry);
+    set_box(&desc, geometry, &light->box);
     if (memcmp(&desc, &light->volume.desc, sizeof desc) == 0)
         return volume_points_fit(&light->points, geometry) || renew_points(light, geometry);
     if (!volume_init(&fresh, &desc))

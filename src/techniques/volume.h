@@ -21,6 +21,7 @@
 #include "passes/volume/reflect.h"
 #include "passes/volumes.h"
 #include "techniques/technique.h"
+#include "techniques/volume_box.h"
 
 enum { VOLUME_LIGHT_GI, VOLUME_LIGHT_AO }; /* values of volume.volume */
 
@@ -49,6 +50,7 @@ struct volume_light_desc {
 struct volume_light {
     struct volume_light_desc desc;
     struct volume_settings settings;
+    struct volume_box box; /* that the volume holds at most */
     struct volume volume;
     struct volume_points points;
     struct inject_pass inject;

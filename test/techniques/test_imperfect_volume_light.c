@@ -430,6 +430,22 @@ static void test_leaks(void **state) {
     check_at_most("of four voxels", leak(4), .02);
 }
 
+/* --- scenes of two sizes ---------------------------------------------------------------------- */
+
+/* A room of 4 m keeps its light on a plain of 222 m: voxels that held the plain would be as wide as the room. */
+static void test_plain(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/failures/plain.glb");
+    struct image volume = render_stage(&stage, "imperfect-volume", "", 48);
+    struct image clustered = render_stage(&stage, "clustered", "", 48);
+    check_near("light over that of VPLs",
+               layer_mean(&volume, "indirect") / layer_mean(&clustered, "indirect"), 1, .2);
+    image_free(&volume);
+    image_free(&clustered);
+    stage_free(&stage);
+}
+
 /* --- memory ----------------------------------------------------------------------------------- */
 
 static bool opens(const struct stage *stage, const char *settings) {
@@ -458,13 +474,13 @@ static void test_memory(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_harmonics),   cmocka_unit_test(test_random_occupancy),
-        cmocka_unit_test(test_occupancy),   cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_flux),        cmocka_unit_test(test_bounces),
-        cmocka_unit_test(test_furnace),     cmocka_unit_test(test_camera),
-        cmocka_unit_test(test_permutation), cmocka_unit_test(test_linear),
-        cmocka_unit_test(test_shift),       cmocka_unit_test(test_voxels),
-        cmocka_unit_test(test_leaks),
+        cmocka_unit_test(test_harmonics), cmocka_unit_test(test_random_occupancy),
+        cmocka_unit_test(test_occupancy), cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_plain),     cmocka_unit_test(test_flux),
+        cmocka_unit_test(test_bounces),   cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_camera),    cmocka_unit_test(test_permutation),
+        cmocka_unit_test(test_linear),    cmocka_unit_test(test_shift),
+        cmocka_unit_test(test_voxels),    cmocka_unit_test(test_leaks),
     };
     return cmocka_run_group_tests(tests, open_group_shaders, close_group_shaders);
 }
