@@ -13,10 +13,12 @@
 #define UNIT_VOLUME_COEFFICIENTS (UNIT_OWN + 5)
 #define VOLUME_COEFFICIENTS_MAX 7
 #define UNIT_VOLUME_NEIGHBOURS (UNIT_OWN + 14)
+#define UNIT_VOLUME_TURNED_SURFACES (UNIT_OWN + 15)
+#define UNIT_VOLUME_TURNED_RADIOSITY (UNIT_OWN + 16)
 /* Maps of depth from lights, LIGHT_MAP_KINDS of them. */
 #define UNIT_VOLUME_SHADOWS (UNIT_OWN + 12)
 
-/* The back's and the albedo's are left out where a volume has none. */
+/* The others follow, where a volume has them: the back's, the albedo's, and two of turned points. */
 #define TARGET_VOLUME_SURFACES 0
 #define TARGET_VOLUME_RADIOSITY 1
 #define TARGET_VOLUME_BACK 2

@@ -2,6 +2,7 @@
 #include "shared/volume.h"
 
 flat in vec4 surface_sum, radiosity_sum, back_sum, albedo_sum;
+flat in float is_turned;
 
 layout(location = TARGET_VOLUME_SURFACES) out vec4 surfaces;
 #if CHANNELS == VOLUME_RADIANCE
@@ -12,6 +13,10 @@ layout(location = TARGET_VOLUME_BACK) out vec4 back;
 #endif
 #if BOUNCES
 layout(location = TARGET_VOLUME_BACK + BACKS) out vec4 albedo;
+#endif
+#if SPLIT
+layout(location = TARGET_VOLUME_BACK + BACKS + BOUNCES) out vec4 turned_surfaces;
+layout(location = TARGET_VOLUME_BACK + BACKS + BOUNCES + 1) out vec4 turned_radiosity;
 #endif
 
 void main() {
@@ -24,5 +29,9 @@ void main() {
 #endif
 #if BOUNCES
     albedo = albedo_sum;
+#endif
+#if SPLIT
+    turned_surfaces = is_turned * surface_sum;
+    turned_radiosity = is_turned * radiosity_sum;
 #endif
 }

@@ -1,9 +1,12 @@
 // Irradiance of a surface by the coefficients of the empty voxels in front of it.
 #include "lib/sh.glsl"
 #include "lib/volume_distances.glsl"
+#include "volume/sides.glsl"
 
-layout(binding = UNIT_VOLUME_SURFACES) uniform sampler2D surfaces;
 layout(binding = UNIT_VOLUME_COEFFICIENTS) uniform sampler2D coefficients[COEFFICIENTS];
+#if SPLIT
+layout(binding = UNIT_VOLUME_RADIOSITY) uniform sampler2D radiosities;
+#endif
 
 // Coefficients of several voxels, added up by weights.
 struct voxel_sum {
@@ -45,8 +48,26 @@ voxel_sum no_voxels() {
     return sum;
 }
 
-// The plane of all surfaces among eight voxels, and how far the place is before it: voxels behind it are another room's.
-// What is seen from both sides, and clearly faces away, faces the place around which they lie. xyz: normal, not unit.
+// The mean normal of a voxel's surfaces as it is seen from that far off its middle: of two sides it is that which faces
+// there. What is seen from both sides is turned where it clearly faces away.
+vec3 normal_towards(vec4 surface, ivec2 texel, vec3 off) {
+    vec3 normal = surface.xyz / surface.a;
+    float behind = -0.5;
+#if SPLIT
+    vec4 turned = texelFetch(turned_surfaces, texel, 0), others = surface - turned;
+    if (has_sides(surface) && min(turned.a, others.a) > 0.5) {
+        vec3 a = turned.xyz / turned.a, b = others.xyz / others.a;
+        return dot(a, off) > dot(b, off) ? a : b;
+    }
+    // Of one plane it is known where it lies, but not of all that shares its voxels.
+    if (dot(normal, normal) > 0.9)
+        behind = max(texelFetch(radiosities, texel, 0).a / surface.a - 0.25, behind);
+#endif
+    return BOTH_SIDES == 1 && dot(normal, off) < behind ? -normal : normal;
+}
+
+// The plane of all surfaces among eight voxels, and how far the place around which they lie is before it: voxels behind it
+// are another room's. xyz: normal, not unit.
 vec4 surface_of_eight(ivec3 base, vec3 around) {
     vec3 normals = vec3(0.0), middles = vec3(0.0);
     float count = 0.0;
@@ -54,9 +75,8 @@ vec4 surface_of_eight(ivec3 base, vec3 around) {
         ivec3 voxel = base + ivec3(i & 1, (i >> 1) & 1, i >> 2);
         if (volume_has(vec3(voxel)) && volume_distance(voxel) == 0) {
             vec4 surface = texelFetch(surfaces, volume_texel(voxel), 0);
-            vec3 normal = surface.xyz / surface.a, middle = vec3(voxel) + 0.5;
-            normal *= BOTH_SIDES == 1 && dot(normal, around - middle) < -0.5 ? -1.0 : 1.0;
-            normals += normal;
+            vec3 middle = vec3(voxel) + 0.5;
+            normals += normal_towards(surface, volume_texel(voxel), around - middle);
             middles += middle;
             count += 1.0;
         }
@@ -104,6 +124,12 @@ bool is_beyond_wall(vec3 place, vec3 normal) {
     if (!volume_has(place))
         return false;
     vec4 surface = texelFetch(surfaces, volume_texel(ivec3(place)), 0);
+#if SPLIT
+    if (has_sides(surface)) {
+        vec4 turned = texelFetch(turned_surfaces, volume_texel(ivec3(place)), 0);
+        return max(dot(turned.xyz, normal), dot(surface.xyz - turned.xyz, normal)) <= 0.0;
+    }
+#endif
     return dot(surface.xyz, normal) < 0.0;
 }
 

@@ -1,14 +1,21 @@
 // Rays of indirect light: the radiance that leaves the surfaces of the voxel that is met, to the side where it is met.
+#include "volume/sides.glsl"
+
 #define gathered vec3
 
-layout(binding = UNIT_VOLUME_SURFACES) uniform sampler2D surfaces;
 layout(binding = UNIT_VOLUME_RADIOSITY) uniform sampler2D radiosities;
 #if BACKS
 layout(binding = UNIT_VOLUME_BACK) uniform sampler2D backs;
 #endif
+#if SPLIT
+layout(binding = UNIT_VOLUME_TURNED_RADIOSITY) uniform sampler2D turned_radiosities;
 
-// Below this part of their number normals show both ways, as those of a thin wall's two sides: light leaves to all sides.
-const float FACING = 0.5;
+// Of a side's radiosity, by how much it faces the ray; w: its weight.
+vec4 side_light(vec4 side, vec3 radiosity, vec3 direction) {
+    float facing = side.a > 0.5 ? max(-dot(side.xyz, direction) / side.a, 0.0) : 0.0;
+    return vec4(radiosity / max(side.a, 1.0), 1.0) * facing;
+}
+#endif
 
 gathered ray_end(ivec3 voxel, bool met, vec3 direction) {
     if (!met)
@@ -19,12 +26,16 @@ gathered ray_end(ivec3 voxel, bool met, vec3 direction) {
 #if BACKS
     back = texelFetch(backs, texel, 0);
 #endif
-#if PUBLISHED
-    // Spherical harmonics of order 2 of a half space that shines.
+#if SPLIT
+    if (has_sides(surface)) {
+        vec4 turned = texelFetch(turned_surfaces, texel, 0);
+        vec3 radiosity = texelFetch(turned_radiosities, texel, 0).rgb;
+        vec4 sum = side_light(turned, radiosity, direction) + side_light(surface - turned, front - radiosity, direction);
+        return sum.rgb * (0.31830989 / max(sum.a, 1e-6));
+    }
+    return (dot(surface.xyz, direction) < 0.0 ? front : back.rgb) * (0.31830989 / surface.a);
+#else
+    // As published: spherical harmonics of order 2 of a half space that shines.
     return max(front * (0.31830989 / surface.a * (0.5 - 0.75 * dot(surface.xyz / surface.a, direction))), 0.0);
 #endif
-    bool all_sides = dot(surface.xyz, surface.xyz) < FACING * FACING * surface.a * surface.a;
-    if (all_sides)
-        return (front + back.rgb) * (0.31830989 / (surface.a + back.a));
-    return (dot(surface.xyz, direction) < 0.0 ? front : back.rgb) * (0.31830989 / surface.a);
 }

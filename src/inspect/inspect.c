@@ -50,6 +50,10 @@ void inspect_free(struct inspect *inspect) {
     marks_free(&inspect->marks);
 }
 
+void inspect_forget(struct inspect *inspect) {
+    inspect->voxels.frame = 0;
+}
+
 /* --- what there is --- */
 
 /* What is shown of an output. */
@@ -242,7 +246,9 @@ static bool draw_asked(struct inspect *inspect, struct renderer *renderer,
         return true;
     if (!voxel_view_fit(&inspect->voxels, shown->light, shown->width, shown->height))
         return false;
-    voxel_view_draw(&inspect->voxels, frame, &renderer->gbuffer, shown->light);
+    if (inspect->voxels.frame != renderer->frame_count)
+        voxel_view_draw(&inspect->voxels, frame, &renderer->gbuffer, shown->light);
+    inspect->voxels.frame = renderer->frame_count;
     shown->texture = &inspect->voxels.picture.texture;
     return true;
 }

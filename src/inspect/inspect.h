@@ -30,6 +30,9 @@ struct inspect_choice {
 bool inspect_init(struct inspect *inspect);
 void inspect_free(struct inspect *inspect);
 
+/* What is drawn next is of another renderer. */
+void inspect_forget(struct inspect *inspect);
+
 /* How many layers an output has; 0 where there is no such output. */
 int inspect_layers(const struct renderer *renderer, const char *output);
 

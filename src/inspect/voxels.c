@@ -53,6 +53,10 @@ void voxel_view_draw(const struct voxel_view *view, const struct frame *frame,
     };
     if (volume->desc.both_sides)
         pass_add_texture(&state, UNIT_VOLUME_BACK, reflected.back->id);
+    if (volume_is_split(&volume->desc)) {
+        pass_add_texture(&state, UNIT_VOLUME_TURNED_SURFACES, volume->turned_surfaces.id);
+        pass_add_texture(&state, UNIT_VOLUME_TURNED_RADIOSITY, reflected.turned_radiosity->id);
+    }
     pass_set_state(&state);
     pass_draw_fullscreen(1);
 }

@@ -9,6 +9,7 @@ struct voxel_view {
     GLuint program;
     char *defines; /* what the program is made for */
     struct irradiance picture;
+    unsigned frame; /* of its renderer, that the picture is of; 0: none */
 };
 
 /* For a volume of radiance. Error: GPU memory, shader; it is then zeroed. */

@@ -19,20 +19,19 @@ struct volume_point {
     uint8_t albedo[4]; /* its square root, as in the G-buffer */
 };
 
-static double area_of(const struct geometry *geometry) {
+double volume_points_area(const struct geometry *geometry) {
     double area = 0;
     for (uint32_t at = 0; at < geometry->index_count; at += 3)
         area += corners_area(geometry, &geometry->indices[at]);
     return area;
 }
 
-int volume_points_count(const struct geometry *geometry, float voxel, float per_voxel) {
-    double area = area_of(geometry);
+int volume_points_count(double area, float voxel, float per_voxel) {
     double count = ceil((double)per_voxel * area / (double)(voxel * voxel));
     return (int)fmin(fmax(count, 1), most_points);
 }
 
-bool volume_points_check(const struct geometry *geometry, int per_triangle) {
+bool volume_points_check(const struct geometry *geometry, double area, int per_triangle) {
     static const double most_published = 1 << 24;
     const uint32_t triangles = geometry_triangle_count(geometry);
     double published = (double)per_triangle * triangles;
@@ -40,7 +39,7 @@ bool volume_points_check(const struct geometry *geometry, int per_triangle) {
         return error_set("volume.voxel-points %d: %.0f points on %u triangles; at most %.0f with "
                          "volume.published=on",
                          per_triangle, published, triangles, most_published);
-    return surface_points_differ_by_pose(geometry) || area_of(geometry) > 0 ||
+    return surface_points_differ_by_pose(geometry) || area > 0 ||
            error_set("volume: the scene's %u triangles have no area, so no points lie on them",
                      triangles);
 }
@@ -84,7 +83,7 @@ static void deal(struct volume_points *points, const struct geometry *geometry) 
                         &(struct surface_points_desc){.scene = points->desc.scene,
                                                       .geometry = geometry,
                                                       .count = points->desc.count,
-                                                      .by_area = true,
+                                                      .by_area = !points->desc.few_large,
                                                       .per_triangle = points->desc.per_triangle});
     free(points->room);
     points->room = mem_alloc((size_t)points->points.count, sizeof *points->room);

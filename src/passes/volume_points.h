@@ -12,6 +12,7 @@ struct volume_points_desc {
     enum materials materials;
     int count;        /* by area */
     int per_triangle; /* in place of it: random ones; 0: none */
+    bool few_large;   /* huge triangles have fewer than their area asks for */
 };
 
 struct volume_points {
@@ -24,11 +25,14 @@ struct volume_points {
     GLuint vertices;
 };
 
-/* Refuses a scene on which no points lie, and one with too many; per_triangle 0: by area. */
-bool volume_points_check(const struct geometry *geometry, int per_triangle);
+/* Of all triangles, m2. */
+double volume_points_area(const struct geometry *geometry);
 
-/* How many points give a voxel of that side so many where a surface crosses it. */
-int volume_points_count(const struct geometry *geometry, float voxel, float per_voxel);
+/* Refuses a scene on which no points lie, and one with too many. area: volume_points_area's; per_triangle 0: by area. */
+bool volume_points_check(const struct geometry *geometry, double area, int per_triangle);
+
+/* How many points on that area give a voxel of that side so many where a surface crosses it. */
+int volume_points_count(double area, float voxel, float per_voxel);
 
 /* Error: out of GPU memory. */
 bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc);

@@ -32,13 +32,17 @@ static int coefficient_count(const struct volume_desc *desc) {
     return desc->channels * (desc->order - 1) + (desc->order == 3);
 }
 
+bool volume_is_split(const struct volume_desc *desc) {
+    return desc->channels == VOLUME_RADIANCE && !desc->published;
+}
+
 double volume_bytes(const struct volume_desc *desc) {
     const double sum = 16, distance = 1, coefficients = 8;
     struct volume_grid grid;
     volume_grid_fit(&grid, desc);
-    bool light = desc->channels == VOLUME_RADIANCE;
-    int sums =
-        1 + light + (light && desc->both_sides) + (light && desc->bounces) * (2 + desc->both_sides);
+    bool light = desc->channels == VOLUME_RADIANCE, split = volume_is_split(desc);
+    int sums = 1 + light + (light && desc->both_sides) + 2 * split +
+               (light && desc->bounces) * (2 + desc->both_sides + split);
     return (double)grid.width * grid.height *
            (sum * sums + 2 * distance + coefficients * (coefficient_count(desc) + 1));
 }
@@ -56,8 +60,11 @@ static bool init_points(struct volume *volume) {
     struct framebuffer_desc target = {.label = "volume points", .colors = {&volume->surfaces}};
     int count = 1;
     bool ok = init_texture(volume, &volume->surfaces, "volume surfaces", GL_RGBA32F);
+    bool split = volume_is_split(desc);
     struct texture *others[] = {&volume->radiosity, desc->both_sides ? &volume->back : NULL,
-                                desc->bounces ? &volume->albedo : NULL};
+                                desc->bounces ? &volume->albedo : NULL,
+                                split ? &volume->turned_surfaces : NULL,
+                                split ? &volume->turned_radiosity : NULL};
     for (size_t i = 0; desc->channels == VOLUME_RADIANCE && i < sizeof others / sizeof *others; i++)
         if (others[i]) {
             ok = ok && init_texture(volume, others[i], "volume sums", GL_RGBA32F);
@@ -109,6 +116,8 @@ void volume_free(struct volume *volume) {
     texture_free(&volume->radiosity);
     texture_free(&volume->back);
     texture_free(&volume->albedo);
+    texture_free(&volume->turned_surfaces);
+    texture_free(&volume->turned_radiosity);
     for (int i = 0; i < 2; i++) {
         framebuffer_free(&volume->distance_framebuffers[i]);
         texture_free(&volume->distances[i]);
@@ -124,9 +133,10 @@ char *volume_defines(const struct volume *volume) {
     const struct volume_desc *desc = &volume->desc;
     bool light = desc->channels == VOLUME_RADIANCE;
     return mem_printf(
-        "CHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d;BOTH_SIDES %d;PUBLISHED %d",
+        "CHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d;BOTH_SIDES %d;PUBLISHED %d;"
+        "SPLIT %d",
         desc->channels, desc->order, volume->coefficient_count, light && desc->both_sides,
-        light && desc->bounces, desc->both_sides, desc->published);
+        light && desc->bounces, desc->both_sides, desc->published, volume_is_split(desc));
 }
 
 struct volume_params volume_params_of(const struct volume *volume) {

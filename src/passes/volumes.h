@@ -33,8 +33,11 @@ struct volume {
     struct volume_desc desc;
     struct volume_grid grid;
     /* Sums over a voxel's points: normal and count; radiosity of the front, and of the back with how many have one,
-     * times irradiance_scale; albedo. */
+     * times irradiance_scale; albedo. Radiosity's alpha: how far planes are from the voxel's middle. */
     struct texture surfaces, radiosity, back, albedo;
+    /* Surfaces and radiosity of the points alone that are turned away from a direction (glsl/volume/point_sums.glsl): in
+     * voxels whose surfaces face several ways they are one side. Where volume_is_split. */
+    struct texture turned_surfaces, turned_radiosity;
     GLuint points_framebuffer;
     /* R8, over 255: voxels to the nearest occupied one; and of those that surfaces read how many neighbours they have. */
     struct texture distances[2];
@@ -47,6 +50,9 @@ struct volume {
 };
 
 void volume_grid_fit(struct volume_grid *grid, const struct volume_desc *desc);
+
+/* Whether voxels keep two sides: the light of visibility, and of the paper, does not know them. */
+bool volume_is_split(const struct volume_desc *desc);
 
 /* Of all textures, bytes. */
 double volume_bytes(const struct volume_desc *desc);

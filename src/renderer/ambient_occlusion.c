@@ -25,6 +25,7 @@ static bool init(struct renderer *renderer) {
     struct ambient_occlusion *made = mem_alloc(1, sizeof *made);
     if (ambient_occlusion_init(made, &desc)) {
         renderer->ambient_occlusion = made;
+        renderer->occluded_frame = 0;
         return true;
     }
     free(made);
@@ -36,12 +37,15 @@ const struct texture *renderer_ambient_occlusion(struct renderer *renderer) {
     struct frame frame = renderer_frame(renderer);
     if (!renderer->ambient_occlusion && !init(renderer))
         return NULL;
+    if (renderer->occluded_frame == renderer->frame_count)
+        return ambient_occlusion_texture(renderer->ambient_occlusion);
     if (!volume_light_update(&renderer->ambient_occlusion->light, frame.geometry)) {
         renderer_forget_ambient_occlusion(renderer);
         return NULL;
     }
     frame.timers = &untimed;
     ambient_occlusion_render(renderer->ambient_occlusion, &frame, &renderer->gbuffer);
+    renderer->occluded_frame = renderer->frame_count;
     return ambient_occlusion_texture(renderer->ambient_occlusion);
 }
 

@@ -160,6 +160,7 @@ static void render_indirect(struct renderer *renderer, const struct frame *frame
 /* All but what makes a picture of it. */
 static void render_frame(struct renderer *renderer, const struct frame *frame) {
     struct frame direct = frame_of_direct(renderer, frame);
+    renderer->frame_count++;
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
     if (renderer->pass == 0)

@@ -78,7 +78,9 @@ struct renderer {
         int count;     /* of passes in the mean; 0: none */
         double weight; /* of them */
     } refining;
+    unsigned frame_count; /* of frames drawn: outputs that are drawn on demand are of one of them */
     struct ambient_occlusion *ambient_occlusion; /* NULL until somebody asks for it */
+    unsigned occluded_frame;                     /* that it shows; 0: none */
     struct view camera_view;
     struct camera_range camera_range;
     struct ranged { /* the view that it is of */

@@ -65,26 +65,20 @@ static bool check_memory(const struct volume_desc *volume) {
                      volume->size, bytes / mebibyte, most_bytes / mebibyte);
 }
 
-/* As of a cube, in which no surface is seen from both sides: volume_light_init knows the scene. */
-bool volume_check(const struct settings *settings) {
-    struct volume_settings own = own_of(settings);
-    bool lit = own.volume == VOLUME_LIGHT_GI;
-    return check_memory(&(struct volume_desc){
-        .size = own.size,
-        .high = {1, 1, 1},
-        .channels = lit ? VOLUME_RADIANCE : VOLUME_VISIBILITY,
-        .order = own.order,
-        .bounces =
-            lit && settings_of(struct lights_settings, settings, &lights_part)->bounces > 1});
-}
-
-static void set_box(struct volume_desc *volume, const struct geometry *geometry) {
+/* box NULL: all of the scene. */
+static void set_box(struct volume_desc *volume, const struct geometry *geometry,
+                    const struct volume_box *box) {
     memcpy(volume->low, geometry->bounds_min, sizeof volume->low);
     memcpy(volume->high, geometry->bounds_max, sizeof volume->high);
+    for (int c = 0; c < 3 && box; c++) {
+        volume->low[c] = fmaxf(volume->low[c], box->low[c]);
+        volume->high[c] = fminf(volume->high[c], box->high[c]);
+    }
 }
 
 static struct volume_desc volume_of(const struct volume_light_desc *desc,
-                                    const struct volume_settings *own) {
+                                    const struct volume_settings *own,
+                                    const struct volume_box *box) {
     struct volume_desc volume = {
         .size = own->size,
         .channels = desc->channels,
@@ -92,10 +86,18 @@ static struct volume_desc volume_of(const struct volume_light_desc *desc,
         .bounces = desc->bounces > 1,
         .published = own->published,
     };
-    set_box(&volume, desc->geometry);
+    set_box(&volume, desc->geometry, box);
     for (int m = 0; m < desc->scene->material_count; m++)
         volume.both_sides |= desc->scene->materials[m].double_sided;
     return volume;
+}
+
+/* Ambient light is the same beyond: its volume holds all. */
+static struct volume_box box_of(const struct volume_light_desc *desc) {
+    struct volume_box box = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+    if (desc->channels == VOLUME_RADIANCE)
+        volume_box_fit(&box, desc->scene, desc->geometry);
+    return box;
 }
 
 static float ao_distance(const struct volume_settings *own, float voxel) {
@@ -106,7 +108,7 @@ float volume_ao_distance(const struct settings *settings, const struct geometry 
     struct volume_settings own = own_of(settings);
     struct volume_desc desc = {.size = own.size};
     struct volume_grid grid;
-    set_box(&desc, geometry);
+    set_box(&desc, geometry, NULL);
     volume_grid_fit(&grid, &desc);
     return ao_distance(&own, grid.voxel);
 }
@@ -122,28 +124,35 @@ static int points_per_triangle(const struct volume_settings *own) {
     return own->published ? (int)ceilf(own->points) : 0;
 }
 
-static bool init_points(struct volume_light *light, const struct volume_light_desc *desc) {
+static bool init_points(struct volume_light *light, const struct volume_light_desc *desc,
+                        double area) {
     const struct volume_settings *own = &light->settings;
     float voxel = light->volume.grid.voxel;
-    return volume_points_init(&light->points,
-                              &(struct volume_points_desc){
-                                  .scene = desc->scene,
-                                  .geometry = desc->geometry,
-                                  .materials = materials_of(desc->settings),
-                                  .count = volume_points_count(desc->geometry, voxel, own->points),
-                                  .per_triangle = points_per_triangle(own)});
+    return volume_points_init(
+        &light->points,
+        &(struct volume_points_desc){.scene = desc->scene,
+                                     .geometry = desc->geometry,
+                                     .materials = materials_of(desc->settings),
+                                     .count = volume_points_count(area, voxel, own->points),
+                                     .per_triangle = points_per_triangle(own),
+                                     .few_large = volume_box_cuts(&light->box)});
 }
 
-static bool check(const struct volume_light_desc *desc) {
+/* area: volume_points_area's. */
+static bool check(const struct volume_light_desc *desc, double area) {
     struct volume_settings own = own_of(desc->settings);
-    struct volume_desc volume = volume_of(desc, &own);
-    return check_memory(&volume) && volume_points_check(desc->geometry, points_per_triangle(&own));
+    struct volume_desc volume = volume_of(desc, &own, NULL);
+    return check_memory(&volume) &&
+           volume_points_check(desc->geometry, area, points_per_triangle(&own));
 }
 
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
-    struct volume_desc volume = volume_of(desc, &light->settings);
-    if (check(desc) && volume_init(&light->volume, &volume) && init_points(light, desc) &&
+    light->box = box_of(desc);
+    struct volume_desc volume = volume_of(desc, &light->settings, &light->box);
+    double area = volume_points_area(desc->geometry);
+    if (check(desc, area) && volume_init(&light->volume, &volume) &&
+        init_points(light, desc, area) &&
         inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
         distance_pass_init(&light->distance, &light->volume) &&
         march_pass_init(&light->march, &light->volume) &&
@@ -174,7 +183,8 @@ bool volume_light_resize(struct volume_light *light, int width, int height) {
 static bool renew_points(struct volume_light *light, const struct geometry *geometry) {
     struct volume_points_desc desc = light->points.desc;
     desc.geometry = geometry;
-    desc.count = volume_points_count(geometry, light->volume.grid.voxel, light->settings.points);
+    desc.count = volume_points_count(volume_points_area(geometry), light->volume.grid.voxel,
+                                     light->settings.points);
     volume_points_free(&light->points);
     return volume_points_init(&light->points, &desc);
 }
@@ -183,7 +193,7 @@ static bool renew_points(struct volume_light *light, const struct geometry *geom
 bool volume_light_update(struct volume_light *light, const struct geometry *geometry) {
     struct volume_desc desc = light->volume.desc;
     struct volume fresh;
-    set_box(&desc, geometry);
+    set_box(&desc, geometry, &light->box);
     if (memcmp(&desc, &light->volume.desc, sizeof desc) == 0)
         return volume_points_fit(&light->points, geometry) || renew_points(light, geometry);
     if (!volume_init(&fresh, &desc))
@@ -221,11 +231,16 @@ static void write_params(const struct volume_light *light, int pass, bool last, 
     buffer_write(&light->params, 0, sizeof params, &params);
 }
 
+static struct march_inputs direct_of(const struct volume *volume) {
+    return (struct march_inputs){&volume->radiosity, &volume->back, &volume->turned_radiosity};
+}
+
 struct march_inputs volume_light_reflected(const struct volume_light *light) {
     const struct volume *volume = &light->volume;
     const struct reflect_pass *reflect = &light->reflect;
-    return volume->desc.bounces ? (struct march_inputs){&reflect->radiosity, &reflect->back}
-                                : (struct march_inputs){&volume->radiosity, &volume->back};
+    if (volume->desc.bounces)
+        return (struct march_inputs){&reflect->radiosity, &reflect->back, &reflect->turned};
+    return direct_of(volume);
 }
 
 void volume_light_render(struct volume_light *light, const struct frame *frame,
@@ -233,7 +248,7 @@ void volume_light_render(struct volume_light *light, const struct frame *frame,
     const struct volume *volume = &light->volume;
     const struct buffer *params = &light->params;
     const int bounces = light->desc.bounces;
-    struct march_inputs inputs = {&volume->radiosity, &volume->back};
+    struct march_inputs inputs = direct_of(volume);
     write_params(light, frame->pass, bounces == 1, unit);
     volume_points_place(&light->points, frame->geometry);
     inject_pass_render(&light->inject, frame, volume, params, &light->points, shadow_maps);
@@ -268,12 +283,13 @@ static struct volume_light_desc visibility_of(const struct ambient_occlusion_des
 
 bool ambient_occlusion_check(const struct ambient_occlusion_desc *desc) {
     struct volume_light_desc light = visibility_of(desc);
-    return check(&light);
+    return check(&light, volume_points_area(desc->geometry));
 }
 
 bool ambient_occlusion_init(struct ambient_occlusion *ao,
                             const struct ambient_occlusion_desc *desc) {
     struct volume_light_desc light = visibility_of(desc);
+    *ao = (struct ambient_occlusion){0};
     return volume_light_init(&ao->light, &light);
 }
 
@@ -283,9 +299,15 @@ void ambient_occlusion_free(struct ambient_occlusion *ao) {
 
 void ambient_occlusion_render(struct ambient_occlusion *ao, const struct frame *frame,
                               const struct gbuffer *gbuffer) {
-    struct frame seen = *frame;
-    seen.gbuffer = gbuffer;
-    volume_light_render(&ao->light, &seen, NULL, 1);
+    const struct geometry *geometry = frame->geometry;
+    if (ao->pose != geometry->pose_count || ao->pass != frame->pass ||
+        ao->light.settings.reprojection) {
+        struct frame seen = *frame;
+        seen.gbuffer = gbuffer;
+        volume_light_render(&ao->light, &seen, NULL, 1);
+        ao->pose = geometry->pose_count;
+        ao->pass = frame->pass;
+    }
     volume_light_render_view(&ao->light, frame, gbuffer);
 }
 

@@ -21,6 +21,7 @@
 #include "passes/volume/reflect.h"
 #include "passes/volumes.h"
 #include "techniques/technique.h"
+#include "techniques/volume_box.h"
 
 enum { VOLUME_LIGHT_GI, VOLUME_LIGHT_AO }; /* values of volume.volume */
 
@@ -33,9 +34,6 @@ struct volume_settings {
 };
 
 extern const struct settings_part volume_part;
-
-/* Refuses a volume that no GPU has memory for. */
-bool volume_check(const struct settings *settings);
 
 /* How far ambient occlusion looks for what hides, metres: of a path tracer that is to find the same. */
 float volume_ao_distance(const struct settings *settings, const struct geometry *geometry);
@@ -52,6 +50,7 @@ struct volume_light_desc {
 struct volume_light {
     struct volume_light_desc desc;
     struct volume_settings settings;
+    struct volume_box box; /* that the volume holds at most */
     struct volume volume;
     struct volume_points points;
     struct inject_pass inject;
@@ -94,6 +93,8 @@ struct ambient_occlusion_desc {
 
 struct ambient_occlusion {
     struct volume_light light;
+    unsigned pose; /* that the light is of; 0: none */
+    int pass;
 };
 
 /* Error: more memory or points than a volume may have, or a scene without area. */
@@ -104,7 +105,8 @@ bool ambient_occlusion_init(struct ambient_occlusion *ao,
                             const struct ambient_occlusion_desc *desc);
 void ambient_occlusion_free(struct ambient_occlusion *ao);
 
-/* Of the frame's geometry as it is posed; cannot fail. */
+/* Of the frame's geometry as it is posed; cannot fail. Rays are traced again only in another pose or pass, or with
+ * volume.reprojection. */
 void ambient_occlusion_render(struct ambient_occlusion *ao, const struct frame *frame,
                               const struct gbuffer *gbuffer);
 

@@ -6,6 +6,7 @@
 #include "gl/context/context.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
+#include "inspect/voxel_light.h"
 #include "inspect/screen.h"
 #include "quality/time_budget.h"
 #include "renderer/renderer.h"
@@ -103,6 +104,7 @@ struct shown {
     struct probe probe;
     struct pick pick;
     bool has_pick;
+    struct voxel_light voxel_light;     /* before what was picked */
     double pick_motion;                 /* pace.last_motion when it was read */
     int fixed_width, fixed_height;      /* of the picture; 0 = as large as the window lets it */
     struct rectangle area;              /* of the window that pictures may take */

@@ -164,6 +164,45 @@ static void test_poses(void **state) {
     stage_free(&stage);
 }
 
+/* The open share in the middle of the picture. */
+static float shown_ao(struct renderer *renderer) {
+    float texel[4];
+    const struct texture *texture = renderer_ambient_occlusion(renderer);
+    assert_non_null(texture);
+    gl.GetTextureSubImage(texture->id, 0, SIZE / 2, SIZE / 2, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
+                          sizeof texel, texel);
+    return texel[0];
+}
+
+/* A texture of another value shows whether it is drawn again. */
+static void mark(const struct texture *texture) {
+    gl.ClearTexImage(texture->id, 0, GL_RGBA, GL_FLOAT, (const float[4]){.25F, .25F, .25F, 1});
+}
+
+/* It is drawn once of each frame, and rays are traced once of each pose. */
+static void test_kept(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer;
+    open_stage(&stage, "scenes/door.glb");
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
+    open_renderer(&renderer, &desc);
+    double drawn = (double)shown_ao(&renderer);
+    mark(renderer_ambient_occlusion(&renderer));
+    check_near("asked again", (double)shown_ao(&renderer), .25, 0);
+    renderer_render(&renderer);
+    check_near("another frame", (double)shown_ao(&renderer), drawn, 0);
+    const struct volume *volume = &renderer.ambient_occlusion->light.volume;
+    gl.ClearTexImage(volume->coefficients[0].id, 0, GL_RGBA, GL_FLOAT, (const float[4]){0});
+    renderer_render(&renderer);
+    assert_true(fabs((double)shown_ao(&renderer) - drawn) > .01);
+    check_ok("pose", stage_pose(&stage, 0) && stage_show(&stage, &renderer));
+    renderer_render(&renderer);
+    check_near("posed", (double)shown_ao(&renderer), drawn, 0);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
 /* Before a frame is drawn. */
 static void test_refusal(void **state) {
     (void)state;
@@ -180,8 +219,11 @@ static void test_refusal(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_technique), cmocka_unit_test(test_traced),
-        cmocka_unit_test(test_changes),         cmocka_unit_test(test_poses),
+        cmocka_unit_test(test_every_technique),
+        cmocka_unit_test(test_traced),
+        cmocka_unit_test(test_changes),
+        cmocka_unit_test(test_poses),
+        cmocka_unit_test(test_kept),
         cmocka_unit_test(test_refusal),
     };
     return cmocka_run_group_tests_name("ambient occlusion", tests, open_group_context,

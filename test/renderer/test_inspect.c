@@ -6,6 +6,7 @@
 #include "gl/glsl.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
+#include "inspect/voxel_light.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -171,12 +172,81 @@ static void test_pick(void **state) {
     close_frame(&stage, &renderer);
 }
 
+/* --- light at a voxel ------------------------------------------------------------------------- */
+
+/* Coefficients of 1 + 2 y - z + 3 x + xy - 2 yz + z^2 - xz + x^2 - y^2, by the integrals of harmonics over the sphere. */
+static double polynomial(const float d[3]) {
+    double x = (double)d[0], y = (double)d[1], z = (double)d[2];
+    return 1 + 2 * y - z + 3 * x + x * y - 2 * y * z + z * z - x * z + x * x - y * y;
+}
+
+/* The ball shows the sum of coefficients times harmonics. */
+static void test_ball(void **state) {
+    (void)state;
+    const double first = sqrt(4 * GLM_PI), second = sqrt(4 * GLM_PI / 3),
+                 mixed = sqrt(4 * GLM_PI / 15), third = sqrt(16 * GLM_PI / 45);
+    const double exact[] = {4 * first / 3, 2 * second, -second, 3 * second, mixed,
+                            -2 * mixed,    third,      -mixed,  2 * mixed};
+    struct voxel_light light = {.order = 3};
+    double worst = 0;
+    for (int i = 0; i < VOXEL_LIGHT_COEFFICIENTS; i++)
+        for (int c = 0; c < 3; c++)
+            light.coefficients[i][c] = (float)((c + 1) * exact[i]);
+    for (int i = 0; i < 200; i++) {
+        double z = 1 - (2 * i + 1) / 200., r = sqrt(1 - z * z), turn = 2.4 * i;
+        float d[3] = {(float)(r * cos(turn)), (float)(r * sin(turn)), (float)z}, rgb[3];
+        voxel_light_radiance(&light, d, rgb);
+        for (int c = 0; c < 3; c++)
+            worst = fmax(worst, fabs((double)rgb[c] / (c + 1) - polynomial(d)));
+    }
+    check_at_most("radiance, less the polynomial's", worst, 1e-5);
+}
+
+/* Over pi: what a white surface of that normal has of the ball's radiance. */
+static void light_white(const struct voxel_light *light, const float normal[3], double rgb[3]) {
+    enum { COUNT = 20000 };
+    memset(rgb, 0, 3 * sizeof *rgb);
+    for (int i = 0; i < COUNT; i++) {
+        double z = 1 - (2 * i + 1) / (double)COUNT, r = sqrt(1 - z * z), turn = 2.39996323 * i;
+        float d[3] = {(float)(r * cos(turn)), (float)(r * sin(turn)), (float)z}, one[3];
+        float cosine = fmaxf(glm_vec3_dot(d, (float *)normal), 0);
+        voxel_light_radiance(light, d, one);
+        for (int c = 0; c < 3; c++)
+            rgb[c] += 4. / COUNT * (double)(cosine * one[c]);
+    }
+}
+
+/* Beside flat walls all eight voxels that light a pixel have nearly the light of one. */
+static void test_voxel_light(void **state) {
+    (void)state;
+    static const char *const orders[] = {"volume.order=2", "volume.order=3"};
+    for (int order = 2; order <= 3; order++) {
+        struct stage stage;
+        struct renderer renderer;
+        struct probe probe = {0};
+        struct pick pick;
+        struct voxel_light light;
+        double rgb[3];
+        open_frame(&stage, &renderer, "imperfect-volume", orders[order - 2]);
+        check_ok("pick", probe_pick(&probe, &renderer, .5F, .2F, &pick));
+        assert_true(pick.present);
+        voxel_light_read(&light, &renderer, pick.position, pick.normal);
+        assert_int_equal(light.order, order);
+        light_white(&light, pick.normal, rgb);
+        for (int c = 0; c < 3; c++)
+            check_near(orders[order - 2], rgb[c] / (double)pick.indirect[c], 1, .1);
+        voxel_light_read(&light, &renderer, (const float[3]){1e6F, 0, 0}, pick.normal);
+        assert_int_equal(light.order, 0);
+        probe_free(&probe);
+        close_frame(&stage, &renderer);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_missing),
-        cmocka_unit_test(test_shaders_kept),
-        cmocka_unit_test(test_pick),
+        cmocka_unit_test(test_pictures),     cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_shaders_kept), cmocka_unit_test(test_pick),
+        cmocka_unit_test(test_ball),         cmocka_unit_test(test_voxel_light),
     };
     return cmocka_run_group_tests_name("inspect", tests, open_group_context, close_group_context);
 }

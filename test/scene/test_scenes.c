@@ -42,6 +42,7 @@ static const struct expectation {
     {"ring", 8196, 0, 3, {-4, 0, -4}, {4, 5, 4}, "|table|wall|"},
     {"pawns", 6148, 0, 4, {-4, 0, -4}, {4, 5, 4}, "|table|wall|"},
     {"gem", 68, 0, 3, {-4, 0, -4}, {4, 5, 4}, "|table|wall|"},
+    {"vase", 6556, 0, 4, {-2, 0, -1}, {2, 2, 2}, "|floor|wall|vase|"},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };
 enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };

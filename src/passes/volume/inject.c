@@ -39,7 +39,8 @@ void inject_pass_free(struct inject_pass *pass) {
 static void clear(const struct volume *volume) {
     static const float none[4] = {0};
     int targets = volume->desc.channels == VOLUME_RADIANCE
-                      ? 2 + volume->desc.both_sides + volume->desc.bounces
+                      ? 2 + volume->desc.both_sides + volume->desc.bounces +
+                            2 * volume_is_split(&volume->desc)
                       : 1;
     for (int i = 0; i < targets; i++)
         framebuffer_clear_color(volume->points_framebuffer, i, none);

@@ -69,6 +69,10 @@ void march_pass_render(const struct march_pass *pass, const struct frame *frame,
         pass_add_texture(&state, UNIT_VOLUME_RADIOSITY, inputs->radiosity->id);
         if (volume->desc.both_sides)
             pass_add_texture(&state, UNIT_VOLUME_BACK, inputs->back->id);
+        if (volume_is_split(&volume->desc)) {
+            pass_add_texture(&state, UNIT_VOLUME_TURNED_SURFACES, volume->turned_surfaces.id);
+            pass_add_texture(&state, UNIT_VOLUME_TURNED_RADIOSITY, inputs->turned_radiosity->id);
+        }
     }
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);

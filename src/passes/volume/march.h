@@ -18,7 +18,7 @@ struct march_pass {
 
 /* What leaves voxels: the volume's own sums, or those of a bounce. */
 struct march_inputs {
-    const struct texture *radiosity, *back;
+    const struct texture *radiosity, *back, *turned_radiosity;
 };
 
 /* For volumes like that one. Error: shader. */

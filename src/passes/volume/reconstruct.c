@@ -53,6 +53,10 @@ void reconstruct_pass_render(const struct reconstruct_pass *pass, const struct f
                      {UNIT_VOLUME_DISTANCES, volume->distances[0].id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, params}},
     };
+    if (volume_is_split(&volume->desc)) {
+        pass_add_texture(&state, UNIT_VOLUME_RADIOSITY, volume->radiosity.id);
+        pass_add_texture(&state, UNIT_VOLUME_TURNED_SURFACES, volume->turned_surfaces.id);
+    }
     for (int i = 0; i < volume->coefficient_count; i++)
         pass_add_texture(&state, UNIT_VOLUME_COEFFICIENTS + (GLuint)i, volume->coefficients[i].id);
     pass_begin(frame->timers, &state);

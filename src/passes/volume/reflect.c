@@ -12,12 +12,17 @@ static bool init_targets(struct reflect_pass *pass, const struct volume *volume)
                                 .format = GL_RGBA32F,
                                 .width = volume->grid.width,
                                 .height = volume->grid.height};
-    struct framebuffer_desc target = {.label = sums.label, .colors = {&pass->radiosity}};
-    bool backs = volume->desc.both_sides;
-    if (backs)
-        target.colors[1] = &pass->back;
-    return texture_init(&pass->radiosity, &sums) && (!backs || texture_init(&pass->back, &sums)) &&
-           framebuffer_init(&pass->framebuffer, &target);
+    struct framebuffer_desc target = {.label = sums.label};
+    struct texture *made[] = {&pass->radiosity,
+                              volume_is_split(&volume->desc) ? &pass->turned : NULL,
+                              volume->desc.both_sides ? &pass->back : NULL};
+    bool ok = true;
+    for (size_t i = 0, count = 0; i < sizeof made / sizeof *made; i++)
+        if (made[i]) {
+            ok = ok && texture_init(made[i], &sums);
+            target.colors[count++] = made[i];
+        }
+    return ok && framebuffer_init(&pass->framebuffer, &target);
 }
 
 bool reflect_pass_init(struct reflect_pass *pass, const struct volume *volume) {
@@ -36,6 +41,7 @@ void reflect_pass_free(struct reflect_pass *pass) {
     program_free(&pass->program);
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->radiosity);
+    texture_free(&pass->turned);
     texture_free(&pass->back);
 }
 
@@ -55,6 +61,10 @@ void reflect_pass_render(const struct reflect_pass *pass, const struct frame *fr
     };
     if (volume->desc.both_sides)
         pass_add_texture(&state, UNIT_VOLUME_BACK, volume->back.id);
+    if (volume_is_split(&volume->desc)) {
+        pass_add_texture(&state, UNIT_VOLUME_TURNED_SURFACES, volume->turned_surfaces.id);
+        pass_add_texture(&state, UNIT_VOLUME_TURNED_RADIOSITY, volume->turned_radiosity.id);
+    }
     for (int i = 0; i < volume->coefficient_count; i++)
         pass_add_texture(&state, UNIT_VOLUME_COEFFICIENTS + (GLuint)i, volume->coefficients[i].id);
     pass_begin(frame->timers, &state);

@@ -11,7 +11,7 @@ struct volume;
 
 struct reflect_pass {
     GLuint program;
-    struct texture radiosity, back; /* as the volume's */
+    struct texture radiosity, turned, back; /* as the volume's */
     GLuint framebuffer;
 };
 
@@ -19,7 +19,7 @@ struct reflect_pass {
 bool reflect_pass_init(struct reflect_pass *pass, const struct volume *volume);
 void reflect_pass_free(struct reflect_pass *pass);
 
-/* Fills pass->radiosity and back from the volume's coefficients. Timer "reflect". */
+/* Fills pass->radiosity, turned and back from the volume's coefficients. Timer "reflect". */
 void reflect_pass_render(const struct reflect_pass *pass, const struct frame *frame,
                          const struct volume *volume, const struct buffer *params);
 

@@ -109,7 +109,6 @@ const struct technique imperfect_volume_technique = {
     .help = "voxels made of points, with light as spherical harmonics",
     .parts = parts,
     .presets = presets,
-    .check = volume_check,
     .init = init,
     .free = free_state,
     .resize = resize,

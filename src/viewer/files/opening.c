@@ -116,6 +116,7 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     recorder_stop(viewer);
     viewer->record.is_open = false;
     viewer->shown.renderer = *renderer;
+    inspect_forget(&viewer->shown.inspect);
     viewer->has_scene = true;
     viewer->shown.has_pick = false;
     viewer->shown.left = viewer->shown.right = NULL;

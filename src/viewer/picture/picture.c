@@ -444,6 +444,9 @@ void viewer_pick_surface(struct viewer *viewer, float x, float y) {
         return;
     }
     shown->pick = pick;
+    shown->voxel_light = (struct voxel_light){0};
+    if (pick.present)
+        voxel_light_read(&shown->voxel_light, &shown->renderer, pick.position, pick.normal);
     shown->has_pick = pick.present;
     shown->pick_motion = shown->pace.last_motion;
 }

@@ -1,0 +1,56 @@
+#include "techniques/volume_box.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { POINTS = 4096 };
+
+/* Points beyond the middle 70 % along an axis do not count, but the box has room on each side. A scene that
+ * is not this much longer than the box is held whole. */
+static const float beyond = .15F, room = .75F, far_longer = 2;
+
+static int ascending(const void *a, const void *b) {
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+static void fit_axis(struct volume_box *box, int axis, float *values, int count) {
+    qsort(values, (size_t)count, sizeof *values, ascending);
+    float low = values[(int)(beyond * (float)count)],
+          high = values[count - 1 - (int)(beyond * (float)count)];
+    box->low[axis] = low - room * (high - low);
+    box->high[axis] = high + room * (high - low);
+}
+
+static float longest_of(const float low[3], const float high[3]) {
+    return fmaxf(high[0] - low[0], fmaxf(high[1] - low[1], high[2] - low[2]));
+}
+
+/* No triangle has more than a tenth of these points. */
+void volume_box_fit(struct volume_box *box, const struct scene *scene,
+                    const struct geometry *geometry) {
+    struct surface_points points;
+    float values[3][POINTS];
+    int count = 0;
+    surface_points_init(&points, &(struct surface_points_desc){
+                                     .scene = scene, .geometry = geometry, .count = POINTS});
+    for (int i = 0; i < points.count; i++) {
+        struct surface_place place = surface_points_place(&points, geometry, i);
+        if (place.area > 0) {
+            for (int c = 0; c < 3; c++)
+                values[c][count] = place.position.raw[c];
+            count++;
+        }
+    }
+    surface_points_free(&points);
+    for (int c = 0; c < 3 && count > 0; c++)
+        fit_axis(box, c, values[c], count);
+    if (count == 0 || longest_of(geometry->bounds_min, geometry->bounds_max) <
+                          far_longer * longest_of(box->low, box->high))
+        *box =
+            (struct volume_box){{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+}
+
+bool volume_box_cuts(const struct volume_box *box) {
+    return isfinite(box->low[0]);
+}
