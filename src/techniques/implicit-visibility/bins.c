@@ -15,6 +15,11 @@ static int cell_of(const struct bins *bins, float coordinate) {
     return cell < 0 ? 0 : cell < bins->side ? cell : bins->side - 1;
 }
 
+int bins_face(const float direction[3]) {
+    int axis = major_axis(direction);
+    return 2 * axis + (direction[axis] < 0);
+}
+
 int bins_find(const struct bins *bins, const float direction[3]) {
     int axis = major_axis(direction);
     float inverse = 1 / fabsf(direction[axis]);
@@ -49,7 +54,7 @@ static void fill_bin(const struct bins *bins, int b) {
     const int side = bins->side, face = b / (side * side);
     const float width = 2 / (float)side;
     float x = (float)(b % side) * width - 1, y = (float)(b / side % side) * width - 1;
-    bin->direction = glms_vec3_normalize(direction_at(face, x + width / 2, y + width / 2));
+    bins->directions[b] = glms_vec3_normalize(direction_at(face, x + width / 2, y + width / 2));
     for (int p = 0; p < BIN_PARTS; p++) {
         double x0 = (double)(x + (float)(p % 2) * width / 2), x1 = x0 + (double)width / 2;
         double y0 = (double)(y + (float)(p / 2) * width / 2), y1 = y0 + (double)width / 2;
@@ -69,24 +74,28 @@ static void fill_bin(const struct bins *bins, int b) {
 void bins_init(struct bins *bins, int side) {
     *bins = (struct bins){.side = side, .count = 6 * side * side};
     bins->items = mem_alloc((size_t)bins->count, sizeof *bins->items);
+    bins->directions = mem_alloc((size_t)bins->count, sizeof *bins->directions);
     for (int b = 0; b < bins->count; b++)
         fill_bin(bins, b);
 }
 
 void bins_free(struct bins *bins) {
     free(bins->items);
+    free(bins->directions);
     *bins = (struct bins){0};
 }
 
-/* The sphere's box, seen from the middle of the cube. */
-bool bins_window_of(const struct bins *bins, int face, const float center[3], float radius,
-                    struct bins_window *window) {
+/* Seen from the middle of the cube. */
+bool bins_window_of(const struct bins *bins, int face, const float center[3],
+                    const float extents[3], struct bins_window *window) {
     int axis = face / 2;
-    float depth = face % 2 ? -center[axis] : center[axis];
+    float depth = face % 2 ? -center[axis] : center[axis], radius = extents[axis];
     if (depth + radius <= 0)
         return false;
+    window->inside = depth > radius;
     for (int c = 0; c < 2; c++) {
-        float middle = center[(axis + 1 + c) % 3], low = middle - radius, high = middle + radius;
+        float middle = center[(axis + 1 + c) % 3], extent = extents[(axis + 1 + c) % 3];
+        float low = middle - extent, high = middle + extent;
         window->first[c] = 0;
         window->end[c] = bins->side;
         if (depth <= radius)
@@ -95,6 +104,7 @@ bool bins_window_of(const struct bins *bins, int face, const float center[3], fl
         high /= high > 0 ? depth - radius : depth + radius;
         if (low > 1 || high < -1)
             return false;
+        window->inside &= low > -1 && high < 1;
         window->first[c] = cell_of(bins, low);
         window->end[c] = cell_of(bins, high) + 1;
     }
@@ -102,8 +112,10 @@ bool bins_window_of(const struct bins *bins, int face, const float center[3], fl
 }
 
 float bin_cosine(const struct bin *bin, vec3s normal) {
-    float sum = 0;
-    for (int p = 0; p < BIN_PARTS; p++)
-        sum += fmaxf(glms_vec3_dot(bin->parts[p], normal), 0);
+    float sum = 0, part;
+    for (int p = 0; p < BIN_PARTS; p++) {
+        part = glms_vec3_dot(bin->parts[p], normal);
+        sum += part > 0 ? part : 0;
+    }
     return sum;
 }

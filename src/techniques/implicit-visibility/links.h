@@ -37,7 +37,7 @@ struct links {
     struct link *items; /* stride of each leaf */
     int *counts;        /* of each leaf's links */
     float *filled;      /* share of each leaf's cosine whose bins have a partner, front or back */
-    float *buried;      /* the same, with partners nearer than a quarter of the leaf's radius */
+    float *buried;      /* the same, with backs: a leaf that sees little else lies within something */
     float (*sky)[3];    /* irradiance through the empty bins */
 };
 
