@@ -7,7 +7,12 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { BINS_SIDE_MAX = 32, BINS_MAX = 6 * BINS_SIDE_MAX * BINS_SIDE_MAX, BIN_NEIGHBOURS = 8, BIN_PARTS = 4 };
+enum {
+    BINS_SIDE_MAX = 32,
+    BINS_MAX = 6 * BINS_SIDE_MAX * BINS_SIDE_MAX,
+    BIN_NEIGHBOURS = 8,
+    BIN_PARTS = 4
+};
 
 struct bin {
     vec3s parts[BIN_PARTS]; /* of its quarters: direction times solid angle, sr */

@@ -103,8 +103,7 @@ static struct cluster *cluster_of(struct maker *maker, const struct third *third
         return &maker->clusters[maker->slots[slot] - 1];
     if (maker->count == maker->room) {
         maker->room = 2 * maker->room + 64;
-        maker->clusters =
-            mem_resize(maker->clusters, maker->room, sizeof *maker->clusters);
+        maker->clusters = mem_resize(maker->clusters, maker->room, sizeof *maker->clusters);
     }
     struct cluster *cluster = &maker->clusters[maker->count++];
     *cluster = (struct cluster){.key = key, .distance2 = INFINITY};

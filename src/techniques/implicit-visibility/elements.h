@@ -22,7 +22,8 @@ struct element {
 struct elements {
     struct element *items;
     int count;
-    float edge; /* the longest of a cut triangle: no place of a surface is farther from an element, m */
+    float
+        edge; /* the longest of a cut triangle: no place of a surface is farther from an element, m */
 };
 
 struct elements_desc {

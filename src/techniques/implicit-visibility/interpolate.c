@@ -19,9 +19,9 @@ static bool init_irradiance(struct irradiance *irradiance, int width, int height
 
 bool interpolate_pass_init(struct interpolate_pass *pass, int width, int height) {
     *pass = (struct interpolate_pass){0};
-    if (program_init(
-            &pass->program,
-            &(struct program_desc){.screen = {"techniques/implicit-visibility/interpolate.frag"}}) &&
+    if (program_init(&pass->program,
+                     &(struct program_desc){
+                         .screen = {"techniques/implicit-visibility/interpolate.frag"}}) &&
         init_irradiance(&pass->irradiance, width, height) &&
         buffer_init(&pass->params, "element grid", sizeof pass->grid, NULL))
         return true;
@@ -160,19 +160,19 @@ void interpolate_pass_write(struct interpolate_pass *pass, const struct elements
 
 void interpolate_pass_render(const struct interpolate_pass *pass, const struct frame *frame,
                              const struct gbuffer *gbuffer) {
-    pass_begin(frame->timers, &(struct pass_state){
-                                  .name = "interpolate",
-                                  .program = pass->program,
-                                  .framebuffer = pass->irradiance.framebuffer,
-                                  .width = pass->irradiance.width,
-                                  .height = pass->irradiance.height,
-                                  .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
-                                               {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                               {UNIT_ELEMENT_CELLS, pass->cells.texels},
-                                               {UNIT_ELEMENTS, pass->elements.texels}},
-                                  .blocks = {{BLOCK_VIEW, frame->view},
-                                             {BLOCK_PASS, &pass->params}},
-                              });
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "interpolate",
+                   .program = pass->program,
+                   .framebuffer = pass->irradiance.framebuffer,
+                   .width = pass->irradiance.width,
+                   .height = pass->irradiance.height,
+                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                {UNIT_ELEMENT_CELLS, pass->cells.texels},
+                                {UNIT_ELEMENTS, pass->elements.texels}},
+                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
+               });
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

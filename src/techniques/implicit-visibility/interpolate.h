@@ -23,8 +23,8 @@ struct interpolate_pass {
     struct element_grid_params grid;
     struct buffer params;
     struct texel_buffer cells, elements;
-    uint32_t *firsts;    /* of each cell, and one more */
-    float (*texels)[4];  /* of the elements */
+    uint32_t *firsts;   /* of each cell, and one more */
+    float (*texels)[4]; /* of the elements */
     int element_count, cell_count, cells_along[3];
 };
 

@@ -39,6 +39,33 @@ void element_light_casters(struct bvh *casters, const struct geometry *geometry)
     bvh_init(casters, triangles, count);
 }
 
+/* --- environment ------------------------------------------------------------------------------ */
+
+/* All texels by their middles; a bin without one takes what lies in its own middle. */
+float (*element_light_sky(const struct bins *bins, const struct environment *environment))[3] {
+    float(*sky)[3] = mem_alloc((size_t)bins->count, sizeof *sky);
+    double(*sums)[4] = mem_alloc((size_t)bins->count, sizeof *sums);
+    for (int y = 0; y < environment->height; y++) {
+        double solid_angle = environment_solid_angle(environment, y);
+        for (int x = 0; x < environment->width; x++) {
+            float direction[3], radiance[3];
+            environment_direction(environment, x + .5, y + .5, direction);
+            environment_radiance(environment, direction, radiance);
+            double *sum = sums[bins_find(bins, direction)];
+            for (int c = 0; c < 3; c++)
+                sum[c] += solid_angle * (double)radiance[c];
+            sum[3] += solid_angle;
+        }
+    }
+    for (int b = 0; b < bins->count; b++) {
+        environment_radiance(environment, bins->directions[b].raw, sky[b]);
+        for (int c = 0; sums[b][3] > 0 && c < 3; c++)
+            sky[b][c] = (float)(sums[b][c] / sums[b][3]);
+    }
+    free(sums);
+    return sky;
+}
+
 /* --- direct light ----------------------------------------------------------------------------- */
 
 struct lighting {

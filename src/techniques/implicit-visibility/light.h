@@ -3,6 +3,7 @@
 #define TECHNIQUES_IMPLICIT_VISIBILITY_LIGHT_H
 
 #include "scene/lights/emitter.h"
+#include "scene/lights/environment.h"
 #include "scene/mesh/bvh.h"
 #include "techniques/implicit-visibility/links.h"
 
@@ -18,6 +19,9 @@ void element_light_free(struct element_light *light);
 
 /* A tree of the geometry's triangles for element_light_direct; bvh_free it. */
 void element_light_casters(struct bvh *casters, const struct geometry *geometry);
+
+/* Mean radiance of the environment in each bin; free() it. */
+float (*element_light_sky(const struct bins *bins, const struct environment *environment))[3];
 
 struct direct_lights {
     const struct emitter *items; /* as if without a size */

@@ -21,6 +21,7 @@ struct links_desc {
     int side; /* n */
     enum links_cover cover;
     enum links_weight weight;
+    bool turned; /* each leaf has turned its bins at random: no bands, but noise */
     bool leaky;  /* empty bins among filled ones stay empty */
     int threads; /* 0: all cores */
 };
@@ -37,8 +38,8 @@ struct links {
     struct link *items; /* stride of each leaf */
     int *counts;        /* of each leaf's links */
     float *filled;      /* share of each leaf's cosine whose bins have a partner, front or back */
-    float *buried;      /* the same, with backs: a leaf that sees little else lies within something */
-    float (*sky)[3];    /* irradiance through the empty bins */
+    float *buried;   /* the same, with backs: a leaf that sees little else lies within something */
+    float (*sky)[3]; /* irradiance through the empty bins */
 };
 
 /* For so many leaves. */

@@ -7,8 +7,9 @@
 enum { TREE_CHILDREN = 4 };
 
 struct tree_node {
-    float position[3], area;  /* mean by area; sum, m2 */
-    float normal[3], radius;  /* mean by area, shorter than 1 where normals differ; of all below, m */
+    float position[3], area; /* mean by area; sum, m2 */
+    float normal[3],
+        radius; /* mean by area, shorter than 1 where normals differ; of all below, m */
     uint32_t children[TREE_CHILDREN]; /* numbers below the node's own; TREE_NONE: no more */
 };
 

@@ -72,6 +72,8 @@ static const struct row {
     {"radiosity.bins", "bins a side"},
     {"radiosity.cover", "bins filled"},
     {"radiosity.weight", "weight"},
+    {"radiosity.sky", "environment"},
+    {"radiosity.turned", "turned bins"},
     {"instant-radiosity.traced", "traced shadows"},
     {"cluster-lights.area-lights", "area lights"},
     {"cluster-lights.form", "shape"},
