@@ -250,6 +250,29 @@ static void test_furnace(void **state) {
     close_radiosity(&radiosity);
 }
 
+/* The picture of the sphere shows what its elements have: one bounce, over pi. */
+static void test_picture(void **state) {
+    (void)state;
+    struct stage stage;
+    double least = INFINITY, most = 0;
+    open_shape(&stage, sphere(), .5, false, at(0, 0, 0));
+    look(&stage, at(0, 0, 0), at(0, -1, 0), at(0, 0, 1), 1);
+    struct renderer_desc desc =
+        desc_of(&stage, "implicit-visibility", "elements=1000 radiosity.bins=8", 32, 32);
+    struct image layers = render_layers(&desc);
+    int channel = image_find_channel(&layers, "indirect.R");
+    for (int y = 0; y < 32; y++)
+        for (int x = 0; x < 32; x++) {
+            least = fmin(least, (double)image_at(&layers, x, y)[channel]);
+            most = fmax(most, (double)image_at(&layers, x, y)[channel]);
+        }
+    printf("  picture of the sphere: %.4f to %.4f of %.4f\n", least, most, .5 / GLM_PI);
+    check_near("least", least * GLM_PI / .5, 1, .03);
+    check_near("most", most * GLM_PI / .5, 1, .03);
+    image_free(&layers);
+    stage_free(&stage);
+}
+
 /* --- order ------------------------------------------------------------------------------------ */
 
 static float by_height(const struct element *element) {
@@ -315,7 +338,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_areas),   cmocka_unit_test(test_sphere),
         cmocka_unit_test(test_squares), cmocka_unit_test(test_convex),
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_order),
+        cmocka_unit_test(test_furnace), cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_order),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
