@@ -5,7 +5,7 @@
 #define ROW(type, name) offsetof(struct type##_settings, name)
 
 /* What only techniques with VPLs read. */
-#define VIRTUAL_LIGHTS "technique!=imperfect-volume"
+#define VIRTUAL_LIGHTS "technique!=imperfect-volume|implicit-visibility"
 
 static const char *const importance_names[] = {"off", "auto", "on", NULL};
 

@@ -8,6 +8,7 @@
 #define TECHNIQUES(X)                                                                              \
     X(cluster_lights)                                                                              \
     X(clustered)                                                                                   \
+    X(implicit_visibility)                                                                         \
     X(imperfect_shadow_maps)                                                                       \
     X(imperfect_volume)                                                                            \
     X(instant_radiosity)                                                                           \

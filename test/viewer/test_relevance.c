@@ -78,6 +78,7 @@ static const struct {
     {"row-column", CHEAP "rows=4 columns=16"},
     {"imperfect-volume", CHEAP VOXELS},
     {"imperfect-volume", CHEAP VOXELS "volume=ao"},
+    {"implicit-visibility", CHEAP "elements=200 radiosity.bins=6"},
 };
 
 enum { HIDDEN_MAX = 128 };

@@ -21,6 +21,7 @@ const char *const failure_columns[FAILURE_COLUMNS] = {
     "imperfect-shadow-maps:technique=imperfect-shadow-maps,samples=1",
     "row-column:technique=row-column,samples=1",
     "imperfect-volume:technique=imperfect-volume,samples=1",
+    "implicit-visibility:technique=implicit-visibility,samples=1",
 };
 
 #define OWN(name) "scenes/failures/" name ".glb"

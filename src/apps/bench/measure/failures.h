@@ -24,7 +24,7 @@ struct failure_row {
 /* End with a row of no name. */
 extern const struct failure_row failure_rows[];
 
-enum { FAILURE_COLUMNS = 10 };
+enum { FAILURE_COLUMNS = 11 };
 
 /* Ways to draw each row, as variant_apply has it. */
 extern const char *const failure_columns[FAILURE_COLUMNS];

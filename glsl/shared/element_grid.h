@@ -1,0 +1,21 @@
+/* techniques/implicit-visibility/interpolate.h to its shader: surface elements, sorted into cells of a grid. */
+#ifndef SHARED_ELEMENT_GRID_H
+#define SHARED_ELEMENT_GRID_H
+
+#include "shared/types.h"
+
+/* Of each cell the number of the first element that lies in it or in a later one; x counts fastest. */
+#define UNIT_ELEMENT_CELLS (UNIT_OWN + 0)
+/* Texels of each element: position and weight; normal; irradiance. */
+#define UNIT_ELEMENTS (UNIT_OWN + 1)
+#define ELEMENT_TEXELS 3
+
+struct element_grid_params {
+    vec3 low;     /* corner of the first cell, metres */
+    float cell;   /* side of a cell, and how far elements reach, metres */
+    int cells_x, cells_y, cells_z; /* along each axis; the outermost are empty */
+    float scale;  /* of the result */
+};
+PASS_BLOCK(element_grid_params, 32)
+
+#endif

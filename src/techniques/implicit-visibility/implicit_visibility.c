@@ -1,0 +1,247 @@
+/* Radiosity with implicit visibility [Dong 2011 chapter 4]: surface elements know their nearest partner in each of some
+ * hundred directions, and so need no shadow map. All but the picture is made on the CPU, on all cores. */
+#include "base/memory.h"
+#include "lights/light_samples.h"
+#include "passes/frame.h"
+#include "techniques/implicit-visibility/interpolate.h"
+#include "techniques/many_lights.h"
+
+#include <stdlib.h>
+
+struct radiosity_settings {
+    int elements, bins;
+    int cover, weight; /* enum links_cover, links_weight */
+    int sky;           /* SKY_... */
+    bool turned;
+};
+
+#define ROW(name) offsetof(struct radiosity_settings, name)
+
+enum { SKY_BY_RAYS, SKY_THROUGH_BINS }; /* values of radiosity.sky */
+
+static const char *const sky_names[] = {"rays", "bins", NULL};
+static const char *const cover_names[] = {"disk", "center", NULL};
+static const char *const weight_names[] = {"bin", "element", NULL};
+
+static const struct option table[] = {
+    {"elements", 0, OPTION_INT, ROW(elements), 4000, 16, 65536,
+     .help = "largest number of surface elements; more: finer light and fewer leaks, time in\n"
+             "proportion"},
+    {"bins", 0, OPTION_INT, ROW(bins), 12, 2, BINS_SIDE_MAX,
+     .help = "bins along each side of a cube of directions, n: 6 n^2 directions; more: sharper\n"
+             "shadows, slower; at most the root of a sixth of the elements"},
+    {"cover", 0, OPTION_CHOICE, ROW(cover), LINKS_COVER_DISK, .choices = cover_names,
+     .help =
+         "bins that an element fills: disk, all that it covers; center, the one of its middle,\n"
+         "as published, with leaks"},
+    {"weight", 0, OPTION_CHOICE, ROW(weight), LINKS_WEIGHT_BIN, .choices = weight_names,
+     .help = "light of an element: bin, as if it filled its bin; element, by its own solid angle,\n"
+             "as published, too dark by half"},
+    {"sky", 0, OPTION_CHOICE, ROW(sky), SKY_BY_RAYS, .choices = sky_names,
+     .help = "light of an environment at the elements: rays, from sky.directions directions;\n"
+             "bins, through those without a partner, as published"},
+    {"turned", 0, OPTION_FLAG, ROW(turned), 1,
+     .help = "turns the bins of each element at random: noise in place of bands"},
+    {NULL},
+};
+
+static const struct settings_part radiosity_part = {"radiosity", "surface elements and their links",
+                                                    table, sizeof(struct radiosity_settings)};
+
+struct implicit_visibility {
+    const struct scene *scene;
+    struct elements_desc elements_desc;
+    struct links_desc links_desc;
+    int bounces;
+    struct elements elements;
+    struct tree tree;
+    struct links links;
+    struct element_light light;
+    struct bvh casters;
+    struct interpolate_pass interpolate;
+    unsigned laid_out; /* the pose in which the elements were made */
+    bool linked;       /* the links are those of this pose, with light of the sky or without */
+    bool sky_linked;
+    float (*sky)[3]; /* of each bin; NULL: environments shine by rays */
+};
+
+static void free_elements(struct implicit_visibility *technique) {
+    elements_free(&technique->elements);
+    tree_free(&technique->tree);
+    links_free(&technique->links);
+    element_light_free(&technique->light);
+    bvh_free(&technique->casters);
+}
+
+static void free_state(void *state) {
+    struct implicit_visibility *technique = state;
+    if (technique) {
+        free_elements(technique);
+        interpolate_pass_free(&technique->interpolate);
+        free(technique->sky);
+    }
+    free(technique);
+}
+
+/* Over the scene's radius: how far apart elements count that are turned by one radian. */
+static const float turn_length = .3F;
+
+/* Error: out of GPU memory. */
+static bool make_elements(struct implicit_visibility *technique, const struct geometry *geometry) {
+    free_elements(technique);
+    technique->elements_desc.geometry = geometry;
+    technique->laid_out = geometry->pose_count;
+    technique->linked = false;
+    elements_init(&technique->elements, &technique->elements_desc);
+    if (technique->elements.count > 0) {
+        tree_init(&technique->tree, &technique->elements, turn_length * geometry->radius);
+        element_light_casters(&technique->casters, geometry);
+    }
+    links_init(&technique->links, &technique->links_desc, technique->elements.count);
+    element_light_init(&technique->light, &technique->tree);
+    return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry);
+}
+
+static bool init(void **state, const struct technique_desc *desc) {
+    struct implicit_visibility *technique = *state = mem_alloc(1, sizeof *technique);
+    const struct radiosity_settings *own =
+        settings_of(struct radiosity_settings, desc->settings, &radiosity_part);
+    const struct material_settings *materials =
+        settings_of(struct material_settings, desc->settings, &material_part);
+    technique->scene = desc->scene;
+    technique->elements_desc = (struct elements_desc){
+        .scene = desc->scene,
+        .materials = (enum materials)materials->materials,
+        .most = own->elements,
+    };
+    technique->links_desc = (struct links_desc){
+        .side = own->bins,
+        .cover = (enum links_cover)own->cover,
+        .weight = (enum links_weight)own->weight,
+        .turned = own->turned,
+        .leaky = own->cover == LINKS_COVER_CENTER,
+    };
+    technique->bounces = settings_of(struct lights_settings, desc->settings, &lights_part)->bounces;
+    if (desc->scene->environment && own->sky == SKY_THROUGH_BINS) {
+        struct bins bins;
+        bins_init(&bins, own->bins);
+        technique->sky = element_light_sky(&bins, desc->scene->environment);
+        bins_free(&bins);
+    }
+    return interpolate_pass_init(&technique->interpolate, desc->width, desc->height) &&
+           make_elements(technique, desc->geometry);
+}
+
+static bool resize(void *state, int width, int height) {
+    struct implicit_visibility *technique = state;
+    return interpolate_pass_resize(&technique->interpolate, width, height);
+}
+
+/* Metaballs have other triangles in each pose. */
+static bool has_other_triangles(const struct implicit_visibility *technique,
+                                const struct geometry *geometry) {
+    bool other = geometry->laid_out > technique->laid_out;
+    for (int i = 0; i < geometry->part_count; i++)
+        other |= geometry->parts[i].rewound > technique->laid_out;
+    return other;
+}
+
+static bool update(void *state, const struct geometry *geometry) {
+    struct implicit_visibility *technique = state;
+    if (has_other_triangles(technique, geometry))
+        return make_elements(technique, geometry);
+    technique->linked = false;
+    elements_place(&technique->elements, geometry);
+    if (technique->elements.count > 0) {
+        bvh_free(&technique->casters);
+        element_light_casters(&technique->casters, geometry);
+    }
+    return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry);
+}
+
+/* The samples of the frame's sky, which come last (lights/light_samples.h); 0 where it does not shine. */
+static int sky_samples(const struct frame *frame) {
+    if (frame->layout.groups == 0)
+        return 0;
+    const struct light_group *last = &frame->groups[frame->layout.groups - 1];
+    for (int i = last->first; i < last->first + last->count; i++) {
+        const struct emitter *light = &frame->emitters->items[i];
+        if (light->type != EMITTER_DIRECTIONAL || light->number >= 0 || light->size[0] > 0)
+            return 0;
+    }
+    return last->count;
+}
+
+static void link_elements(struct implicit_visibility *technique, const struct frame *frame,
+                          bool sky) {
+    if (technique->linked && technique->sky_linked == sky)
+        return;
+    timer_begin(frame->timers, "pull up");
+    tree_pull_up(&technique->tree, &technique->elements);
+    timer_end(frame->timers);
+    timer_begin(frame->timers, "links");
+    links_make(&technique->links, &technique->tree, sky ? (const float(*)[3])technique->sky : NULL);
+    timer_end(frame->timers);
+    technique->linked = true;
+    technique->sky_linked = sky;
+}
+
+static void light_elements(struct implicit_visibility *technique, const struct frame *frame) {
+    int sky = technique->sky ? sky_samples(frame) : 0;
+    const struct direct_lights lights = {
+        .items = frame->emitters->items,
+        .count = frame->emitters->count - sky,
+        .casters = &technique->casters,
+        .clearance = geometry_clearance(frame->geometry),
+    };
+    link_elements(technique, frame, sky > 0);
+    timer_begin(frame->timers, "direct at elements");
+    element_light_direct(&technique->light, &technique->elements, &lights, &technique->links);
+    timer_end(frame->timers);
+    timer_begin(frame->timers, "bounces");
+    element_light_bounce(&technique->light, &technique->elements, &technique->tree,
+                         &technique->links, technique->bounces);
+    timer_end(frame->timers);
+}
+
+static void render_lights(void *state, const struct frame *frame) {
+    struct implicit_visibility *technique = state;
+    if (technique->elements.count > 0)
+        light_elements(technique, frame);
+    interpolate_pass_write(&technique->interpolate, &technique->elements, &technique->light,
+                           &technique->links, frame->irradiance_scale);
+}
+
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    const struct implicit_visibility *technique = state;
+    interpolate_pass_render(&technique->interpolate, frame, gbuffer);
+}
+
+static struct contribution contribution(const void *state) {
+    const struct implicit_visibility *technique = state;
+    return (struct contribution){.irradiance = &technique->interpolate.irradiance};
+}
+
+static const struct settings_part *const parts[] = {&lights_part, &radiosity_part, NULL};
+
+static const struct preset presets[] = {
+    MANY_LIGHTS_FAST,
+    {"paper", "weights of eq. 4.5, one bin for each partner, bins of the world",
+     "radiosity.cover=center radiosity.weight=element radiosity.sky=bins radiosity.turned=off",
+     NULL},
+    {NULL}};
+
+extern const struct technique implicit_visibility_technique;
+const struct technique implicit_visibility_technique = {
+    .name = "implicit-visibility",
+    .help = "radiosity of surface elements that know their nearest partners",
+    .parts = parts,
+    .presets = presets,
+    .init = init,
+    .free = free_state,
+    .resize = resize,
+    .update = update,
+    .render_lights = render_lights,
+    .render_view = render_view,
+    .contribution = contribution,
+};

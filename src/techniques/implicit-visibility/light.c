@@ -1,0 +1,158 @@
+#include "techniques/implicit-visibility/light.h"
+
+#include "base/memory.h"
+#include "base/parallel.h"
+#include "scene/mesh/bvh_ray.h"
+#include "scene/mesh/corners.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { LEAVES_TOGETHER = 64 };
+
+void element_light_init(struct element_light *light, const struct tree *tree) {
+    const size_t leaves = (size_t)tree->leaf_count, nodes = (size_t)tree->count;
+    *light = (struct element_light){
+        .count = tree->leaf_count,
+        .node_count = tree->count,
+        .direct = mem_alloc(leaves, sizeof *light->direct),
+        .radiance = mem_alloc(nodes, sizeof *light->radiance),
+        .irradiance = mem_alloc(leaves, sizeof *light->irradiance),
+    };
+}
+
+void element_light_free(struct element_light *light) {
+    free(light->direct);
+    free(light->radiance);
+    free(light->irradiance);
+    *light = (struct element_light){0};
+}
+
+void element_light_casters(struct bvh *casters, const struct geometry *geometry) {
+    const uint32_t count = geometry->index_count / 3;
+    struct bvh_triangle *triangles = mem_alloc(count, sizeof *triangles);
+    for (uint32_t i = 0; i < count; i++) {
+        triangles[i] = (struct bvh_triangle){.number = i};
+        triangles[i].corner =
+            corners_edges(geometry, &geometry->indices[3 * i], triangles[i].edges);
+    }
+    bvh_init(casters, triangles, count);
+}
+
+/* --- environment ------------------------------------------------------------------------------ */
+
+/* All texels by their middles; a bin without one takes what lies in its own middle. */
+float (*element_light_sky(const struct bins *bins, const struct environment *environment))[3] {
+    float(*sky)[3] = mem_alloc((size_t)bins->count, sizeof *sky);
+    double(*sums)[4] = mem_alloc((size_t)bins->count, sizeof *sums);
+    for (int y = 0; y < environment->height; y++) {
+        double solid_angle = environment_solid_angle(environment, y);
+        for (int x = 0; x < environment->width; x++) {
+            float direction[3], radiance[3];
+            environment_direction(environment, x + .5, y + .5, direction);
+            environment_radiance(environment, direction, radiance);
+            double *sum = sums[bins_find(bins, direction)];
+            for (int c = 0; c < 3; c++)
+                sum[c] += solid_angle * (double)radiance[c];
+            sum[3] += solid_angle;
+        }
+    }
+    for (int b = 0; b < bins->count; b++) {
+        environment_radiance(environment, bins->directions[b].raw, sky[b]);
+        for (int c = 0; sums[b][3] > 0 && c < 3; c++)
+            sky[b][c] = (float)(sums[b][c] / sums[b][3]);
+    }
+    free(sums);
+    return sky;
+}
+
+/* --- direct light ----------------------------------------------------------------------------- */
+
+struct lighting {
+    struct element_light *light;
+    const struct elements *elements;
+    const struct direct_lights *lights;
+    const struct links *links;
+};
+
+static bool is_hidden(const struct direct_lights *lights, const struct element *element,
+                      vec3s to_light, float distance) {
+    vec3s origin = glms_vec3_muladds(element->normal, lights->clearance, element->position);
+    struct bvh_hit hit = bvh_ray_trace(lights->casters, origin, to_light);
+    return hit.distance < distance - lights->clearance;
+}
+
+/* Irradiance over intensity. */
+static float arriving(const struct direct_lights *lights, const struct emitter *light,
+                      const struct element *element) {
+    const vec3s axis = {{light->direction[0], light->direction[1], light->direction[2]}};
+    vec3s to_light = glms_vec3_negate(axis);
+    float distance = INFINITY, factor = 1;
+    if (light->type != EMITTER_DIRECTIONAL) {
+        const vec3s at = {{light->position[0], light->position[1], light->position[2]}};
+        vec3s path = glms_vec3_sub(at, element->position);
+        distance = glms_vec3_norm(path);
+        if (!(distance > 0))
+            return 0;
+        to_light = glms_vec3_scale(path, 1 / distance);
+        factor = emitter_cone(light, -glms_vec3_dot(to_light, axis)) *
+                 emitter_in_range(light, distance) / (distance * distance);
+    }
+    factor *= glms_vec3_dot(to_light, element->normal);
+    return factor > 0 && !is_hidden(lights, element, to_light, distance) ? factor : 0;
+}
+
+static void light_some(void *context, size_t run) {
+    const struct lighting *lighting = context;
+    int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
+    for (int i = first; i < end && i < lighting->light->count; i++) {
+        const float *sky = lighting->links->sky[i];
+        vec3s sum = {{sky[0], sky[1], sky[2]}};
+        for (int l = 0; l < lighting->lights->count; l++) {
+            const struct emitter *light = &lighting->lights->items[l];
+            float factor = arriving(lighting->lights, light, &lighting->elements->items[i]);
+            glm_vec3_muladds((float *)light->intensity, factor, sum.raw);
+        }
+        glm_vec3_copy(sum.raw, lighting->light->direct[i]);
+    }
+}
+
+static void for_leaves(const struct lighting *lighting, void (*body)(void *context, size_t run)) {
+    size_t runs = ((size_t)lighting->light->count + LEAVES_TOGETHER - 1) / LEAVES_TOGETHER;
+    parallel_for(runs, lighting->links->desc.threads, body, (void *)lighting);
+}
+
+void element_light_direct(struct element_light *light, const struct elements *elements,
+                          const struct direct_lights *lights, const struct links *links) {
+    for_leaves(&(struct lighting){light, elements, lights, links}, light_some);
+}
+
+/* --- bounces ---------------------------------------------------------------------------------- */
+
+static void gather_some(void *context, size_t run) {
+    const struct lighting *lighting = context;
+    struct element_light *light = lighting->light;
+    int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
+    for (int i = first; i < end && i < light->count; i++) {
+        vec3s sum = links_gather(lighting->links, i, (const float(*)[4])light->radiance);
+        glm_vec3_copy(sum.raw, light->irradiance[i]);
+    }
+}
+
+static void reflect(const struct element_light *light, const struct elements *elements,
+                    bool indirect_too) {
+    for (int i = 0; i < light->count; i++)
+        for (int c = 0; c < 3; c++) {
+            float arrives = light->direct[i][c] + (indirect_too ? light->irradiance[i][c] : 0);
+            light->radiance[i][c] = elements->items[i].albedo.raw[c] * arrives / GLM_PIf;
+        }
+}
+
+void element_light_bounce(struct element_light *light, const struct elements *elements,
+                          const struct tree *tree, const struct links *links, int bounces) {
+    for (int bounce = 0; bounce < bounces; bounce++) {
+        reflect(light, elements, bounce > 0);
+        tree_pull_up_values(tree, light->radiance);
+        for_leaves(&(struct lighting){light, elements, NULL, links}, gather_some);
+    }
+}

@@ -1,0 +1,333 @@
+#include "techniques/implicit-visibility/links.h"
+
+#include "base/halton.h"
+#include "base/memory.h"
+#include "base/parallel.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Nodes whose normals differ more are opened: their mean says little. */
+static const float least_normal = .7F;
+
+/* Partners nearer than this, over the leaf's radius, are its own surface. */
+static const float least_distance = .25F;
+
+/* Disks around the elements leave gaps: area of a disk that has none, over its element's. */
+static const float disk_area = 1.5F;
+
+/* Disks of less of a bin's solid angle are less than a bin wide. */
+static const float disk_share = .5F;
+
+/* A back hides light, but the front at the same place counts. */
+static const float back_distance = 1.02F;
+
+/* An empty bin with so many filled neighbours is a leak. */
+enum { FILLED_NEIGHBOURS = 5 };
+
+enum { STACK_MAX = 256, LEAVES_TOGETHER = 8 };
+
+#define BACK 0x80000000U
+#define NOTHING UINT32_MAX
+
+struct walk {
+    const struct links *links;
+    const struct tree *tree;
+    const struct tree_node *leaf;
+    uint32_t own;
+    mat3s turn; /* from the world to the leaf's bins */
+    float distances[BINS_MAX];
+    uint32_t nodes[BINS_MAX]; /* with BACK; NOTHING: empty */
+};
+
+/* --- partners --------------------------------------------------------------------------------- */
+
+static void offer(struct walk *walk, int bin, uint32_t node, bool front, float distance) {
+    float key = front ? distance : distance * back_distance;
+    uint32_t word = front ? node : node | BACK;
+    if (key < walk->distances[bin] || (key == walk->distances[bin] && word < walk->nodes[bin])) {
+        walk->distances[bin] = key;
+        walk->nodes[bin] = word;
+    }
+}
+
+struct disk {
+    uint32_t node;
+    float center[3], normal[3]; /* from the leaf; unit */
+    float along;                /* center . normal */
+    float radius2;
+};
+
+static void offer_bin(struct walk *walk, const struct disk *disk, int b) {
+    const float *ray = walk->links->bins.directions[b].raw;
+    float cosine = glm_vec3_dot((float *)ray, (float *)disk->normal);
+    float distance = disk->along / cosine, from2 = 0;
+    if (!(distance > 0) || !(distance < walk->distances[b]))
+        return;
+    for (int c = 0; c < 3; c++) {
+        float from = distance * ray[c] - disk->center[c];
+        from2 += from * from;
+    }
+    if (from2 <= disk->radius2)
+        offer(walk, b, disk->node, cosine < 0, distance);
+}
+
+static void offer_window(struct walk *walk, const struct disk *disk, int face,
+                         const struct bins_window *window) {
+    const int side = walk->links->bins.side;
+    for (int row = window->first[1]; row < window->end[1]; row++)
+        for (int column = window->first[0]; column < window->end[0]; column++)
+            offer_bin(walk, disk, (face * side + row) * side + column);
+}
+
+static void offer_windows(struct walk *walk, const struct disk *disk) {
+    const struct bins *bins = &walk->links->bins;
+    const int major = bins_face(disk->center);
+    struct bins_window window;
+    float extents[3];
+    for (int c = 0; c < 3; c++) {
+        float across2 = 1 - disk->normal[c] * disk->normal[c];
+        extents[c] = sqrtf(disk->radius2 * (across2 > 0 ? across2 : 0));
+    }
+    bins_window_of(bins, major, disk->center, extents, &window);
+    offer_window(walk, disk, major, &window);
+    for (int face = 0; face < 6 && !window.inside; face++)
+        if (face != major && bins_window_of(bins, face, disk->center, extents, &window)) {
+            offer_window(walk, disk, face, &window);
+            window.inside = false;
+        }
+}
+
+/* In all bins whose middle rays meet the disk. A small one reaches no middle but that of its own bin. */
+static void offer_disk(struct walk *walk, uint32_t j, vec3s path, bool small) {
+    const struct tree_node *node = &walk->tree->nodes[j];
+    struct disk disk = {.node = j, .radius2 = disk_area * node->area / GLM_PIf};
+    vec3s normal = {{node->normal[0], node->normal[1], node->normal[2]}};
+    normal = glms_vec3_normalize(glms_mat3_mulv(walk->turn, normal));
+    memcpy(disk.center, path.raw, sizeof disk.center);
+    memcpy(disk.normal, normal.raw, sizeof disk.normal);
+    disk.along = glm_vec3_dot(disk.center, disk.normal);
+    if (small)
+        offer_bin(walk, &disk, bins_find(&walk->links->bins, disk.center));
+    else
+        offer_windows(walk, &disk);
+}
+
+/* turned: the path, in the leaf's bins. */
+static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s turned,
+                       float distance) {
+    const struct tree_node *node = &walk->tree->nodes[j];
+    const struct bins *bins = &walk->links->bins;
+    float facing = -glm_vec3_dot((float *)node->normal, (float *)path) / distance;
+    bool above = glm_vec3_dot((float *)walk->leaf->normal, (float *)path) > 0;
+    float solid_angle = node->area * fabsf(facing) / (distance * distance);
+    bool small = solid_angle < disk_share * bins_solid_angle(bins, turned.raw, distance);
+    if (walk->links->desc.cover == LINKS_COVER_CENTER) {
+        if (above)
+            offer(walk, bins_find(bins, turned.raw), j, facing > 0, distance);
+    } else if (
+        facing > 0 ||
+        above) /* disks reach beyond their surface's edge: backs behind the leaf hide nothing */
+        offer_disk(walk, j, turned, small);
+}
+
+/* Whether the node is too wide for one link. A node of differing normals shows more than its mean. */
+static bool opens(const struct walk *walk, const struct tree_node *node, const float path[3],
+                  vec3s turned, float distance) {
+    float length2 = glm_vec3_norm2((float *)node->normal);
+    if (length2 < least_normal * least_normal || distance < node->radius)
+        return true;
+    float cosine = fabsf(glm_vec3_dot((float *)node->normal, (float *)path)) / distance;
+    float shown = cosine + .5F * sqrtf(fmaxf(1 - length2, 0));
+    float solid_angle = node->area * shown / (distance * distance);
+    return solid_angle > bins_solid_angle(&walk->links->bins, turned.raw, distance);
+}
+
+/* All nodes that reach above the leaf's horizon. */
+static void walk_tree(struct walk *walk) {
+    const struct tree *tree = walk->tree;
+    const struct tree_node *leaf = walk->leaf;
+    const float near2 = glm_pow2(least_distance * leaf->radius);
+    uint32_t stack[STACK_MAX] = {(uint32_t)tree->count - 1};
+    for (int size = 1; size > 0;) {
+        uint32_t j = stack[--size];
+        const struct tree_node *node = &tree->nodes[j];
+        float path[3];
+        for (int c = 0; c < 3; c++)
+            path[c] = node->position[c] - leaf->position[c];
+        float height = glm_vec3_dot(path, (float *)leaf->normal);
+        if (j == walk->own || height < -node->radius)
+            continue;
+        float distance2 = glm_vec3_norm2(path), distance = sqrtf(distance2);
+        vec3s turned = glms_mat3_mulv(walk->turn, (vec3s){{path[0], path[1], path[2]}});
+        if (j >= (uint32_t)tree->leaf_count && opens(walk, node, path, turned, distance) &&
+            size + TREE_CHILDREN <= STACK_MAX) {
+            for (int k = 0; k < TREE_CHILDREN && node->children[k] != TREE_NONE; k++)
+                stack[size++] = node->children[k];
+            continue;
+        }
+        if (distance2 > near2)
+            offer_node(walk, j, path, turned, distance);
+    }
+}
+
+/* --- links ------------------------------------------------------------------------------------ */
+
+/* The nearest partner of the neighbours of an empty bin among filled ones, which thus is a leak; or nothing. */
+static uint32_t close_leak(const struct walk *walk, int b) {
+    const struct bin *bin = &walk->links->bins.items[b];
+    int filled = 0, nearest = -1;
+    for (int k = 0; k < BIN_NEIGHBOURS; k++) {
+        int other = bin->neighbours[k];
+        if (walk->nodes[other] == NOTHING)
+            continue;
+        filled++;
+        if (nearest < 0 || walk->distances[other] < walk->distances[nearest])
+            nearest = other;
+    }
+    return filled >= FILLED_NEIGHBOURS ? walk->nodes[nearest] : NOTHING;
+}
+
+/* [Dong 2011 eq. 4.5] */
+static float element_weight(const struct walk *walk, uint32_t j) {
+    const struct tree_node *node = &walk->tree->nodes[j], *leaf = walk->leaf;
+    vec3 path;
+    glm_vec3_sub((float *)node->position, (float *)leaf->position, path);
+    float distance2 = glm_vec3_norm2(path);
+    float here = glm_vec3_dot(path, (float *)leaf->normal);
+    float there = -glm_vec3_dot(path, (float *)node->normal);
+    return fmaxf(here, 0) * fmaxf(there, 0) * node->area / (distance2 * distance2);
+}
+
+/* The radiance of the bin of the world that the leaf's leads to. */
+static void add_sky(const struct walk *walk, int b, float weight, const float (*sky)[3],
+                    float sum[3]) {
+    const struct bins *bins = &walk->links->bins;
+    if (!sky)
+        return;
+    vec3s direction = bins->directions[b];
+    if (walk->links->desc.turned)
+        direction = glms_mat3_mulv(glms_mat3_transpose(walk->turn), direction);
+    const float *radiance = sky[bins_find(bins, direction.raw)];
+    for (int c = 0; c < 3; c++)
+        sum[c] += weight * radiance[c];
+}
+
+static void take_links(const struct walk *walk, struct links *links, const float (*sky)[3]) {
+    const uint32_t own = walk->own;
+    struct link *items = links->items + (size_t)own * (size_t)links->stride;
+    const vec3s normal = glms_mat3_mulv(
+        walk->turn, (vec3s){{walk->leaf->normal[0], walk->leaf->normal[1], walk->leaf->normal[2]}});
+    float all = 0, filled = 0, buried = 0, open[3] = {0};
+    int count = 0;
+    for (int b = 0; b < links->bins.count; b++) {
+        float weight = bin_cosine(&links->bins.items[b], normal);
+        if (!(weight > 0))
+            continue;
+        uint32_t node = walk->nodes[b];
+        all += weight;
+        if (node == NOTHING && !links->desc.leaky)
+            node = close_leak(walk, b);
+        if (node == NOTHING) {
+            add_sky(walk, b, weight, sky, open);
+            continue;
+        }
+        filled += weight;
+        if (node & BACK)
+            buried += weight;
+        if (!(node & BACK) && count < links->stride)
+            items[count++] = (struct link){node, links->desc.weight == LINKS_WEIGHT_ELEMENT
+                                                     ? element_weight(walk, node)
+                                                     : weight};
+    }
+    /* The quarters' sum is pi but for their width. */
+    float scale = all > 0 ? GLM_PIf / all : 0;
+    for (int k = 0; k < count && links->desc.weight == LINKS_WEIGHT_BIN; k++)
+        items[k].weight *= scale;
+    for (int c = 0; c < 3; c++)
+        links->sky[own][c] = open[c] * scale;
+    links->counts[own] = count;
+    links->filled[own] = filled * scale / GLM_PIf;
+    links->buried[own] = buried * scale / GLM_PIf;
+}
+
+/* A random turn of the cube [Shoemake 1992]. */
+static mat3s turn_of(uint32_t number) {
+    float x = (float)radical_inverse(2, number),
+          y = 2 * GLM_PIf * (float)radical_inverse(3, number),
+          z = 2 * GLM_PIf * (float)radical_inverse(5, number);
+    float a = sqrtf(1 - x), b = sqrtf(x);
+    versors turn = {{a * sinf(y), a * cosf(y), b * sinf(z), b * cosf(z)}};
+    return glms_quat_mat3(turn);
+}
+
+struct making {
+    struct links *links;
+    const struct tree *tree;
+    const float (*sky)[3];
+};
+
+static void make_some(void *context, size_t run) {
+    const struct making *making = context;
+    struct walk *walk = mem_alloc(1, sizeof *walk);
+    int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
+    walk->links = making->links;
+    walk->tree = making->tree;
+    for (int i = first; i < end && i < making->tree->leaf_count; i++) {
+        walk->own = (uint32_t)i;
+        walk->leaf = &making->tree->nodes[i];
+        walk->turn = making->links->desc.turned ? turn_of((uint32_t)i) : glms_mat3_identity();
+        for (int b = 0; b < making->links->bins.count; b++) {
+            walk->distances[b] = INFINITY;
+            walk->nodes[b] = NOTHING;
+        }
+        walk_tree(walk);
+        take_links(walk, making->links, making->sky);
+    }
+    free(walk);
+}
+
+void links_make(struct links *links, const struct tree *tree, const float (*sky)[3]) {
+    struct making making = {links, tree, sky};
+    size_t runs = ((size_t)tree->leaf_count + LEAVES_TOGETHER - 1) / LEAVES_TOGETHER;
+    parallel_for(runs, links->desc.threads, make_some, &making);
+}
+
+void links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
+    const size_t count = (size_t)leaf_count;
+    *links = (struct links){.desc = *desc, .leaf_count = leaf_count};
+    bins_init(&links->bins, desc->side);
+    /* Half of all bins, and those that the horizon cuts. */
+    links->stride = links->bins.count / 2 + 6 * desc->side + 8;
+    links->items = mem_alloc(count * (size_t)links->stride, sizeof *links->items);
+    links->counts = mem_alloc(count, sizeof *links->counts);
+    links->filled = mem_alloc(count, sizeof *links->filled);
+    links->buried = mem_alloc(count, sizeof *links->buried);
+    links->sky = mem_alloc(count, sizeof *links->sky);
+}
+
+void links_free(struct links *links) {
+    bins_free(&links->bins);
+    free(links->items);
+    free(links->counts);
+    free(links->filled);
+    free(links->buried);
+    free(links->sky);
+    *links = (struct links){0};
+}
+
+size_t links_bytes(const struct links *links) {
+    size_t each = (size_t)links->stride * sizeof *links->items + sizeof *links->counts +
+                  sizeof *links->filled + sizeof *links->buried + sizeof *links->sky;
+    return (size_t)links->leaf_count * each;
+}
+
+vec3s links_gather(const struct links *links, int leaf, const float (*radiance)[4]) {
+    const struct link *items = links->items + (size_t)leaf * (size_t)links->stride;
+    float sum[4] = {0};
+    for (int k = 0; k < links->counts[leaf]; k++)
+        for (int c = 0; c < 4; c++)
+            sum[c] += items[k].weight * radiance[items[k].node][c];
+    return (vec3s){{sum[0], sum[1], sum[2]}};
+}
