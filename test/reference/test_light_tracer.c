@@ -320,6 +320,22 @@ static void test_index_one(void **state) {
     }
 }
 
+/* However far away the lamp is, rays go to all of the glass. */
+static void test_far(void **state) {
+    (void)state;
+    struct world world;
+    struct image image;
+    struct material glass;
+    make_glass(&glass, 1);
+    make_roof(&world, &glass);
+    look_down(&world, -.6F, -.6F, 1.2F, 1.1F);
+    place_light(&world, EMITTER_POINT, at(0, 2e4F, 0), at(0, -1, 0), 4e8F);
+    trace(&world, NULL, &(struct look){.size = 8, .samples = 4, .paths = 100000}, &image);
+    check_near("irradiance", GLM_PI * mean_of_layer(&image, "caustic"), 1, .005);
+    image_free(&image);
+    world_free(&world);
+}
+
 /* Nor does it hide anything from the camera above it. */
 static void test_window(void **state) {
     (void)state;
@@ -561,7 +577,7 @@ int main(void) {
         cmocka_unit_test(test_window),    cmocka_unit_test(test_seen_through),
         cmocka_unit_test(test_relations), cmocka_unit_test(test_noise),
         cmocka_unit_test(test_sides),     cmocka_unit_test(test_hard),
-        cmocka_unit_test(test_no_glass),
+        cmocka_unit_test(test_no_glass),  cmocka_unit_test(test_far),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
