@@ -138,7 +138,7 @@ static bool parse_ao(struct values *values) {
     return !values->ao || ao_is_auto(values) || option_parse(&ao_distance, values, values->ao);
 }
 
-/* Which show glass and mirrors. */
+/* Of the options for glass and mirrors; light paths need the picture that shows both. */
 static bool check_light_paths(struct values *values) {
     values->tracer.smooth |= values->light_paths > 0;
     const char *option = values->light_paths > 0 ? "--light-paths" : "--smooth";

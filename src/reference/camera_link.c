@@ -5,12 +5,9 @@
 #include <math.h>
 
 struct camera_link camera_link_of(const struct primary_rays *primary, float radius) {
-    const struct camera *camera = primary->camera;
-    float height = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2);
-    float across = 2 * height / (float)primary->height; /* pixels are square */
     bool cuts = primary->range.cuts;
     return (struct camera_link){.primary = *primary,
-                                .across = {across, across},
+                                .across = primary_pixel_size(primary, 1),
                                 .near = cuts ? primary->range.near : 1e-6F * radius,
                                 .far = cuts ? primary->range.far : INFINITY};
 }
@@ -19,7 +16,7 @@ bool camera_link_view(const struct camera_link *link, vec3s point, struct camera
     const struct primary_rays *primary = &link->primary;
     const struct camera *camera = primary->camera;
     float width = (float)primary->width, height = (float)primary->height, place[2];
-    float depth = primary_depth(primary, point), of_pixel = link->across[0] * link->across[1];
+    float depth = primary_depth(primary, point), of_pixel = link->across * link->across;
     if (depth < link->near || depth > link->far ||
         !camera_project(camera, point.raw, width / height, place))
         return false;
@@ -79,7 +76,7 @@ bool camera_link_cut(const struct camera_link *link, vec3s origin, vec3s directi
     if (isfinite(link->far))
         cut(link->far - depth, -sinks, piece);
     for (int axis = 0; axis < 2; axis++) {
-        float half = link->across[axis] * pixels[axis] / 2;
+        float half = link->across * pixels[axis] / 2;
         float edge = camera->orthographic ? half : half * depth;
         float opens = camera->orthographic ? 0 : half * sinks;
         float aside = glms_vec3_dot(from_eye, axes[axis]);

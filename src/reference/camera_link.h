@@ -6,8 +6,7 @@
 
 struct camera_link {
     struct primary_rays primary;
-    float across
-        [2]; /* of a pixel, along x and y, at a depth of 1; of an orthographic camera everywhere, m */
+    float across;    /* of a pixel at a depth of 1; of an orthographic camera everywhere, m */
     float near, far; /* depths that the camera sees, m */
 };
 

@@ -121,8 +121,8 @@ static bool find_piece(const struct walk *walk, float length, struct piece *piec
                             fmaxf(glms_vec3_norm(aside), 1e-6F * medium->radius),
                             !camera->orthographic,
                             0};
-    float seen = fminf(length_seen(walk, piece), PIXELS_PER_POINT * POINTS_MOST);
-    piece->points = 1 + (int)(seen / PIXELS_PER_POINT);
+    float more = fminf(length_seen(walk, piece) / PIXELS_PER_POINT, POINTS_MOST - 1);
+    piece->points = 1 + (int)more;
     return true;
 }
 
