@@ -65,7 +65,7 @@ static void leave_on_surface(const struct walk *walk, const struct hit *hit) {
     const struct camera_link *link = &walk->scene->link;
     vec3s above = ray_scene_departure(walk->scene->rays, hit);
     struct camera_view view;
-    if (hit_is_black(hit) || !camera_link_view(link, hit->position, &view))
+    if (hit_is_black(hit) || !camera_link_view(link, hit->position, &view) || !view.in_range)
         return;
     float share = reflected_share(hit, view.to_eye) * view.weight * GLM_1_PIf;
     if (!(share > 0) || !camera_link_sees(link, &view, above))

@@ -243,11 +243,12 @@ static void test_straight(void **state) {
     static const struct {
         const char *name;
         enum emitter_type type;
-        bool orthographic;
-    } rows[] = {{"spot", EMITTER_SPOT, false},
-                {"spot", EMITTER_SPOT, true},
-                {"sun", EMITTER_DIRECTIONAL, false},
-                {"area", EMITTER_AREA, false}};
+        bool orthographic, cuts;
+    } rows[] = {{"spot", EMITTER_SPOT, false, false},
+                {"spot", EMITTER_SPOT, true, false},
+                {"spot", EMITTER_SPOT, false, true},
+                {"sun", EMITTER_DIRECTIONAL, false, false},
+                {"area", EMITTER_AREA, false, false}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct world world;
         struct image image;
@@ -255,6 +256,15 @@ static void test_straight(void **state) {
         add_floor(&world, 2);
         finish(&world, 1.8F);
         look_along(&world, rows[i].orthographic);
+        struct geometry_part floor = {.vertex_count = 4, .index_count = 6};
+        if (rows[i].cuts) { /* a third of the floor, and nothing of the medium */
+            memcpy(floor.bounds_min, world.geometry.bounds_min, sizeof floor.bounds_min);
+            memcpy(floor.bounds_max, world.geometry.bounds_max, sizeof floor.bounds_max);
+            world.geometry.parts = &floor;
+            world.geometry.part_count = 1;
+            world.camera.near = 2;
+            world.camera.far = 2.7F;
+        }
         place_light(&world, rows[i].type, at(.2F, 1.4F, 0), at(.1F, -1, 0), 1);
         world.light.cos_outer = .8F;
         world.light.cos_inner = .9F;
@@ -265,7 +275,8 @@ static void test_straight(void **state) {
               &(struct look){
                   .size = 32, .samples = 128, .paths = 400000, .straight = true, .medium = fog},
               &image);
-        printf("    %s%s\n", rows[i].name, rows[i].orthographic ? ", orthographic" : "");
+        printf("    %s%s%s\n", rows[i].name, rows[i].orthographic ? ", orthographic" : "",
+               rows[i].cuts ? ", near and far cut off" : "");
         check_near("lines over airlight",
                    mean_of_layer(&image, "volume") / mean_of_layer(&image, "airlight"), 1, .004);
         check_near("lands over direct light",
