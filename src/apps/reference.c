@@ -204,8 +204,9 @@ static bool trace_light(const struct values *values, const struct stage *stage,
             "the scene has no glass (transmission above 0.5) and no mirror (metal of roughness "
             "below 0.1): caustic is black");
     else if (ok && result.noise == 0)
-        log_note("%d light paths in %.1f s, too few to tell their noise", values->light_paths,
-                 seconds);
+        log_note("%d light paths in %.1f s: no caustic is in view, or they are too few to tell "
+                 "their noise",
+                 values->light_paths, seconds);
     else if (ok)
         log_note("%d light paths in %.1f s, noise of caustics %.2f %%", values->light_paths,
                  seconds, 100 * result.noise);
