@@ -138,7 +138,7 @@ static bool parse_ao(struct values *values) {
     return !values->ao || ao_is_auto(values) || option_parse(&ao_distance, values, values->ao);
 }
 
-/* Which show glass and mirrors. */
+/* Of the options for glass and mirrors; light paths need the picture that shows both. */
 static bool check_light_paths(struct values *values) {
     values->tracer.smooth |= values->light_paths > 0;
     const char *option = values->light_paths > 0 ? "--light-paths" : "--smooth";
@@ -204,8 +204,9 @@ static bool trace_light(const struct values *values, const struct stage *stage,
             "the scene has no glass (transmission above 0.5) and no mirror (metal of roughness "
             "below 0.1): caustic is black");
     else if (ok && result.noise == 0)
-        log_note("%d light paths in %.1f s, too few to tell their noise", values->light_paths,
-                 seconds);
+        log_note("%d light paths in %.1f s: no caustic is in view, or they are too few to tell "
+                 "their noise",
+                 values->light_paths, seconds);
     else if (ok)
         log_note("%d light paths in %.1f s, noise of caustics %.2f %%", values->light_paths,
                  seconds, 100 * result.noise);

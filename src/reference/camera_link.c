@@ -5,13 +5,11 @@
 #include <math.h>
 
 struct camera_link camera_link_of(const struct primary_rays *primary, float radius) {
-    const struct camera *camera = primary->camera;
-    float height = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2);
-    float across = 2 * height / (float)primary->height; /* pixels are square */
     bool cuts = primary->range.cuts;
     return (struct camera_link){.primary = *primary,
-                                .across = {across, across},
-                                .near = cuts ? primary->range.near : 1e-6F * radius,
+                                .across = primary_pixel_size(primary, 1),
+                                .least = 1e-6F * radius,
+                                .near = cuts ? primary->range.near : 0,
                                 .far = cuts ? primary->range.far : INFINITY};
 }
 
@@ -19,13 +17,13 @@ bool camera_link_view(const struct camera_link *link, vec3s point, struct camera
     const struct primary_rays *primary = &link->primary;
     const struct camera *camera = primary->camera;
     float width = (float)primary->width, height = (float)primary->height, place[2];
-    float depth = primary_depth(primary, point), of_pixel = link->across[0] * link->across[1];
-    if (depth < link->near || depth > link->far ||
-        !camera_project(camera, point.raw, width / height, place))
+    float depth = primary_depth(primary, point), of_pixel = link->across * link->across;
+    if (depth < link->least || !camera_project(camera, point.raw, width / height, place))
         return false;
     float x = floorf(place[0] * width), y = floorf(place[1] * height);
     if (!(x >= 0 && x < width && y >= 0 && y < height))
         return false;
+    view->in_range = depth >= link->near && depth <= link->far;
     view->pixel = (size_t)y * (size_t)primary->width + (size_t)x;
     vec3s eye = vector_of(camera->eye), forward = vector_of(camera->forward);
     if (camera->orthographic) {
@@ -47,10 +45,10 @@ bool camera_link_view(const struct camera_link *link, vec3s point, struct camera
 bool camera_link_sees(const struct camera_link *link, const struct camera_view *view, vec3s point) {
     const struct ray_scene *rays = link->primary.rays;
     vec3s path = glms_vec3_sub(point, view->eye);
-    float distance = glms_vec3_norm(path), depth = primary_depth(&link->primary, point);
-    float ends[2] = {0, distance - rays->clearance};
-    if (link->primary.range.cuts)
-        ends[0] = distance * link->near / depth;
+    float distance = glms_vec3_norm(path);
+    float of_depth = distance / primary_depth(&link->primary, point);
+    float ends[2] = {of_depth * link->near,
+                     fminf(distance - rays->clearance, of_depth * link->far)};
     return ends[1] <= ends[0] ||
            ray_scene_camera_is_open(rays, view->eye, glms_vec3_scale(path, 1 / distance), ends);
 }
@@ -75,11 +73,9 @@ bool camera_link_cut(const struct camera_link *link, vec3s origin, vec3s directi
     float pixels[2] = {(float)primary->width, (float)primary->height};
     float depth = primary_depth(primary, origin);
     float sinks = glms_vec3_dot(direction, vector_of(camera->forward));
-    cut(depth - link->near, sinks, piece);
-    if (isfinite(link->far))
-        cut(link->far - depth, -sinks, piece);
+    cut(depth - link->least, sinks, piece);
     for (int axis = 0; axis < 2; axis++) {
-        float half = link->across[axis] * pixels[axis] / 2;
+        float half = link->across * pixels[axis] / 2;
         float edge = camera->orthographic ? half : half * depth;
         float opens = camera->orthographic ? 0 : half * sinks;
         float aside = glms_vec3_dot(from_eye, axes[axis]);

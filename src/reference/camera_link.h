@@ -6,9 +6,9 @@
 
 struct camera_link {
     struct primary_rays primary;
-    float across
-        [2]; /* of a pixel, along x and y, at a depth of 1; of an orthographic camera everywhere, m */
-    float near, far; /* depths that the camera sees, m */
+    float across;    /* of a pixel at a depth of 1; of an orthographic camera everywhere, m */
+    float least;     /* depth of a point that has a place in the picture, m */
+    float near, far; /* depths of surfaces that the camera sees, m; a medium is seen everywhere */
 };
 
 struct camera_link camera_link_of(const struct primary_rays *primary, float radius);
@@ -16,6 +16,7 @@ struct camera_link camera_link_of(const struct primary_rays *primary, float radi
 /* A point as the camera sees it. */
 struct camera_view {
     size_t pixel;
+    bool in_range;  /* a surface there is not cut away */
     vec3s eye;      /* where its ray starts */
     vec3s to_eye;   /* unit */
     float distance; /* to there, metres */

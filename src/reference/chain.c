@@ -16,7 +16,7 @@ static void travel(const struct emission *emission, const struct ray_scene *rays
     if (!emission->medium.exists)
         return;
     vec3s light = airlight_along(emission, rays, ray->origin, ray->direction, length, sampler, 1);
-    chain->airlight = glms_vec3_add(chain->airlight, glms_vec3_mul(chain->share, light));
+    chain->between = glms_vec3_add(chain->between, glms_vec3_mul(chain->share, light));
     chain->share = glms_vec3_mul(
         chain->share, medium_transmittance(&emission->medium, ray->origin, ray->direction, length));
 }
@@ -40,6 +40,9 @@ struct chain chain_follow(const struct emission *emission, const struct ray_scen
             ray.inside = smooth_inside(&chain.end, ray.inside);
         float length = chain.hits ? glms_vec3_distance(ray.origin, chain.end.position) : INFINITY;
         travel(emission, rays, &ray, length, sampler, &chain);
+        if (chain.hits && chain.end.smooth)
+            chain.between = glms_vec3_muladd(
+                chain.share, surfaces_glow(&emission->surfaces, &chain.end), chain.between);
     }
     return chain;
 }

@@ -10,7 +10,7 @@ struct chain {
     struct hit end;
     vec3s direction; /* of the last ray */
     vec3s share;     /* of the radiance there that comes to the first surface */
-    vec3s airlight;  /* what comes there from the medium along the chain, radiance */
+    vec3s between;   /* what comes there from the medium and from glass that shines, radiance */
 };
 
 /* From a surface that is glass or a mirror, by the sampler's next pairs. */

@@ -65,7 +65,7 @@ static void leave_on_surface(const struct walk *walk, const struct hit *hit) {
     const struct camera_link *link = &walk->scene->link;
     vec3s above = ray_scene_departure(walk->scene->rays, hit);
     struct camera_view view;
-    if (hit_is_black(hit) || !camera_link_view(link, hit->position, &view))
+    if (hit_is_black(hit) || !camera_link_view(link, hit->position, &view) || !view.in_range)
         return;
     float share = reflected_share(hit, view.to_eye) * view.weight * GLM_1_PIf;
     if (!(share > 0) || !camera_link_sees(link, &view, above))
@@ -121,8 +121,8 @@ static bool find_piece(const struct walk *walk, float length, struct piece *piec
                             fmaxf(glms_vec3_norm(aside), 1e-6F * medium->radius),
                             !camera->orthographic,
                             0};
-    float seen = fminf(length_seen(walk, piece), PIXELS_PER_POINT * POINTS_MOST);
-    piece->points = 1 + (int)(seen / PIXELS_PER_POINT);
+    float more = fminf(length_seen(walk, piece) / PIXELS_PER_POINT, POINTS_MOST - 1);
+    piece->points = 1 + (int)more;
     return true;
 }
 

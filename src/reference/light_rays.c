@@ -50,9 +50,10 @@ static bool aim_at(const struct emitter *piece, const struct light_aim *aim, vec
     float cosine = sqrtf(1 - sine * sine);
     if (piece->type == EMITTER_SPOT && cosine <= piece->cos_outer)
         return false;
-    ray->direction = warp_to_cone(sample, glms_vec3_scale(path, 1 / distance), cosine);
+    float height = sine * sine / (1 + cosine); /* 1 - cosine, of small balls far away, too */
+    ray->direction = warp_to_cap(sample, glms_vec3_scale(path, 1 / distance), height);
     float falls = emitter_cone(piece, glms_vec3_dot(ray->direction, vector_of(piece->direction)));
-    ray->flux = glms_vec3_scale(ray->flux, falls * 2 * GLM_PIf * (1 - cosine));
+    ray->flux = glms_vec3_scale(ray->flux, falls * 2 * GLM_PIf * height);
     return true;
 }
 

@@ -30,7 +30,7 @@ struct light_balance {
     double cut;      /* by SMOOTH_MOST */
 };
 
-/* All but the first six may be 0. */
+/* All but the first seven may be 0. */
 struct light_tracer_desc {
     const struct scene *scene;
     const struct geometry *geometry;

@@ -111,13 +111,17 @@ static int stream_of(uint32_t sample) {
     return (int)(sample % FILM_STREAMS);
 }
 
-/* Where no surface is seen. */
-static vec3s background(const struct tracer *tracer, vec3s direction) {
+static vec3s sky_radiance(const struct tracer *tracer, vec3s direction) {
     const struct environment *sky = tracer->desc.emitters.sky;
     vec3s radiance = glms_vec3_zero();
-    if (sky && !tracer->desc.hides_sky)
+    if (sky)
         environment_radiance(sky, direction.raw, radiance.raw);
     return radiance;
+}
+
+/* Where no surface is seen. */
+static vec3s background(const struct tracer *tracer, vec3s direction) {
+    return tracer->desc.hides_sky ? glms_vec3_zero() : sky_radiance(tracer, direction);
 }
 
 static void add_seen(const struct tracer *tracer, const struct hit *hit, int stream,
@@ -194,14 +198,14 @@ static void light_smooth(const struct tracer *tracer, const struct hit *hit, int
         light_surface(tracer, &chain.end, stream, sampler, samplers, &seen);
         shines = glow_of(tracer, &chain.end);
     } else if (!chain.cut) {
-        shines = background(tracer, chain.direction);
+        shines = sky_radiance(tracer, chain.direction);
     }
     if (chain.hits) {
         shines = glms_vec3_add(shines, hit_radiance(&chain.end, &seen.direct));
         sample->indirect.specular =
             glms_vec3_mul(chain.share, hit_radiance(&chain.end, &seen.indirect));
     }
-    sample->direct.specular = glms_vec3_add(chain.airlight, glms_vec3_mul(chain.share, shines));
+    sample->direct.specular = glms_vec3_add(chain.between, glms_vec3_mul(chain.share, shines));
 }
 
 static void add_surface(const struct tracer *tracer, const struct hit *hit, vec3s passes,

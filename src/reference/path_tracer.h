@@ -59,7 +59,7 @@ struct path_tracer_desc {
     bool seen;         /* the layers unshadowed and visibility, too: reference/seen.h */
     float ao_distance; /* metres: the layer ao, too (reference/ao.h); 0 = none */
     bool ao_alone;     /* without direct and indirect light: their noise is not waited for */
-    bool hides_sky;    /* which is not seen, and shines */
+    bool hides_sky;    /* which surfaces alone see, mirrors and glass, too */
     bool denoise;      /* the indirect layer (reference/denoise.h), after the noise is told */
     int threads;       /* 0 = all cores; does not change the picture */
     /* Called now and then from any of the threads, one at a time; false cancels. */

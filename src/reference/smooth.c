@@ -44,8 +44,9 @@ const struct material *smooth_inside(const struct hit *hit, const struct materia
 
 vec3s smooth_passes(const struct material *glass, float length) {
     vec3s passes = glms_vec3_one();
-    for (int c = 0; c < 3 && length > 0; c++)
-        passes.raw[c] = expf(-glass->absorption[c] * length);
+    for (int c = 0; c < 3; c++)
+        if (glass->absorption[c] > 0 && length > 0) /* 0 times infinity is no number */
+            passes.raw[c] = expf(-glass->absorption[c] * length);
     return passes;
 }
 

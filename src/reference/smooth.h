@@ -37,7 +37,7 @@ struct smooth_ray smooth_leave(const struct ray_scene *rays, const struct hit *h
 /* The glass that a ray was in when it met the surface, if `inside` is where it was thought to be. */
 const struct material *smooth_inside(const struct hit *hit, const struct material *inside);
 
-/* The share of light that passes so many metres of the glass. */
+/* The share of light that passes so many metres of the glass; infinite where an open mesh has no back. */
 vec3s smooth_passes(const struct material *glass, float length);
 
 #endif

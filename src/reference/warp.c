@@ -34,7 +34,11 @@ vec3s warp_to_cosine(vec2s sample, vec3s normal) {
 }
 
 vec3s warp_to_cone(vec2s sample, vec3s axis, float cos_half_angle) {
-    float height = 1 - cos_half_angle; /* of the cap, all of which is equally likely */
+    return warp_to_cap(sample, axis, 1 - cos_half_angle);
+}
+
+vec3s warp_to_cap(vec2s sample, vec3s axis, float height) {
+    /* All heights of the cap are equally likely. */
     float sine = sqrtf(fmaxf(0, sample.x * height * (2 - sample.x * height)));
     return at_radius(axis, sine, sample.y, 1 - sample.x * height);
 }

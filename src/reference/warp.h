@@ -13,6 +13,9 @@ vec3s warp_to_cosine(vec2s sample, vec3s normal);
 /* A unit direction, uniform in the cone about the axis; cos_half_angle -1 is the whole sphere. */
 vec3s warp_to_cone(vec2s sample, vec3s axis, float cos_half_angle);
 
+/* The same by the height of the cone's cap, 1 - cos_half_angle, which tells narrow cones apart. */
+vec3s warp_to_cap(vec2s sample, vec3s axis, float height);
+
 /* A point, uniform in the unit disc across the axis. */
 vec3s warp_to_disc(vec2s sample, vec3s axis);
 

@@ -243,11 +243,12 @@ static void test_straight(void **state) {
     static const struct {
         const char *name;
         enum emitter_type type;
-        bool orthographic;
-    } rows[] = {{"spot", EMITTER_SPOT, false},
-                {"spot", EMITTER_SPOT, true},
-                {"sun", EMITTER_DIRECTIONAL, false},
-                {"area", EMITTER_AREA, false}};
+        bool orthographic, cuts;
+    } rows[] = {{"spot", EMITTER_SPOT, false, false},
+                {"spot", EMITTER_SPOT, true, false},
+                {"spot", EMITTER_SPOT, false, true},
+                {"sun", EMITTER_DIRECTIONAL, false, false},
+                {"area", EMITTER_AREA, false, false}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct world world;
         struct image image;
@@ -255,6 +256,15 @@ static void test_straight(void **state) {
         add_floor(&world, 2);
         finish(&world, 1.8F);
         look_along(&world, rows[i].orthographic);
+        struct geometry_part floor = {.vertex_count = 4, .index_count = 6};
+        if (rows[i].cuts) { /* a third of the floor, and nothing of the medium */
+            memcpy(floor.bounds_min, world.geometry.bounds_min, sizeof floor.bounds_min);
+            memcpy(floor.bounds_max, world.geometry.bounds_max, sizeof floor.bounds_max);
+            world.geometry.parts = &floor;
+            world.geometry.part_count = 1;
+            world.camera.near = 2;
+            world.camera.far = 2.7F;
+        }
         place_light(&world, rows[i].type, at(.2F, 1.4F, 0), at(.1F, -1, 0), 1);
         world.light.cos_outer = .8F;
         world.light.cos_inner = .9F;
@@ -265,7 +275,8 @@ static void test_straight(void **state) {
               &(struct look){
                   .size = 32, .samples = 128, .paths = 400000, .straight = true, .medium = fog},
               &image);
-        printf("    %s%s\n", rows[i].name, rows[i].orthographic ? ", orthographic" : "");
+        printf("    %s%s%s\n", rows[i].name, rows[i].orthographic ? ", orthographic" : "",
+               rows[i].cuts ? ", near and far cut off" : "");
         check_near("lines over airlight",
                    mean_of_layer(&image, "volume") / mean_of_layer(&image, "airlight"), 1, .004);
         check_near("lands over direct light",
@@ -318,6 +329,22 @@ static void test_index_one(void **state) {
         image_free(&without);
         world_free(&world);
     }
+}
+
+/* However far away the lamp is, rays go to all of the glass. */
+static void test_far(void **state) {
+    (void)state;
+    struct world world;
+    struct image image;
+    struct material glass;
+    make_glass(&glass, 1);
+    make_roof(&world, &glass);
+    look_down(&world, -.6F, -.6F, 1.2F, 1.1F);
+    place_light(&world, EMITTER_POINT, at(0, 2e4F, 0), at(0, -1, 0), 4e8F);
+    trace(&world, NULL, &(struct look){.size = 8, .samples = 4, .paths = 100000}, &image);
+    check_near("irradiance", GLM_PI * mean_of_layer(&image, "caustic"), 1, .005);
+    image_free(&image);
+    world_free(&world);
 }
 
 /* Nor does it hide anything from the camera above it. */
@@ -561,7 +588,7 @@ int main(void) {
         cmocka_unit_test(test_window),    cmocka_unit_test(test_seen_through),
         cmocka_unit_test(test_relations), cmocka_unit_test(test_noise),
         cmocka_unit_test(test_sides),     cmocka_unit_test(test_hard),
-        cmocka_unit_test(test_no_glass),
+        cmocka_unit_test(test_no_glass),  cmocka_unit_test(test_far),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
