@@ -32,6 +32,7 @@ struct bounce_desc {
     const struct geometry *geometry;
     struct caster_pool *casters; /* of the geometry */
     enum materials materials;
+    bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
     int bounces;
     bool medium; /* frames have one */
     int count;   /* P */
