@@ -3,7 +3,7 @@
 #include "shared/caustics.h"
 
 #ifdef SPLATS
-in vec2 splat_place;
+flat in float splat_radius;
 #endif
 flat in vec3 patch_irradiance, patch_normal, patch_middle;
 
@@ -16,7 +16,7 @@ void main() {
     bool is_same = s.present && dot(s.normal, patch_normal) > LEAST_COSINE &&
         abs(dot(s.position - patch_middle, patch_normal)) < params.reach;
 #ifdef SPLATS
-    is_same = is_same && dot(splat_place, splat_place) <= 1.0;
+    is_same = is_same && (splat_radius == 0.0 || distance(s.position, patch_middle) <= splat_radius);
 #endif
     light = vec4(is_same ? patch_irradiance / 3.14159265 : vec3(0.0), 0.0);
 }

@@ -6,19 +6,18 @@ layout(binding = UNIT_PATCHES) uniform sampler2D whole_cells;
 
 layout(location = TARGET_RESULT) out vec4 splat; // W; w: radius, m
 
-const float MOST_WIDE = 10.0; // of what is near
+const float MOST_WIDE = 4.0; // of what is near
 
 float torn(ivec2 texel) {
     bool is_cell = texel.x >= 0 && texel.y >= 0;
     return is_cell ? 1.0 - texelFetch(whole_cells, texel, 0).w : 1.0;
 }
 
-// Half way to the nearest ray that ends on the same surface.
-float half_way(ivec2 texel, vec3 place, vec3 normal) {
-    const ivec2 beside[4] = ivec2[4](ivec2(1, 0), ivec2(-1, 0), ivec2(0, 1), ivec2(0, -1));
+// How far the nearer one of two rays beside it ends on the same surface, metres; 0: none does.
+float step_of(ivec2 texel, ivec2 along, vec3 place, vec3 normal) {
     float nearest = 1e30;
-    for (int i = 0; i < 4; i++) {
-        ivec2 other = texel + beside[i];
+    for (int sign = -1; sign <= 1; sign += 2) {
+        ivec2 other = texel + sign * along;
         bool is_ray = all(greaterThanEqual(other, ivec2(0))) && other.x < params.side &&
             other.y < params.side * params.chains;
         vec4 end = is_ray ? texelFetch(ray_ends, other, 0) : vec4(0.0);
@@ -26,7 +25,14 @@ float half_way(ivec2 texel, vec3 place, vec3 normal) {
         bool is_same = end.w == RAY_LANDS && abs(dot(end.xyz - place, normal)) < 0.1 * away;
         nearest = is_same ? min(nearest, away) : nearest;
     }
-    return nearest < 1e30 ? 0.5 * nearest : 0.0;
+    return nearest < 1e30 ? nearest : 0.0;
+}
+
+// Of a spot as large as a cell between rays.
+float cell_radius(ivec2 texel, vec3 place, vec3 normal) {
+    float x = step_of(texel, ivec2(1, 0), place, normal), y = step_of(texel, ivec2(0, 1), place, normal);
+    float area = x > 0.0 && y > 0.0 ? x * y : max(x, y) * max(x, y);
+    return sqrt(area / 3.14159265);
 }
 
 void main() {
@@ -41,7 +47,7 @@ void main() {
     vec4 flux = texelFetch(ray_fluxes, texel, 0);
     float metres = distance(texelFetch(ray_leaves, texel, 0).xyz, end.xyz);
     float spread = sqrt(params.measure) * (params.is_disk ? 1.0 : flux.w + metres);
-    float wide = half_way(texel, end.xyz, end_normal(texelFetch(ray_leaves, texel, 0)));
+    float wide = cell_radius(texel, end.xyz, end_normal(texelFetch(ray_leaves, texel, 0)));
     spread = max(spread, params.points_only ? 0.0 : min(wide, MOST_WIDE * params.reach));
     splat = vec4(left * flux.rgb * medium_passes(metres), spread);
 }

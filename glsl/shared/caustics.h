@@ -27,7 +27,7 @@
 #define SMOOTH_IS_GLASS 1  /* enum smooth_kind, scene/material.h */
 #define SMOOTH_IS_MIRROR 2
 
-#define CHAIN_EVENTS 16 /* smooth surfaces that a ray meets at most */
+#define CHAIN_EVENTS 32 /* smooth surfaces that a ray meets at most */
 
 /* A light's view is a cap of directions, or a disk across a sun's rays. Texels have equal solid angles, or areas. */
 struct caustics_params {

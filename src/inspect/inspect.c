@@ -256,8 +256,7 @@ static int mode_of(enum output_kind kind) {
         [OUTPUT_VISIBILITY] = INSPECT_VISIBILITY, [OUTPUT_MAP_DEPTH] = INSPECT_MAP_DEPTH,
         [OUTPUT_BASIS] = INSPECT_BASIS,           [OUTPUT_SIGNED_BASIS] = INSPECT_SIGNED_BASIS,
         [OUTPUT_AO] = INSPECT_IRRADIANCE,         [OUTPUT_AIRLIGHT] = INSPECT_IRRADIANCE,
-        [OUTPUT_RADIANCE] = INSPECT_IRRADIANCE,
-        [OUTPUT_VOXELS] = INSPECT_IRRADIANCE,
+        [OUTPUT_RADIANCE] = INSPECT_IRRADIANCE,   [OUTPUT_VOXELS] = INSPECT_IRRADIANCE,
     };
     _Static_assert(sizeof modes / sizeof *modes == OUTPUT_KINDS, "a mode for each kind");
     return modes[kind];

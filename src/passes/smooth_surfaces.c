@@ -165,7 +165,7 @@ static void fit_disk(const struct smooth_surfaces *surfaces, const struct geomet
     radius *= 1 + 2 * margin / params->side;
     params->is_disk = true;
     params->spread = (float)radius;
-    params->measure = (float)(GLM_PI * radius * radius / params->side / params->side);
+    params->measure = (float)(4 * radius * radius / params->side / params->side);
     glm_vec3_copy(middle, params->start);
     glm_vec3_muladds(params->axis, -4 * geometry->radius, params->start);
 }
@@ -205,7 +205,7 @@ static bool fit_cap(const struct smooth_surfaces *surfaces, const struct geometr
     double spread = 2 * pow(sin(angle / 2), 2);
     set_frame(params, axis);
     params->spread = (float)spread;
-    params->measure = (float)(2 * GLM_PI * spread / params->side / params->side);
+    params->measure = (float)(8 * spread / params->side / params->side);
     return true;
 }
 

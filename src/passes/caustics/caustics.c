@@ -18,8 +18,8 @@ static bool init_programs(struct caustics_pass *pass) {
     const char *medium = pass->desc.medium ? "HAS_MEDIUM" : NULL;
     const struct program_desc patch = {.vertex = "caustics/patch.vert",
                                        .fragment = "caustics/patch.frag"};
-    struct program_desc splat = patch;
-    splat.defines = "SPLATS";
+    const struct program_desc splat = {
+        .vertex = "caustics/splat.vert", .fragment = "caustics/patch.frag", .defines = "SPLATS"};
     bool ok = program_init(
         &pass->ray_program,
         &(struct program_desc){.screen = {"caustics/light_rays.frag"}, .defines = medium});
@@ -239,7 +239,7 @@ static void draw_surface(const struct caustics_pass *pass, const struct frame *f
     struct pass_state patches =
                           picture_state(pass, frame, gbuffer, "caustics", pass->patch_program),
                       splats = picture_state(pass, frame, gbuffer, "caustics", pass->splat_program);
-    int vertices = 6 * side * side * pass->chains;
+    int rays = side * side * pass->chains;
     timer_begin(frame->timers, "caustics");
     find_cells(pass, frame, side);
     patches.framebuffer = splats.framebuffer = pass->surface_framebuffer;
@@ -248,20 +248,21 @@ static void draw_surface(const struct caustics_pass *pass, const struct frame *f
     pass_add_texture(&splats, UNIT_SPLATS, pass->splats.id);
     if (!pass->desc.points) {
         pass_set_state(&patches);
-        pass_draw(GL_TRIANGLES, vertices, 1);
+        pass_draw(GL_TRIANGLES, 6 * rays, 1);
     }
     pass_set_state(&splats);
-    pass_draw(GL_TRIANGLES, vertices, 1);
+    pass_draw(GL_TRIANGLES, 3 * rays, 1);
     timer_end(frame->timers);
 }
 
 static void draw_volume(const struct caustics_pass *pass, const struct frame *frame,
-                        const struct gbuffer *gbuffer, int side) {
+                        const struct gbuffer *gbuffer, int light, int side) {
     struct pass_state lines =
         picture_state(pass, frame, gbuffer, "light lines", pass->line_program);
     lines.framebuffer = pass->volume_framebuffer;
     timer_begin(frame->timers, lines.name);
     pass_set_state(&lines);
+    pass_set_int(LOCATION_LIGHT, light);
     pass_draw(GL_LINES, 2 * side * side * pass->chains, 1);
     timer_end(frame->timers);
 }
@@ -282,6 +283,6 @@ void caustics_pass_render(struct caustics_pass *pass, const struct frame *frame,
         if (pass->desc.surface)
             draw_surface(pass, frame, gbuffer, side);
         if (pass->desc.volume)
-            draw_volume(pass, frame, gbuffer, side);
+            draw_volume(pass, frame, gbuffer, i, side);
     }
 }
