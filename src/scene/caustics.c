@@ -8,12 +8,11 @@ static const char *const volume_names[] = {"off", "lines", NULL};
 static const struct option table[] = {
     {"surface", 0, OPTION_CHOICE, offsetof(struct caustics_settings, surface), CAUSTICS_OFF,
      .choices = surface_names,
-     .help = "caustics of glass and mirrors on surfaces: patches between\n"
-             "light rays, or a round spot of each ray; off: glass is opaque"},
+     .help = "caustics on surfaces: patches between light rays, or a spot of\n"
+             "each; glass and mirrors are black; off: glass is opaque"},
     {"volume", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
      .choices = volume_names,
-     .help = "caustics of glass and mirrors in a medium: light rays\n"
-             "as lines; nothing is seen through glass"},
+     .help = "caustics in a medium: light rays of glass and mirrors as lines"},
     {"size", 0, OPTION_INT, offsetof(struct caustics_settings, size), 256, 8, 2048,
      .help = "light rays per side of each light's view of glass and\n"
              "mirrors; raise for small objects or close views"},
