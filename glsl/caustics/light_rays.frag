@@ -1,10 +1,12 @@
 // A ray from a light through smooth surfaces, up to a surface that scatters (chapter 8 of [Dong 2011], which takes depth
 // maps for surfaces, two of them at most). Rays meet triangles, any number of them.
 //
-// A ray that meets glass divides. Each row of texels follows one chain: 0 is reflected outside, 1 goes through, and chain
-// k is reflected k - 1 times within where it could leave. Total reflection ends no chain.
+// A ray that meets glass divides. Each band of texels follows one chain: 0 is reflected outside, 1 goes through, and chain
+// k is reflected k - 1 times within where it could leave. Where the last one could leave, a number picks whether it does,
+// and so it does for all chains at the glass after that: no light is lost, and neighbours mostly take the same way.
 #include "lib/light.glsl"
 #include "lib/medium.glsl"
+#include "lib/random.glsl"
 #include "visibility/bvh.glsl"
 #include "caustics/smooth.glsl"
 #include "caustics/ray_start.glsl"
@@ -19,6 +21,7 @@ struct walk {
     vec3 place, direction;
     vec3 flux;
     int chain, inner; // inner: reflections within that are left
+    bool picks;
 };
 
 float fresnel(float cosine, float ratio, float refracted) {
@@ -28,22 +31,36 @@ float fresnel(float cosine, float ratio, float refracted) {
 }
 
 // Through glass or back from it; the normal is of the ray's side.
-void meet_glass(inout walk w, smooth_material m, vec3 normal, bool back, bool is_first) {
+void meet_glass(inout walk w, smooth_material m, vec3 normal, bool back, bool is_first, float number) {
     float cosine = clamp(-dot(w.direction, normal), 1e-6, 1.0);
     float ratio = back && !m.thin ? m.refraction : 1.0 / m.refraction; // of indices, before over behind
     float square = 1.0 - ratio * ratio * (1.0 - cosine * cosine);
     float refracted = sqrt(max(square, 0.0)), reflects = square <= 0.0 ? 1.0 : fresnel(cosine, ratio, refracted);
-    bool is_within = back && !m.thin, outside = is_first && w.chain == 0;
-    bool turns = is_within && square > 0.0 && w.inner > 0;
-    w.inner -= turns ? 1 : 0;
     if (m.thin)
         reflects = 2.0 * reflects / (1.0 + reflects); // of both sides, with all reflections between them
-    if (outside || turns || square <= 0.0) {
+    bool is_within = back && !m.thin, total = square <= 0.0;
+    if (is_first && is_within) { // of a light in the glass
+        w.picks = true;
+        w.flux *= w.chain > 0 ? 0.0 : 1.0;
+    }
+    bool picks = w.picks;
+    bool turns = number < reflects;
+    if (!picks && is_first)
+        turns = w.chain == 0;
+    else if (!picks && is_within && !total) {
+        turns = w.inner > 0;
+        picks = !turns && w.chain == params.chains - 1;
+        turns = picks ? number < reflects : turns;
+    } else
+        picks = true;
+    w.picks = w.picks || (is_first ? w.chain == 0 : is_within && !total && !turns);
+    w.inner -= turns && is_within && !total && w.inner > 0 ? 1 : 0;
+    if (total || turns) {
         w.direction += 2.0 * cosine * normal;
-        w.flux *= reflects;
+        w.flux *= picks ? 1.0 : reflects;
         return;
     }
-    w.flux *= (1.0 - reflects) * m.passes * m.base;
+    w.flux *= (picks ? 1.0 : 1.0 - reflects) * m.passes * m.base;
     if (!m.thin)
         w.direction = normalize(ratio * w.direction + (ratio * cosine - refracted) * normal);
 }
@@ -51,6 +68,7 @@ void meet_glass(inout walk w, smooth_material m, vec3 normal, bool back, bool is
 void meet_mirror(inout walk w, smooth_material m, vec3 normal, bool is_first) {
     w.direction -= 2.0 * dot(w.direction, normal) * normal;
     w.flux *= is_first && w.chain > 0 ? vec3(0.0) : m.base;
+    w.picks = true;
 }
 
 vec3 passes_outside(vec3 place, vec3 direction, float metres) {
@@ -60,6 +78,11 @@ vec3 passes_outside(vec3 place, vec3 direction, float metres) {
 #else
     return vec3(1.0);
 #endif
+}
+
+// Others in each pass.
+float number_of(ivec2 texel, int event) {
+    return random_of(uvec3(texel, uint(event) ^ floatBitsToUint(params.shift.x))).x;
 }
 
 float ends_at(vec3 place, vec3 direction) {
@@ -76,7 +99,7 @@ void main() {
     int chain = texel.y / params.side;
     texel.y -= chain * params.side;
     light_ray ray = light_ray_at(l, (vec2(texel) + 0.5 + params.shift) / float(params.side));
-    walk w = walk(ray.origin, ray.direction, ray.flux, chain, chain - 1);
+    walk w = walk(ray.origin, ray.direction, ray.flux, chain, chain - 1, params.chains == 1);
     vec3 origin = ray.origin;
     float way = 0.0;
     bool goes = dot(w.flux, vec3(1.0)) > 0.0;
@@ -105,7 +128,7 @@ void main() {
             if (m.kind == SMOOTH_IS_MIRROR)
                 meet_mirror(w, m, normal, event == 0);
             else
-                meet_glass(w, m, normal, hit.back, event == 0);
+                meet_glass(w, m, normal, hit.back, event == 0, number_of(ivec2(gl_FragCoord.xy), event));
             way += hit.distance;
             w.place = met;
             float side = dot(w.direction, hit.normal) < 0.0 ? -1.0 : 1.0;
