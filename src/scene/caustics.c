@@ -10,7 +10,7 @@ static const struct option table[] = {
      .choices = surface_names,
      .help = "caustics on surfaces: patches between light rays, or a spot of\n"
              "each; glass and mirrors are black; off: glass is opaque"},
-    {"volume", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
+    {"medium", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
      .choices = volume_names,
      .help = "caustics in a medium: light rays of glass and mirrors as lines"},
     {"size", 0, OPTION_INT, offsetof(struct caustics_settings, size), 256, 8, 2048,

@@ -199,7 +199,7 @@ static void test_no_refraction(void **state) {
     for (int i = 0; i < 3; i++) {
         set_medium(&with, .15F, .02F, gs[i]);
         set_medium(&without, .15F, .02F, gs[i]);
-        struct image a = draw(&with, CHEAP "caustics.surface=patches caustics.volume=lines"
+        struct image a = draw(&with, CHEAP "caustics.surface=patches caustics.medium=lines"
                                            " caustics.size=256 medium.steps=128");
         struct image b = draw(&without, CHEAP "medium.steps=128");
         printf("    g = %g\n", (double)gs[i]);
@@ -227,9 +227,9 @@ static void test_more_rays(void **state) {
     for (int s = 0; s < 2; s++) {
         struct stage stage;
         open_stage(&stage, scenes[s]);
-        struct image few = draw(&stage, CHEAP "caustics.surface=patches caustics.volume=lines"
+        struct image few = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
                                               " caustics.size=128"),
-                     many = draw(&stage, CHEAP "caustics.surface=patches caustics.volume=lines"
+                     many = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
                                                " caustics.size=256");
         printf("    %s\n", scenes[s]);
         check_near("surfaces, few over many", mean_of(&few, "caustic") / mean_of(&many, "caustic"),
@@ -275,7 +275,7 @@ static void test_out_of_view(void **state) {
     image_free(&drawn);
     stage_free(&stage);
     open_stage(&stage, "scenes/cornell-box.glb");
-    struct image off = draw(&stage, CHEAP), on = draw(&stage, PATCHES "caustics.volume=lines");
+    struct image off = draw(&stage, CHEAP), on = draw(&stage, PATCHES "caustics.medium=lines");
     assert_true(same_pixels(&off, &on));
     assert_int_equal(image_find_channel(&on, "caustic.R"), -1);
     image_free(&off);
@@ -288,10 +288,10 @@ static void test_follow(void **state) {
     (void)state;
     static const char *const all[] = {CHEAP,
                                       PATCHES,
-                                      PATCHES "caustics.volume=lines",
+                                      PATCHES "caustics.medium=lines",
                                       PATCHES "caustics.chains=1 lights.bounces=2",
                                       CHEAP,
-                                      CHEAP "caustics.volume=lines caustics.size=64"};
+                                      CHEAP "caustics.medium=lines caustics.size=64"};
     struct stage stage;
     struct renderer renderer = {0};
     open_stage(&stage, "scenes/gem.glb");
@@ -316,7 +316,7 @@ static void test_passes(void **state) {
     struct image one, mean;
     open_stage(&stage, "scenes/gem.glb");
     struct renderer_desc desc =
-        desc_of(&stage, "clustered", PATCHES "caustics.volume=lines", SIZE, SIZE);
+        desc_of(&stage, "clustered", PATCHES "caustics.medium=lines", SIZE, SIZE);
     desc.progressive = true;
     open_renderer(&renderer, &desc);
     check_ok("layers", renderer_read_layers(&renderer, &one));
@@ -397,7 +397,7 @@ static void test_hard(void **state) {
         open_stage(&stage, "scenes/gem.glb");
         if (rows[i].set)
             rows[i].set(&stage);
-        snprintf(settings, sizeof settings, PATCHES "caustics.volume=lines %s", rows[i].settings);
+        snprintf(settings, sizeof settings, PATCHES "caustics.medium=lines %s", rows[i].settings);
         struct image drawn = draw(&stage, settings);
         printf("    %s: caustic %.3g, volume %.3g\n", rows[i].what, mean_of(&drawn, "caustic"),
                mean_of(&drawn, "volume"));

@@ -55,7 +55,7 @@ static const struct row {
     {"medium.scene", "fog of the file"},
     {"medium.steps", "steps"},
     {"caustics.surface", "on surfaces"},
-    {"caustics.volume", "in fog"},
+    {"caustics.medium", "in fog"},
     {"caustics.size", "rays a side"},
     {"caustics.chains", "chains in glass"},
     {"picture.exposure", "exposure, EV"},
