@@ -4,7 +4,7 @@
 
 layout(binding = UNIT_PATCHES) uniform sampler2D patches[2];
 
-const float SMALL = 0.05;      // pixels
+const float SMALL = 0.25;      // pixels
 const float SMALL_WIDTH = 4.0; // likewise
 
 void main() {
@@ -27,8 +27,10 @@ void main() {
     vec2 p = pixel_of(clip_a), q = pixel_of(clip_b), r = pixel_of(clip_c);
     vec2 width = max(p, max(q, r)) - min(p, min(q, r)), e = q - p, f = r - p;
     float pixels = 0.5 * abs(e.x * f.y - e.y * f.x);
+    vec3 in_pixel = flux.rgb / footprint(middle, patch_normal);
     if (max(width.x, width.y) < SMALL_WIDTH && pixels < SMALL) {
         gl_Position = pixel_corner(middle, corner);
-        patch_irradiance = flux.rgb / footprint(middle, patch_normal);
-    }
+        patch_irradiance = in_pixel;
+    } else if (pixels < SMALL) // a sliver, of which few pixels would take much
+        patch_irradiance = min(patch_irradiance, in_pixel / SMALL);
 }
