@@ -9,6 +9,8 @@ int app_compare(int argc, char **argv);
 int app_reference(int argc, char **argv);
 int app_info(int argc, char **argv);
 int app_render(int argc, char **argv);
+int app_report(int argc, char **argv);
+int app_score(int argc, char **argv);
 int app_tune(int argc, char **argv);
 int app_view(int argc, char **argv);
 

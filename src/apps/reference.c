@@ -37,7 +37,7 @@ struct values {
     struct text_list settings;
     const char *output, *format, *background, *ao;
     float noise, tolerance;
-    int technique, compensation;
+    int technique, compensation, light_paths;
 };
 
 OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
@@ -89,6 +89,13 @@ static const struct option options[] = {
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
+    {"smooth", 0, OPTION_FLAG, offsetof(struct values, tracer.smooth),
+     .help = "shows the scene through glass and in mirrors; both block light, and the layer\n"
+             "specular holds the radiance that they show"},
+    {"light-paths", 0, OPTION_INT, offsetof(struct values, light_paths), 0, 1, 2147483647,
+     .help = "light paths that trace caustics, with --smooth: adds the layers caustic\n"
+             "(irradiance / pi, without albedo) and, in a medium, volume (radiance), and their\n"
+             "standard errors [none]"},
     {"materials", 0, OPTION_CHOICE, offsetof(struct values, tracer.materials),
      .choices = materials_names,
      .help = "materials of surfaces: metals, roughness and\n"
@@ -108,9 +115,9 @@ static const struct arguments arguments = {
         "standard_error of the indirect layer (0 with one sample, which gives no estimate) and\n"
         "emitted, the radiance of environment and lamps. Specular surfaces add specular, the sum\n"
         "of direct.specular and indirect.specular, and standard_error.specular; the other layers\n"
-        "are diffuse. A medium adds airlight and standard_error.airlight. Lightcuts add bound, "
-        "the\n"
-        "largest error against the sum of all VPLs, and nodes, the number of lights of a pixel.\n"
+        "are diffuse. A medium adds airlight and standard_error.airlight. Light paths add caustic\n"
+        "and volume, and their standard errors. Lightcuts add bound, the largest error against\n"
+        "the sum of all VPLs, and nodes, the number of lights of a pixel.\n"
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,
@@ -131,6 +138,16 @@ static bool parse_ao(struct values *values) {
     return !values->ao || ao_is_auto(values) || option_parse(&ao_distance, values, values->ao);
 }
 
+/* Which show glass and mirrors. */
+static bool check_light_paths(struct values *values) {
+    values->tracer.smooth |= values->light_paths > 0;
+    const char *option = values->light_paths > 0 ? "--light-paths" : "--smooth";
+    if (values->tracer.smooth && values->technique != TECHNIQUE_PATH)
+        return error_set("%s is for --technique path", option);
+    return !values->tracer.smooth || values->tracer.materials == MATERIALS_FULL ||
+           error_set("%s is for --materials full, which has glass and mirrors", option);
+}
+
 static bool check_values(struct values *values) {
     struct background background;
     if (!values->output)
@@ -144,6 +161,8 @@ static bool check_values(struct values *values) {
         return error_set("--denoise is for --technique path");
     if (values->technique != TECHNIQUE_PATH && values->tracer.materials)
         return error_set("--materials is for --technique path");
+    if (!check_light_paths(values))
+        return false;
     if (!parse_ao(values) || !background_parse(&background, values->background) ||
         !background_check(&background, &values->output, 1))
         return false;
@@ -159,6 +178,38 @@ static bool show(void *user, const struct path_tracer_progress *progress) {
                  100 * progress->noise);
     progress_show(user, progress->done, note);
     return true;
+}
+
+static bool show_light(void *user, double done) {
+    progress_show(user, done, "light paths");
+    return true;
+}
+
+static bool trace_light(const struct values *values, const struct stage *stage,
+                        const struct medium *medium, struct image *image) {
+    struct progress progress;
+    struct light_tracer_result result;
+    const struct light_tracer_desc desc = {.paths = values->light_paths,
+                                           .medium = *medium,
+                                           .seed = values->tracer.seed,
+                                           .progress = show_light,
+                                           .user = &progress};
+    if (values->light_paths == 0)
+        return true;
+    progress_start(&progress);
+    bool ok = picture_trace_light(stage, &desc, image, &result);
+    double seconds = progress_end(&progress);
+    if (ok && !result.has_smooth)
+        log_note(
+            "the scene has no glass (transmission above 0.5) and no mirror (metal of roughness "
+            "below 0.1): caustic is black");
+    else if (ok && result.noise == 0)
+        log_note("%d light paths in %.1f s, too few to tell their noise", values->light_paths,
+                 seconds);
+    else if (ok)
+        log_note("%d light paths in %.1f s, noise of caustics %.2f %%", values->light_paths,
+                 seconds, 100 * result.noise);
+    return ok;
 }
 
 static bool trace_paths(const struct values *values, const struct stage *stage,
@@ -179,7 +230,7 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     else if (ok)
         log_note("%d samples per pixel in %.1f s, noise %.2f %%%s", reached.samples, seconds,
                  100 * reached.noise, desc.denoise ? " before the filter" : "");
-    return ok;
+    return ok && trace_light(values, stage, &desc.medium, image);
 }
 
 /* Of the pixels that show a surface. */

@@ -88,3 +88,15 @@ bool picture_trace_paths(const struct stage *stage, const struct path_tracer_des
     placed.emitters = stage->emitters;
     return path_tracer_render(&placed, image, reached);
 }
+
+bool picture_trace_light(const struct stage *stage, const struct light_tracer_desc *desc,
+                         struct image *image, struct light_tracer_result *result) {
+    struct light_tracer_desc placed = *desc;
+    placed.scene = &stage->scene;
+    placed.geometry = &stage->geometry;
+    placed.camera = &stage->camera;
+    placed.emitters = stage->emitters;
+    placed.width = image->width;
+    placed.height = image->height;
+    return light_tracer_render(&placed, image, result);
+}

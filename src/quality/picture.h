@@ -5,6 +5,7 @@
 
 #include "base/progress.h"
 #include "quality/measure.h"
+#include "reference/light_tracer.h"
 #include "reference/path_tracer.h"
 #include "reference/vpl_sum.h"
 
@@ -22,5 +23,9 @@ bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *c
 /* As path_tracer_render, with scene, geometry, camera and lights of the stage. */
 bool picture_trace_paths(const struct stage *stage, const struct path_tracer_desc *desc,
                          struct image *image, struct path_tracer_progress *reached);
+
+/* As light_tracer_render, with the same of the stage, and the size of the image. */
+bool picture_trace_light(const struct stage *stage, const struct light_tracer_desc *desc,
+                         struct image *image, struct light_tracer_result *result);
 
 #endif

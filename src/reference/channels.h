@@ -27,6 +27,14 @@
     "airlight.R airlight.G airlight.B "                                                            \
     "standard_error.airlight.R standard_error.airlight.G standard_error.airlight.B"
 
+/* What light paths add where they are asked for (reference/light_tracer.h). */
+#define CHANNELS_OF_CAUSTIC                                                                        \
+    "caustic.R caustic.G caustic.B "                                                               \
+    "standard_error.caustic.R standard_error.caustic.G standard_error.caustic.B"
+#define CHANNELS_OF_VOLUME                                                                         \
+    "volume.R volume.G volume.B "                                                                  \
+    "standard_error.volume.R standard_error.volume.G standard_error.volume.B"
+
 /* The first channel of each layer. Beauty and what is emitted alone are not zero where no surface is seen. */
 enum film_channel {
     CHANNEL_BEAUTY = 0, /* radiance, W/(sr m2): albedo x (direct + indirect) + specular, and what is
@@ -77,6 +85,18 @@ enum airlight_channel {
     AIRLIGHT_RADIANCE = 0,
     AIRLIGHT_STANDARD_ERROR = 3,
     AIRLIGHT_END = 6,
+};
+
+/* The same, from where the layers of light paths begin. */
+enum caustic_channel {
+    CAUSTIC_LIGHT = 0, /* irradiance over pi, W/(sr m2), as CHANNEL_DIRECT */
+    CAUSTIC_STANDARD_ERROR = 3,
+    CAUSTIC_END = 6,
+};
+enum volume_channel {
+    VOLUME_LIGHT = 0, /* radiance, W/(sr m2) */
+    VOLUME_STANDARD_ERROR = 3,
+    VOLUME_END = 6,
 };
 
 #endif

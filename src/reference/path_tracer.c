@@ -2,6 +2,7 @@
 
 #include "reference/airlight.h"
 #include "reference/ao.h"
+#include "reference/chain.h"
 #include "reference/channels.h"
 #include "reference/denoise.h"
 #include "reference/film.h"
@@ -87,7 +88,12 @@ static struct reflected mean_of_paths(const struct tracer *tracer, const struct 
 }
 
 /* The indirect paths' samplers, at pairs that no path comes to. */
-enum { DIRECT_PAIRS = 1 << 20, AIRLIGHT_PAIRS = 1 << 21, AO_PAIRS = 1 << 30 };
+enum {
+    DIRECT_PAIRS = 1 << 20,
+    AIRLIGHT_PAIRS = 1 << 21,
+    CHAIN_PAIRS = 1 << 22,
+    AO_PAIRS = 1 << 30
+};
 
 struct samplers {
     struct sampler items[PATHS_PER_SAMPLE];
@@ -160,6 +166,44 @@ static void add_airlight(const struct tracer *tracer, const struct sight *sight,
     film_airlight_add(&sums->airlight, &sums->pixel, stream, light);
 }
 
+/* Direct and indirect light that a surface reflects. */
+static void light_surface(const struct tracer *tracer, const struct hit *hit, int stream,
+                          const struct sampler *sampler, const struct samplers *samplers,
+                          struct film_sample *sample) {
+    if (tracer->desc.ao_alone)
+        return;
+    sample->direct =
+        emission_direct(&tracer->emission, &tracer->rays, hit, samplers->items, PATHS_PER_SAMPLE);
+    sample->indirect = mean_of_paths(tracer, hit, stream, sampler);
+}
+
+static vec3s glow_of(const struct tracer *tracer, const struct hit *hit) {
+    return glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, hit), hit->unlit);
+}
+
+/* What glass or a mirror shows is specular light: direct light is what the lights send to the place that is seen, and what
+ * shines itself. */
+static void light_smooth(const struct tracer *tracer, const struct hit *hit, int stream,
+                         const struct sampler *sampler, const struct samplers *samplers,
+                         struct film_sample *sample) {
+    struct sampler steps = {sampler->seed, sampler->index, CHAIN_PAIRS};
+    struct chain chain = chain_follow(&tracer->emission, &tracer->rays, hit, &steps);
+    struct film_sample seen = {0};
+    vec3s shines = glms_vec3_zero();
+    if (chain.hits) {
+        light_surface(tracer, &chain.end, stream, sampler, samplers, &seen);
+        shines = glow_of(tracer, &chain.end);
+    } else if (!chain.cut) {
+        shines = background(tracer, chain.direction);
+    }
+    if (chain.hits) {
+        shines = glms_vec3_add(shines, hit_radiance(&chain.end, &seen.direct));
+        sample->indirect.specular =
+            glms_vec3_mul(chain.share, hit_radiance(&chain.end, &seen.indirect));
+    }
+    sample->direct.specular = glms_vec3_add(chain.airlight, glms_vec3_mul(chain.share, shines));
+}
+
 static void add_surface(const struct tracer *tracer, const struct hit *hit, vec3s passes,
                         int stream, const struct sampler *sampler, struct sums *sums) {
     struct samplers samplers = samplers_at(sampler, DIRECT_PAIRS);
@@ -167,14 +211,13 @@ static void add_surface(const struct tracer *tracer, const struct hit *hit, vec3
         .position = hit->position,
         .albedo = hit->brdf.albedo,
         .normal = hit->normal,
-        .emitted = glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, hit), hit->unlit),
+        .emitted = glow_of(tracer, hit),
         .passes = passes,
     };
-    if (!tracer->desc.ao_alone) {
-        sample.direct = emission_direct(&tracer->emission, &tracer->rays, hit, samplers.items,
-                                        PATHS_PER_SAMPLE);
-        sample.indirect = mean_of_paths(tracer, hit, stream, sampler);
-    }
+    if (hit->smooth)
+        light_smooth(tracer, hit, stream, sampler, &samplers, &sample);
+    else
+        light_surface(tracer, hit, stream, sampler, &samplers, &sample);
     film_pixel_add(&sums->pixel, stream, &sample);
     if (tracer->specular)
         film_specular_add(&sums->specular, stream, &sample);
@@ -485,6 +528,8 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     if (!check_memory(desc))
         return false;
     hit_table_init(&table, desc->scene, desc->geometry, (enum materials)desc->materials);
+    if (desc->smooth)
+        hit_table_find_smooth(&table);
     emission_init(&tracer.emission, &desc->emitters, desc->geometry, &table, LIGHT_VERTEX_COUNT);
     tracer.emission.medium = medium_ball_of(&desc->medium, desc->geometry);
     size_t pixels = (size_t)desc->width * (size_t)desc->height;

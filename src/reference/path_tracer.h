@@ -16,6 +16,8 @@
  * A medium takes its share of light on all segments. What it scatters once from the lights towards the eye is the
  * layer airlight (reference/airlight.h); nothing is scattered twice.
  *
+ * Glass and mirrors are specular surfaces as others, opaque, unless `smooth` says otherwise.
+ *
  * Vertices carry shading normals without any terminator correction. A surface passes light only
  * between directions on one side of its triangle.
  */
@@ -50,6 +52,9 @@ struct path_tracer_desc {
     uint32_t seed;
     int materials;        /* enum materials */
     struct medium medium; /* all zero: none */
+    /* Glass and mirrors (material_smooth_kind) refract and reflect camera rays, and block all others: what they let
+     * through comes by light paths alone (reference/light_tracer.h). What they show is specular light. */
+    bool smooth;
     bool centers;      /* through pixels' centres, as a rasteriser has them; else all over pixels */
     bool seen;         /* the layers unshadowed and visibility, too: reference/seen.h */
     float ao_distance; /* metres: the layer ao, too (reference/ao.h); 0 = none */

@@ -43,6 +43,12 @@ static void test_usage(void **state) {
         {"scenes/sphere.glb -o x.exr --ao near", "ao: 'near' is not a number", 2},
         {"scenes/sphere.glb -o x.exr --ao 1 --technique lightcuts", "--ao is for --technique path",
          2},
+        {"scenes/sphere.glb -o x.exr --light-paths 0", "'0' is not a whole number from 1 to", 2},
+        {"scenes/sphere.glb -o x.exr --light-paths -5", "'-5' is not a whole number from 1", 2},
+        {"scenes/sphere.glb -o x.exr --light-paths 9 --technique lightcuts",
+         "--light-paths is for --technique path", 2},
+        {"scenes/sphere.glb -o x.exr --smooth --materials diffuse",
+         "--smooth is for --materials full", 2},
         {"scenes/sphere.glb -o x.exr --set vpls=64", "vpl-raytraced and lightcuts", 2},
         {"scenes/sphere.glb -o x.exr --technique lightcuts --set medium.scatter=1",
          "sums of VPLs ignore a medium", 2},
@@ -56,6 +62,31 @@ static void test_usage(void **state) {
         assert_non_null(strstr(output, cases[i].says));
         assert_int_equal(access("x.exr", F_OK), -1);
     }
+}
+
+/* A scene without glass says so; one with glass in a medium has all layers. */
+static void test_light_paths(void **state) {
+    (void)state;
+    char arguments[700], output[4096];
+    const char *path = scratch("light-paths.exr");
+    snprintf(arguments, sizeof arguments,
+             "scenes/sphere.glb -o %s --size 4x4 --spp 1 --light-paths 9", path);
+    assert_int_equal(reference(arguments, output, sizeof output), 0);
+    assert_non_null(strstr(output, "no glass"));
+    snprintf(arguments, sizeof arguments,
+             "scenes/gem.glb -o %s --size 16x12 --spp 4 --light-paths 20000", path);
+    assert_int_equal(reference(arguments, output, sizeof output), 0);
+    assert_non_null(strstr(output, "20000 light paths"));
+    struct image image;
+    check_ok("read", image_read(&image, path));
+    static const char *const layers[] = {"caustic", "standard_error.caustic", "volume",
+                                         "standard_error.volume", "airlight"};
+    for (size_t i = 0; i < sizeof layers / sizeof *layers; i++) {
+        int channels[3];
+        assert_true(image_find_layer(&image, layers[i], channels));
+        assert_true(image_mean(&image, channels) > 0);
+    }
+    image_free(&image);
 }
 
 /* Scene file to picture file: 0.5 direct, 0.25 bounced radiance in every pixel. */
@@ -191,9 +222,9 @@ static void test_given_horse(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usage),       cmocka_unit_test(test_sphere_file),
-        cmocka_unit_test(test_ao_file),     cmocka_unit_test(test_given_box),
-        cmocka_unit_test(test_given_horse),
+        cmocka_unit_test(test_usage),       cmocka_unit_test(test_light_paths),
+        cmocka_unit_test(test_sphere_file), cmocka_unit_test(test_ao_file),
+        cmocka_unit_test(test_given_box),   cmocka_unit_test(test_given_horse),
     };
     return cmocka_run_group_tests_name("reference_app", tests, NULL, NULL);
 }

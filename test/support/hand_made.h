@@ -39,6 +39,7 @@ static inline void world_init(struct world *world) {
                               .roughness = 1,
                               .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
                               .specular_f90 = 1,
+                              .index_of_refraction = 1.5f,
                               .base_color_texture = -1,
                               .metal_roughness_texture = -1,
                               .emission_texture = -1,

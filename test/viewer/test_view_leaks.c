@@ -203,6 +203,16 @@ static void chart(int round) {
     settle();
 }
 
+/* In the full size, however slow the machine is. */
+static void rest(void) {
+    for (int i = 0; i < 10000 && (viewer.shown.moving || viewer.shown.coarse || viewer.shown.dirty);
+         i++) {
+        turn(1);
+        pause_ms(2);
+    }
+    turn(1);
+}
+
 /* As at the beginning, so that what is there can be compared. */
 static void go_back(void) {
     viewer.wish.technique = technique_default;
@@ -217,8 +227,9 @@ static void go_back(void) {
     viewer_go_to(&viewer, 0);
     settle();
     turn(30);
-    pause_ms(300); /* at rest, in the full size */
+    pause_ms(300);
     turn(3);
+    rest();
     viewer.shown.choice.output = NULL;
     viewer.shown.recompose = true;
     turn(1);

@@ -113,6 +113,24 @@ void hit_table_init(struct hit_table *table, const struct scene *scene,
     }
 }
 
+bool hit_table_find_smooth(struct hit_table *table) {
+    const struct geometry *geometry = table->geometry;
+    for (int b = 0; b < geometry->batch_count && table->materials == MATERIALS_FULL; b++)
+        table->has_smooth |=
+            geometry->batches[b].index_count > 0 &&
+            material_smooth_kind(&table->scene->materials[geometry->batches[b].material]);
+    table->has_specular |= table->has_smooth;
+    return table->has_smooth;
+}
+
+/* Whether that side of the material is glass or a mirror. */
+static bool is_smooth(const struct hit_table *table, const struct material *material,
+                      bool from_behind) {
+    enum smooth_kind kind = table->has_smooth ? material_smooth_kind(material) : SMOOTH_NONE;
+    return kind == SMOOTH_GLASS ||
+           (kind == SMOOTH_MIRROR && (!from_behind || material->double_sided));
+}
+
 void hit_table_free(struct hit_table *table) {
     free(table->material_of);
     free(table->normal_of);
@@ -135,7 +153,8 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     hit->towards = glms_vec3_negate(ray_direction);
     hit->brdf = brdf_lambertian(glms_vec3_zero());
     hit->emission = hit->unlit = glms_vec3_zero();
-    if (from_behind && !material->double_sided)
+    hit->smooth = is_smooth(table, material, from_behind) ? material : NULL;
+    if (from_behind && !material->double_sided && !hit->smooth)
         return;
     bool full = table->materials == MATERIALS_FULL;
     if (full && material->normal_texture >= 0) {
@@ -144,8 +163,12 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     }
     if (full && material->unlit)
         hit->unlit = glms_vec3(base_color(table, material, &corners));
+    else if (hit->smooth)
+        hit->tint = glms_vec3(base_color(table, material, &corners));
     else
         hit->brdf = reflection_at(table, material, &corners);
+    if (from_behind && !material->double_sided)
+        return;
     if (glm_vec3_max((float *)material->emission) > 0)
         hit->emission = emission_at(table, material, &corners);
 }
@@ -169,6 +192,7 @@ bool hit_is_hole(const struct hit_table *table, const struct triangle_point *poi
 }
 
 bool hit_is_hidden(const struct hit_table *table, uint32_t triangle, vec3s ray_direction) {
-    return !material_of(table, triangle)->double_sided &&
+    const struct material *material = material_of(table, triangle);
+    return !material->double_sided && !is_smooth(table, material, true) &&
            glms_vec3_dot(table->normal_of[triangle], ray_direction) > 0;
 }

@@ -26,6 +26,9 @@ struct hit {
     struct brdf brdf;       /* black on the back of a single-sided material */
     vec3s emission;         /* radiance; the same */
     vec3s unlit;            /* radiance that the eye sees, and nothing else; the same */
+    /* Glass or a mirror, which is black then, where the table tells these apart (hit_table_find_smooth); else NULL. */
+    const struct material *smooth;
+    vec3s tint; /* of those: the base colour */
     uint32_t triangle;
     bool is_back; /* of it */
 };
@@ -37,6 +40,7 @@ struct hit_table {
     const struct geometry *geometry;
     enum materials materials;
     bool has_specular; /* some surface is not Lambertian */
+    bool has_smooth;   /* some surface is glass or a mirror, which hits tell */
     int *material_of;  /* of each triangle */
     vec3s *normal_of;  /* the same: geometric, unit, by the winding; zero where there is no area */
     float srgb_to_linear[256];
@@ -44,6 +48,10 @@ struct hit_table {
 
 void hit_table_init(struct hit_table *table, const struct scene *scene,
                     const struct geometry *geometry, enum materials materials);
+
+/* Lets hits tell glass and mirrors (material_smooth_kind), on all sides but the black back of a mirror: the camera sees
+ * both sides of glass. False where the scene has neither, or all surfaces are Lambertian. */
+bool hit_table_find_smooth(struct hit_table *table);
 
 /* Accepts zeroed tables. */
 void hit_table_free(struct hit_table *table);

@@ -160,6 +160,15 @@ bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s dire
     return trace(rays, origin, direction, ends, let_pass_hidden, hit);
 }
 
+bool ray_scene_camera_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
+                              const float ends[2]) {
+    struct ray_context context = make_context(rays, let_pass_hidden);
+    struct RTCRay ray = make_ray(origin, direction, ends[1]);
+    ray.tnear = ends[0];
+    rtcOccluded1(rays->scene, &context.embree, &ray);
+    return ray.tfar >= 0;
+}
+
 bool ray_scene_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
                        float distance) {
     struct ray_context context = make_context(rays, NULL);

@@ -32,6 +32,10 @@ bool ray_scene_hit(const struct ray_scene *rays, vec3s origin, vec3s direction, 
 bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s direction,
                           const float ends[2], struct hit *hit);
 
+/* Whether such a ray meets nothing between two distances. */
+bool ray_scene_camera_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
+                              const float ends[2]);
+
 /* Whether nothing lies between two points. */
 bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to);
 

@@ -1,11 +1,11 @@
 /* The JSON of a file before tinygltf sees it: checked, mended, and without the bytes that it
- * names. The only file that names the JSON library. */
+ * names. */
 #ifndef SCENE_GLTF_JSON_HPP
 #define SCENE_GLTF_JSON_HPP
 
 #include "scene/gltf/model.hpp"
 
-#include <nlohmann/json.hpp>
+#include "base/json_library.hpp"
 
 namespace gltf {
 

@@ -1,0 +1,10 @@
+/* Text of a page. */
+#ifndef APPS_REPORT_HTML_H
+#define APPS_REPORT_HTML_H
+
+#include <stdio.h>
+
+/* With &, <, > and quotes escaped. */
+void html_print_text(FILE *out, const char *text);
+
+#endif

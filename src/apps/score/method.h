@@ -1,0 +1,28 @@
+/* method.json of an entry: what made its pictures, and how fast. bench/schema/method.schema.json says the same. */
+#ifndef APPS_SCORE_METHOD_H
+#define APPS_SCORE_METHOD_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+#include <stdbool.h>
+
+enum { METHOD_LAYERS_MAX = 16 };
+
+struct method {
+    char name[128], version[64], device[128]; /* "" where it does not tell */
+    char layers[METHOD_LAYERS_MAX][32];       /* that it promises besides beauty */
+    int layer_count;
+    char *json; /* all of it, in one line */
+};
+
+/* Error: names the file, the field and what it must be. */
+bool method_read(struct method *method, const char *path);
+void method_free(struct method *method);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
