@@ -20,6 +20,10 @@ void main() {
         value.rgb = s.albedo;
     else if (shown == LAYER_AIRLIGHT)
         value.rgb = s.airlight;
+    else if (shown == LAYER_CAUSTIC)
+        value.rgb = s.caustic;
+    else if (shown == LAYER_VOLUME)
+        value.rgb = s.volume;
     else if (shown == LAYER_SPECULAR)
         value.rgb = s.direct_specular + s.indirect_specular;
     else if (shown == LAYER_DIRECT_SPECULAR)

@@ -17,7 +17,7 @@ layout(binding = UNIT_EDGE_SAMPLES) uniform usampler2D edge_samples;
 // Specular is radiance.
 struct seen {
     float coverage;
-    vec3 albedo, direct, indirect, radiance, direct_specular, indirect_specular, airlight;
+    vec3 albedo, direct, indirect, radiance, direct_specular, indirect_specular, airlight, caustic, volume;
 };
 
 vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
@@ -34,7 +34,8 @@ uvec2 assignment_at(ivec2 pixel) {
 seen seen_by(uvec2 assignment, ivec2 pixel) {
     ivec2 last = gbuffer_size() - 1;
     int count = assignment == uvec2(0u) ? 1 : params.samples;
-    seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+    seen sum = seen(0.0, vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0),
+                    vec3(0.0));
     vec3 weights = vec3(0.0);
     uint stand_in = 0u;
     if (has_edge_sample(assignment))
@@ -44,6 +45,7 @@ seen seen_by(uvec2 assignment, ivec2 pixel) {
         if (assigned == ASSIGNED_NOTHING) {
             sum.radiance += through_medium(background(pixel), pixel);
             sum.airlight += airlight(pixel);
+            sum.volume += volume_caustic(pixel);
             continue;
         }
         bool is_edge_sample = assigned == ASSIGNED_EDGE_SAMPLE;
@@ -51,6 +53,7 @@ seen seen_by(uvec2 assignment, ivec2 pixel) {
         float present = gbuffer_depth(texel) > 0.0 ? 1.0 : 0.0;
         vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
         vec3 direct = texelFetch(directs, texel, 0).rgb;
+        vec3 caustic = caustic_at(texel);
         vec3 indirect = params.indirect * irradiance_at(texel, is_edge_sample, pixel);
         vec3 weight = (albedo + LEAST_WEIGHT) * present;
         weights += weight;
@@ -58,16 +61,18 @@ seen seen_by(uvec2 assignment, ivec2 pixel) {
         sum.albedo += albedo;
         sum.direct += weight * direct;
         sum.indirect += weight * indirect;
+        sum.caustic += weight * caustic;
         sum.direct_specular += direct_specular(texel) * present;
         sum.indirect_specular += indirect_specular(texel) * present;
-        sum.radiance += radiance_of(albedo, direct + indirect, texel);
+        sum.radiance += radiance_of(albedo, direct + caustic + indirect, texel);
         sum.airlight += airlight(texel);
+        sum.volume += volume_caustic(texel);
     }
     float share = 1.0 / float(count);
     vec3 weighted = 1.0 / max(weights, vec3(LEAST_WEIGHT));
     return seen(sum.coverage * share, sum.albedo * share, sum.direct * weighted,
                 sum.indirect * weighted, sum.radiance * share, sum.direct_specular * share,
-                sum.indirect_specular * share, sum.airlight * share);
+                sum.indirect_specular * share, sum.airlight * share, sum.caustic * weighted, sum.volume * share);
 }
 
 seen seen_from(ivec2 pixel) {

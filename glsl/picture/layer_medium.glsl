@@ -11,6 +11,19 @@ vec3 background(ivec2 pixel) {
 }
 #endif
 
+// Of light rays through smooth surfaces, in the medium.
+#ifdef HAS_VOLUME_CAUSTICS
+layout(binding = UNIT_VOLUME_CAUSTIC) uniform sampler2D volume_caustics;
+
+vec3 volume_caustic(ivec2 texel) {
+    return texelFetch(volume_caustics, texel, 0).rgb;
+}
+#else
+vec3 volume_caustic(ivec2 texel) {
+    return vec3(0.0);
+}
+#endif
+
 // A medium on the way from surface to camera.
 #ifdef HAS_MEDIUM
 layout(binding = UNIT_IN_SCATTER) uniform sampler2D in_scatters;
@@ -21,7 +34,7 @@ vec3 airlight(ivec2 texel) {
 }
 
 vec3 through_medium(vec3 radiance, ivec2 texel) {
-    return radiance * texelFetch(transmittances, texel, 0).rgb + airlight(texel);
+    return radiance * texelFetch(transmittances, texel, 0).rgb + airlight(texel) + volume_caustic(texel);
 }
 #else
 vec3 airlight(ivec2 texel) {

@@ -1,3 +1,16 @@
+// What smooth surfaces throw onto this one: radiance of a white surface.
+#ifdef HAS_CAUSTICS
+layout(binding = UNIT_CAUSTIC) uniform sampler2D caustics;
+
+vec3 caustic_at(ivec2 texel) {
+    return texelFetch(caustics, texel, 0).rgb;
+}
+#else
+vec3 caustic_at(ivec2 texel) {
+    return vec3(0.0);
+}
+#endif
+
 // The radiance of a surface beside its diffuse part.
 #ifdef HAS_SPECULAR
 layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_speculars;

@@ -6,7 +6,7 @@ const float LEAST_WEIGHT = 1e-6;
 // What a pass counts for in a layer's mean, by its weight, the share of the pixel that it covers and its
 // albedo; likewise sums of them.
 vec3 layer_weight(int layer, float weight, float coverage, vec3 albedo) {
-    if (layer == LAYER_DIRECT || layer == LAYER_INDIRECT)
+    if (layer == LAYER_DIRECT || layer == LAYER_INDIRECT || layer == LAYER_CAUSTIC)
         return albedo + LEAST_WEIGHT * coverage;
     return vec3(layer == LAYER_NORMAL || layer == LAYER_DEPTH ? coverage : weight);
 }

@@ -15,7 +15,8 @@ void main() {
     float coverage = texelFetch(sums[LAYER_BEAUTY], pixel, 0).a;
     vec3 albedo = texelFetch(sums[LAYER_ALBEDO], pixel, 0).rgb;
     vec3 weight = layer_weight(params.layer, params.weight, coverage, albedo);
-    bool is_before = params.layer == LAYER_BEAUTY || params.layer == LAYER_AIRLIGHT; // a medium is seen before nothing
+    bool is_before = params.layer == LAYER_BEAUTY || params.layer == LAYER_AIRLIGHT || params.layer == LAYER_VOLUME;
+    // A medium is seen before nothing.
     bool seen = coverage > 0.0 || is_before;
     vec3 mean = seen ? texelFetch(sums[params.layer], pixel, 0).rgb / weight : vec3(0.0);
 #ifdef DISPLAY

@@ -9,7 +9,9 @@
 #define UNIT_TRANSMITTANCE (UNIT_OWN + 2)
 #define UNIT_EDGE_SAMPLE_TEXELS (UNIT_OWN + 3)
 #define UNIT_EDGE_SAMPLE_IRRADIANCE (UNIT_OWN + 4)
-#define UNIT_LAYER_SUMS (UNIT_OWN + 5) /* LAYERS of them */
+#define UNIT_CAUSTIC (UNIT_OWN + 5)
+#define UNIT_VOLUME_CAUSTIC (UNIT_OWN + 6)
+#define UNIT_LAYER_SUMS (UNIT_OWN + 7) /* LAYERS of them */
 
 struct composite_params {
     int layer;      /* what to write, LAYER_... */
@@ -45,6 +47,8 @@ PASS_BLOCK(composite_params, 64)
 #define LAYER_DIRECT_SPECULAR 7
 #define LAYER_INDIRECT_SPECULAR 8
 #define LAYER_AIRLIGHT 9 /* of a medium */
-#define LAYERS 10
+#define LAYER_CAUSTIC 10 /* of smooth surfaces, on others */
+#define LAYER_VOLUME 11  /* likewise, in a medium */
+#define LAYERS 12
 
 #endif

@@ -262,7 +262,7 @@ static int mode_of(enum output_kind kind) {
         [OUTPUT_VISIBILITY] = INSPECT_VISIBILITY, [OUTPUT_MAP_DEPTH] = INSPECT_MAP_DEPTH,
         [OUTPUT_BASIS] = INSPECT_BASIS,           [OUTPUT_SIGNED_BASIS] = INSPECT_SIGNED_BASIS,
         [OUTPUT_AO] = INSPECT_IRRADIANCE,         [OUTPUT_AIRLIGHT] = INSPECT_IRRADIANCE,
-        [OUTPUT_VOXELS] = INSPECT_IRRADIANCE,
+        [OUTPUT_RADIANCE] = INSPECT_IRRADIANCE,   [OUTPUT_VOXELS] = INSPECT_IRRADIANCE,
     };
     _Static_assert(sizeof modes / sizeof *modes == OUTPUT_KINDS, "a mode for each kind");
     return modes[kind];
@@ -283,6 +283,8 @@ static void write_params(const struct inspect *inspect, const struct renderer *r
         params.exposure = 1;
     if (shown->kind == OUTPUT_AIRLIGHT) /* radiance, not irradiance */
         params.exposure *= (float)GLM_PI;
+    if (shown->kind == OUTPUT_RADIANCE)
+        params.exposure = exp2f(renderer_exposure(renderer));
     if (sheet) {
         params.columns = sheet->columns;
         params.rows = sheet->rows;

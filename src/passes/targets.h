@@ -40,7 +40,7 @@ struct irradiance {
 
 /* What a technique makes, each NULL where it does not; composite adds what is there:
  *
- *     L = transmittance (albedo (direct + irradiance / pi) + radiance) + in_scatter
+ *     L = transmittance (albedo (direct + caustic + irradiance / pi) + radiance) + in_scatter + volume_caustic
  *
  * Light of surfaces: irradiance, not yet times albedo, or radiance towards the camera. Light of
  * what lies before them: in_scatter, with the share of the surfaces' light that passes. Textures
@@ -53,6 +53,8 @@ struct contribution {
     const struct texture *radiance;
     const struct texture *in_scatter,
         *transmittance; /* both or none; a scene's medium replaces them */
+    /* The renderer's, RGBA32F: radiance of a white surface, and radiance; not scaled. */
+    const struct texture *caustic, *volume_caustic;
 };
 
 /* What a display shows behind all surfaces. */

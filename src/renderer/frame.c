@@ -94,6 +94,8 @@ static struct contribution last_contribution(const struct renderer *renderer) {
         contribution.in_scatter = &renderer->airlight.pass.in_scatter;
         contribution.transmittance = &renderer->airlight.pass.transmittance;
     }
+    contribution.caustic = renderer->caustics.surface.id ? &renderer->caustics.surface : NULL;
+    contribution.volume_caustic = renderer->caustics.volume.id ? &renderer->caustics.volume : NULL;
     return contribution;
 }
 
@@ -170,6 +172,8 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     if (frame->medium)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
                              renderer->airlight.maps.maps, &renderer->desc.emitters);
+    if (renderer->caustics.tree)
+        caustics_pass_render(&renderer->caustics, frame, &renderer->gbuffer);
 }
 
 static void begin_pass(struct renderer *renderer, int pass) {
@@ -280,6 +284,14 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
     if (renderer->airlight.medium.id)
         output_add(outputs, &(struct output){"airlight", "what the medium scatters to the camera",
                                              OUTPUT_AIRLIGHT, &renderer->airlight.pass.in_scatter});
+    if (renderer->caustics.surface.id)
+        output_add(outputs,
+                   &(struct output){"caustic", "light that glass and mirrors throw onto surfaces",
+                                    OUTPUT_RADIANCE, &renderer->caustics.surface});
+    if (renderer->caustics.volume.id)
+        output_add(outputs,
+                   &(struct output){"volume", "light of glass and mirrors that the medium scatters",
+                                    OUTPUT_RADIANCE, &renderer->caustics.volume});
     if (irradiance)
         output_add(outputs,
                    &(struct output){"irradiance", "after the blur, before the surfaces' colours",

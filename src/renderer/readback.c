@@ -27,14 +27,25 @@ static const struct layer_row {
     {LAYER_INDIRECT_SPECULAR, "RGB", "indirect.specular."},
     /* Where there is a medium: */
     {LAYER_AIRLIGHT, "RGB", "airlight."},
+    /* Where the settings ask for caustics: */
+    {LAYER_CAUSTIC, "RGB", "caustic."},
+    {LAYER_VOLUME, "RGB", "volume."},
 };
 
 enum { ROWS = sizeof layer_rows / sizeof *layer_rows };
 
 static bool has_row(const struct renderer *renderer, int row) {
     int layer = layer_rows[row].layer;
-    return layer < LAYERS_PLAIN || (layer == LAYER_AIRLIGHT ? renderer->airlight.medium.id != 0
-                                                            : renderer->gbuffer.specular.id != 0);
+    switch (layer) {
+    case LAYER_AIRLIGHT:
+        return renderer->airlight.medium.id != 0;
+    case LAYER_CAUSTIC:
+        return renderer->caustics.surface.id != 0;
+    case LAYER_VOLUME:
+        return renderer->caustics.volume.id != 0;
+    default:
+        return layer < LAYERS_PLAIN || renderer->gbuffer.specular.id != 0;
+    }
 }
 
 static void read_layers(struct renderer *renderer, struct image *image,

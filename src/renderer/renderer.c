@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
+#include "renderer/caustics.h"
 #include "renderer/light_search.h"
 #include "renderer/views.h"
 #include "scene/material.h"
@@ -23,7 +24,8 @@ enum part {
     PART_MEAN = 64,      /* size, whether progressive */
     PART_REFINER = 128,  /* as technique; whether progressive */
     PART_AIRLIGHT = 256, /* layout of light samples; whether there is a medium, its steps */
-    PART_ALL = 511,
+    PART_CAUSTICS = 512, /* what caustics there are, their settings; whether there is a medium */
+    PART_ALL = 1023,
     PART_SIZE = PART_GBUFFER | PART_ANTIALIAS | PART_COMPOSITE | PART_MEAN,
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE | PART_AIRLIGHT, /* what render_lights draws with */
 };
@@ -100,10 +102,15 @@ static bool init_technique(struct renderer *renderer) {
 static bool init_mean(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     struct refining *refining = &renderer->refining;
+    unsigned kinds = renderer_caustic_kinds(desc, has_medium(desc));
     return !desc->progressive ||
            (mean_pass_init(&refining->mean,
-                           &(struct mean_desc){desc->width, desc->height, has_specular(desc),
-                                               has_medium(desc)}) &&
+                           &(struct mean_desc){.width = desc->width,
+                                               .height = desc->height,
+                                               .specular = has_specular(desc),
+                                               .medium = has_medium(desc),
+                                               .caustics = kinds & HAS_CAUSTICS,
+                                               .volume_caustics = kinds & HAS_VOLUME_CAUSTICS}) &&
             antialias_pass_init(&refining->centers,
                                 &(struct antialias_desc){desc->width, desc->height, 1}));
 }
@@ -130,8 +137,9 @@ static bool init_composite(struct renderer *renderer) {
         struct contribution contribution = renderer_contribution(renderer);
         contributes = composite_kinds(&contribution);
     }
-    if (has_medium(desc))
-        contributes |= HAS_MEDIUM;
+    contributes &= ~(unsigned)(HAS_CAUSTICS | HAS_VOLUME_CAUSTICS);
+    contributes |= renderer_caustic_kinds(desc, has_medium(desc));
+    contributes |= has_medium(desc) ? HAS_MEDIUM : 0U;
     return composite_pass_init(&renderer->composite,
                                &(struct composite_desc){.width = desc->width,
                                                         .height = desc->height,
@@ -151,6 +159,10 @@ static bool init_airlight(struct renderer *renderer) {
                                                       .height = desc->height,
                                                       .steps = own->steps,
                                                       .lights = renderer->plan.sample_layout});
+}
+
+static bool init_caustics(struct renderer *renderer) {
+    return renderer_init_caustics(renderer, has_medium(&renderer->desc));
 }
 
 static bool init_gbuffer(struct renderer *renderer) {
@@ -180,6 +192,10 @@ static bool resize_direct(struct renderer *renderer, int width, int height) {
 static bool resize_airlight(struct renderer *renderer, int width, int height) {
     return !renderer->airlight.medium.id ||
            airlight_pass_resize(&renderer->airlight.pass, width, height);
+}
+
+static bool resize_caustics(struct renderer *renderer, int width, int height) {
+    return !renderer->caustics.tree || caustics_pass_resize(&renderer->caustics, width, height);
 }
 
 static bool resize_technique(struct renderer *renderer, int width, int height) {
@@ -212,6 +228,7 @@ static const struct part_row {
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
     {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
     {PART_AIRLIGHT, MEMBERS(airlight, airlight), init_airlight, resize_airlight},
+    {PART_CAUSTICS, MEMBERS(caustics, caustics), init_caustics, resize_caustics},
     {PART_MEAN, MEMBERS(refining.centers, refining.mean), init_mean, NULL},
     {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
 };
@@ -280,6 +297,7 @@ void renderer_write_views(struct renderer *renderer) {
                  renderer->sample_block);
     struct medium medium = shown_medium(desc);
     airlight_set_medium(&renderer->airlight, &medium, desc->geometry);
+    scene_gpu_set_smooth_black(&renderer->scene, renderer_has_caustics(desc));
     scene_gpu_set_glow(&renderer->scene, &desc->emitters, has_specular(desc),
                        renderer_irradiance_scale(renderer));
 }
@@ -372,6 +390,7 @@ static void free_parts(struct renderer *renderer) {
     antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
     airlight_free(&renderer->airlight);
+    caustics_pass_free(&renderer->caustics);
     if (renderer->technique)
         renderer->technique->free(renderer->technique_state);
     if (renderer->direct)
@@ -482,6 +501,11 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
     if (settings_number(&desc->settings, "medium.steps") !=
         settings_number(&old->settings, "medium.steps"))
         parts |= PART_AIRLIGHT;
+    if (!settings_same(&desc->settings, &old->settings, &caustics_part) ||
+        (has_medium(desc) != has_medium(old) && renderer_has_caustics(desc)))
+        parts |= PART_CAUSTICS | PART_COMPOSITE | PART_MEAN;
+    if (renderer_has_caustics(desc) != renderer_has_caustics(old))
+        parts |= PART_TECHNIQUE | PART_REFINER;
     if (picture->samples != renderer_picture(renderer).samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)

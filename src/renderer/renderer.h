@@ -10,6 +10,7 @@
 #include "direct/direct.h"
 #include "direct/environment.h"
 #include "lights/light_samples.h"
+#include "passes/caustics/caustics.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
@@ -66,9 +67,10 @@ struct renderer {
     void *technique_state;
     const struct direct_method *direct; /* desc.direct, or with it environment_direct */
     void *direct_state;
-    struct airlight airlight; /* of a medium; zeroed without one */
-    bool lights_drawn;        /* what depends on no camera is that of desc */
-    int pass;                 /* that the last frame was: 0 = the first, or the only one */
+    struct airlight airlight;      /* of a medium; zeroed without one */
+    struct caustics_pass caustics; /* zeroed where they are not shown */
+    bool lights_drawn;             /* what depends on no camera is that of desc */
+    int pass;                      /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
     struct refining {
         const struct technique *technique; /* of passes after the first; NULL: the renderer's own */

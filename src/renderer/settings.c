@@ -6,6 +6,7 @@
 #include "direct/environment.h"
 #include "lights/light_samples.h"
 #include "passes/picture/composite.h"
+#include "scene/caustics.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 
@@ -46,6 +47,7 @@ void renderer_settings_init(struct settings *settings) {
     settings_add(settings, &sky_part);
     settings_add(settings, &material_part);
     settings_add(settings, &medium_part);
+    settings_add(settings, &caustics_part);
     settings_add(settings, &picture_part);
 }
 
@@ -214,6 +216,7 @@ static void print_all(FILE *out, const struct technique *technique) {
     print_part(out, &sky_part, technique);
     print_part(out, &material_part, technique);
     print_part(out, &medium_part, technique);
+    print_part(out, &caustics_part, technique);
     print_part(out, &picture_part, technique);
 }
 

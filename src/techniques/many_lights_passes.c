@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "scene/animation.h"
+#include "scene/caustics.h"
 #include "scene/material.h"
 #include "shared/gather.h"
 
@@ -236,6 +237,7 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                                 .scene = desc->scene,
                                 .geometry = desc->geometry,
                                 .materials = desc->specular ? MATERIALS_FULL : MATERIALS_DIFFUSE,
+                                .smooth_black = caustics_shown(desc->scene, desc->settings),
                                 .casters = desc->casters,
                                 .bounces = own->bounces,
                                 .medium = lights->medium,

@@ -21,6 +21,7 @@ enum output_kind {
     OUTPUT_SIGNED_BASIS, /* struct texture: the same in [-1, 1] */
     OUTPUT_AO,           /* struct renderer, which draws it when it is shown */
     OUTPUT_AIRLIGHT,     /* struct texture: radiance times irradiance_scale */
+    OUTPUT_RADIANCE,     /* struct texture: radiance */
     OUTPUT_VOXELS,       /* struct volume_light, whose voxels are drawn when they are shown */
     OUTPUT_KINDS,        /* new kinds stand before it */
 };

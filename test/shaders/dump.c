@@ -133,11 +133,16 @@ static void init_settings(struct settings *settings) {
     check(settings_assign(settings, "vpls=64"), "vpls");
 }
 
-/* With a medium, too. */
+/* With a medium and caustics, too. */
 static void make_progressive(struct renderer *renderer, struct renderer_desc desc) {
     desc.progressive = true;
     make(renderer, &desc);
     check(settings_assign(&desc.settings, "medium.scatter=1"), "medium");
+    make(renderer, &desc);
+    check(settings_assign(&desc.settings, "caustics.surface=patches caustics.medium=lines"),
+          "caustics");
+    make(renderer, &desc);
+    check(settings_assign(&desc.settings, "medium.scatter=0"), "medium");
     make(renderer, &desc);
 }
 

@@ -32,6 +32,7 @@ struct bounce_desc {
     const struct geometry *geometry;
     struct caster_pool *casters; /* of the geometry */
     enum materials materials;
+    bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
     int bounces;
     bool medium;  /* frames have one */
     int by_power; /* N of VPLs by importance, at whose power paths look; 0: VPLs are by flux */

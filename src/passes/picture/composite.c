@@ -17,16 +17,20 @@ unsigned composite_kinds(const struct contribution *contribution) {
     return (contribution->irradiance ? HAS_IRRADIANCE : 0U) |
            (contribution->radiance ? HAS_RADIANCE : 0U) |
            (contribution->in_scatter ? HAS_MEDIUM : 0U) |
-           (contribution->edge_sample_irradiance ? HAS_EDGE_SAMPLES : 0U);
+           (contribution->edge_sample_irradiance ? HAS_EDGE_SAMPLES : 0U) |
+           (contribution->caustic ? HAS_CAUSTICS : 0U) |
+           (contribution->volume_caustic ? HAS_VOLUME_CAUSTICS : 0U);
 }
 
 static bool init_programs(struct composite_pass *pass) {
     unsigned has = pass->desc.contributes;
-    char defines[160], centers[sizeof defines + 8];
-    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s",
+    char defines[192], centers[sizeof defines + 8];
+    snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s",
              has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
              has & HAS_EDGE_SAMPLES ? "HAS_EDGE_SAMPLES;" : "",
              has & HAS_RADIANCE ? "HAS_RADIANCE;" : "", has & HAS_MEDIUM ? "HAS_MEDIUM;" : "",
+             has & HAS_CAUSTICS ? "HAS_CAUSTICS;" : "",
+             has & HAS_VOLUME_CAUSTICS ? "HAS_VOLUME_CAUSTICS;" : "",
              pass->desc.has_sky ? "HAS_SKY;" : "", pass->desc.has_emission ? "HAS_EMISSION;" : "",
              pass->desc.has_specular ? "HAS_SPECULAR;" : "");
     snprintf(centers, sizeof centers, "%sCENTERS", defines);
@@ -100,6 +104,10 @@ static void add_contribution(struct pass_state *state, const struct contribution
         pass_add_texture(state, UNIT_IN_SCATTER, contribution->in_scatter->id);
         pass_add_texture(state, UNIT_TRANSMITTANCE, contribution->transmittance->id);
     }
+    if (contribution->caustic)
+        pass_add_texture(state, UNIT_CAUSTIC, contribution->caustic->id);
+    if (contribution->volume_caustic)
+        pass_add_texture(state, UNIT_VOLUME_CAUSTIC, contribution->volume_caustic->id);
 }
 
 /* What all pixels' centres see, and at depth 0 those that samples see more of: for a rasteriser in software, which

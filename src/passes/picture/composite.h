@@ -10,7 +10,14 @@ struct frame;
 enum tone_map { TONE_MAP_CLAMP, TONE_MAP_FILMIC };
 
 /* What a technique contributes: bits. */
-enum { HAS_IRRADIANCE = 1, HAS_RADIANCE = 2, HAS_MEDIUM = 4, HAS_EDGE_SAMPLES = 8 };
+enum {
+    HAS_IRRADIANCE = 1,
+    HAS_RADIANCE = 2,
+    HAS_MEDIUM = 4,
+    HAS_EDGE_SAMPLES = 8,
+    HAS_CAUSTICS = 16,
+    HAS_VOLUME_CAUSTICS = 32
+};
 
 struct environment;
 

@@ -11,7 +11,16 @@
 #include <string.h>
 
 static bool has_layer(const struct mean_desc *desc, int layer) {
-    return layer < LAYERS_PLAIN || (layer == LAYER_AIRLIGHT ? desc->medium : desc->specular);
+    switch (layer) {
+    case LAYER_AIRLIGHT:
+        return desc->medium;
+    case LAYER_CAUSTIC:
+        return desc->caustics;
+    case LAYER_VOLUME:
+        return desc->volume_caustics;
+    default:
+        return layer < LAYERS_PLAIN || desc->specular;
+    }
 }
 
 static bool init_sums(struct mean_pass *pass) {

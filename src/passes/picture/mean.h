@@ -17,7 +17,7 @@ struct frame;
 
 struct mean_desc {
     int width, height;
-    bool specular, medium; /* with their layers */
+    bool specular, medium, caustics, volume_caustics; /* with their layers */
 };
 
 struct mean_pass {

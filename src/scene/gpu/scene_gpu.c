@@ -43,31 +43,39 @@ static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geom
     return ok;
 }
 
+/* Glass and mirrors whose light caustics carry reflect none of their own. */
+static struct material_block block_of(const struct material *material, bool smooth_black) {
+    bool black = smooth_black && material_smooth_kind(material) != SMOOTH_NONE;
+    struct material_block block = {
+        .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff : -1,
+        .double_sided = material->double_sided,
+        .textured = material->base_color_texture >= 0,
+        .emission_textured = material->emission_texture >= 0,
+        .metalness = material->metalness,
+        .roughness = material->roughness,
+        .diffuse = black || material_is_diffuse(material),
+        .unlit = material->unlit,
+        .metal_roughness_textured = material->metal_roughness_texture >= 0,
+        .specular_f90 = material->specular_f90,
+        .normal_textured = material->normal_texture >= 0,
+        .normal_scale = material->normal_scale,
+        .specular_glossiness = material->specular_glossiness,
+        .metal_roughness_mapping = material->metal_roughness_mapping,
+        .emission_mapping = material->emission_mapping,
+        .normal_mapping = material->normal_mapping,
+    };
+    memcpy(block.base_color, material->base_color, sizeof block.base_color);
+    memcpy(block.specular_f0, material->specular_f0, sizeof block.specular_f0);
+    for (int c = 0; black && c < 3; c++)
+        block.base_color[c] = 0;
+    return block;
+}
+
 static bool upload_materials(struct scene_gpu *gpu, const struct scene *scene) {
     size_t size = (size_t)scene->material_count * MATERIAL_STRIDE;
     unsigned char *bytes = mem_alloc(size, 1);
     for (int i = 0; i < scene->material_count; i++) {
-        const struct material *material = &scene->materials[i];
-        struct material_block block = {
-            .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff : -1,
-            .double_sided = material->double_sided,
-            .textured = material->base_color_texture >= 0,
-            .emission_textured = material->emission_texture >= 0,
-            .metalness = material->metalness,
-            .roughness = material->roughness,
-            .diffuse = material_is_diffuse(material),
-            .unlit = material->unlit,
-            .metal_roughness_textured = material->metal_roughness_texture >= 0,
-            .specular_f90 = material->specular_f90,
-            .normal_textured = material->normal_texture >= 0,
-            .normal_scale = material->normal_scale,
-            .specular_glossiness = material->specular_glossiness,
-            .metal_roughness_mapping = material->metal_roughness_mapping,
-            .emission_mapping = material->emission_mapping,
-            .normal_mapping = material->normal_mapping,
-        };
-        memcpy(block.base_color, material->base_color, sizeof block.base_color);
-        memcpy(block.specular_f0, material->specular_f0, sizeof block.specular_f0);
+        struct material_block block = block_of(&scene->materials[i], gpu->smooth_black);
         memcpy(bytes + i * MATERIAL_STRIDE, &block, sizeof block);
     }
     bool ok = buffer_init(&gpu->materials, "scene materials", size, bytes);
@@ -307,6 +315,17 @@ void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, 
         buffer_write(&gpu->materials,
                      (size_t)m * MATERIAL_STRIDE + offsetof(struct material_block, emission),
                      sizeof glow, glow);
+    }
+}
+
+void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
+    if (black == gpu->smooth_black)
+        return;
+    gpu->smooth_black = black;
+    for (int m = 0; m < gpu->scene->material_count; m++) {
+        struct material_block block = block_of(&gpu->scene->materials[m], black);
+        memcpy(block.emission, gpu->glow[m], sizeof block.emission);
+        buffer_write(&gpu->materials, (size_t)m * MATERIAL_STRIDE, sizeof block, &block);
     }
 }
 

@@ -13,7 +13,8 @@ struct scene_gpu {
     struct buffer positions, normals, uvs[MAPPINGS_MAX], colors, indices, materials;
     struct texture *textures;
     int texture_count;
-    float (*glow)[3];          /* of each material: what its block has */
+    float (*glow)[3]; /* of each material: what its block has */
+    bool smooth_black;
     struct texture blank;      /* for what a material has not */
     struct texture lobes;      /* scene/gpu/lobes.h, where materials are not all plain */
     struct texture sky;        /* RGB32F, the texels of the scene's environment; or none */
@@ -42,6 +43,9 @@ void scene_gpu_free(struct scene_gpu *gpu);
  * are unlit. */
 void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, bool unlit_too,
                         float scale);
+
+/* Whether smooth materials (material_smooth_kind) scatter no light, and send it on as caustics alone. */
+void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black);
 
 /* With vertex array shaded_vertices, what the views may see of: all batches; those with an alpha mask;
  * the others with one side or two; all others, for depth alone. The first two bind BLOCK_MATERIAL and

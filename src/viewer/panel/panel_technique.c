@@ -3,6 +3,7 @@
 #include "viewer/panel/panel.h"
 
 #include "direct/environment.h"
+#include "scene/caustics.h"
 #include "scene/medium.h"
 #include "viewer/panel/setting_label.h"
 #include "viewer/picture/budget.h"
@@ -188,6 +189,7 @@ static bool draw_advanced(struct viewer *viewer, const struct technique *techniq
     if (viewer->placed.emitters.sky)
         changed |= draw_part(&sky_part, technique, filter, settings);
     changed |= draw_part(&medium_part, technique, filter, settings);
+    changed |= draw_part(&caustics_part, technique, filter, settings);
     return changed;
 }
 

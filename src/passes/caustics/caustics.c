@@ -1,0 +1,288 @@
+#include "passes/caustics/caustics.h"
+
+#include "base/halton.h"
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+#include "lights/light_samples.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
+
+#include <math.h>
+
+/* Surfaces that are nearer than this are one, over the scene's radius. */
+static const float reach = .01F;
+
+/* --- life ------------------------------------------------------------------------------------- */
+
+static bool init_programs(struct caustics_pass *pass) {
+    const char *medium = pass->desc.medium ? "HAS_MEDIUM" : NULL;
+    const struct program_desc patch = {.vertex = "caustics/patch.vert",
+                                       .fragment = "caustics/patch.frag"};
+    const struct program_desc splat = {
+        .vertex = "caustics/splat.vert", .fragment = "caustics/patch.frag", .defines = "SPLATS"};
+    bool ok = program_init(
+        &pass->ray_program,
+        &(struct program_desc){.screen = {"caustics/light_rays.frag"}, .defines = medium});
+    if (ok && pass->desc.surface)
+        ok = program_init(&pass->cell_program,
+                          &(struct program_desc){.screen = {"caustics/ray_cells.frag"},
+                                                 .defines = medium}) &&
+             program_init(&pass->splat_list_program,
+                          &(struct program_desc){.screen = {"caustics/ray_splats.frag"},
+                                                 .defines = medium}) &&
+             program_init(&pass->patch_program, &patch) &&
+             program_init(&pass->splat_program, &splat);
+    if (ok && pass->desc.volume)
+        ok = program_init(&pass->line_program,
+                          &(struct program_desc){.vertex = "caustics/light_lines.vert",
+                                                 .fragment = "caustics/light_lines.frag",
+                                                 .defines = medium});
+    return ok;
+}
+
+static bool init_rays(struct caustics_pass *pass) {
+    struct texture *const textures[] = {&pass->leaves,     &pass->ends,       &pass->fluxes,
+                                        &pass->patches[0], &pass->patches[1], &pass->splats};
+    int count = pass->desc.surface ? 6 : 3;
+    bool ok = true;
+    for (int i = 0; ok && i < count; i++)
+        ok = texture_init(textures[i],
+                          &(struct texture_desc){.label = "light rays",
+                                                 .format = GL_RGBA32F,
+                                                 .width = pass->desc.size,
+                                                 .height = pass->desc.size * pass->chains});
+    struct framebuffer_desc rays = {.label = "light rays"};
+    rays.colors[TARGET_RAY_LEAVE] = &pass->leaves;
+    rays.colors[TARGET_RAY_END] = &pass->ends;
+    rays.colors[TARGET_RAY_FLUX] = &pass->fluxes;
+    const struct framebuffer_desc cells = {.label = "cells of rays",
+                                           .colors = {&pass->patches[0], &pass->patches[1]}},
+                                  splats = {.label = "splats", .colors = {&pass->splats}};
+    return ok && framebuffer_init(&pass->ray_framebuffer, &rays) &&
+           (!pass->desc.surface || (framebuffer_init(&pass->cell_framebuffer, &cells) &&
+                                    framebuffer_init(&pass->splat_framebuffer, &splats)));
+}
+
+static bool init_targets(struct caustics_pass *pass) {
+    struct texture_desc desc = {.format = GL_RGBA32F,
+                                .label = "caustics",
+                                .width = pass->desc.width,
+                                .height = pass->desc.height};
+    bool ok = !pass->desc.surface ||
+              framebuffer_init_target(&pass->surface, &pass->surface_framebuffer, &desc);
+    desc.label = "caustics in the medium";
+    return ok && (!pass->desc.volume ||
+                  framebuffer_init_target(&pass->volume, &pass->volume_framebuffer, &desc));
+}
+
+static void free_targets(struct caustics_pass *pass) {
+    framebuffer_free(&pass->surface_framebuffer);
+    framebuffer_free(&pass->volume_framebuffer);
+    texture_free(&pass->surface);
+    texture_free(&pass->volume);
+}
+
+bool caustics_pass_resize(struct caustics_pass *pass, int width, int height) {
+    struct caustics_pass fresh = *pass;
+    fresh.surface = fresh.volume = (struct texture){0};
+    fresh.surface_framebuffer = fresh.volume_framebuffer = 0;
+    fresh.desc.width = width;
+    fresh.desc.height = height;
+    bool ok = init_targets(&fresh);
+    free_targets(ok ? pass : &fresh);
+    if (ok)
+        *pass = fresh;
+    return ok;
+}
+
+bool caustics_pass_init(struct caustics_pass *pass, const struct caustics_desc *desc) {
+    *pass = (struct caustics_pass){.desc = *desc};
+    pass->desc.volume = desc->volume && desc->medium;
+    if (caster_pool_acquire_tree(desc->casters, &pass->tree) &&
+        smooth_surfaces_init(&pass->surfaces, desc->scene, desc->geometry)) {
+        pass->chains = pass->surfaces.has_glass ? desc->chains : 1;
+        if (init_programs(pass) && init_rays(pass) && init_targets(pass) &&
+            buffer_init(&pass->params, "caustics' parameters", sizeof(struct caustics_params),
+                        NULL))
+            return true;
+    }
+    caustics_pass_free(pass);
+    return false;
+}
+
+void caustics_pass_free(struct caustics_pass *pass) {
+    caster_pool_release_tree(pass->desc.casters, &pass->tree);
+    smooth_surfaces_free(&pass->surfaces);
+    program_free(&pass->ray_program);
+    program_free(&pass->cell_program);
+    program_free(&pass->splat_list_program);
+    program_free(&pass->patch_program);
+    program_free(&pass->splat_program);
+    program_free(&pass->line_program);
+    framebuffer_free(&pass->ray_framebuffer);
+    framebuffer_free(&pass->cell_framebuffer);
+    framebuffer_free(&pass->splat_framebuffer);
+    free_targets(pass);
+    texture_free(&pass->leaves);
+    texture_free(&pass->ends);
+    texture_free(&pass->fluxes);
+    texture_free(&pass->patches[0]);
+    texture_free(&pass->patches[1]);
+    texture_free(&pass->splats);
+    buffer_free(&pass->params);
+    *pass = (struct caustics_pass){0};
+}
+
+/* --- the frame -------------------------------------------------------------------------------- */
+
+static struct pass_state state_of(const struct caustics_pass *pass, const struct frame *frame,
+                                  const char *name, GLuint program) {
+    struct pass_state state = {
+        .name = name,
+        .program = program,
+        .blocks = {{BLOCK_PASS, &pass->params},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_VIEW, frame->view}},
+    };
+    if (frame->medium)
+        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    return state;
+}
+
+static void add_rays(const struct caustics_pass *pass, struct pass_state *state) {
+    pass_add_texture(state, UNIT_RAY_LEAVES, pass->leaves.id);
+    pass_add_texture(state, UNIT_RAY_ENDS, pass->ends.id);
+    pass_add_texture(state, UNIT_RAY_FLUXES, pass->fluxes.id);
+}
+
+static int side_of(const struct caustics_pass *pass, const struct frame *frame, int light) {
+    int samples = 1;
+    for (int i = 0; frame->groups && i < frame->layout.groups; i++) {
+        const struct light_group *group = &frame->groups[i];
+        if (light >= group->first && light < group->first + group->count)
+            samples = group->count;
+    }
+    int side = (int)lrint((double)pass->desc.size / sqrt((double)samples));
+    return side < 8 ? 8 : side;
+}
+
+/* From -1/2 to 1/2: the first pass's rays are in their texels' middles. */
+static float place_in_texel(uint32_t base, int pass) {
+    return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
+}
+
+static bool write_params(const struct caustics_pass *pass, const struct frame *frame, int light,
+                         int *side) {
+    struct caustics_params params = {
+        .shift = {place_in_texel(2, frame->pass), place_in_texel(3, frame->pass)},
+        .reach = reach * frame->geometry->radius,
+        .far = 8 * frame->geometry->radius,
+        .size = {(float)pass->desc.width, (float)pass->desc.height},
+        .chains = pass->chains,
+        .points_only = pass->desc.points,
+    };
+    *side = side_of(pass, frame, light);
+    if (!smooth_surfaces_fit(&pass->surfaces, frame->geometry, &frame->emitters->items[light],
+                             *side, &params))
+        return false;
+    buffer_write(&pass->params, 0, sizeof params, &params);
+    return true;
+}
+
+static void draw_rays(struct pass_state *state, const struct caustics_pass *pass, int side,
+                      GLuint framebuffer) {
+    state->framebuffer = framebuffer;
+    state->width = side;
+    state->height = side * pass->chains;
+    pass_set_state(state);
+}
+
+static void trace(const struct caustics_pass *pass, const struct frame *frame, int light,
+                  int side) {
+    struct pass_state state = state_of(pass, frame, "light rays", pass->ray_program);
+    smooth_surfaces_add(&pass->surfaces, &state);
+    pass_add_texture(&state, UNIT_BVH, pass->tree->texels);
+    timer_begin(frame->timers, state.name);
+    draw_rays(&state, pass, side, pass->ray_framebuffer);
+    pass_set_int(LOCATION_LIGHT, light);
+    pass_draw_fullscreen(1);
+    timer_end(frame->timers);
+}
+
+static void find_cells(const struct caustics_pass *pass, const struct frame *frame, int side) {
+    struct pass_state cells = state_of(pass, frame, "caustics", pass->cell_program),
+                      splats = state_of(pass, frame, "caustics", pass->splat_list_program);
+    add_rays(pass, &cells);
+    draw_rays(&cells, pass, side, pass->cell_framebuffer);
+    pass_draw_fullscreen(1);
+    add_rays(pass, &splats);
+    pass_add_texture(&splats, UNIT_PATCHES, pass->patches[0].id);
+    draw_rays(&splats, pass, side, pass->splat_framebuffer);
+    pass_draw_fullscreen(1);
+}
+
+static struct pass_state picture_state(const struct caustics_pass *pass, const struct frame *frame,
+                                       const struct gbuffer *gbuffer, const char *name,
+                                       GLuint program) {
+    struct pass_state state = state_of(pass, frame, name, program);
+    state.width = pass->desc.width;
+    state.height = pass->desc.height;
+    state.blend = PASS_BLEND_ADD;
+    add_rays(pass, &state);
+    pass_add_texture(&state, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    pass_add_texture(&state, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    return state;
+}
+
+static void draw_surface(const struct caustics_pass *pass, const struct frame *frame,
+                         const struct gbuffer *gbuffer, int side) {
+    struct pass_state patches =
+                          picture_state(pass, frame, gbuffer, "caustics", pass->patch_program),
+                      splats = picture_state(pass, frame, gbuffer, "caustics", pass->splat_program);
+    int rays = side * side * pass->chains;
+    timer_begin(frame->timers, "caustics");
+    find_cells(pass, frame, side);
+    patches.framebuffer = splats.framebuffer = pass->surface_framebuffer;
+    pass_add_texture(&patches, UNIT_PATCHES, pass->patches[0].id);
+    pass_add_texture(&patches, UNIT_PATCHES + 1, pass->patches[1].id);
+    pass_add_texture(&splats, UNIT_SPLATS, pass->splats.id);
+    if (!pass->desc.points) {
+        pass_set_state(&patches);
+        pass_draw(GL_TRIANGLES, 6 * rays, 1);
+    }
+    pass_set_state(&splats);
+    pass_draw(GL_TRIANGLES, 3 * rays, 1);
+    timer_end(frame->timers);
+}
+
+static void draw_volume(const struct caustics_pass *pass, const struct frame *frame,
+                        const struct gbuffer *gbuffer, int light, int side) {
+    struct pass_state lines =
+        picture_state(pass, frame, gbuffer, "light lines", pass->line_program);
+    lines.framebuffer = pass->volume_framebuffer;
+    timer_begin(frame->timers, lines.name);
+    pass_set_state(&lines);
+    pass_set_int(LOCATION_LIGHT, light);
+    pass_draw(GL_LINES, 2 * side * side * pass->chains, 1);
+    timer_end(frame->timers);
+}
+
+void caustics_pass_render(struct caustics_pass *pass, const struct frame *frame,
+                          const struct gbuffer *gbuffer) {
+    static const float none[4] = {0};
+    smooth_surfaces_follow(&pass->surfaces, frame->scene, frame->geometry);
+    if (pass->desc.surface)
+        framebuffer_clear_color(pass->surface_framebuffer, TARGET_RESULT, none);
+    if (pass->desc.volume)
+        framebuffer_clear_color(pass->volume_framebuffer, TARGET_RESULT, none);
+    for (int i = 0; i < frame->emitters->count; i++) {
+        int side;
+        if (!write_params(pass, frame, i, &side))
+            continue;
+        trace(pass, frame, i, side);
+        if (pass->desc.surface)
+            draw_surface(pass, frame, gbuffer, side);
+        if (pass->desc.volume)
+            draw_volume(pass, frame, gbuffer, i, side);
+    }
+}

@@ -1,0 +1,16 @@
+/* What a renderer has for caustics: nothing, where the settings or the scene have none. */
+#ifndef RENDERER_CAUSTICS_H
+#define RENDERER_CAUSTICS_H
+
+#include "renderer/renderer.h"
+#include "scene/caustics.h"
+
+bool renderer_has_caustics(const struct renderer_desc *desc);
+
+/* HAS_... of passes/picture/composite.h; medium: the frames have one. */
+unsigned renderer_caustic_kinds(const struct renderer_desc *desc, bool medium);
+
+/* Fills renderer->caustics. Error: caustics_pass_init's. */
+bool renderer_init_caustics(struct renderer *renderer, bool medium);
+
+#endif

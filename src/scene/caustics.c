@@ -1,0 +1,39 @@
+#include "scene/caustics.h"
+
+#include "scene/material.h"
+
+static const char *const surface_names[] = {"off", "patches", "points", NULL};
+static const char *const volume_names[] = {"off", "lines", NULL};
+
+static const struct option table[] = {
+    {"surface", 0, OPTION_CHOICE, offsetof(struct caustics_settings, surface), CAUSTICS_OFF,
+     .choices = surface_names,
+     .help = "caustics on surfaces: patches between light rays, or a spot of\n"
+             "each; glass and mirrors are black; off: glass is opaque"},
+    {"medium", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
+     .choices = volume_names,
+     .help = "caustics in a medium: light rays of glass and mirrors as lines"},
+    {"size", 0, OPTION_INT, offsetof(struct caustics_settings, size), 256, 8, 2048,
+     .help = "light rays per side of each light's view of glass and\n"
+             "mirrors; raise for small objects or close views"},
+    {"chains", 0, OPTION_INT, offsetof(struct caustics_settings, chains), 3, 1, 8,
+     .help = "chains of each light ray at glass: reflected outside,\n"
+             "straight through, reflected within once, twice, ..."},
+    {NULL},
+};
+
+const struct settings_part caustics_part = {"caustics", "caustics", table,
+                                            sizeof(struct caustics_settings)};
+
+bool caustics_shown(const struct scene *scene, const struct settings *settings) {
+    const struct caustics_settings *own =
+        settings_of(struct caustics_settings, settings, &caustics_part);
+    if (own->surface == CAUSTICS_OFF && !own->volume)
+        return false;
+    for (int m = 0; m < scene->mesh_count; m++)
+        for (int i = 0; i < scene->meshes[m].primitive_count; i++)
+            if (material_smooth_kind(&scene->materials[scene->meshes[m].primitives[i].material]) !=
+                SMOOTH_NONE)
+                return true;
+    return false;
+}

@@ -1,0 +1,22 @@
+/* Light that smooth surfaces throw onto others: what a user asks for. */
+#ifndef SCENE_CAUSTICS_H
+#define SCENE_CAUSTICS_H
+
+#include "base/settings.h"
+#include "scene/scene.h"
+
+enum caustics_surface { CAUSTICS_OFF, CAUSTICS_PATCHES, CAUSTICS_POINTS };
+
+struct caustics_settings {
+    int surface; /* enum caustics_surface */
+    int volume;  /* 1: lines in a medium */
+    int size;    /* rays a side of a light's view */
+    int chains;  /* of each ray through glass */
+};
+
+extern const struct settings_part caustics_part;
+
+/* Whether the settings ask for any, and a mesh has a smooth material. Such a surface then scatters no light. */
+bool caustics_shown(const struct scene *scene, const struct settings *settings);
+
+#endif

@@ -1,0 +1,449 @@
+/* Caustics: exact answers of mirrors and slabs, relations that hold of any picture, and what is hard or refused. */
+#include "render_support.h"
+
+#include "gltf_parts.h"
+
+#include "base/memory.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <string.h>
+
+#define CHEAP "vpls=64 rsm-size=64 "
+#define PATCHES CHEAP "caustics.surface=patches caustics.size=64 "
+
+enum { SIZE = 64, FLOOR = 0, SMOOTH = 1 };
+
+/* --- a floor and a smooth object -------------------------------------------------------------- */
+
+/* Nodes of quads from 0 to 1 in x and y, which face +z; their material is the mesh's. The floor, 40 m wide, is z = 0. */
+#define FLOOR_NODE "{\"mesh\": 0, \"translation\": [-20, -20, 0], \"scale\": [40, 40, 1]}"
+
+/* Squares at that z, as wide, which face up and down. */
+#define UP_NODE "{\"mesh\": 1, \"translation\": [%g, %g, %g], \"scale\": [%g, %g, 1]}"
+#define DOWN_NODE                                                                                  \
+    "{\"mesh\": 1, \"translation\": [%g, %g, %g], \"rotation\": [1, 0, 0, 0], \"scale\": [%g, "    \
+    "%g, 1]}"
+
+static int print_square(char *text, size_t size, const char *node, double z, double width) {
+    bool is_down = strcmp(node, DOWN_NODE) == 0;
+    return snprintf(text, size, node, -width / 2, is_down ? width / 2 : -width / 2, z, width,
+                    width);
+}
+
+/* A light of 1 W/sr in z = 2 that shines down, and a camera that looks down from such a height. */
+static void open_nodes(struct stage *stage, const char *nodes, float eye) {
+    open_stage(stage,
+               write_parts("caustics.glb",
+                           &(struct gltf_parts){
+                               .nodes = nodes,
+                               .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}},"
+                                            " {\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
+                               .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
+                                         " \"indices\": 1, \"material\": 0}]},"
+                                         " {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
+                                         " \"indices\": 1, \"material\": 1}]}]"}));
+    stage->camera = (struct camera){.eye = {0, 0, eye},
+                                    .right = {1, 0, 0},
+                                    .up = {0, 1, 0},
+                                    .forward = {0, 0, -1},
+                                    .fov_y = .05F};
+    emitters_free(&stage->emitters);
+    stage->emitters = (struct emitters){.items = mem_alloc(1, sizeof(struct emitter)), .count = 1};
+    stage->emitters.items[0] = emitter_new(EMITTER_SPOT);
+    stage->emitters.items[0].position[2] = 2;
+    stage->emitters.items[0].cos_outer = cosf(1.2F);
+    stage->emitters.items[0].cos_inner = cosf(1.1F);
+    emitter_aim(&stage->emitters.items[0], (float[]){0, 0, -1});
+}
+
+static void make_mirror(struct stage *stage) {
+    struct material *material = &stage->scene.materials[SMOOTH];
+    material->metalness = 1;
+    material->roughness = 0;
+    for (int c = 0; c < 3; c++)
+        material->base_color[c] = 1 - .2F * (float)c;
+}
+
+static void make_glass(struct stage *stage, float index) {
+    struct material *material = &stage->scene.materials[SMOOTH];
+    material->transmission = 1;
+    material->index_of_refraction = index;
+    material->roughness = 0;
+}
+
+/* A mirror above the light, which shines up, and the eye. */
+static void open_mirror(struct stage *stage, double width, float eye) {
+    char nodes[512];
+    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, width);
+    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    open_nodes(stage, nodes, eye);
+    make_mirror(stage);
+    emitter_aim(&stage->emitters.items[0], (float[]){0, 0, 1});
+}
+
+/* A slab from z = .8 to 1 between light and eye. */
+static void open_slab(struct stage *stage, float index, double width, float eye) {
+    char nodes[512];
+    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, width);
+    used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, .8, width);
+    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    open_nodes(stage, nodes, eye);
+    make_glass(stage, index);
+}
+
+static double channel_mean(const struct image *image, const char *channel) {
+    int c = image_find_channel(image, channel);
+    double sum = 0;
+    assert_true(c >= 0);
+    for (int i = 0; i < image->width * image->height; i++)
+        sum += (double)image_at(image, i % image->width, i / image->width)[c];
+    return sum / image->width / image->height;
+}
+
+static double mean_of(const struct image *image, const char *layer) {
+    char name[32];
+    double sum = 0;
+    for (int c = 0; c < 3; c++) {
+        snprintf(name, sizeof name, "%s.%c", layer, "RGB"[c]);
+        sum += channel_mean(image, name) / 3;
+    }
+    return sum;
+}
+
+static struct image draw(const struct stage *stage, const char *settings) {
+    return render_stage(stage, "unshadowed", settings, SIZE);
+}
+
+/* --- exact answers ---------------------------------------------------------------------------- */
+
+static const char *const kinds[] = {CHEAP "caustics.surface=patches caustics.size=256",
+                                    CHEAP "caustics.surface=points caustics.size=256"};
+
+/* The light of a mirrored light, tinted. */
+static void test_mirror(void **state) {
+    (void)state;
+    struct stage stage;
+    open_mirror(&stage, 4, 1);
+    for (int k = 0; k < 2; k++) {
+        struct image drawn = draw(&stage, kinds[k]);
+        double expected = 1 / (16 * GLM_PI), tolerance = k ? .1 : .01;
+        printf("    %s\n", kinds[k]);
+        check_near("red over expected", channel_mean(&drawn, "caustic.R") / expected, 1, tolerance);
+        check_near("blue over expected", channel_mean(&drawn, "caustic.B") / expected, .6,
+                   tolerance);
+        check_near("direct", mean_of(&drawn, "direct"), 0, 1e-9);
+        image_free(&drawn);
+    }
+    stage_free(&stage);
+}
+
+/* On the axis: I (1 - F)^2 / (s + t/n + e)^2. */
+static void test_slab(void **state) {
+    (void)state;
+    struct stage stage;
+    open_slab(&stage, 1.5F, 1, .5F);
+    struct image drawn = draw(&stage, PATCHES);
+    check_near("over expected", mean_of(&drawn, "caustic") * GLM_PI / .246564, 1, .01);
+    check_near("direct", mean_of(&drawn, "direct"), 0, 1e-9);
+    image_free(&drawn);
+    for (int c = 0; c < 3; c++)
+        stage.scene.materials[SMOOTH].absorption[c] = 3;
+    drawn = draw(&stage, PATCHES);
+    check_near("absorbing, over expected",
+               mean_of(&drawn, "caustic") * GLM_PI / (.246564 * exp(-.6)), 1, .01);
+    image_free(&drawn);
+    stage_free(&stage);
+}
+
+/* All light of a small mirror lands where the camera sees it: a square of 2 m. */
+static void test_energy(void **state) {
+    (void)state;
+    struct stage stage;
+    const double half = .25, height = 2.5;
+    open_mirror(&stage, 2 * half, (float)height);
+    stage.camera.fov_y = glm_rad(60);
+    double solid_angle = 4 * asin(half * half / (half * half + 1));
+    double pixel = pow(2 * height * tan(GLM_PI / 6) / SIZE, 2);
+    for (int k = 0; k < 2; k++) {
+        struct image drawn = draw(&stage, kinds[k]);
+        double landed = channel_mean(&drawn, "caustic.R") * GLM_PI * pixel * SIZE * SIZE;
+        printf("    %s\n", kinds[k]);
+        check_near("landed over sent", landed / solid_angle, 1, .02);
+        image_free(&drawn);
+    }
+    stage_free(&stage);
+}
+
+static void set_medium(struct stage *stage, float scattering, float absorption, float g) {
+    stage->scene.medium = (struct medium){.g = g};
+    for (int c = 0; c < 3; c++) {
+        stage->scene.medium.scattering[c] = scattering;
+        stage->scene.medium.absorption[c] = absorption;
+    }
+}
+
+/* An object that bends nothing: light that was direct is a caustic, airlight a caustic in the medium. */
+static void test_no_refraction(void **state) {
+    (void)state;
+    struct stage with, without;
+    static const float gs[] = {0, .6F, -.6F};
+    open_slab(&with, 1, 1, .75F);
+    open_nodes(&without, "[" FLOOR_NODE "]", .75F);
+    for (int c = 0; c < 3; c++) /* as much as the medium takes, which is not in glass */
+        with.scene.materials[SMOOTH].absorption[c] = .17F;
+    with.camera.fov_y = without.camera.fov_y = glm_rad(130);
+    for (int i = 0; i < 3; i++) {
+        set_medium(&with, .15F, .02F, gs[i]);
+        set_medium(&without, .15F, .02F, gs[i]);
+        struct image a = draw(&with, CHEAP "caustics.surface=patches caustics.medium=lines"
+                                           " caustics.size=256 medium.steps=128");
+        struct image b = draw(&without, CHEAP "medium.steps=128");
+        printf("    g = %g\n", (double)gs[i]);
+        check_near("caustic's share", mean_of(&a, "caustic") / mean_of(&b, "direct"), .5, .45);
+        check_near("light on surfaces, with over without",
+                   (mean_of(&a, "direct") + mean_of(&a, "caustic")) / mean_of(&b, "direct"), 1,
+                   .015);
+        check_near("volume's share", mean_of(&a, "volume") / mean_of(&b, "airlight"), .5, .45);
+        check_near("light in the medium, with over without",
+                   (mean_of(&a, "airlight") + mean_of(&a, "volume")) / mean_of(&b, "airlight"), 1,
+                   .03);
+        image_free(&a);
+        image_free(&b);
+    }
+    stage_free(&with);
+    stage_free(&without);
+}
+
+/* --- relations -------------------------------------------------------------------------------- */
+
+/* More rays: the same light with less noise. */
+static void test_more_rays(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/ring.glb", "scenes/gem.glb"};
+    for (int s = 0; s < 2; s++) {
+        struct stage stage;
+        open_stage(&stage, scenes[s]);
+        struct image few = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
+                                              " caustics.size=128"),
+                     many = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
+                                               " caustics.size=256");
+        printf("    %s\n", scenes[s]);
+        check_near("surfaces, few over many", mean_of(&few, "caustic") / mean_of(&many, "caustic"),
+                   1, .04);
+        if (s == 1)
+            check_near("medium, few over many", mean_of(&few, "volume") / mean_of(&many, "volume"),
+                       1, .04);
+        check_finite("few", &few);
+        image_free(&few);
+        image_free(&many);
+        stage_free(&stage);
+    }
+}
+
+static void test_halves(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter lights[2];
+    open_stage(&stage, "scenes/ring.glb");
+    struct renderer_desc desc = desc_of(&stage, "unshadowed", PATCHES, SIZE, SIZE);
+    desc.emitters = (struct emitters){.items = lights, .count = 1};
+    lights[0] = stage.emitters.items[0];
+    struct image one = render_layers(&desc);
+    glm_vec3_scale(lights[0].intensity, .5F, lights[0].intensity);
+    lights[1] = lights[0];
+    desc.emitters.count = 2;
+    struct image two = render_layers(&desc);
+    check_at_most("two halves", relative_rmse(&two, &one, "caustic"), 1e-3);
+    image_free(&one);
+    image_free(&two);
+    stage_free(&stage);
+}
+
+/* A light that does not reach the ring, and a scene without glass: not a bit is other. */
+static void test_out_of_view(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/ring.glb");
+    emitter_aim(&stage.emitters.items[0], (float[]){-1, 0, 0});
+    struct image drawn = draw(&stage, PATCHES);
+    check_near("caustic", mean_of(&drawn, "caustic"), 0, 0);
+    check_finite("drawn", &drawn);
+    image_free(&drawn);
+    stage_free(&stage);
+    open_stage(&stage, "scenes/cornell-box.glb");
+    struct image off = draw(&stage, CHEAP), on = draw(&stage, PATCHES "caustics.medium=lines");
+    assert_true(same_pixels(&off, &on));
+    assert_int_equal(image_find_channel(&on, "caustic.R"), -1);
+    image_free(&off);
+    image_free(&on);
+    stage_free(&stage);
+}
+
+/* One renderer that goes from setting to setting: the pictures of renderers of their own. */
+static void test_follow(void **state) {
+    (void)state;
+    static const char *const all[] = {CHEAP,
+                                      PATCHES,
+                                      PATCHES "caustics.medium=lines",
+                                      PATCHES "caustics.chains=1 lights.bounces=2",
+                                      CHEAP,
+                                      CHEAP "caustics.medium=lines caustics.size=64"};
+    struct stage stage;
+    struct renderer renderer = {0};
+    open_stage(&stage, "scenes/gem.glb");
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+        struct renderer_desc desc = desc_of(&stage, "clustered", all[i], SIZE, SIZE);
+        struct image own = render_layers(&desc), followed = follow_layers(&renderer, &desc);
+        printf("    %s\n", all[i]);
+        assert_true(same_pixels(&own, &followed));
+        image_free(&own);
+        image_free(&followed);
+    }
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* The mean over passes is that of one frame, for rays move within their texels. */
+static void test_passes(void **state) {
+    (void)state;
+    enum { PASSES = 6 };
+    struct stage stage;
+    struct renderer renderer;
+    struct image one, mean;
+    open_stage(&stage, "scenes/gem.glb");
+    struct renderer_desc desc =
+        desc_of(&stage, "clustered", PATCHES "caustics.medium=lines", SIZE, SIZE);
+    desc.progressive = true;
+    open_renderer(&renderer, &desc);
+    check_ok("layers", renderer_read_layers(&renderer, &one));
+    for (int pass = 0; pass < PASSES; pass++)
+        renderer_add_pass(&renderer, pass);
+    check_ok("layers", renderer_read_layers(&renderer, &mean));
+    check_near("caustic, mean over one", mean_of(&mean, "caustic") / mean_of(&one, "caustic"), 1,
+               .1);
+    check_near("volume, mean over one", mean_of(&mean, "volume") / mean_of(&one, "volume"), 1, .1);
+    image_free(&one);
+    image_free(&mean);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* --- what is hard ----------------------------------------------------------------------------- */
+
+static void set_absorption(struct stage *stage) {
+    for (int m = 0; m < stage->scene.material_count; m++)
+        for (int c = 0; c < 3; c++)
+            stage->scene.materials[m].absorption[c] = 1e6F;
+}
+
+static void set_light_inside(struct stage *stage) {
+    memcpy(stage->emitters.items[0].position, (float[]){0, .9F, 0}, 3 * sizeof(float));
+}
+
+static void set_camera_inside(struct stage *stage) {
+    memcpy(stage->camera.eye, (float[]){0, .9F, 0}, 3 * sizeof(float));
+}
+
+static void set_dense(struct stage *stage) {
+    for (int m = 0; m < stage->scene.material_count; m++)
+        if (stage->scene.materials[m].transmission > 0)
+            stage->scene.materials[m].index_of_refraction = 50;
+}
+
+static void set_thin(struct stage *stage) {
+    for (int m = 0; m < stage->scene.material_count; m++)
+        stage->scene.materials[m].thin_walled = true;
+}
+
+static void set_dark(struct stage *stage) {
+    memset(stage->emitters.items[0].intensity, 0, sizeof stage->emitters.items[0].intensity);
+}
+
+static void set_sun(struct stage *stage) {
+    stage->emitters.items[0] = emitter_new(EMITTER_DIRECTIONAL);
+}
+
+static void set_orthographic(struct stage *stage) {
+    stage->camera.orthographic = true;
+    stage->camera.y_extent = 2;
+}
+
+/* A number in each pixel. */
+static void test_hard(void **state) {
+    (void)state;
+    static const struct {
+        const char *what, *settings;
+        void (*set)(struct stage *stage);
+    } rows[] = {
+        {"absorption of 1e6", "", set_absorption},
+        {"light inside", "", set_light_inside},
+        {"camera inside", "", set_camera_inside},
+        {"index of refraction of 50", "caustics.chains=8", set_dense},
+        {"thin walls", "", set_thin},
+        {"no light", "", set_dark},
+        {"sun", "", set_sun},
+        {"orthographic camera", "", set_orthographic},
+        {"g = .99", "medium.scatter=.6 medium.g=.99", NULL},
+        {"g = -.99", "medium.scatter=.6 medium.g=-.99", NULL},
+        {"few rays", "caustics.size=8", NULL},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct stage stage;
+        char settings[256];
+        open_stage(&stage, "scenes/gem.glb");
+        if (rows[i].set)
+            rows[i].set(&stage);
+        snprintf(settings, sizeof settings, PATCHES "caustics.medium=lines %s", rows[i].settings);
+        struct image drawn = draw(&stage, settings);
+        printf("    %s: caustic %.3g, volume %.3g\n", rows[i].what, mean_of(&drawn, "caustic"),
+               mean_of(&drawn, "volume"));
+        check_finite(rows[i].what, &drawn);
+        image_free(&drawn);
+        stage_free(&stage);
+    }
+}
+
+/* One side of a slab: a ray enters and never leaves. Nested slabs: each has air on its other side. */
+static void test_open(void **state) {
+    (void)state;
+    struct stage stage;
+    char nodes[512];
+    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 1);
+    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    open_nodes(&stage, nodes, .5F);
+    make_glass(&stage, 1.5F);
+    struct image drawn = draw(&stage, PATCHES);
+    double open = mean_of(&drawn, "caustic") * GLM_PI;
+    check_near("one interface, over .96 / (1 + 1 / 1.5)^2", open * pow(1 + 1 / 1.5, 2) / .96, 1,
+               .01);
+    check_finite("open", &drawn);
+    image_free(&drawn);
+    stage_free(&stage);
+}
+
+static void test_refused(void **state) {
+    (void)state;
+    struct settings settings;
+    renderer_settings_init(&settings);
+    check_refused(settings_assign(&settings, "caustics.size=0"), "from 8 to 2048");
+    check_refused(settings_assign(&settings, "caustics.size=100000"), "from 8 to 2048");
+    check_refused(settings_assign(&settings, "caustics.chains=0"), "from 1 to 8");
+    check_refused(settings_assign(&settings, "caustics.surface=bright"), "patches");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_mirror),      cmocka_unit_test(test_slab),
+        cmocka_unit_test(test_energy),      cmocka_unit_test(test_no_refraction),
+        cmocka_unit_test(test_more_rays),   cmocka_unit_test(test_halves),
+        cmocka_unit_test(test_out_of_view), cmocka_unit_test(test_follow),
+        cmocka_unit_test(test_passes),      cmocka_unit_test(test_hard),
+        cmocka_unit_test(test_open),        cmocka_unit_test(test_refused),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
