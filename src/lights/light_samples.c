@@ -48,6 +48,7 @@ static void add_sky(struct light_samples *samples, const struct light_samples_sk
     int count = sky->groups->count;
     float place[2];
     choose_place(place, 0, 1, pass);
+    samples->sky = count ? environment : NULL;
     if (count)
         samples->groups[samples->group_count++] = (struct light_group){samples->count, count};
     for (int i = 0; i < count; i++)
@@ -57,7 +58,7 @@ static void add_sky(struct light_samples *samples, const struct light_samples_sk
 }
 
 struct emitters light_samples_emitters(struct light_samples *samples) {
-    return (struct emitters){.items = samples->items, .count = samples->count};
+    return (struct emitters){samples->items, samples->count, samples->sky};
 }
 
 struct light_layout light_samples_layout(struct light_samples *samples) {

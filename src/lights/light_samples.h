@@ -21,6 +21,7 @@ struct light_samples {
     int count;
     struct light_group groups[LIGHTS_MAX];
     int group_count;
+    const struct environment *sky; /* of the last group; NULL: it is a light's */
 };
 
 /* Lights of the emitters' sky, in groups of one sample each. */

@@ -1,6 +1,7 @@
 /* Radiosity with implicit visibility: exact answers of elements, links and bounces, and what must not change them. */
 #include "volume_scenes.h"
 
+#include "base/error.h"
 #include "techniques/implicit-visibility/light.h"
 
 struct radiosity {
@@ -334,12 +335,136 @@ static void test_order(void **state) {
     free(reversed);
 }
 
+/* --- what must not change the picture --------------------------------------------------------- */
+
+/* A frame is the same whatever pose its renderer began in. */
+static void test_start(void **state) {
+    (void)state;
+    struct stage stage;
+    struct image layers[2];
+    for (int i = 0; i < 2; i++) {
+        struct renderer renderer;
+        open_stage(&stage, "scenes/character.glb");
+        if (i == 1)
+            check_ok("pose", stage_pose(&stage, 1));
+        struct renderer_desc desc =
+            desc_of(&stage, "implicit-visibility", "elements=500 radiosity.bins=8", 32, 32);
+        open_renderer(&renderer, &desc);
+        check_ok("pose", stage_pose(&stage, 1));
+        check_ok("show", stage_show(&stage, &renderer));
+        renderer_render(&renderer);
+        check_ok("layers", renderer_read_layers(&renderer, &layers[i]));
+        renderer_free(&renderer);
+        stage_free(&stage);
+    }
+    printf("  begun at 0 s and at 1 s: relative RMSE %g\n",
+           relative_rmse(&layers[0], &layers[1], "indirect"));
+    assert_true(same_pixels(&layers[0], &layers[1]));
+    image_free(&layers[0]);
+    image_free(&layers[1]);
+}
+
+/* A corner of two walls, and a sky that is bright at one side. */
+static void open_corner(struct stage *stage) {
+    struct shape *shape = new_shape();
+    struct environment *sky = mem_alloc(1, sizeof *sky);
+    add_rectangle(shape, at(0, 0, 0), at(0, 0, 1), at(1, 0, 0));
+    add_rectangle(shape, at(0, 0, 0), at(0, 1, 0), at(0, 0, 1));
+    open_shape(stage, shape, .5, false, at(.5F, .5F, .5F));
+    *sky = (struct environment){.width = 16, .height = 8, .strength = 1};
+    sky->texels = mem_alloc(16 * 8, sizeof *sky->texels);
+    for (int i = 0; i < 16 * 8; i++)
+        for (int c = 0; c < 3; c++)
+            sky->texels[i][c] = i % 16 < 4 ? 1 : .1F;
+    environment_free(stage->scene.environment);
+    stage->scene.environment = sky;
+    look(stage, at(.4F, 0, .5F), at(-1, -1, 0), at(-1, 1, 0), 2);
+}
+
+/* A sun that a user adds is no part of a sky that does not shine. */
+static void test_sun(void **state) {
+    (void)state;
+    static const char *const settings[] = {"elements=500 radiosity.sky=rays",
+                                           "elements=500 radiosity.sky=bins"};
+    struct stage stage;
+    struct image layers[2];
+    struct emitter sun = emitter_new(EMITTER_DIRECTIONAL);
+    open_corner(&stage);
+    emitter_aim(&sun, (const float[]){-.5F, -1, 0});
+    for (int i = 0; i < 2; i++) {
+        struct renderer_desc desc = desc_of(&stage, "implicit-visibility", settings[i], 32, 32);
+        desc.emitters = (struct emitters){&sun, 1, NULL};
+        layers[i] = render_layers(&desc);
+    }
+    printf("  sun alone, sky=bins beside sky=rays: relative RMSE %g\n",
+           relative_rmse(&layers[1], &layers[0], "indirect"));
+    assert_true(same_pixels(&layers[0], &layers[1]));
+    image_free(&layers[0]);
+    image_free(&layers[1]);
+    stage_free(&stage);
+}
+
+/* A sky that turns in place. */
+static void test_turned_sky(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer = {0};
+    open_corner(&stage);
+    struct renderer_desc desc =
+        desc_of(&stage, "implicit-visibility", "elements=500 radiosity.sky=bins", 32, 32);
+    desc.emitters = (struct emitters){NULL, 0, stage.scene.environment};
+    struct image before = follow_layers(&renderer, &desc);
+    stage.scene.environment->turn = 90;
+    renderer_relight(&renderer);
+    check_ok("update", renderer_update(&renderer));
+    struct image turned = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+    double change = relative_rmse(&before, &fresh, "indirect");
+    printf("  turned sky: relative RMSE %g of a new renderer's, %g unturned\n",
+           relative_rmse(&turned, &fresh, "indirect"), change);
+    check_at_most("change by the turn", .05, change);
+    assert_true(same_pixels(&turned, &fresh));
+    image_free(&before);
+    image_free(&turned);
+    image_free(&fresh);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* --- limits ----------------------------------------------------------------------------------- */
+
+/* Links that no machine has room for end with an error that says so. */
+static void test_memory(void **state) {
+    (void)state;
+    struct links links;
+    assert_false(links_init(&links, &(struct links_desc){.side = 32}, INT32_MAX / 16));
+    printf("  %s\n", error_get());
+    assert_non_null(strstr(error_get(), "surface elements"));
+    links_free(&links);
+}
+
+/* A box that nearly reaches the eye covers bins up to the face's edge. */
+static void test_near_window(void **state) {
+    (void)state;
+    struct bins bins;
+    struct bins_window window;
+    bins_init(&bins, 8);
+    assert_true(bins_window_of(&bins, 0, (const float[]){1, 0, 0},
+                               (const float[]){1 - 0x1p-23F, 3000, 3000}, &window));
+    for (int c = 0; c < 2; c++) {
+        assert_int_equal(window.first[c], 0);
+        assert_int_equal(window.end[c], 8);
+    }
+    bins_free(&bins);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_areas),   cmocka_unit_test(test_sphere),
         cmocka_unit_test(test_squares), cmocka_unit_test(test_convex),
         cmocka_unit_test(test_furnace), cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_order),
+        cmocka_unit_test(test_order),   cmocka_unit_test(test_start),
+        cmocka_unit_test(test_sun),     cmocka_unit_test(test_turned_sky),
+        cmocka_unit_test(test_memory),  cmocka_unit_test(test_near_window),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

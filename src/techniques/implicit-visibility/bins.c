@@ -11,8 +11,8 @@ static int major_axis(const float d[3]) {
 }
 
 static int cell_of(const struct bins *bins, float coordinate) {
-    int cell = (int)((coordinate + 1) * .5F * (float)bins->side);
-    return cell < 0 ? 0 : cell < bins->side ? cell : bins->side - 1;
+    float cell = (coordinate + 1) * .5F * (float)bins->side; /* far outside where a disk is near */
+    return !(cell > 0) ? 0 : cell < (float)bins->side ? (int)cell : bins->side - 1;
 }
 
 int bins_face(const float direction[3]) {

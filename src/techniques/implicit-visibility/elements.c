@@ -267,7 +267,7 @@ static void empty(struct maker *maker) {
 /* The finest grid with no more occupied cells than elements are wanted, within a tenth. */
 static void fit_grid(struct maker *maker, double area) {
     const float most = (float)maker->desc->most;
-    const float finest = maker->desc->geometry->radius * 4e-6F;
+    const float finest = .4F * geometry_clearance(maker->desc->geometry); /* more than rounding */
     maker->edge = fmaxf(sqrtf(2 * (float)area / most), finest);
     for (int i = 0; i < ATTEMPTS; i++) {
         maker->cell = fmaxf(cell_fraction * maker->edge, finest);

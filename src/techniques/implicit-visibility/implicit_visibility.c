@@ -59,10 +59,13 @@ struct implicit_visibility {
     struct element_light light;
     struct bvh casters;
     struct interpolate_pass interpolate;
-    unsigned laid_out; /* the pose in which the elements were made */
-    bool linked;       /* the links are those of this pose, with light of the sky or without */
+    unsigned pose;   /* the geometry's, where the elements are */
+    int clip_choice; /* the scene's, in which they were made */
+    bool linked;     /* the links are those of this pose, with light of the sky or without */
     bool sky_linked;
-    float (*sky)[3]; /* of each bin; NULL: environments shine by rays */
+    bool sky_by_bins;          /* it shines through bins; else by rays */
+    float (*sky)[3];           /* of each bin; NULL: none */
+    struct environment sky_of; /* what it is of: its texels are the scene's */
 };
 
 static void free_elements(struct implicit_visibility *technique) {
@@ -86,20 +89,73 @@ static void free_state(void *state) {
 /* Over the scene's radius: how far apart elements count that are turned by one radian. */
 static const float turn_length = .3F;
 
-/* Error: out of GPU memory. */
-static bool make_elements(struct implicit_visibility *technique, const struct geometry *geometry) {
-    free_elements(technique);
+/* Metaballs have other triangles in each pose. */
+static bool is_dynamic(const struct geometry *geometry) {
+    for (int i = 0; i < geometry->part_count; i++)
+        if (geometry->parts[i].dynamic)
+            return true;
+    return false;
+}
+
+static void lay_elements(struct implicit_visibility *technique, const struct geometry *geometry) {
     technique->elements_desc.geometry = geometry;
-    technique->laid_out = geometry->pose_count;
-    technique->linked = false;
     elements_init(&technique->elements, &technique->elements_desc);
-    if (technique->elements.count > 0) {
+    if (technique->elements.count > 0)
         tree_init(&technique->tree, &technique->elements, turn_length * geometry->radius);
+}
+
+/* In the pose of time 0, so that a frame depends on its time alone, and not on the pose in which it began. Error: the
+ * geometry's. */
+static bool lay_elements_at_start(struct implicit_visibility *technique, bool still) {
+    struct geometry start;
+    if (!(still ? geometry_init_still : geometry_init)(&start, technique->scene, 0))
+        return false;
+    lay_elements(technique, &start);
+    geometry_free(&start);
+    return true;
+}
+
+/* Moves the elements to the geometry's pose. Error: out of GPU memory. */
+static bool place_elements(struct implicit_visibility *technique, const struct geometry *geometry) {
+    technique->pose = geometry->pose_count;
+    technique->linked = false;
+    elements_place(&technique->elements, geometry);
+    bvh_free(&technique->casters);
+    if (technique->elements.count > 0)
         element_light_casters(&technique->casters, geometry);
-    }
-    links_init(&technique->links, &technique->links_desc, technique->elements.count);
-    element_light_init(&technique->light, &technique->tree);
     return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry);
+}
+
+/* Error: out of memory. */
+static bool make_elements(struct implicit_visibility *technique, const struct geometry *geometry) {
+    const struct scene *scene = technique->scene;
+    free_elements(technique);
+    technique->clip_choice = scene->clip_choice;
+    if (scene->clip_count == 0 || is_dynamic(geometry))
+        lay_elements(technique, geometry);
+    else if (!lay_elements_at_start(technique, geometry->still))
+        return false;
+    if (!links_init(&technique->links, &technique->links_desc, technique->elements.count))
+        return false;
+    element_light_init(&technique->light, &technique->tree);
+    return place_elements(technique, geometry);
+}
+
+/* The environment may be turned while its picture stays. */
+static void follow_sky(struct implicit_visibility *technique) {
+    const struct environment *environment = technique->scene->environment;
+    struct environment *of = &technique->sky_of;
+    bool same = environment && technique->sky && environment->texels == of->texels &&
+                environment->turn == of->turn && environment->strength == of->strength;
+    if (!technique->sky_by_bins || same)
+        return;
+    free(technique->sky);
+    technique->sky = NULL;
+    technique->linked = false;
+    if (environment) {
+        technique->sky = element_light_sky(&technique->links.bins, environment);
+        *of = *environment;
+    }
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
@@ -122,14 +178,12 @@ static bool init(void **state, const struct technique_desc *desc) {
         .leaky = own->cover == LINKS_COVER_CENTER,
     };
     technique->bounces = settings_of(struct lights_settings, desc->settings, &lights_part)->bounces;
-    if (desc->scene->environment && own->sky == SKY_THROUGH_BINS) {
-        struct bins bins;
-        bins_init(&bins, own->bins);
-        technique->sky = element_light_sky(&bins, desc->scene->environment);
-        bins_free(&bins);
-    }
-    return interpolate_pass_init(&technique->interpolate, desc->width, desc->height) &&
-           make_elements(technique, desc->geometry);
+    technique->sky_by_bins = own->sky == SKY_THROUGH_BINS;
+    if (!interpolate_pass_init(&technique->interpolate, desc->width, desc->height) ||
+        !make_elements(technique, desc->geometry))
+        return false;
+    follow_sky(technique);
+    return true;
 }
 
 static bool resize(void *state, int width, int height) {
@@ -137,39 +191,22 @@ static bool resize(void *state, int width, int height) {
     return interpolate_pass_resize(&technique->interpolate, width, height);
 }
 
-/* Metaballs have other triangles in each pose. */
-static bool has_other_triangles(const struct implicit_visibility *technique,
-                                const struct geometry *geometry) {
-    bool other = geometry->laid_out > technique->laid_out;
-    for (int i = 0; i < geometry->part_count; i++)
-        other |= geometry->parts[i].rewound > technique->laid_out;
-    return other;
-}
-
+/* Also called where lights changed, in the same pose. */
 static bool update(void *state, const struct geometry *geometry) {
     struct implicit_visibility *technique = state;
-    if (has_other_triangles(technique, geometry))
-        return make_elements(technique, geometry);
-    technique->linked = false;
-    elements_place(&technique->elements, geometry);
-    if (technique->elements.count > 0) {
-        bvh_free(&technique->casters);
-        element_light_casters(&technique->casters, geometry);
-    }
-    return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry);
+    bool other = technique->clip_choice != technique->scene->clip_choice;
+    bool moved = technique->pose != geometry->pose_count;
+    bool ok = other || (moved && is_dynamic(geometry)) ? make_elements(technique, geometry)
+              : moved                                  ? place_elements(technique, geometry)
+                                                       : true;
+    if (ok)
+        follow_sky(technique);
+    return ok;
 }
 
 /* The samples of the frame's sky, which come last (lights/light_samples.h); 0 where it does not shine. */
 static int sky_samples(const struct frame *frame) {
-    if (frame->layout.groups == 0)
-        return 0;
-    const struct light_group *last = &frame->groups[frame->layout.groups - 1];
-    for (int i = last->first; i < last->first + last->count; i++) {
-        const struct emitter *light = &frame->emitters->items[i];
-        if (light->type != EMITTER_DIRECTIONAL || light->number >= 0 || light->size[0] > 0)
-            return 0;
-    }
-    return last->count;
+    return frame->emitters->sky ? frame->groups[frame->layout.groups - 1].count : 0;
 }
 
 static void link_elements(struct implicit_visibility *technique, const struct frame *frame,

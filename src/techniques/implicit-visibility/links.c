@@ -1,5 +1,6 @@
 #include "techniques/implicit-visibility/links.h"
 
+#include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "base/parallel.h"
@@ -294,17 +295,21 @@ void links_make(struct links *links, const struct tree *tree, const float (*sky)
     parallel_for(runs, links->desc.threads, make_some, &making);
 }
 
-void links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
+bool links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
     const size_t count = (size_t)leaf_count;
     *links = (struct links){.desc = *desc, .leaf_count = leaf_count};
     bins_init(&links->bins, desc->side);
     /* Half of all bins, and those that the horizon cuts. */
     links->stride = links->bins.count / 2 + 6 * desc->side + 8;
+    if (!mem_check(links_bytes(links)))
+        return error_prefix("links of %d surface elements, %d bins each", leaf_count,
+                            links->bins.count);
     links->items = mem_alloc(count * (size_t)links->stride, sizeof *links->items);
     links->counts = mem_alloc(count, sizeof *links->counts);
     links->filled = mem_alloc(count, sizeof *links->filled);
     links->buried = mem_alloc(count, sizeof *links->buried);
     links->sky = mem_alloc(count, sizeof *links->sky);
+    return true;
 }
 
 void links_free(struct links *links) {

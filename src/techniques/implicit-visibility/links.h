@@ -42,8 +42,8 @@ struct links {
     float (*sky)[3]; /* irradiance through the empty bins */
 };
 
-/* For so many leaves. */
-void links_init(struct links *links, const struct links_desc *desc, int leaf_count);
+/* For so many leaves. Error: out of memory; links_free is then allowed. */
+bool links_init(struct links *links, const struct links_desc *desc, int leaf_count);
 void links_free(struct links *links);
 
 /* Links all leaves. sky: radiance of each bin; NULL: none. */
