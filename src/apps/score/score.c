@@ -276,8 +276,7 @@ static char **list_paths(char **to, const struct entry *entry, const char *folde
 /* The scores take the place of no file that they are made from. */
 static bool check_output(const struct score *score, const char *output, const struct entry *entry,
                          const struct entry *references) {
-    int room =
-        1 + entry->count + entry->other_count + references->count + references->other_count;
+    int room = 1 + entry->count + entry->other_count + references->count + references->other_count;
     char **inputs = mem_alloc((size_t)room, sizeof *inputs), **end = inputs;
     *end++ = mem_printf("%s/method.json", score->entry_folder);
     end = list_paths(end, entry, score->entry_folder);
