@@ -510,8 +510,8 @@ static bool opens(const struct stage *stage, const char *settings) {
     return ok;
 }
 
-/* What counts is the box that the volume holds: a thin plate of 400 voxels takes less than a cube of 280, and the main
- * part of a plain is a cube. */
+/* What counts is the box that the volume holds: a thin plate of 400 voxels takes less than a cube
+ * of 280, and the main part of a plain is a cube. */
 static void test_memory(void **state) {
     (void)state;
     struct stage plate, cube, plain;
