@@ -106,7 +106,7 @@ struct search {
 
 static void try(struct search *search, enum picture_fault fault, const struct change *change) {
     double error = error_without(search->pair, change);
-    if (error >= search->best_error)
+    if (!(error < search->best_error))
         return;
     search->best_error = error;
     search->best = fault;

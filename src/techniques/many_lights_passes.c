@@ -229,8 +229,11 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     lights->bounces = own->bounces;
-    /* Lamps next door, whose light comes by later bounces as well. */
-    bool by_power = many_lights_follow_camera(lights) && !has_light_samples(desc->lights);
+    /* Lamps next door, whose light comes by later bounces as well. A row of a texture holds no
+     * more on some devices. */
+    const int most_by_power = 16384;
+    bool by_power = many_lights_follow_camera(lights) && !has_light_samples(desc->lights) &&
+                    own->vpls <= most_by_power;
     return lights->bounces == 1 ||
            bounce_pass_init(&lights->bounce,
                             &(struct bounce_desc){

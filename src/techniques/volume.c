@@ -139,19 +139,20 @@ static bool init_points(struct volume_light *light, const struct volume_light_de
 }
 
 /* area: volume_points_area's. */
-static bool check(const struct volume_light_desc *desc, double area) {
+static bool check(const struct volume_light_desc *desc, const struct volume_desc *volume,
+                  double area) {
     struct volume_settings own = own_of(desc->settings);
-    struct volume_desc volume = volume_of(desc, &own, NULL);
-    return check_memory(&volume) &&
+    return check_memory(volume) &&
            volume_points_check(desc->geometry, area, points_per_triangle(&own));
 }
 
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc) {
     *light = (struct volume_light){.desc = *desc, .settings = own_of(desc->settings)};
     light->box = box_of(desc);
+    light->clip_choice = desc->geometry->span.clip_choice;
     struct volume_desc volume = volume_of(desc, &light->settings, &light->box);
     double area = volume_points_area(desc->geometry);
-    if (check(desc, area) && volume_init(&light->volume, &volume) &&
+    if (check(desc, &volume, area) && volume_init(&light->volume, &volume) &&
         init_points(light, desc, area) &&
         inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
         distance_pass_init(&light->distance, &light->volume) &&
@@ -185,6 +186,7 @@ static bool renew_points(struct volume_light *light, const struct geometry *geom
     desc.geometry = geometry;
     desc.count = volume_points_count(volume_points_area(geometry), light->volume.grid.voxel,
                                      light->settings.points);
+    desc.few_large = volume_box_cuts(&light->box);
     volume_points_free(&light->points);
     return volume_points_init(&light->points, &desc);
 }
@@ -193,6 +195,10 @@ static bool renew_points(struct volume_light *light, const struct geometry *geom
 bool volume_light_update(struct volume_light *light, const struct geometry *geometry) {
     struct volume_desc desc = light->volume.desc;
     struct volume fresh;
+    light->desc.geometry = geometry;
+    if (light->clip_choice != geometry->span.clip_choice)
+        light->box = box_of(&light->desc);
+    light->clip_choice = geometry->span.clip_choice;
     set_box(&desc, geometry, &light->box);
     if (memcmp(&desc, &light->volume.desc, sizeof desc) == 0)
         return volume_points_fit(&light->points, geometry) || renew_points(light, geometry);
@@ -283,7 +289,9 @@ static struct volume_light_desc visibility_of(const struct ambient_occlusion_des
 
 bool ambient_occlusion_check(const struct ambient_occlusion_desc *desc) {
     struct volume_light_desc light = visibility_of(desc);
-    return check(&light, volume_points_area(desc->geometry));
+    struct volume_settings own = own_of(desc->settings);
+    struct volume_desc volume = volume_of(&light, &own, NULL);
+    return check(&light, &volume, volume_points_area(desc->geometry));
 }
 
 bool ambient_occlusion_init(struct ambient_occlusion *ao,

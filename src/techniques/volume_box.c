@@ -1,9 +1,11 @@
 #include "techniques/volume_box.h"
 
+#include "scene/animation.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-enum { POINTS = 4096 };
+enum { POINTS = 4096, POSES = 9 /* of a clip */ };
 
 /* Points beyond the middle 70 % along an axis do not count, but the box has room on each side. A scene that
  * is not this much longer than the box is held whole. */
@@ -26,9 +28,12 @@ static float longest_of(const float low[3], const float high[3]) {
     return fmaxf(high[0] - low[0], fmaxf(high[1] - low[1], high[2] - low[2]));
 }
 
+static const struct volume_box unbounded = {{-INFINITY, -INFINITY, -INFINITY},
+                                            {INFINITY, INFINITY, INFINITY}};
+
 /* No triangle has more than a tenth of these points. */
-void volume_box_fit(struct volume_box *box, const struct scene *scene,
-                    const struct geometry *geometry) {
+static struct volume_box box_of_pose(const struct scene *scene, const struct geometry *geometry) {
+    struct volume_box box = unbounded;
     struct surface_points points;
     float values[3][POINTS];
     int count = 0;
@@ -44,11 +49,48 @@ void volume_box_fit(struct volume_box *box, const struct scene *scene,
     }
     surface_points_free(&points);
     for (int c = 0; c < 3 && count > 0; c++)
-        fit_axis(box, c, values[c], count);
-    if (count == 0 || longest_of(geometry->bounds_min, geometry->bounds_max) <
-                          far_longer * longest_of(box->low, box->high))
-        *box =
-            (struct volume_box){{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+        fit_axis(&box, c, values[c], count);
+    return box;
+}
+
+static bool is_far_longer(const struct geometry *geometry, const struct volume_box *box) {
+    return volume_box_cuts(box) && longest_of(geometry->bounds_min, geometry->bounds_max) >=
+                                       far_longer * longest_of(box->low, box->high);
+}
+
+/* With what is in the box at that time. A pose that fails needs all. */
+static void add_pose(struct volume_box *box, const struct scene *scene, double time) {
+    struct geometry geometry;
+    if (!geometry_init_still(&geometry, scene, time)) {
+        *box = unbounded;
+        return;
+    }
+    struct volume_box own = box_of_pose(scene, &geometry);
+    for (int c = 0; c < 3; c++) {
+        box->low[c] = fminf(box->low[c], own.low[c]);
+        box->high[c] = fmaxf(box->high[c], own.high[c]);
+    }
+    geometry_free(&geometry);
+}
+
+/* Whatever pose the geometry has, the result is the same. */
+static struct volume_box box_of_clip(const struct scene *scene, const struct geometry *geometry,
+                                     double duration) {
+    struct volume_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+    for (int i = 0; i < POSES; i++) {
+        add_pose(&box, scene, duration * i / (POSES - 1));
+        if (!is_far_longer(geometry, &box))
+            break;
+    }
+    return box;
+}
+
+void volume_box_fit(struct volume_box *box, const struct scene *scene,
+                    const struct geometry *geometry) {
+    double duration = scene_duration(scene);
+    *box = duration > 0 ? box_of_clip(scene, geometry, duration) : box_of_pose(scene, geometry);
+    if (!is_far_longer(geometry, box))
+        *box = unbounded;
 }
 
 bool volume_box_cuts(const struct volume_box *box) {

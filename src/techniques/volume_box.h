@@ -9,7 +9,7 @@ struct volume_box {
     float low[3], high[3]; /* metres; infinite: all of the scene */
 };
 
-/* Of a scene in its first pose. */
+/* Of a scene throughout the clip that plays: the geometry's pose does not matter. */
 void volume_box_fit(struct volume_box *box, const struct scene *scene,
                     const struct geometry *geometry);
 

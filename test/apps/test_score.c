@@ -262,6 +262,10 @@ static void test_refusals(void **state) {
     write_entry(&frame, NAME, "{\"name\": \"a\"}");
     expect(1, "% score @/entry @/nowhere");
     expect_text("cannot read the folder");
+    expect(1, "% score @/entry @/references -o @/entry/method.json");
+    expect_text("is the input");
+    expect(1, "% score @/entry @/references -o @/references/" NAME);
+    expect_text("is the input");
     expect(1, "% score @/entry @/references --scene sponza");
     expect_text("scene: REFERENCES has no picture of 'sponza'");
     expect(0, "head -c 2000 @/frame.exr > @/entry/" NAME);

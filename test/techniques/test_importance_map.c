@@ -182,6 +182,19 @@ static void test_next_door(void **state) {
     stage_free(&hall);
 }
 
+/* More than a row of a texture holds. */
+static void test_many(void **state) {
+    (void)state;
+    struct stage hall;
+    struct renderer renderer;
+    open_stage(&hall, "scenes/hall.glb");
+    struct renderer_desc desc = desc_of(
+        &hall, "lightcuts", "lights.importance=on,lights.bounces=2,lights.vpls=20000", 8, 8);
+    open_renderer(&renderer, &desc);
+    renderer_free(&renderer);
+    stage_free(&hall);
+}
+
 /* Lights that are kept while the camera moves are no others than those of a frame that begins there. */
 static void test_kept(void **state) {
     (void)state;
@@ -207,7 +220,7 @@ static void test_kept(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_densities), cmocka_unit_test(test_sky),  cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_next_door), cmocka_unit_test(test_kept),
+        cmocka_unit_test(test_next_door), cmocka_unit_test(test_many), cmocka_unit_test(test_kept),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

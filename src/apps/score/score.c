@@ -265,6 +265,29 @@ static bool check_scenes(const struct text_list *scenes, const struct entry *ref
     return references->count > 0 || error_set("REFERENCES has no picture named SCENE.WxH.exr");
 }
 
+static char **list_paths(char **to, const struct entry *entry, const char *folder) {
+    for (int i = 0; i < entry->count; i++)
+        *to++ = mem_printf("%s/%s", folder, entry->pictures[i].file);
+    for (int i = 0; i < entry->other_count; i++)
+        *to++ = mem_printf("%s/%s", folder, entry->others[i]);
+    return to;
+}
+
+/* The scores take the place of no file that they are made from. */
+static bool check_output(const struct score *score, const char *output, const struct entry *entry,
+                         const struct entry *references) {
+    int room = 1 + entry->count + entry->other_count + references->count + references->other_count;
+    char **inputs = mem_alloc((size_t)room, sizeof *inputs), **end = inputs;
+    *end++ = mem_printf("%s/method.json", score->entry_folder);
+    end = list_paths(end, entry, score->entry_folder);
+    end = list_paths(end, references, score->reference_folder);
+    bool ok = output_file_check(output, (const char *const *)inputs, (int)(end - inputs));
+    while (end > inputs)
+        free(*--end);
+    free(inputs);
+    return ok;
+}
+
 static void print_head(struct score *score) {
     const struct method *method = &score->method;
     printf("%s%s%s%s%s\n%-28s %-10s", method->name, *method->version ? " " : "", method->version,
@@ -280,7 +303,8 @@ static bool score_entry(struct score *score, const struct values *values) {
     char *path = mem_printf("%s/method.json", score->entry_folder);
     bool ok = method_read(&score->method, path) && entry_list(&entry, score->entry_folder) &&
               entry_list(&references, score->reference_folder) &&
-              check_scenes(&values->scenes, &references);
+              check_scenes(&values->scenes, &references) &&
+              (!values->output || check_output(score, values->output, &entry, &references));
     output_text_init(&score->json);
     if (ok) {
         print_head(score);
@@ -304,8 +328,7 @@ int app_score(int argc, char **argv) {
         return status;
     struct score score = {
         .entry_folder = folders[0], .reference_folder = folders[1], .separator = ""};
-    if ((values.output && !output_file_check(values.output, NULL, 0)) ||
-        !score_entry(&score, &values))
+    if (!score_entry(&score, &values))
         return arguments_fail(argv[0]);
     return score.fault_count ? STATUS_FAILED : STATUS_OK;
 }
