@@ -65,8 +65,10 @@ void meet_glass(inout walk w, smooth_material m, vec3 normal, bool back, bool is
         w.direction = normalize(ratio * w.direction + (ratio * cosine - refracted) * normal);
 }
 
-void meet_mirror(inout walk w, smooth_material m, vec3 normal, bool back, bool is_first) {
-    w.direction -= 2.0 * dot(w.direction, normal) * normal;
+// The second normal is the triangle's, which takes over where the first one sends light behind the triangle.
+void meet_mirror(inout walk w, smooth_material m, vec3 normal, vec3 flat_normal, bool back, bool is_first) {
+    vec3 turned = reflect(w.direction, normal);
+    w.direction = dot(turned, flat_normal) > 0.0 ? turned : reflect(w.direction, flat_normal);
     w.flux *= (is_first && w.chain > 0) || (back && !m.two_sided) ? vec3(0.0) : m.base;
     w.picks = true;
 }
@@ -126,7 +128,7 @@ void main() {
                                 : passes_outside(origin, w.direction, hit.distance);
             normal = dot(normal, w.direction) < 0.0 ? normal : hit.normal;
             if (m.kind == SMOOTH_IS_MIRROR)
-                meet_mirror(w, m, normal, hit.back, event == 0);
+                meet_mirror(w, m, normal, hit.normal, hit.back, event == 0);
             else
                 meet_glass(w, m, normal, hit.back, event == 0, number_of(ivec2(gl_FragCoord.xy), event));
             way += hit.distance;
