@@ -260,8 +260,8 @@ static void test_behind(void **state) {
     image_free(&drawn);
     stage.scene.materials[SMOOTH].double_sided = true;
     drawn = draw(&stage, PATCHES);
-    check_near("two sides, red over expected",
-               channel_mean(&drawn, "caustic.R") * (16 * GLM_PI), 1, .01);
+    check_near("two sides, red over expected", channel_mean(&drawn, "caustic.R") * (16 * GLM_PI), 1,
+               .01);
     image_free(&drawn);
     stage_free(&stage);
 }
