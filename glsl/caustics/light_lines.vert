@@ -31,7 +31,8 @@ void main() {
         return;
     vec3 flux = texelFetch(ray_fluxes, texel, 0).rgb;
     float chance = chance_of(flux);
-    if (random_of(uvec3(texel, light_index)).x >= chance)
+    uint in_pass = floatBitsToUint(params.shift.x); // others in each pass
+    if (random_of(uvec3(texel, uint(light_index) ^ in_pass)).x >= chance)
         return;
     vec3 from = texelFetch(ray_leaves, texel, 0).xyz, way = end.xyz - from;
     vec4 clip_a = camera.world_to_clip * vec4(from, 1.0), clip_b = camera.world_to_clip * vec4(end.xyz, 1.0);

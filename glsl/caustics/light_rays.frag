@@ -65,9 +65,11 @@ void meet_glass(inout walk w, smooth_material m, vec3 normal, bool back, bool is
         w.direction = normalize(ratio * w.direction + (ratio * cosine - refracted) * normal);
 }
 
-void meet_mirror(inout walk w, smooth_material m, vec3 normal, bool is_first) {
-    w.direction -= 2.0 * dot(w.direction, normal) * normal;
-    w.flux *= is_first && w.chain > 0 ? vec3(0.0) : m.base;
+// The second normal is the triangle's, which takes over where the first one sends light behind the triangle.
+void meet_mirror(inout walk w, smooth_material m, vec3 normal, vec3 flat_normal, bool back, bool is_first) {
+    vec3 turned = reflect(w.direction, normal);
+    w.direction = dot(turned, flat_normal) > 0.0 ? turned : reflect(w.direction, flat_normal);
+    w.flux *= (is_first && w.chain > 0) || (back && !m.two_sided) ? vec3(0.0) : m.base;
     w.picks = true;
 }
 
@@ -100,8 +102,8 @@ void main() {
     texel.y -= chain * params.side;
     light_ray ray = light_ray_at(l, (vec2(texel) + 0.5 + params.shift) / float(params.side));
     walk w = walk(ray.origin, ray.direction, ray.flux, chain, chain - 1, params.chains == 1);
-    vec3 origin = ray.origin;
-    float way = 0.0;
+    float way = params.is_disk ? 0.0 : bvh_clearance(); // off the lamp's own surface
+    vec3 origin = ray.origin + way * ray.direction;
     bool goes = dot(w.flux, vec3(1.0)) > 0.0;
     ray_leave = ray_end = ray_flux = vec4(0.0);
     for (int event = 0; event <= CHAIN_EVENTS && goes; event++) {
@@ -126,7 +128,7 @@ void main() {
                                 : passes_outside(origin, w.direction, hit.distance);
             normal = dot(normal, w.direction) < 0.0 ? normal : hit.normal;
             if (m.kind == SMOOTH_IS_MIRROR)
-                meet_mirror(w, m, normal, event == 0);
+                meet_mirror(w, m, normal, hit.normal, hit.back, event == 0);
             else
                 meet_glass(w, m, normal, hit.back, event == 0, number_of(ivec2(gl_FragCoord.xy), event));
             way += hit.distance;

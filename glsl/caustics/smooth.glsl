@@ -13,6 +13,7 @@ struct smooth_material {
     float refraction;      // index
     float passes;          // share of the light that enters and is not scattered
     bool thin;
+    bool two_sided; // a mirror that reflects from behind, too
 };
 
 // 0: the surface is not smooth.
@@ -24,7 +25,7 @@ smooth_material smooth_material_at(int row) {
     int texel = (row - 1) * SMOOTH_TEXELS;
     vec4 a = texelFetch(smooth_materials, texel), b = texelFetch(smooth_materials, texel + 1);
     vec4 c = texelFetch(smooth_materials, texel + 2);
-    return smooth_material(a.rgb, b.rgb, int(a.a), b.a, c.x, c.y > 0.0);
+    return smooth_material(a.rgb, b.rgb, int(a.a), b.a, c.x, c.y > 0.0, c.z > 0.0);
 }
 
 // At a point of the triangle, on the side of `facing`.

@@ -23,7 +23,7 @@
 #define RAY_ESCAPES 1.0 /* meets nothing: the end is the medium's */
 #define RAY_LANDS 2.0   /* on a surface that scatters */
 
-#define SMOOTH_TEXELS 3    /* base colour and kind; absorption and index of refraction; share that is let through, thin */
+#define SMOOTH_TEXELS 3    /* base colour and kind; absorption and index of refraction; share let through, thin, two sides */
 #define SMOOTH_IS_GLASS 1  /* enum smooth_kind, scene/material.h */
 #define SMOOTH_IS_MIRROR 2
 

@@ -27,8 +27,9 @@ static bool init_materials(struct smooth_surfaces *surfaces) {
         row[0][3] = (float)material_smooth_kind(material);
         memcpy(row[1], material->absorption, 3 * sizeof(float));
         row[1][3] = material->index_of_refraction;
-        row[2][0] = material->transmission;
+        row[2][0] = material->transmission * (1 - material->metalness);
         row[2][1] = material->thin_walled;
+        row[2][2] = material->double_sided;
     }
     bool ok = buffer_init(&surfaces->materials, "smooth materials", count * sizeof *texels, texels);
     free(texels);
@@ -194,7 +195,8 @@ static bool fit_cap(const struct smooth_surfaces *surfaces, const struct geometr
     if (!is_inside) {
         glm_vec3_normalize(axis);
         angle = widest_angle(surfaces, geometry, light, axis);
-        angle = fmin(angle * (1 + 2 * margin / params->side), GLM_PI);
+        /* A wider cap is not convex: triangles reach out of it whose corners do not. */
+        angle = angle > GLM_PI_2 ? GLM_PI : angle * (1 + 2 * margin / params->side);
         if (angle_between(axis, (float *)light->direction) > angle + cone && cone < GLM_PI)
             return false;
     }

@@ -56,7 +56,8 @@ static vec3s color_of(const struct volume_points *points, const struct surface_p
             corners_reflectance(&corners, scene, geometry, srgb_to_linear, material);
         color = material_reflects(material, color, &at);
     }
-    return glms_vec3_clamp(color, 0, 1);
+    bool black = points->desc.smooth_black && material_smooth_kind(material) != SMOOTH_NONE;
+    return black ? glms_vec3_zero() : glms_vec3_clamp(color, 0, 1);
 }
 
 /* What a point keeps wherever it moves. */

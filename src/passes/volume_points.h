@@ -10,9 +10,10 @@ struct volume_points_desc {
     const struct scene *scene;
     const struct geometry *geometry; /* as it is posed now: points are dealt by its areas */
     enum materials materials;
-    int count;        /* by area */
-    int per_triangle; /* in place of it: random ones; 0: none */
-    bool few_large;   /* huge triangles have fewer than their area asks for */
+    bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
+    int count;         /* by area */
+    int per_triangle;  /* in place of it: random ones; 0: none */
+    bool few_large;    /* huge triangles have fewer than their area asks for */
 };
 
 struct volume_points {

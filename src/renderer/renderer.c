@@ -502,7 +502,8 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         settings_number(&old->settings, "medium.steps"))
         parts |= PART_AIRLIGHT;
     if (!settings_same(&desc->settings, &old->settings, &caustics_part) ||
-        (has_medium(desc) != has_medium(old) && renderer_has_caustics(desc)))
+        (has_medium(desc) != has_medium(old) &&
+         (renderer_has_caustics(desc) || renderer_has_caustics(old))))
         parts |= PART_CAUSTICS | PART_COMPOSITE | PART_MEAN;
     if (renderer_has_caustics(desc) != renderer_has_caustics(old))
         parts |= PART_TECHNIQUE | PART_REFINER;

@@ -1,6 +1,7 @@
 #include "scene/caustics.h"
 
 #include "scene/material.h"
+#include "scene/medium.h"
 
 static const char *const surface_names[] = {"off", "patches", "points", NULL};
 static const char *const volume_names[] = {"off", "lines", NULL};
@@ -28,7 +29,8 @@ const struct settings_part caustics_part = {"caustics", "caustics", table,
 bool caustics_shown(const struct scene *scene, const struct settings *settings) {
     const struct caustics_settings *own =
         settings_of(struct caustics_settings, settings, &caustics_part);
-    if (own->surface == CAUSTICS_OFF && !own->volume)
+    struct medium medium = medium_of(scene, settings, 1);
+    if (own->surface == CAUSTICS_OFF && !(own->volume && medium_exists(&medium)))
         return false;
     for (int m = 0; m < scene->mesh_count; m++)
         for (int i = 0; i < scene->meshes[m].primitive_count; i++)

@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "passes/frame.h"
+#include "scene/caustics.h"
 #include "techniques/many_lights.h"
 
 #include <math.h>
@@ -133,6 +134,7 @@ static bool init_points(struct volume_light *light, const struct volume_light_de
         &(struct volume_points_desc){.scene = desc->scene,
                                      .geometry = desc->geometry,
                                      .materials = materials_of(desc->settings),
+                                     .smooth_black = caustics_shown(desc->scene, desc->settings),
                                      .count = volume_points_count(area, voxel, own->points),
                                      .per_triangle = points_per_triangle(own),
                                      .few_large = volume_box_cuts(&light->box)});

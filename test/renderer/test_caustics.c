@@ -218,6 +218,105 @@ static void test_no_refraction(void **state) {
     stage_free(&without);
 }
 
+/* Light from beside a wide mirror, just above it: the reflected light of directions that its corners do not bound. */
+static void test_low_light(void **state) {
+    (void)state;
+    struct stage stage;
+    char nodes[512];
+    int used = snprintf(nodes, sizeof nodes,
+                        "[" FLOOR_NODE ", {\"mesh\": 0, \"translation\": [-20, 20, 3],"
+                        " \"rotation\": [1, 0, 0, 0], \"scale\": [40, 40, 1]}, ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 4);
+    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    open_nodes(&stage, nodes, 1);
+    make_mirror(&stage);
+    struct emitter *light = &stage.emitters.items[0];
+    *light = emitter_new(EMITTER_POINT);
+    memcpy(light->position, (float[]){1.5F, 0, 1.3F}, sizeof light->position);
+    stage.camera.eye[0] = 4;
+    stage.camera.eye[2] = 2;
+    stage.camera.up[1] = -1;
+    stage.camera.forward[2] = 1;
+    struct image drawn = draw(&stage, kinds[0]);
+    double square = 2.5 * 2.5 + 2.3 * 2.3, expected = 2.3 / pow(square, 1.5) / GLM_PI;
+    check_near("over expected", channel_mean(&drawn, "caustic.R") / expected, 1, .02);
+    image_free(&drawn);
+    stage_free(&stage);
+}
+
+/* A mirror of one side is black from behind, as the reference has it. */
+static void test_behind(void **state) {
+    (void)state;
+    struct stage stage;
+    char nodes[512];
+    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 3, 4);
+    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    open_nodes(&stage, nodes, 1);
+    make_mirror(&stage);
+    emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
+    struct image drawn = draw(&stage, PATCHES);
+    check_near("one side", mean_of(&drawn, "caustic"), 0, 0);
+    image_free(&drawn);
+    stage.scene.materials[SMOOTH].double_sided = true;
+    drawn = draw(&stage, PATCHES);
+    check_near("two sides, red over expected", channel_mean(&drawn, "caustic.R") * (16 * GLM_PI), 1,
+               .01);
+    image_free(&drawn);
+    stage_free(&stage);
+}
+
+/* A light that lies on a surface, as those of lamps do: the surface does not keep its light. */
+static void test_lamp(void **state) {
+    (void)state;
+    static const double turns[] = {.3, .5, .7, .9};
+    const double side = .02;
+    for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
+        double means[2], c = cos(turns[i]), s = sin(turns[i]);
+        float place[3] = {(float)(.3 + side / 2), (float)(.1 + c * side / 2),
+                          (float)(2 + s * side / 2)};
+        for (int has_lamp = 0; has_lamp < 2; has_lamp++) {
+            struct stage stage;
+            char nodes[512];
+            int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
+            used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, 4);
+            if (has_lamp)
+                used += snprintf(nodes + used, sizeof nodes - (size_t)used,
+                                 ", {\"mesh\": 0, \"translation\": [0.3, 0.1, 2],"
+                                 " \"rotation\": [%.9g, 0, 0, %.9g], \"scale\": [%g, %g, 1]}",
+                                 sin(turns[i] / 2), cos(turns[i] / 2), side, side);
+            snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+            open_nodes(&stage, nodes, 1);
+            make_mirror(&stage);
+            stage.camera.fov_y = glm_rad(60);
+            memcpy(stage.emitters.items[0].position, place, sizeof place);
+            emitter_aim(&stage.emitters.items[0], (float[]){0, (float)-s, (float)c});
+            struct image drawn = draw(&stage, PATCHES);
+            means[has_lamp] = mean_of(&drawn, "caustic");
+            image_free(&drawn);
+            stage_free(&stage);
+        }
+        check_near("with over without a lamp", means[1] / means[0], 1, .02);
+    }
+}
+
+/* Caustics carry all that a mirror reflects, so no technique has it light the floor as well. */
+static void test_no_indirect(void **state) {
+    (void)state;
+    struct stage stage;
+    open_mirror(&stage, 4, 1);
+    for (int i = 0; techniques[i]; i++) {
+        const char *name = techniques[i]->name;
+        struct image off = render_stage(&stage, name, CHEAP, SIZE),
+                     on = render_stage(&stage, name, PATCHES, SIZE);
+        printf("    %s: indirect %g without caustics\n", name, mean_of(&off, "indirect"));
+        check_near("indirect", mean_of(&on, "indirect"), 0, 1e-6);
+        image_free(&off);
+        image_free(&on);
+    }
+    stage_free(&stage);
+}
+
 /* --- relations -------------------------------------------------------------------------------- */
 
 /* More rays: the same light with less noise. */
@@ -263,7 +362,7 @@ static void test_halves(void **state) {
     stage_free(&stage);
 }
 
-/* A light that does not reach the ring, and a scene without glass: not a bit is other. */
+/* A light that does not reach the ring, a scene without glass, and lines without a medium: not a bit is other. */
 static void test_out_of_view(void **state) {
     (void)state;
     struct stage stage;
@@ -278,6 +377,13 @@ static void test_out_of_view(void **state) {
     struct image off = draw(&stage, CHEAP), on = draw(&stage, PATCHES "caustics.medium=lines");
     assert_true(same_pixels(&off, &on));
     assert_int_equal(image_find_channel(&on, "caustic.R"), -1);
+    image_free(&off);
+    image_free(&on);
+    stage_free(&stage);
+    open_stage(&stage, "scenes/ring.glb"); /* without a medium */
+    off = draw(&stage, CHEAP);
+    on = draw(&stage, CHEAP "caustics.medium=lines");
+    assert_true(same_pixels(&off, &on));
     image_free(&off);
     image_free(&on);
     stage_free(&stage);
@@ -440,6 +546,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_mirror),      cmocka_unit_test(test_slab),
         cmocka_unit_test(test_energy),      cmocka_unit_test(test_no_refraction),
+        cmocka_unit_test(test_low_light),   cmocka_unit_test(test_behind),
+        cmocka_unit_test(test_lamp),        cmocka_unit_test(test_no_indirect),
         cmocka_unit_test(test_more_rays),   cmocka_unit_test(test_halves),
         cmocka_unit_test(test_out_of_view), cmocka_unit_test(test_follow),
         cmocka_unit_test(test_passes),      cmocka_unit_test(test_hard),

@@ -177,7 +177,8 @@ static vec3s color_at(const struct maker *maker, const struct material *material
             corners_reflectance(corners, scene, geometry, maker->srgb_to_linear, material);
         color = material_reflects(material, color, &at);
     }
-    return glms_vec3_clamp(color, 0, 1);
+    bool black = maker->desc->smooth_black && material_smooth_kind(material) != SMOOTH_NONE;
+    return black ? glms_vec3_zero() : glms_vec3_clamp(color, 0, 1);
 }
 
 static void visit_piece(struct maker *maker, const uint32_t *index, const struct piece *piece,

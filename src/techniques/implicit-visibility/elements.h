@@ -30,7 +30,8 @@ struct elements_desc {
     const struct scene *scene;
     const struct geometry *geometry;
     enum materials materials;
-    int most; /* elements */
+    bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
+    int most;          /* elements */
 };
 
 /* At most desc->most, unless more cells of the coarsest grid are occupied. Zero elements where no triangle has an area. */

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "lights/light_samples.h"
 #include "passes/frame.h"
+#include "scene/caustics.h"
 #include "techniques/implicit-visibility/interpolate.h"
 #include "techniques/many_lights.h"
 
@@ -168,6 +169,7 @@ static bool init(void **state, const struct technique_desc *desc) {
     technique->elements_desc = (struct elements_desc){
         .scene = desc->scene,
         .materials = (enum materials)materials->materials,
+        .smooth_black = caustics_shown(desc->scene, desc->settings),
         .most = own->elements,
     };
     technique->links_desc = (struct links_desc){
