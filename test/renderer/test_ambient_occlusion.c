@@ -152,7 +152,8 @@ static void test_poses(void **state) {
     struct image before = layers_with_ao(&moved);
     check_ok("pose", stage_pose(&stage, 2) && stage_show(&stage, &moved));
     renderer_render(&moved);
-    desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE); /* the lights are elsewhere in memory */
+    desc =
+        desc_of(&stage, "unshadowed", small, SIZE, SIZE); /* the lights are elsewhere in memory */
     open_renderer(&fresh, &desc);
     struct image after = layers_with_ao(&moved), expected = layers_with_ao(&fresh);
     check_near("less a new renderer's", worst_difference(&after, &expected), 0, 0);
