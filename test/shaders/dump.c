@@ -133,10 +133,13 @@ static void init_settings(struct settings *settings) {
     check(settings_assign(settings, "vpls=64"), "vpls");
 }
 
-/* With a medium and caustics, too. */
+/* Paths of lamps next door, with a medium and caustics, too. */
 static void make_progressive(struct renderer *renderer, struct renderer_desc desc) {
     desc.progressive = true;
     make(renderer, &desc);
+    struct renderer_desc next_door = desc;
+    check(settings_assign(&next_door.settings, "lights.importance=on lights.bounces=2"), "bounces");
+    make(renderer, &next_door);
     check(settings_assign(&desc.settings, "medium.scatter=1"), "medium");
     make(renderer, &desc);
     check(settings_assign(&desc.settings, "caustics.surface=patches caustics.medium=lines"),
