@@ -23,7 +23,7 @@ static struct failure_desc small_desc(const struct context *context,
     };
 }
 
-enum { FAST = 0, UNSHADOWED = 3, FRAME = 4 };
+enum { FAST = 0, UNSHADOWED = 3, FRAME = 4, VOLUME = 9, ELEMENTS = 10 };
 
 /* The columns of a row: in a short run two, and the others in turn. */
 static unsigned columns_of(size_t row) {
@@ -62,13 +62,15 @@ static void test_rows(void **state) {
     assert_int_equal(broken, 0);
 }
 
-/* Bounds are no formality: without any visibility none holds, but that of what has none. */
+/* Bounds are no formality: without any visibility none holds, but that of what has none. Voxels and surface
+ * elements err as much as no visibility in some pictures this small, such as the room: 21 % beside 16. */
 static void test_bounds_break(void **state) {
     static const char *const rows[] = {"room", "val-plane", "closed-door", "grazing-light",
                                        "corner"};
     static const struct text_list settings = {{SMALL, "technique=unshadowed"}, 2};
     struct failure_desc desc = small_desc(*state, &settings);
-    desc.columns = is_long_run() ? 0 : 1U << FAST | 1U << UNSHADOWED;
+    desc.columns = is_long_run() ? ((1U << FAILURE_COLUMNS) - 1) & ~(1U << VOLUME | 1U << ELEMENTS)
+                                 : 1U << FAST | 1U << UNSHADOWED;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct results results = {0};
         check_ok(rows[i], failure_measure(&results, failure_row_find(rows[i]), &desc));

@@ -21,13 +21,14 @@ int emitter_find(const struct scene *scene, const char *text) {
 struct emitters emitters_copy(const struct emitters *emitters) {
     size_t count = (size_t)emitters->count;
     struct emitters copy = {mem_alloc(count, sizeof *copy.items), emitters->count, emitters->sky};
-    memcpy(copy.items, emitters->items, count * sizeof *copy.items);
+    if (count) /* else there may be no items */
+        memcpy(copy.items, emitters->items, count * sizeof *copy.items);
     return copy;
 }
 
 bool emitters_same(const struct emitters *a, const struct emitters *b) {
     return a->count == b->count && a->sky == b->sky &&
-           memcmp(a->items, b->items, (size_t)a->count * sizeof *a->items) == 0;
+           (a->count == 0 || memcmp(a->items, b->items, (size_t)a->count * sizeof *a->items) == 0);
 }
 
 void emitters_free(struct emitters *emitters) {

@@ -10,10 +10,6 @@
 /* Side of a cell over the longest edge: cut triangles keep their vertices apart. */
 static const float cell_fraction = .35F;
 
-/* What is longer or farther by less is as long or far, and the first is taken: rounding decides nothing, so that a scene
- * in other units has the same elements. */
-static const float beyond_tie = 1.0001F;
-
 /* Attempts to find the grid with so many cells; each makes it coarser. */
 enum { ATTEMPTS = 40 };
 
@@ -135,7 +131,7 @@ static void consider(const struct maker *maker, struct cluster *cluster, const s
         double from = (double)place.raw[c] - cluster->place[c] / cluster->area;
         distance2 += (float)(from * from);
     }
-    if (!(distance2 * beyond_tie < cluster->distance2))
+    if (!(distance2 < cluster->distance2))
         return;
     cluster->distance2 = distance2;
     memcpy(cluster->element.corners, third->corners, sizeof cluster->element.corners);
@@ -161,7 +157,7 @@ static int longest_edge(const vec3s places[3], float *length2) {
     *length2 = -1;
     for (int e = 0; e < 3; e++) {
         float each = glms_vec3_distance2(places[e], places[(e + 1) % 3]);
-        if (each > *length2 * beyond_tie) {
+        if (each > *length2) {
             *length2 = each;
             longest = e;
         }

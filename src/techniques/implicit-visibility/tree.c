@@ -86,12 +86,6 @@ static void reorder(struct elements *elements, const struct item *items) {
     elements->items = sorted;
 }
 
-/* Elements in a row are in it to rounding, which must not decide their order: a scene in other units has the same tree. */
-static float coarse(float value) {
-    const float steps = 1e4F, off_planes = .37F; /* planes tend to lie at whole numbers */
-    return floorf(value * steps + off_planes);
-}
-
 void tree_init(struct tree *tree, struct elements *elements, float size) {
     int count = elements->count;
     struct builder builder = {tree, mem_alloc((size_t)count, sizeof *builder.items)};
@@ -102,8 +96,8 @@ void tree_init(struct tree *tree, struct elements *elements, float size) {
         const struct element *element = &elements->items[i];
         builder.items[i].element = i;
         for (int c = 0; c < 3; c++) {
-            builder.items[i].at[c] = coarse(element->position.raw[c] / size);
-            builder.items[i].at[3 + c] = coarse(element->normal.raw[c]);
+            builder.items[i].at[c] = element->position.raw[c];
+            builder.items[i].at[3 + c] = size * element->normal.raw[c];
         }
     }
     build(&builder, 0, count);
