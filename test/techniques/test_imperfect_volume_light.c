@@ -450,6 +450,7 @@ static void test_plain(void **state) {
 /* All but the plain goes so far to the right in a second. */
 static void slide_room(struct stage *stage, float far) {
     struct scene *scene = &stage->scene;
+    free(scene->clips); /* of none */
     struct clip *clip = scene->clips = mem_alloc(1, sizeof *scene->clips);
     scene->clip_count = 1;
     *clip = (struct clip){.channels = mem_alloc((size_t)scene->node_count, sizeof *clip->channels),
