@@ -1,5 +1,5 @@
-// A ray from a light through smooth surfaces, up to a surface that scatters (chapter 8 of [Dong 2011], which takes depth
-// maps for surfaces, two of them at most). Rays meet triangles, any number of them.
+// A ray from a light through smooth surfaces, up to a surface that scatters (chapter 8 of [Dong 2011]). The thesis takes
+// depth maps for surfaces, two of them at most. Here rays meet triangles, any number of them.
 //
 // A ray that meets glass divides. Each band of texels follows one chain: 0 is reflected outside, 1 goes through, and chain
 // k is reflected k - 1 times within where it could leave. Where the last one could leave, a number picks whether it does,

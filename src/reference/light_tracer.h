@@ -3,10 +3,9 @@
  *
  * Rays start from the lights, each with its part of the flux, and follow chains of glass and mirrors through the exact
  * geometry (reference/smooth.h). Where a chain of at least one ends on another surface, the light that its diffuse part
- * reflects goes to the pixel that shows the place [Veach 1997]; the light that a medium scatters along
- * the segments after the first interface goes to pixels from points of each segment, which are even in the angle as
- * seen from the camera [Kulla and Fajardo 2012]. The mean is exact; the error falls with the root of the number of
- * rays. Glass and mirrors hide what is behind them, as in [Dong 2011, chapter 8]: a caustic that is seen through glass
+ * reflects goes to the pixel that shows the place [Veach 1997]. A medium scatters light along the segments after the
+ * first interface. It goes to pixels from points of each segment, which are even in the angle as seen from the camera
+ * [Kulla and Fajardo 2012]. The mean is exact; the error falls with the root of the number of rays. Glass and mirrors hide what is behind them, as in [Dong 2011, chapter 8]: a caustic that is seen through glass
  * is left out. There is no medium within glass, and nothing is scattered twice.
  *
  * All lights cast rays, those with a size from all their places, and the sky as suns. Rays go only to a ball around all

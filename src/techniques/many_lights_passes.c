@@ -281,8 +281,8 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
     return ok;
 }
 
-/* Where light starts from many light samples, or where the camera sees little that it falls on, most VPLs by flux alone lie where
- * the camera sees nothing of their light. */
+/* Light may start from many light samples, or the camera may see little that it falls on. Most VPLs by flux alone then lie
+ * where the camera sees nothing of their light. */
 static bool wants_importance(const struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);

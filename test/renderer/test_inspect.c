@@ -174,7 +174,7 @@ static void test_pick(void **state) {
 
 /* --- light at a voxel ------------------------------------------------------------------------- */
 
-/* Coefficients of 1 + 2 y - z + 3 x + xy - 2 yz + z^2 - xz + x^2 - y^2, by the integrals of harmonics over the sphere. */
+/* Its coefficients are by the integrals of harmonics over the sphere. */
 static double polynomial(const float d[3]) {
     double x = (double)d[0], y = (double)d[1], z = (double)d[2];
     return 1 + 2 * y - z + 3 * x + x * y - 2 * y * z + z * z - x * z + x * x - y * y;

@@ -1,8 +1,8 @@
 /* Light of later bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
- * Each of 4 P paths takes an even share of the first bounce's VPLs, or one of those by importance half by power, and follows it from surface to surface by rays through
- * the scene's triangles (glsl/lights/bounce_path.frag). It leaves the light of all its bounces at one of its surfaces, picked
- * by light: one gather of the picture serves all bounces. What there is of light is right on the mean, whatever the scene is
+ * Each of 4 P paths takes an even share of the first bounce's VPLs, or a share by power (lights/path_starts.frag). It
+ * follows the light from surface to surface by rays through the scene's triangles (glsl/lights/bounce_path.frag). It
+ * leaves the light of all its bounces at one of its surfaces, picked by light: one gather of the picture serves all bounces. What there is of light is right on the mean, whatever the scene is
  * made of: nothing leaks, and nothing is lost between what is near.
  *
  * Where every fourth has left its light there is a VPL, and VPLs share out the light of the others: a pixel looks at P

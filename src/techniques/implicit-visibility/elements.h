@@ -1,8 +1,8 @@
 /* Surface elements: disks that stand for a scene's surfaces in radiosity [Dong 2011 §4.3.1].
  *
- * The thesis makes one of each vertex, with a third of its triangles' area. Here triangles with edges longer than a bound are
- * cut first, and vertices within one cell of a grid that face alike are one element, so that coarse walls and fine
- * models both have elements about as far apart. The areas' sum is the surface's. An element keeps its place in its triangle
+ * The thesis makes one of each vertex, with a third of its triangles' area. Here triangles with edges longer than a bound
+ * are cut first, and vertices within one cell of a grid that face alike are one element. So coarse walls and fine models
+ * both have elements about as far apart. The areas' sum is the surface's. An element keeps its place in its triangle
  * and its area when the triangle moves. Materials of two sides have elements on both. */
 #ifndef TECHNIQUES_IMPLICIT_VISIBILITY_ELEMENTS_H
 #define TECHNIQUES_IMPLICIT_VISIBILITY_ELEMENTS_H
