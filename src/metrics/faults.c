@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "metrics/colour.h"
+#include "metrics/quantile.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -77,11 +78,6 @@ static double error_without(const struct pair *pair, const struct change *change
     return sum / ((double)pair->width * pair->height);
 }
 
-static int compare_floats(const void *a, const void *b) {
-    float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
 /* The median over pixels that are not dark. */
 static double exposure_of(const struct pair *pair) {
     size_t count = (size_t)pair->width * (size_t)pair->height, taken = 0;
@@ -89,8 +85,7 @@ static double exposure_of(const struct pair *pair) {
     for (size_t i = 0; i < count; i++)
         if ((double)pair->reference[i] > .05 * pair->mean && pair->picture[i] > 0)
             ratios[taken++] = pair->picture[i] / pair->reference[i];
-    qsort(ratios, taken, sizeof *ratios, compare_floats);
-    double median = taken ? (double)ratios[taken / 2] : 1;
+    double median = taken ? (double)quantile(ratios, taken, .5) : 1;
     free(ratios);
     return median;
 }

@@ -44,37 +44,24 @@ bool volume_points_check(const struct geometry *geometry, double area, int per_t
                      triangles);
 }
 
-static vec3s color_of(const struct volume_points *points, const struct surface_point *point,
-                      const struct geometry *geometry, const float srgb_to_linear[256]) {
-    const struct scene *scene = points->desc.scene;
-    const struct material *material = surface_point_material(point, scene, geometry);
-    struct corners corners = surface_point_corners(point, geometry);
-    vec3s color =
-        glms_vec3(corners_base_color(&corners, scene, geometry, srgb_to_linear, material));
-    if (points->desc.materials == MATERIALS_FULL) {
-        struct reflectance at =
-            corners_reflectance(&corners, scene, geometry, srgb_to_linear, material);
-        color = material_reflects(material, color, &at);
-    }
-    bool black = points->desc.smooth_black && material_smooth_kind(material) != SMOOTH_NONE;
-    return black ? glms_vec3_zero() : glms_vec3_clamp(color, 0, 1);
-}
-
 /* What a point keeps wherever it moves. */
 static void colour(struct volume_points *points, const struct geometry *geometry) {
-    float srgb_to_linear[256];
-    texture_decode_table(srgb_to_linear);
+    struct surface_colors colors = {.scene = points->desc.scene,
+                                    .geometry = geometry,
+                                    .materials = points->desc.materials,
+                                    .smooth_black = points->desc.smooth_black};
+    texture_decode_table(colors.srgb_to_linear);
     for (int i = 0; i < points->points.count; i++) {
         const struct surface_point *point = &points->points.items[i];
         struct volume_point *to = &points->room[i];
         if (point->share <= 0)
             continue;
-        vec3s color = color_of(points, point, geometry, srgb_to_linear);
+        const struct material *material = surface_point_material(point, colors.scene, geometry);
+        const struct corners corners = surface_point_corners(point, geometry);
+        vec4s color = corners_albedo(&corners, &colors, material);
         for (int c = 0; c < 3; c++)
             to->albedo[c] = (uint8_t)lroundf(255 * sqrtf(color.raw[c]));
-        to->normal[3] = surface_point_material(point, points->desc.scene, geometry)->double_sided
-                            ? INT16_MAX
-                            : 0;
+        to->normal[3] = material->double_sided ? INT16_MAX : 0;
     }
 }
 

@@ -307,7 +307,10 @@ static void test_albedos(void **state) {
     for (int sides = 1; sides <= 2; sides++) {
         for (int m = 0; m < stage.scene.material_count; m++)
             stage.scene.materials[m].double_sided = sides == 2;
-        triangle_albedos_find(albedos, &stage.scene, &stage.geometry, MATERIALS_FULL);
+        struct surface_colors colors = {
+            .scene = &stage.scene, .geometry = &stage.geometry, .materials = MATERIALS_FULL};
+        texture_decode_table(colors.srgb_to_linear);
+        triangle_albedos_find(albedos, &colors);
         for (int b = 0; b < stage.geometry.batch_count; b++) {
             const struct geometry_batch *batch = &stage.geometry.batches[b];
             const struct triangle_albedo *albedo = &albedos[batch->first_index / 3];

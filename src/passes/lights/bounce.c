@@ -139,21 +139,15 @@ static void free_albedos(struct bounce_pass *pass) {
     buffer_free(&pass->albedos);
 }
 
-static void blacken_smooth(struct triangle_albedo *albedos, const struct scene *scene,
-                           const struct geometry *geometry) {
-    for (int b = 0; b < geometry->batch_count; b++) {
-        const struct geometry_batch *batch = &geometry->batches[b];
-        if (material_smooth_kind(&scene->materials[batch->material]) != SMOOTH_NONE)
-            memset(albedos + batch->first_index / 3, 0, batch->index_count / 3 * sizeof *albedos);
-    }
-}
-
 static bool init_albedos(struct bounce_pass *pass, const struct geometry *geometry) {
     size_t count = geometry->index_count / 3;
     struct triangle_albedo *albedos = mem_alloc(count, sizeof *albedos);
-    triangle_albedos_find(albedos, pass->desc.scene, geometry, pass->desc.materials);
-    if (pass->desc.smooth_black)
-        blacken_smooth(albedos, pass->desc.scene, geometry);
+    struct surface_colors colors = {.scene = pass->desc.scene,
+                                    .geometry = geometry,
+                                    .materials = pass->desc.materials,
+                                    .smooth_black = pass->desc.smooth_black};
+    texture_decode_table(colors.srgb_to_linear);
+    triangle_albedos_find(albedos, &colors);
     bool ok = buffer_init(&pass->albedos, "albedos of triangles", count * sizeof *albedos, albedos);
     free(albedos);
     pass->laid_out = geometry->laid_out;

@@ -86,3 +86,19 @@ struct reflectance corners_reflectance(const struct corners *corners, const stru
                                 &(struct corners_texture){material->metal_roughness_texture,
                                                           material->metal_roughness_mapping}));
 }
+
+vec4s corners_albedo(const struct corners *corners, const struct surface_colors *colors,
+                     const struct material *material) {
+    const struct scene *scene = colors->scene;
+    const struct geometry *geometry = colors->geometry;
+    const float *table = colors->srgb_to_linear;
+    vec4s base = corners_base_color(corners, scene, geometry, table, material);
+    vec3s color = glms_vec3(base);
+    if (colors->smooth_black && material_smooth_kind(material) != SMOOTH_NONE)
+        return glms_vec4(glms_vec3_zero(), base.w);
+    if (colors->materials == MATERIALS_FULL) {
+        struct reflectance at = corners_reflectance(corners, scene, geometry, table, material);
+        color = material_reflects(material, color, &at);
+    }
+    return glms_vec4(glms_vec3_clamp(color, 0, 1), base.w);
+}

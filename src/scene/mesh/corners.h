@@ -38,6 +38,20 @@ vec4s corners_base_color(const struct corners *corners, const struct scene *scen
                          const struct geometry *geometry, const float srgb_to_linear[256],
                          const struct material *material);
 
+/* How surfaces count where each has one colour. */
+struct surface_colors {
+    const struct scene *scene;
+    const struct geometry *geometry;
+    enum materials materials;
+    bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
+    float srgb_to_linear[256];
+};
+
+/* All that the material reflects there, or with MATERIALS_DIFFUSE its base colour, in [0, 1]; A as of
+ * corners_base_color. */
+vec4s corners_albedo(const struct corners *corners, const struct surface_colors *colors,
+                     const struct material *material);
+
 struct reflectance corners_reflectance(const struct corners *corners, const struct scene *scene,
                                        const struct geometry *geometry,
                                        const float srgb_to_linear[256],

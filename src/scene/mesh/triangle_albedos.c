@@ -1,7 +1,6 @@
 #include "scene/mesh/triangle_albedos.h"
 
 #include "base/halton.h"
-#include "scene/mesh/corners.h"
 
 #include <math.h>
 #include <string.h>
@@ -10,33 +9,19 @@
 enum { PLACES = 1 << 16, PLACES_MOST = 1024 };
 
 struct finder {
-    const struct scene *scene;
-    const struct geometry *geometry;
-    enum materials materials;
+    const struct surface_colors *colors;
     double area; /* of all */
-    float srgb_to_linear[256];
 };
 
 static uint32_t count_places(const struct finder *finder, const struct material *material,
                              const uint32_t index[3]) {
-    bool varies = material->base_color_texture >= 0 ||
-                  (finder->materials == MATERIALS_FULL && material->metal_roughness_texture >= 0);
+    bool varies =
+        material->base_color_texture >= 0 ||
+        (finder->colors->materials == MATERIALS_FULL && material->metal_roughness_texture >= 0);
     if (!varies)
         return 1;
-    double share = corners_area(finder->geometry, index) / finder->area;
+    double share = corners_area(finder->colors->geometry, index) / finder->area;
     return 1 + (uint32_t)fmin(share * PLACES, PLACES_MOST - 1);
-}
-
-static vec3s color_at(const struct finder *finder, const struct material *material,
-                      const struct corners *corners) {
-    const struct scene *scene = finder->scene;
-    const struct geometry *geometry = finder->geometry;
-    const float *table = finder->srgb_to_linear;
-    vec3s color = glms_vec3(corners_base_color(corners, scene, geometry, table, material));
-    if (finder->materials == MATERIALS_DIFFUSE)
-        return color;
-    struct reflectance at = corners_reflectance(corners, scene, geometry, table, material);
-    return material_reflects(material, color, &at);
 }
 
 static vec3s mean_color(const struct finder *finder, const struct material *material,
@@ -47,25 +32,25 @@ static vec3s mean_color(const struct finder *finder, const struct material *mate
     memcpy(corners.index, index, sizeof corners.index);
     for (uint32_t i = 0; i < places; i++) {
         corners_spread(corners.weight, radical_inverse(2, 1 + i), radical_inverse(3, 1 + i));
-        sum = glms_vec3_add(sum, glms_vec3_clamp(color_at(finder, material, &corners), 0, 1));
+        sum = glms_vec3_add(sum, glms_vec3(corners_albedo(&corners, finder->colors, material)));
     }
     return glms_vec3_scale(sum, 1 / (float)places);
 }
 
 static void find_in_batch(struct triangle_albedo *albedos, const struct finder *finder,
                           const struct geometry_batch *batch) {
-    const struct material *material = &finder->scene->materials[batch->material];
+    const struct geometry *geometry = finder->colors->geometry;
+    const struct material *material = &finder->colors->scene->materials[batch->material];
     for (uint32_t at = batch->first_index; at < batch->first_index + batch->index_count; at += 3) {
-        vec3s color = mean_color(finder, material, &finder->geometry->indices[at]);
+        vec3s color = mean_color(finder, material, &geometry->indices[at]);
         albedos[at / 3] = (struct triangle_albedo){.backs = material->double_sided ? 1 : 0};
         memcpy(albedos[at / 3].color, color.raw, sizeof color.raw);
     }
 }
 
-void triangle_albedos_find(struct triangle_albedo *albedos, const struct scene *scene,
-                           const struct geometry *geometry, enum materials materials) {
-    struct finder finder = {.scene = scene, .geometry = geometry, .materials = materials};
-    texture_decode_table(finder.srgb_to_linear);
+void triangle_albedos_find(struct triangle_albedo *albedos, const struct surface_colors *colors) {
+    const struct geometry *geometry = colors->geometry;
+    struct finder finder = {.colors = colors};
     for (uint32_t at = 0; at < geometry->index_count; at += 3)
         finder.area += corners_area(geometry, &geometry->indices[at]);
     for (int b = 0; b < geometry->batch_count; b++)

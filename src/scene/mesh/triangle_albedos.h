@@ -2,16 +2,14 @@
 #ifndef SCENE_MESH_TRIANGLE_ALBEDOS_H
 #define SCENE_MESH_TRIANGLE_ALBEDOS_H
 
-#include "scene/material.h"
-#include "scene/mesh/geometry.h"
+#include "scene/mesh/corners.h"
 
 struct triangle_albedo {
     float color[3]; /* linear, at most 1 */
     float backs;    /* 1: backs reflect like fronts; 0: they are black */
 };
 
-/* Into one for each of the geometry's triangles: all that its material reflects, or with MATERIALS_DIFFUSE its base colour. */
-void triangle_albedos_find(struct triangle_albedo *albedos, const struct scene *scene,
-                           const struct geometry *geometry, enum materials materials);
+/* Into one for each of the geometry's triangles. */
+void triangle_albedos_find(struct triangle_albedo *albedos, const struct surface_colors *colors);
 
 #endif

@@ -40,7 +40,7 @@ struct maker {
     struct cluster *clusters;
     uint32_t count, room;
     bool colored; /* thirds have an albedo */
-    float srgb_to_linear[256];
+    struct surface_colors colors;
 };
 
 typedef void visit_third(struct maker *maker, const struct third *third);
@@ -165,22 +165,6 @@ static int longest_edge(const vec3s places[3], float *length2) {
     return longest;
 }
 
-static vec3s color_at(const struct maker *maker, const struct material *material,
-                      const struct corners *corners, float *alpha) {
-    const struct scene *scene = maker->desc->scene;
-    const struct geometry *geometry = maker->desc->geometry;
-    vec4s base = corners_base_color(corners, scene, geometry, maker->srgb_to_linear, material);
-    vec3s color = glms_vec3(base);
-    *alpha = base.w;
-    if (maker->desc->materials == MATERIALS_FULL) {
-        struct reflectance at =
-            corners_reflectance(corners, scene, geometry, maker->srgb_to_linear, material);
-        color = material_reflects(material, color, &at);
-    }
-    bool black = maker->desc->smooth_black && material_smooth_kind(material) != SMOOTH_NONE;
-    return black ? glms_vec3_zero() : glms_vec3_clamp(color, 0, 1);
-}
-
 static void visit_piece(struct maker *maker, const uint32_t *index, const struct piece *piece,
                         const vec3s places[3], const struct material *material,
                         visit_third *visit) {
@@ -190,7 +174,9 @@ static void visit_piece(struct maker *maker, const uint32_t *index, const struct
         middle[c] = (piece->at[0][c] + piece->at[1][c] + piece->at[2][c]) / 3;
     if (material->alpha_mask || maker->colored) {
         struct corners corners = corners_of(index, middle);
-        third.albedo = color_at(maker, material, &corners, &alpha);
+        vec4s albedo = corners_albedo(&corners, &maker->colors, material);
+        third.albedo = glms_vec3(albedo);
+        alpha = albedo.w;
     }
     if (material->alpha_mask && alpha < material->alpha_cutoff)
         return;
@@ -296,12 +282,17 @@ static void take_clusters(struct elements *elements, const struct maker *maker) 
 }
 
 void elements_init(struct elements *elements, const struct elements_desc *desc) {
-    struct maker maker = {.desc = desc, .slot_count = 1 << 14};
+    struct maker maker = {.desc = desc,
+                          .slot_count = 1 << 14,
+                          .colors = {.scene = desc->scene,
+                                     .geometry = desc->geometry,
+                                     .materials = desc->materials,
+                                     .smooth_black = desc->smooth_black}};
     double area = area_of(desc);
     *elements = (struct elements){0};
     if (!(area > 0))
         return;
-    texture_decode_table(maker.srgb_to_linear);
+    texture_decode_table(maker.colors.srgb_to_linear);
     maker.slots = mem_alloc(maker.slot_count, sizeof *maker.slots);
     fit_grid(&maker, area);
     empty(&maker);
