@@ -87,6 +87,16 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
     return false;
 }
 
+bool irradiance_resize(struct irradiance *irradiance, const char *label, GLenum format, int width,
+                       int height) {
+    struct irradiance fresh;
+    if (!irradiance_init(&fresh, label, format, width, height, irradiance->interleave))
+        return false;
+    irradiance_free(irradiance);
+    *irradiance = fresh;
+    return true;
+}
+
 struct interleaving irradiance_pattern(const struct irradiance *irradiance) {
     return (struct interleaving){
         .tile = {irradiance->tile_width, irradiance->tile_height},

@@ -81,6 +81,10 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
                      int height, int interleave);
 void irradiance_free(struct irradiance *irradiance);
 
+/* Another size of the picture. Error: out of GPU memory; it is unchanged. */
+bool irradiance_resize(struct irradiance *irradiance, const char *label, GLenum format, int width,
+                       int height);
+
 /* For shaders. */
 struct interleaving irradiance_pattern(const struct irradiance *irradiance);
 

@@ -8,13 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int count_text(const char *where, const char *text) {
-    int count = 0;
-    for (const char *at = where; (at = strstr(at, text)); at++)
-        count++;
-    return count;
-}
-
 #define REPORT                                                                                     \
     "% report scenes/cornell-box.glb --size 64x48 --variant fast --variant \"a<b:technique="       \
     "unshadowed\" --frames 1 --noise 20% --cache @/cache -q -o @/"

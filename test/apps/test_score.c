@@ -105,13 +105,6 @@ static void plant_nan(struct image *image) {
     image_at(image, 11, 10)[2] = INFINITY;
 }
 
-static int count_text(const char *where, const char *text) {
-    int count = 0;
-    for (const char *at = where; (at = strstr(at, text)); at++)
-        count++;
-    return count;
-}
-
 static void check_shift(void) {
     const char *at = strstr(output, "about ");
     double right = NAN, down = NAN;

@@ -346,16 +346,10 @@ static void test_more_rays(void **state) {
 static void test_halves(void **state) {
     (void)state;
     struct stage stage;
-    struct emitter lights[2];
     open_stage(&stage, "scenes/ring.glb");
     struct renderer_desc desc = desc_of(&stage, "unshadowed", PATCHES, SIZE, SIZE);
-    desc.emitters = (struct emitters){.items = lights, .count = 1};
-    lights[0] = stage.emitters.items[0];
-    struct image one = render_layers(&desc);
-    glm_vec3_scale(lights[0].intensity, .5F, lights[0].intensity);
-    lights[1] = lights[0];
-    desc.emitters.count = 2;
-    struct image two = render_layers(&desc);
+    struct image one, two;
+    render_halves(&stage, desc, &one, &two);
     check_at_most("two halves", relative_rmse(&two, &one, "caustic"), 1e-3);
     image_free(&one);
     image_free(&two);

@@ -295,15 +295,9 @@ static void test_halves(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     set_medium(&stage, .3F, 0, .4F);
-    struct emitter lights[2];
     struct renderer_desc desc = desc_of(&stage, "unshadowed", CHEAP, SIZE, SIZE);
-    desc.emitters = (struct emitters){.items = lights, .count = 1};
-    lights[0] = stage.emitters.items[0];
-    struct image one = render_layers(&desc);
-    glm_vec3_scale(lights[0].intensity, .5F, lights[0].intensity);
-    lights[1] = lights[0];
-    desc.emitters.count = 2;
-    struct image two = render_layers(&desc);
+    struct image one, two;
+    render_halves(&stage, desc, &one, &two);
     check_at_most("two halves", difference(&two, &one, "airlight"), 2e-3);
     image_free(&one);
     image_free(&two);

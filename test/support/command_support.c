@@ -57,6 +57,13 @@ void expect_text(const char *text) {
     expect_in(output, text);
 }
 
+int count_text(const char *where, const char *text) {
+    int count = 0;
+    for (const char *at = where; (at = strstr(at, text)); at++)
+        count++;
+    return count;
+}
+
 void expect_in(const char *where, const char *text) {
     if (!strstr(where, text))
         fail_msg("'%s' is not in: %s", text, where);

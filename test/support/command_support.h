@@ -23,6 +23,9 @@ void expect_command(int status, const char *command, const char *arguments);
 /* Fails unless the last command printed the text. */
 void expect_text(const char *text);
 
+/* How often the first text has the second. */
+int count_text(const char *where, const char *text);
+
 /* Fails unless the first text has the second. */
 void expect_in(const char *where, const char *text);
 

@@ -204,6 +204,17 @@ struct image render_stage(const struct stage *stage, const char *technique, cons
     return render_layers(&desc);
 }
 
+void render_halves(const struct stage *stage, struct renderer_desc desc, struct image *whole,
+                   struct image *halves) {
+    struct emitter lights[2] = {stage->emitters.items[0]};
+    desc.emitters = (struct emitters){.items = lights, .count = 1};
+    *whole = render_layers(&desc);
+    glm_vec3_scale(lights[0].intensity, .5F, lights[0].intensity);
+    lights[1] = lights[0];
+    desc.emitters.count = 2;
+    *halves = render_layers(&desc);
+}
+
 struct vpl *read_vpls(const struct renderer *renderer) {
     struct output_list outputs;
     renderer_outputs(renderer, &outputs);

@@ -76,6 +76,10 @@ void pixel_position(const struct renderer *renderer, const struct image *layers,
 /* Whether all values are the same bits. */
 bool same_pixels(const struct image *a, const struct image *b);
 
+/* The first light of the stage in place of desc's, once whole and once as two halves. */
+void render_halves(const struct stage *stage, struct renderer_desc desc, struct image *whole,
+                   struct image *halves);
+
 /* RMS of the difference of a layer over the mean of the reference's, over what both see. */
 double relative_rmse(const struct image *test, const struct image *reference, const char *layer);
 

@@ -152,6 +152,19 @@ static void test_auto(void **state) {
     stage_free(&courtyard);
 }
 
+/* What follows shows no other bit than what begins there. */
+static void check_followed(const char *what, struct renderer *renderer,
+                           const struct renderer_desc *desc) {
+    struct image moved;
+    check_ok(what, renderer_follow(renderer, desc));
+    renderer_render(renderer);
+    check_ok("layers", renderer_read_layers(renderer, &moved));
+    struct image fresh = render_layers(desc);
+    assert_true(same_pixels(&moved, &fresh));
+    image_free(&moved);
+    image_free(&fresh);
+}
+
 /* The hall's lamp stands outdoors: an eleventh of its light falls where the camera sees any of it. Indoors all
  * of it does, and a renderer whose lamp moves there chooses anew. */
 static void test_next_door(void **state) {
@@ -159,7 +172,6 @@ static void test_next_door(void **state) {
     const float down[] = {0, -1, 0};
     struct stage hall;
     struct renderer renderer;
-    struct image moved;
     open_stage(&hall, "scenes/hall.glb");
     assert_true(same(&hall, "clustered", "", "lights.importance=on"));
     assert_false(same(&hall, "clustered", "", "lights.importance=off"));
@@ -171,13 +183,7 @@ static void test_next_door(void **state) {
     assert_true(same(&hall, "clustered", "", "lights.importance=off"));
     assert_false(same(&hall, "clustered", "", "lights.importance=on"));
     desc.emitters = hall.emitters;
-    check_ok("lamp indoors", renderer_follow(&renderer, &desc));
-    renderer_render(&renderer);
-    check_ok("layers", renderer_read_layers(&renderer, &moved));
-    struct image fresh = render_layers(&desc);
-    assert_true(same_pixels(&moved, &fresh));
-    image_free(&moved);
-    image_free(&fresh);
+    check_followed("lamp indoors", &renderer, &desc);
     renderer_free(&renderer);
     stage_free(&hall);
 }
@@ -200,19 +206,12 @@ static void test_kept(void **state) {
     (void)state;
     struct stage stage;
     struct renderer renderer;
-    struct image moved;
     open_stage(&stage, "scenes/courtyard.glb");
     struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
     desc.keep_lights = true;
     open_renderer(&renderer, &desc);
     desc.camera.eye[0] += .1F;
-    check_ok("a step", renderer_follow(&renderer, &desc));
-    renderer_render(&renderer);
-    check_ok("layers", renderer_read_layers(&renderer, &moved));
-    struct image fresh = render_layers(&desc);
-    assert_true(same_pixels(&moved, &fresh));
-    image_free(&moved);
-    image_free(&fresh);
+    check_followed("a step", &renderer, &desc);
     renderer_free(&renderer);
     stage_free(&stage);
 }

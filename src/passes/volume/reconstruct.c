@@ -6,9 +6,7 @@
 
 #include <stdlib.h>
 
-static bool init_irradiance(struct irradiance *irradiance, int width, int height) {
-    return irradiance_init(irradiance, "irradiance of the volume", GL_RGBA16F, width, height, 1);
-}
+static const char label[] = "irradiance of the volume";
 
 bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *volume, int width,
                            int height) {
@@ -17,7 +15,7 @@ bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *v
     bool ok =
         program_init(&pass->program, &(struct program_desc){.screen = {"volume/reconstruct.frag"},
                                                             .defines = defines}) &&
-        init_irradiance(&pass->irradiance, width, height);
+        irradiance_init(&pass->irradiance, label, GL_RGBA16F, width, height, 1);
     free(defines);
     if (!ok)
         reconstruct_pass_free(pass);
@@ -30,12 +28,7 @@ void reconstruct_pass_free(struct reconstruct_pass *pass) {
 }
 
 bool reconstruct_pass_resize(struct reconstruct_pass *pass, int width, int height) {
-    struct irradiance fresh;
-    if (!init_irradiance(&fresh, width, height))
-        return false;
-    irradiance_free(&pass->irradiance);
-    pass->irradiance = fresh;
-    return true;
+    return irradiance_resize(&pass->irradiance, label, GL_RGBA16F, width, height);
 }
 
 void reconstruct_pass_render(const struct reconstruct_pass *pass, const struct frame *frame,

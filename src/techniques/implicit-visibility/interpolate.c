@@ -13,16 +13,14 @@ static const float reach = 1.2F;
 
 enum { CELLS_MAX = 1 << 20 };
 
-static bool init_irradiance(struct irradiance *irradiance, int width, int height) {
-    return irradiance_init(irradiance, "irradiance of elements", GL_RGBA16F, width, height, 1);
-}
+static const char label[] = "irradiance of elements";
 
 bool interpolate_pass_init(struct interpolate_pass *pass, int width, int height) {
     *pass = (struct interpolate_pass){0};
     if (program_init(&pass->program,
                      &(struct program_desc){
                          .screen = {"techniques/implicit-visibility/interpolate.frag"}}) &&
-        init_irradiance(&pass->irradiance, width, height) &&
+        irradiance_init(&pass->irradiance, label, GL_RGBA16F, width, height, 1) &&
         buffer_init(&pass->params, "element grid", sizeof pass->grid, NULL))
         return true;
     interpolate_pass_free(pass);
@@ -64,12 +62,7 @@ void interpolate_pass_free(struct interpolate_pass *pass) {
 }
 
 bool interpolate_pass_resize(struct interpolate_pass *pass, int width, int height) {
-    struct irradiance fresh;
-    if (!init_irradiance(&fresh, width, height))
-        return false;
-    irradiance_free(&pass->irradiance);
-    pass->irradiance = fresh;
-    return true;
+    return irradiance_resize(&pass->irradiance, label, GL_RGBA16F, width, height);
 }
 
 /* Cells as wide as elements reach, wider where there would be too many; and a margin of one around them. */
