@@ -19,10 +19,12 @@ struct volume_point {
     uint8_t albedo[4]; /* its square root, as in the G-buffer */
 };
 
-double volume_points_area(const struct geometry *geometry) {
+double volume_points_area(const struct geometry *geometry, const struct box *box) {
     double area = 0;
-    for (uint32_t at = 0; at < geometry->index_count; at += 3)
-        area += corners_area(geometry, &geometry->indices[at]);
+    for (uint32_t at = 0; at < geometry->index_count; at += 3) {
+        const uint32_t *index = &geometry->indices[at];
+        area += corners_area(geometry, index) * boxed_share(box, geometry, index);
+    }
     return area;
 }
 
@@ -65,17 +67,27 @@ static void colour(struct volume_points *points, const struct geometry *geometry
     }
 }
 
+static bool is_cut(const struct box *box, const struct geometry_part *part) {
+    return part->index_count > 0 && !box_holds(box, part->bounds_min, part->bounds_max);
+}
+
 static void deal(struct volume_points *points, const struct geometry *geometry) {
+    const struct box *box = &points->desc.box;
     surface_points_free(&points->points);
     surface_points_init(&points->points,
                         &(struct surface_points_desc){.scene = points->desc.scene,
                                                       .geometry = geometry,
                                                       .count = points->desc.count,
-                                                      .by_area = !points->desc.few_large,
+                                                      .by_area = true,
+                                                      .box = box,
                                                       .per_triangle = points->desc.per_triangle});
     free(points->room);
     points->room = mem_alloc((size_t)points->points.count, sizeof *points->room);
     colour(points, geometry);
+    free(points->cut);
+    points->cut = mem_alloc((size_t)geometry->part_count, sizeof *points->cut);
+    for (int p = 0; p < geometry->part_count; p++)
+        points->cut[p] = is_cut(box, &geometry->parts[p]);
 }
 
 static void init_vertices(struct volume_points *points) {
@@ -109,6 +121,7 @@ void volume_points_free(struct volume_points *points) {
     buffer_free(&points->buffer);
     surface_points_free(&points->points);
     free(points->room);
+    free(points->cut);
     *points = (struct volume_points){0};
 }
 
@@ -136,7 +149,14 @@ static void place_some(void *context, size_t run) {
 }
 
 bool volume_points_fit(const struct volume_points *points, const struct geometry *geometry) {
-    return points->dealt == geometry->pose_count || !surface_points_differ_by_pose(geometry);
+    if (points->dealt == geometry->pose_count)
+        return true;
+    for (int p = 0; p < geometry->part_count; p++) {
+        const struct geometry_part *part = &geometry->parts[p];
+        if (part->moved > points->dealt && (points->cut[p] || is_cut(&points->desc.box, part)))
+            return false;
+    }
+    return !surface_points_differ_by_pose(geometry);
 }
 
 void volume_points_place(struct volume_points *points, const struct geometry *geometry) {

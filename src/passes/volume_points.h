@@ -13,7 +13,7 @@ struct volume_points_desc {
     bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
     int count;         /* by area */
     int per_triangle;  /* in place of it: random ones; 0: none */
-    bool few_large;    /* huge triangles have fewer than their area asks for */
+    struct box box;    /* where they lie */
 };
 
 struct volume_points {
@@ -22,12 +22,13 @@ struct volume_points {
     unsigned dealt;            /* pose whose triangles they lie on */
     unsigned pose;             /* that they were uploaded for; 0: none */
     struct volume_point *room; /* what is uploaded */
+    bool *cut; /* parts of the geometry that reached beyond the box when they were dealt */
     struct buffer buffer;
     GLuint vertices;
 };
 
-/* Of all triangles, m2. */
-double volume_points_area(const struct geometry *geometry);
+/* Of all that is in the box, m2. */
+double volume_points_area(const struct geometry *geometry, const struct box *box);
 
 /* Refuses a scene on which no points lie, and one with too many. area: volume_points_area's; per_triangle 0: by area. */
 bool volume_points_check(const struct geometry *geometry, double area, int per_triangle);
@@ -39,7 +40,8 @@ int volume_points_count(double area, float voxel, float per_voxel);
 bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc);
 void volume_points_free(struct volume_points *points);
 
-/* Whether they lie on the geometry's triangles: metaballs have others in each pose, so that points are to be made anew. */
+/* Whether they lie on all that is in the box: metaballs have other triangles in each pose, and a part that moves across the
+ * box's sides has another part of itself in it, so that points are to be made anew. */
 bool volume_points_fit(const struct volume_points *points, const struct geometry *geometry);
 
 /* Puts them where the geometry is; they fit. */

@@ -68,7 +68,7 @@ static bool check_memory(const struct volume_desc *volume) {
 
 /* box NULL: all of the scene. */
 static void set_box(struct volume_desc *volume, const struct geometry *geometry,
-                    const struct volume_box *box) {
+                    const struct box *box) {
     memcpy(volume->low, geometry->bounds_min, sizeof volume->low);
     memcpy(volume->high, geometry->bounds_max, sizeof volume->high);
     for (int c = 0; c < 3 && box; c++) {
@@ -78,8 +78,7 @@ static void set_box(struct volume_desc *volume, const struct geometry *geometry,
 }
 
 static struct volume_desc volume_of(const struct volume_light_desc *desc,
-                                    const struct volume_settings *own,
-                                    const struct volume_box *box) {
+                                    const struct volume_settings *own, const struct box *box) {
     struct volume_desc volume = {
         .size = own->size,
         .channels = desc->channels,
@@ -93,9 +92,12 @@ static struct volume_desc volume_of(const struct volume_light_desc *desc,
     return volume;
 }
 
+static const struct box endless = {{-INFINITY, -INFINITY, -INFINITY},
+                                   {INFINITY, INFINITY, INFINITY}};
+
 /* Ambient light is the same beyond: its volume holds all. */
-static struct volume_box box_of(const struct volume_light_desc *desc) {
-    struct volume_box box = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+static struct box box_of(const struct volume_light_desc *desc) {
+    struct box box = endless;
     if (desc->channels == VOLUME_RADIANCE)
         volume_box_fit(&box, desc->scene, desc->geometry);
     return box;
@@ -125,8 +127,18 @@ static int points_per_triangle(const struct volume_settings *own) {
     return own->published ? (int)ceilf(own->points) : 0;
 }
 
+/* Where points lie: in all voxels, margins too, of a volume that leaves some of the scene out. */
+static struct box points_box(const struct volume_grid *grid, const struct box *of_volume) {
+    struct box box;
+    for (int c = 0; c < 3; c++) {
+        box.low[c] = grid->corner[c];
+        box.high[c] = grid->corner[c] + (float)grid->cells[c] * grid->voxel;
+    }
+    return box_ends(of_volume) ? box : endless;
+}
+
 static bool init_points(struct volume_light *light, const struct volume_light_desc *desc,
-                        double area) {
+                        const struct box *box, double area) {
     const struct volume_settings *own = &light->settings;
     float voxel = light->volume.grid.voxel;
     return volume_points_init(
@@ -137,7 +149,7 @@ static bool init_points(struct volume_light *light, const struct volume_light_de
                                      .smooth_black = caustics_shown(desc->scene, desc->settings),
                                      .count = volume_points_count(area, voxel, own->points),
                                      .per_triangle = points_per_triangle(own),
-                                     .few_large = volume_box_cuts(&light->box)});
+                                     .box = *box});
 }
 
 /* area: volume_points_area's. */
@@ -153,9 +165,12 @@ bool volume_light_init(struct volume_light *light, const struct volume_light_des
     light->box = box_of(desc);
     light->clip_choice = desc->geometry->span.clip_choice;
     struct volume_desc volume = volume_of(desc, &light->settings, &light->box);
-    double area = volume_points_area(desc->geometry);
+    struct volume_grid grid;
+    volume_grid_fit(&grid, &volume);
+    struct box box = points_box(&grid, &light->box);
+    double area = volume_points_area(desc->geometry, &box);
     if (check(desc, &volume, area) && volume_init(&light->volume, &volume) &&
-        init_points(light, desc, area) &&
+        init_points(light, desc, &box, area) &&
         inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
         distance_pass_init(&light->distance, &light->volume) &&
         march_pass_init(&light->march, &light->volume) &&
@@ -186,9 +201,9 @@ bool volume_light_resize(struct volume_light *light, int width, int height) {
 static bool renew_points(struct volume_light *light, const struct geometry *geometry) {
     struct volume_points_desc desc = light->points.desc;
     desc.geometry = geometry;
-    desc.count = volume_points_count(volume_points_area(geometry), light->volume.grid.voxel,
-                                     light->settings.points);
-    desc.few_large = volume_box_cuts(&light->box);
+    desc.box = points_box(&light->volume.grid, &light->box);
+    desc.count = volume_points_count(volume_points_area(geometry, &desc.box),
+                                     light->volume.grid.voxel, light->settings.points);
     volume_points_free(&light->points);
     return volume_points_init(&light->points, &desc);
 }
@@ -293,7 +308,7 @@ bool ambient_occlusion_check(const struct ambient_occlusion_desc *desc) {
     struct volume_light_desc light = visibility_of(desc);
     struct volume_settings own = own_of(desc->settings);
     struct volume_desc volume = volume_of(&light, &own, NULL);
-    return check(&light, &volume, volume_points_area(desc->geometry));
+    return check(&light, &volume, volume_points_area(desc->geometry, &endless));
 }
 
 bool ambient_occlusion_init(struct ambient_occlusion *ao,

@@ -50,8 +50,8 @@ struct volume_light_desc {
 struct volume_light {
     struct volume_light_desc desc;
     struct volume_settings settings;
-    struct volume_box box; /* that the volume holds at most */
-    int clip_choice;       /* of the geometry that it is of */
+    struct box box;  /* that the volume holds at most */
+    int clip_choice; /* of the geometry that it is of */
     struct volume volume;
     struct volume_points points;
     struct inject_pass inject;

@@ -16,7 +16,7 @@ static int ascending(const void *a, const void *b) {
     return (x > y) - (x < y);
 }
 
-static void fit_axis(struct volume_box *box, int axis, float *values, int count) {
+static void fit_axis(struct box *box, int axis, float *values, int count) {
     qsort(values, (size_t)count, sizeof *values, ascending);
     float low = values[(int)(beyond * (float)count)],
           high = values[count - 1 - (int)(beyond * (float)count)];
@@ -28,12 +28,12 @@ static float longest_of(const float low[3], const float high[3]) {
     return fmaxf(high[0] - low[0], fmaxf(high[1] - low[1], high[2] - low[2]));
 }
 
-static const struct volume_box unbounded = {{-INFINITY, -INFINITY, -INFINITY},
-                                            {INFINITY, INFINITY, INFINITY}};
+static const struct box unbounded = {{-INFINITY, -INFINITY, -INFINITY},
+                                     {INFINITY, INFINITY, INFINITY}};
 
 /* No triangle has more than a tenth of these points. */
-static struct volume_box box_of_pose(const struct scene *scene, const struct geometry *geometry) {
-    struct volume_box box = unbounded;
+static struct box box_of_pose(const struct scene *scene, const struct geometry *geometry) {
+    struct box box = unbounded;
     struct surface_points points;
     float values[3][POINTS];
     int count = 0;
@@ -53,19 +53,19 @@ static struct volume_box box_of_pose(const struct scene *scene, const struct geo
     return box;
 }
 
-static bool is_far_longer(const struct geometry *geometry, const struct volume_box *box) {
-    return volume_box_cuts(box) && longest_of(geometry->bounds_min, geometry->bounds_max) >=
-                                       far_longer * longest_of(box->low, box->high);
+static bool is_far_longer(const struct geometry *geometry, const struct box *box) {
+    return box_ends(box) && longest_of(geometry->bounds_min, geometry->bounds_max) >=
+                                far_longer * longest_of(box->low, box->high);
 }
 
 /* With what is in the box at that time. A pose that fails needs all. */
-static void add_pose(struct volume_box *box, const struct scene *scene, double time) {
+static void add_pose(struct box *box, const struct scene *scene, double time) {
     struct geometry geometry;
     if (!geometry_init_still(&geometry, scene, time)) {
         *box = unbounded;
         return;
     }
-    struct volume_box own = box_of_pose(scene, &geometry);
+    struct box own = box_of_pose(scene, &geometry);
     for (int c = 0; c < 3; c++) {
         box->low[c] = fminf(box->low[c], own.low[c]);
         box->high[c] = fmaxf(box->high[c], own.high[c]);
@@ -74,9 +74,9 @@ static void add_pose(struct volume_box *box, const struct scene *scene, double t
 }
 
 /* Whatever pose the geometry has, the result is the same. */
-static struct volume_box box_of_clip(const struct scene *scene, const struct geometry *geometry,
-                                     double duration) {
-    struct volume_box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+static struct box box_of_clip(const struct scene *scene, const struct geometry *geometry,
+                              double duration) {
+    struct box box = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     for (int i = 0; i < POSES; i++) {
         add_pose(&box, scene, duration * i / (POSES - 1));
         if (!is_far_longer(geometry, &box))
@@ -85,14 +85,9 @@ static struct volume_box box_of_clip(const struct scene *scene, const struct geo
     return box;
 }
 
-void volume_box_fit(struct volume_box *box, const struct scene *scene,
-                    const struct geometry *geometry) {
+void volume_box_fit(struct box *box, const struct scene *scene, const struct geometry *geometry) {
     double duration = scene_duration(scene);
     *box = duration > 0 ? box_of_clip(scene, geometry, duration) : box_of_pose(scene, geometry);
     if (!is_far_longer(geometry, box))
         *box = unbounded;
-}
-
-bool volume_box_cuts(const struct volume_box *box) {
-    return isfinite(box->low[0]);
 }

@@ -5,15 +5,7 @@
 
 #include "scene/mesh/surface_points.h"
 
-struct volume_box {
-    float low[3], high[3]; /* metres; infinite: all of the scene */
-};
-
-/* Of a scene throughout the clip that plays: the geometry's pose does not matter. */
-void volume_box_fit(struct volume_box *box, const struct scene *scene,
-                    const struct geometry *geometry);
-
-/* Whether it is less than the scene. */
-bool volume_box_cuts(const struct volume_box *box);
+/* Endless: all of the scene. Of a scene throughout the clip that plays: the geometry's pose does not matter. */
+void volume_box_fit(struct box *box, const struct scene *scene, const struct geometry *geometry);
 
 #endif

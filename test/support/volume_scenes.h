@@ -58,6 +58,17 @@ static inline void add_rectangle(struct shape *shape, vec3s corner, vec3s u, vec
     add_square(shape, corners);
 }
 
+/* The inside of a box. */
+static inline void add_room(struct shape *shape, vec3s low, vec3s high) {
+    vec3s x = at(high.x - low.x, 0, 0), y = at(0, high.y - low.y, 0), z = at(0, 0, high.z - low.z);
+    add_rectangle(shape, low, z, x);
+    add_rectangle(shape, low, x, y);
+    add_rectangle(shape, low, y, z);
+    add_rectangle(shape, high, glms_vec3_negate(x), glms_vec3_negate(z));
+    add_rectangle(shape, high, glms_vec3_negate(y), glms_vec3_negate(x));
+    add_rectangle(shape, high, glms_vec3_negate(z), glms_vec3_negate(y));
+}
+
 /* The lower part of a unit sphere, seen from within, up to the height z in [-1, 1]. */
 static inline void add_bowl(struct shape *shape, double height) {
     enum { RINGS = 48, SIDES = 96 };

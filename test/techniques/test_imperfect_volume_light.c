@@ -3,7 +3,6 @@
 
 #include "gl/program.h"
 #include "inspect/aov.h"
-#include "scene/clips.h"
 #include "shared/vpl.h"
 
 /* --- spherical harmonics ---------------------------------------------------------------------- */
@@ -342,19 +341,6 @@ static void test_shift(void **state) {
     check_at_most("a third of a voxel on", corner_difference(.0625F / 3), .03);
 }
 
-/* --- rooms ------------------------------------------------------------------------------------ */
-
-/* The inside of a box. */
-static void add_room(struct shape *shape, vec3s low, vec3s high) {
-    vec3s x = at(high.x - low.x, 0, 0), y = at(0, high.y - low.y, 0), z = at(0, 0, high.z - low.z);
-    add_rectangle(shape, low, z, x);
-    add_rectangle(shape, low, x, y);
-    add_rectangle(shape, low, y, z);
-    add_rectangle(shape, high, glms_vec3_negate(x), glms_vec3_negate(z));
-    add_rectangle(shape, high, glms_vec3_negate(y), glms_vec3_negate(x));
-    add_rectangle(shape, high, glms_vec3_negate(z), glms_vec3_negate(y));
-}
-
 /* --- voxels before the camera ----------------------------------------------------------------- */
 
 /* The top of a cube of 1 m, of albedo 1/2, under a light of 1 W/sr at 2.5 m: albedo times irradiance, and nothing beside
@@ -431,75 +417,6 @@ static void test_leaks(void **state) {
     check_at_most("of four voxels", leak(4), .02);
 }
 
-/* --- scenes of two sizes ---------------------------------------------------------------------- */
-
-/* A room of 4 m keeps its light on a plain of 222 m: voxels that held the plain would be as wide as the room. */
-static void test_plain(void **state) {
-    (void)state;
-    struct stage stage;
-    open_stage(&stage, "scenes/failures/plain.glb");
-    struct image volume = render_stage(&stage, "imperfect-volume", "", 48);
-    struct image clustered = render_stage(&stage, "clustered", "", 48);
-    check_near("light over that of VPLs",
-               layer_mean(&volume, "indirect") / layer_mean(&clustered, "indirect"), 1, .2);
-    image_free(&volume);
-    image_free(&clustered);
-    stage_free(&stage);
-}
-
-/* All but the plain goes so far to the right in a second. */
-static void slide_room(struct stage *stage, float far) {
-    struct scene *scene = &stage->scene;
-    free(scene->clips); /* of none */
-    struct clip *clip = scene->clips = mem_alloc(1, sizeof *scene->clips);
-    scene->clip_count = 1;
-    *clip = (struct clip){.channels = mem_alloc((size_t)scene->node_count, sizeof *clip->channels),
-                          .duration = 1};
-    for (int n = 0; n < scene->node_count; n++) {
-        const float *from = scene->nodes[n].translation;
-        if (strcmp(scene->nodes[n].name, "plain") == 0)
-            continue;
-        struct channel *channel = &clip->channels[clip->channel_count++];
-        *channel = (struct channel){.node = n, .key_count = 2, .width = 3};
-        channel->times = mem_alloc(2, sizeof *channel->times);
-        channel->values = mem_alloc(6, sizeof *channel->values);
-        channel->times[1] = 1;
-        memcpy(channel->values, from, sizeof(float[3]));
-        memcpy(channel->values + 3, from, sizeof(float[3]));
-        channel->values[3] += far;
-    }
-    clips_play_default(scene);
-    check_ok("pose", stage_pose(stage, 0));
-}
-
-/* It keeps its light as it moves; a renderer that begins late has the same box. */
-static void test_moving_room(void **state) {
-    (void)state;
-    struct stage stage;
-    struct renderer renderer;
-    struct image after;
-    open_stage(&stage, "scenes/failures/plain.glb");
-    slide_room(&stage, 10);
-    struct renderer_desc desc = desc_of(&stage, "imperfect-volume", "", 48, 48);
-    struct image before = render_layers(&desc);
-    open_renderer(&renderer, &desc);
-    check_ok("pose", stage_pose(&stage, 1));
-    check_ok("follow", stage_show(&stage, &renderer));
-    renderer_render(&renderer);
-    check_ok("layers", renderer_read_layers(&renderer, &after));
-    desc = desc_of(&stage, "imperfect-volume", "", 48, 48);
-    struct image fresh = render_layers(&desc);
-    check_at_most("difference of a renderer that begins late",
-                  relative_rmse(&after, &fresh, "indirect"), .05);
-    check_near("light over that of the first pose",
-               layer_mean(&after, "indirect") / layer_mean(&before, "indirect"), 1, .2);
-    image_free(&before);
-    image_free(&after);
-    image_free(&fresh);
-    renderer_free(&renderer);
-    stage_free(&stage);
-}
-
 /* --- memory ----------------------------------------------------------------------------------- */
 
 static bool opens(const struct stage *stage, const char *settings) {
@@ -534,12 +451,11 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_harmonics),   cmocka_unit_test(test_random_occupancy),
         cmocka_unit_test(test_occupancy),   cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_plain),       cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_bounces),     cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_camera),      cmocka_unit_test(test_permutation),
-        cmocka_unit_test(test_linear),      cmocka_unit_test(test_shift),
-        cmocka_unit_test(test_voxels),      cmocka_unit_test(test_leaks),
-        cmocka_unit_test(test_moving_room),
+        cmocka_unit_test(test_flux),        cmocka_unit_test(test_bounces),
+        cmocka_unit_test(test_furnace),     cmocka_unit_test(test_camera),
+        cmocka_unit_test(test_permutation), cmocka_unit_test(test_linear),
+        cmocka_unit_test(test_shift),       cmocka_unit_test(test_voxels),
+        cmocka_unit_test(test_leaks),
     };
     return cmocka_run_group_tests(tests, open_group_shaders, close_group_shaders);
 }

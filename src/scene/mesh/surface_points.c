@@ -37,14 +37,24 @@ static double total(const struct running_sums *sums, int part_count) {
     return count ? sums->ends[count - 1] : 0;
 }
 
-/* All triangles' own. */
-static double *measure_areas(const struct geometry *geometry) {
+static const struct box endless = {{-INFINITY, -INFINITY, -INFINITY},
+                                   {INFINITY, INFINITY, INFINITY}};
+
+static const struct box *box_of(const struct surface_points_desc *desc) {
+    return desc->box ? desc->box : &endless;
+}
+
+/* All triangles' own, of what is in the box. */
+static double *measure_areas(const struct surface_points_desc *desc) {
+    const struct geometry *geometry = desc->geometry;
     double *areas = mem_alloc(geometry->index_count / 3, sizeof *areas);
     uint32_t at = 0;
     for (int p = 0; p < geometry->part_count; p++)
-        for (uint32_t t = 0; t < geometry->parts[p].index_count / 3; t++)
+        for (uint32_t t = 0; t < geometry->parts[p].index_count / 3; t++) {
+            const uint32_t *index = triangle_indices(geometry, &geometry->parts[p], t);
             areas[at++] =
-                corners_area(geometry, triangle_indices(geometry, &geometry->parts[p], t));
+                corners_area(geometry, index) * boxed_share(box_of(desc), geometry, index);
+        }
     return areas;
 }
 
@@ -64,15 +74,16 @@ static void sum_up(struct running_sums *sums, const struct geometry *geometry, c
 /* Each round lowers the cap to the largest share of what the one before left. They are enough for a
  * plain of two triangles 10^10 times as large as the rest, and end where there are too few triangles
  * for any to have less than that share. */
-static void init_sums(struct running_sums *sums, const struct geometry *geometry, bool by_area) {
+static void init_sums(struct running_sums *sums, const struct surface_points_desc *desc) {
     enum { ROUNDS = 16 };
-    double *areas = measure_areas(geometry);
+    const struct geometry *geometry = desc->geometry;
+    double *areas = measure_areas(desc);
     *sums = (struct running_sums){
         .ends = mem_alloc(geometry->index_count / 3, sizeof *sums->ends),
         .first = mem_alloc((size_t)geometry->part_count + 1, sizeof *sums->first),
     };
     sum_up(sums, geometry, areas, INFINITY);
-    for (int round = 0; round < ROUNDS && !by_area; round++)
+    for (int round = 0; round < ROUNDS && !desc->by_area; round++)
         sum_up(sums, geometry, areas, largest_share * total(sums, geometry->part_count));
     free(areas);
 }
@@ -121,7 +132,8 @@ static bool is_hole(const struct surface_point *point, const struct surface_poin
 /* The place of a value in the sums. What is left of it within its triangle's span is one of the two numbers of the
  * place within: triangles of many points have even ones. */
 static void locate(struct surface_point *point, const struct running_sums *sums,
-                   const struct geometry *geometry, double value, double y) {
+                   const struct surface_points_desc *desc, double value, double y) {
+    const struct geometry *geometry = desc->geometry;
     uint32_t at = find(sums->ends, sums->first[geometry->part_count], value);
     double begin = at ? sums->ends[at - 1] : 0, span = sums->ends[at] - begin;
     double rest = fmin(fmax((value - begin) / span, 0), 1 - 1e-12);
@@ -129,9 +141,10 @@ static void locate(struct surface_point *point, const struct running_sums *sums,
     while (sums->first[p + 1] <= at)
         p++;
     *point = (struct surface_point){.part = p, .triangle = at - sums->first[p]};
+    const uint32_t *index = triangle_indices(geometry, &geometry->parts[p], point->triangle);
     /* The inverse of how many there are, but for the number of all. */
-    point->share = (float)(1 / span);
-    corners_spread(point->weight, rest, y);
+    point->share = (float)(boxed_share(box_of(desc), geometry, index) / span);
+    boxed_spread(point->weight, box_of(desc), geometry, index, rest, y);
 }
 
 /* Numbers of the sequence, tried side by side. */
@@ -149,7 +162,7 @@ static void try_point(void *context, size_t i) {
     uint32_t number = trial->first + (uint32_t)i;
     double all = total(&trial->sums, trial->desc->geometry->part_count);
     struct surface_point *point = &trial->points[i];
-    locate(point, &trial->sums, trial->desc->geometry, radical_inverse(2, number) * all,
+    locate(point, &trial->sums, trial->desc, radical_inverse(2, number) * all,
            radical_inverse(3, number));
     trial->good[i] = !is_hole(point, trial->desc, trial->srgb_to_linear);
 }
@@ -170,8 +183,11 @@ static void deal_to_each(struct surface_points *points, const struct surface_poi
         for (uint32_t k = 0; k < geometry->parts[p].index_count / 3 * each; k++, at++) {
             struct surface_point point = {
                 .part = p, .triangle = k / each, .share = 1 / (float)each};
-            corners_spread(point.weight, random_of(at, 0), random_of(at, 1));
-            if (!is_hole(&point, desc, srgb_to_linear))
+            const uint32_t *index = triangle_indices(geometry, &geometry->parts[p], point.triangle);
+            point.share *= (float)boxed_share(box_of(desc), geometry, index);
+            if (boxed_spread(point.weight, box_of(desc), geometry, index, random_of(at, 0),
+                             random_of(at, 1)) &&
+                !is_hole(&point, desc, srgb_to_linear))
                 points->items[at] = point;
         }
 }
@@ -190,7 +206,7 @@ static void deal_by_area(struct surface_points *points, const struct surface_poi
                           .good = mem_alloc(ROUND, sizeof *trial.good)};
     int count = desc->count;
     texture_decode_table(trial.srgb_to_linear);
-    init_sums(&trial.sums, desc->geometry, desc->by_area);
+    init_sums(&trial.sums, desc);
     double all = total(&trial.sums, desc->geometry->part_count);
     int found = 0, tried = 0;
     while (found < count && tried < TRIES * count && all > 0) {

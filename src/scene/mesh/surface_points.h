@@ -3,14 +3,14 @@
  *
  * Halton's points over the running sum of the triangles' areas: any run of the sequence is an even
  * subset. A triangle that would have more than a tenth of all points counts for a tenth, unless
- * by_area: a plain around a room takes few. Points keep their place in their triangle when it moves
+ * by_area: a plain around a room takes few. With a box, points lie on what of each triangle is in it. Points keep their place in their triangle when it moves
  * or is deformed. Holes of alpha masks have none. Where there are metaballs, points are dealt anew
  * for each pose.
  */
 #ifndef SCENE_MESH_SURFACE_POINTS_H
 #define SCENE_MESH_SURFACE_POINTS_H
 
-#include "scene/mesh/corners.h"
+#include "scene/mesh/boxed.h"
 
 struct surface_point {
     int part;
@@ -23,8 +23,9 @@ struct surface_points_desc {
     const struct scene *scene;
     const struct geometry *geometry; /* as it is posed now: points are dealt by its areas */
     int count;
-    uint32_t first;   /* of the sequence: points first .. first + count */
-    bool by_area;     /* no triangle has fewer points than its area asks for */
+    uint32_t first;        /* of the sequence: points first .. first + count */
+    bool by_area;          /* no triangle has fewer points than its area asks for */
+    const struct box *box; /* NULL: all */
     int per_triangle; /* in place of all others: so many random points of each triangle; 0: not so */
 };
 
