@@ -447,6 +447,24 @@ static void test_memory(void **state) {
     stage_free(&cube);
 }
 
+/* A line has no points to make voxels of, and a single triangle has. */
+static void test_few_triangles(void **state) {
+    (void)state;
+    struct stage stage;
+    struct shape *line = new_shape(), *triangle = new_shape();
+    add_rectangle(line, at(0, 0, 0), at(1, 0, 0), at(1, 0, 0));
+    open_shape(&stage, line, .5, false, at(.5F, 1, 0));
+    check_refused(opens(&stage, ""), "volume: the scene's 2 triangles have no area");
+    stage_free(&stage);
+    add_rectangle(triangle, at(0, 0, 0), at(1, 0, 0), at(0, 0, -1));
+    triangle->index_count = 3;
+    open_shape(&stage, triangle, .5, false, at(.5F, 1, 0));
+    struct image image = render_stage(&stage, "imperfect-volume", "volume.size=16", 32);
+    check_near("light of a plane on itself", layer_mean(&image, "indirect"), 0, .01);
+    image_free(&image);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_harmonics),   cmocka_unit_test(test_random_occupancy),
@@ -455,7 +473,7 @@ int main(void) {
         cmocka_unit_test(test_furnace),     cmocka_unit_test(test_camera),
         cmocka_unit_test(test_permutation), cmocka_unit_test(test_linear),
         cmocka_unit_test(test_shift),       cmocka_unit_test(test_voxels),
-        cmocka_unit_test(test_leaks),
+        cmocka_unit_test(test_leaks),       cmocka_unit_test(test_few_triangles),
     };
     return cmocka_run_group_tests(tests, open_group_shaders, close_group_shaders);
 }
