@@ -18,14 +18,14 @@
 
 enum { SIDE = 96 };
 
-struct box {
+struct open_box {
     struct context *context;
     struct stage stage;
     struct measure_desc measure;
 };
 
 static int open_box(void **state) {
-    static struct box box;
+    static struct open_box box;
     setenv("XDG_CACHE_HOME", scratch("cache"), 1); /* not the user's own costs */
     box.context = open_context(CONTEXT_AUTO);
     open_stage(&box.stage, "scenes/cornell-box.glb");
@@ -35,13 +35,13 @@ static int open_box(void **state) {
 }
 
 static int close_box(void **state) {
-    struct box *box = *state;
+    struct open_box *box = *state;
     stage_free(&box->stage);
     context_free(box->context);
     return 0;
 }
 
-static struct image trace(const struct box *box, int every, int samples) {
+static struct image trace(const struct open_box *box, int every, int samples) {
     struct image image;
     check_ok(
         "trace",
@@ -113,7 +113,7 @@ static double error_of(const struct image *picture, const struct image *referenc
 
 /* The error that some pixels tell is that of all of them. */
 static void test_estimate(void **state) {
-    struct box *box = *state;
+    struct open_box *box = *state;
     struct measure_desc measure = box->measure;
     struct estimate estimate;
     struct renderer renderer;
@@ -173,7 +173,7 @@ static void test_slivers(void **state) {
     stage_free(&stage);
 }
 
-static struct quality_found find(const struct box *box, const char *text, double error,
+static struct quality_found find(const struct open_box *box, const char *text, double error,
                                  int most_passes) {
     struct quality_found found;
     struct quality_desc desc = {&box->measure, &text, 1, error, most_passes, false, NULL};
@@ -290,7 +290,7 @@ static void test_techniques(void **state) {
 
 /* What is given wins, and a preset that is given is the only one. */
 static void test_given(void **state) {
-    struct box *box = *state;
+    struct open_box *box = *state;
     struct settings settings;
     const char *vals = "vals=5", *path = "path=traced";
     struct quality_choice draft = quality_named(QUALITY_DRAFT);
