@@ -43,12 +43,13 @@ static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geom
     return ok;
 }
 
-/* Glass and mirrors whose light caustics carry reflect none of their own. */
+/* Glass and mirrors whose light caustics carry reflect none of their own. A camera in glass sees its inner side. */
 static struct material_block block_of(const struct material *material, bool smooth_black) {
     bool black = smooth_black && material_smooth_kind(material) != SMOOTH_NONE;
     struct material_block block = {
         .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff : -1,
-        .double_sided = material->double_sided,
+        .double_sided = material->double_sided ||
+                        (smooth_black && material_smooth_kind(material) == SMOOTH_GLASS),
         .textured = material->base_color_texture >= 0,
         .emission_textured = material->emission_texture >= 0,
         .metalness = material->metalness,
