@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "metrics/layer.h"
 #include "quality/picture.h"
+#include "scene/caustics.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 
@@ -57,6 +58,8 @@ static bool trace(const struct estimate *estimate, int samples, uint32_t seed, s
                                        .paths = PATHS_PER_SAMPLE,
                                        .seed = seed,
                                        .materials = surface->materials,
+                                       .smooth =
+                                           caustics_shown(&desc->stage->scene, &desc->settings),
                                        .medium = medium_of(&desc->stage->scene, &desc->settings,
                                                            desc->stage->geometry.radius)},
             &picture, NULL))

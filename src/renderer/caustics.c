@@ -40,17 +40,17 @@ bool renderer_init_caustics(struct renderer *renderer, bool medium) {
     return !renderer_has_caustics(desc) ||
            (init_glass(renderer, medium, own.chains) &&
             caustics_pass_init(&renderer->caustics,
-                              &(struct caustics_desc){.width = desc->width,
-                                                      .height = desc->height,
-                                                      .size = own.size,
-                                                      .chains = own.chains,
-                                                      .surface = own.surface != CAUSTICS_OFF,
-                                                      .points = own.surface == CAUSTICS_POINTS,
-                                                      .volume = own.volume,
-                                                      .medium = medium,
-                                                      .scene = desc->scene,
-                                                      .geometry = desc->geometry,
-                                                      .casters = renderer->casters}));
+                               &(struct caustics_desc){.width = desc->width,
+                                                       .height = desc->height,
+                                                       .size = own.size,
+                                                       .chains = own.chains,
+                                                       .surface = own.surface != CAUSTICS_OFF,
+                                                       .points = own.surface == CAUSTICS_POINTS,
+                                                       .volume = own.volume,
+                                                       .medium = medium,
+                                                       .scene = desc->scene,
+                                                       .geometry = desc->geometry,
+                                                       .casters = renderer->casters}));
 }
 
 bool renderer_resize_caustics(struct renderer *renderer, int width, int height) {

@@ -33,7 +33,8 @@ static void add_glow(const struct glass_pass *pass, const struct geometry *geome
         for (uint32_t i = 0; i < batch->index_count / 3; i++)
             for (int c = 0; c < 3; c++)
                 texels[2 * (batch->first_index / 3 + i) + 1][c] =
-                    pass->glow[batch->material][c] * (material->unlit ? material->base_color[c] : 1);
+                    pass->glow[batch->material][c] *
+                    (material->unlit ? material->base_color[c] : 1);
     }
 }
 
@@ -51,8 +52,8 @@ static bool init_triangles(struct glass_pass *pass, const struct geometry *geome
     for (size_t i = 0; i < count; i++)
         memcpy(texels[2 * i], &albedos[i], sizeof albedos[i]);
     add_glow(pass, geometry, texels);
-    bool ok = buffer_init(&pass->triangles, "triangles that glass shows", 2 * count * sizeof *texels,
-                          texels);
+    bool ok = buffer_init(&pass->triangles, "triangles that glass shows",
+                          2 * count * sizeof *texels, texels);
     free(albedos);
     free(texels);
     pass->laid_out = geometry->laid_out;
@@ -111,13 +112,13 @@ bool glass_pass_resize(struct glass_pass *pass, int width, int height) {
 bool glass_pass_init(struct glass_pass *pass, const struct glass_desc *desc) {
     *pass = (struct glass_pass){.desc = *desc};
     pass->glow = mem_alloc((size_t)desc->scene->material_count, sizeof *pass->glow);
-    if (program_init(&pass->program,
-                     &(struct program_desc){.vertex = "fullscreen.vert",
-                                            .fragment = "caustics/glass.frag",
-                                            .defines = desc->medium && desc->sky ? "HAS_MEDIUM;HAS_SKY"
-                                                       : desc->medium            ? "HAS_MEDIUM"
-                                                       : desc->sky               ? "HAS_SKY"
-                                                                                 : NULL}) &&
+    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                            .fragment = "caustics/glass.frag",
+                                                            .defines = desc->medium && desc->sky
+                                                                           ? "HAS_MEDIUM;HAS_SKY"
+                                                                       : desc->medium ? "HAS_MEDIUM"
+                                                                       : desc->sky    ? "HAS_SKY"
+                                                                                      : NULL}) &&
         init_screen(pass) && init_triangles(pass, desc->geometry) &&
         buffer_init(&pass->params, "parameters of glass", sizeof(struct glass_params), NULL))
         return true;
