@@ -36,7 +36,8 @@ struct caustics_pass {
         line_program;
     struct texture leaves, ends, fluxes, patches[2], splats; /* RGBA32F, a texel a ray */
     GLuint ray_framebuffer, cell_framebuffer, splat_framebuffer;
-    struct texture surface, volume; /* RGBA32F: radiance of a white surface, and radiance; A of surface is 0 */
+    struct texture surface,
+        volume; /* RGBA32F: radiance of a white surface, and radiance; A of surface is 0 */
     GLuint surface_framebuffer, volume_framebuffer;
     struct buffer params;
 };
