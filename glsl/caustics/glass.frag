@@ -189,6 +189,7 @@ void add_chain(ivec2 pixel, walk w, bvh_hit hit, inout sent sum) {
         int row = smooth_row(hit.triangle);
         smooth_material m = smooth_material_at(max(row, 1));
         bool within = row > 0 && is_within(hit, m);
+        w.flux *= event > 0 && !within && w.inner > 0 ? 0.0 : 1.0; // out without a reflection: another chain's
         if (event > 0 && !within) {
             sum.direct += w.flux * scattered_into(pixel, w.chain, event, w.origin, w.direction, hit.distance);
             w.flux *= passes_outside(w.origin, w.direction, hit.distance);
@@ -199,7 +200,7 @@ void add_chain(ivec2 pixel, walk w, bvh_hit hit, inout sent sum) {
             sum.direct += w.flux * glow(hit);
         if (row > 0)
             walk_goes_on(w, hit, m, event == 0, numbers(pixel, w.chain, event).x);
-        else if (w.inner <= 0)
+        else
             add_end(pixel, w, hit, sum);
         goes = row > 0 && dot(w.flux, vec3(1.0)) > 0.0;
     }

@@ -105,6 +105,9 @@ static void test_slab(void **state) {
         check_near(rows[i].what, over_floor(&drawn, "R", .5) / rows[i].expected, 1, .003);
         check_near("direct", mean_of(&drawn, "direct"), 0, 0);
         image_free(&drawn);
+        drawn = draw(&stage, SHOWN "samples=8");
+        check_near("of 8 samples", over_floor(&drawn, "R", .5) / rows[i].expected, 1, .003);
+        image_free(&drawn);
         stage_free(&stage);
     }
 }
@@ -174,26 +177,33 @@ static void test_traced(void **state) {
     }
 }
 
-/* A medium between glass and the place that it shows: a window of index 1 shows the same fog. */
-static void test_medium(void **state) {
-    (void)state;
+/* A medium between glass and the place that it shows: a window of index 1, or thin, shows the same fog. */
+static void check_medium(bool thin) {
     struct stage with, without;
     open_slab(&with, 1, 4, 2);
+    with.scene.materials[SMOOTH].thin_walled = thin;
     open_nodes(&without, "[" FLOOR_NODE "]", 2);
     place_light(&with, .5F);
     place_light(&without, .5F);
     with.camera.fov_y = without.camera.fov_y = 1;
     for (int c = 0; c < 3; c++) {
         with.scene.medium.scattering[c] = without.scene.medium.scattering[c] = .4F;
-        with.scene.materials[SMOOTH].absorption[c] = .4F;
+        with.scene.materials[SMOOTH].absorption[c] = thin ? 0 : .4F;
     }
     struct image a = draw(&with, SHOWN "medium.steps=128");
     struct image b = draw(&without, CHEAP "medium.steps=128");
-    check_near("with over without", channel_mean(&a, "R") / channel_mean(&b, "R"), 1, .03);
+    check_near(thin ? "thin over none" : "index 1 over none",
+               channel_mean(&a, "R") / channel_mean(&b, "R"), 1, .03);
     image_free(&a);
     image_free(&b);
     stage_free(&with);
     stage_free(&without);
+}
+
+static void test_medium(void **state) {
+    (void)state;
+    check_medium(false);
+    check_medium(true);
 }
 
 int main(void) {
