@@ -286,7 +286,8 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
                                              OUTPUT_AIRLIGHT, &renderer->airlight.pass.in_scatter});
     if (renderer->caustics.surface.id)
         output_add(outputs,
-                   &(struct output){"caustic", "light that glass and mirrors throw onto surfaces, and show",
+                   &(struct output){"caustic",
+                                    "light that glass and mirrors throw onto surfaces, and show",
                                     OUTPUT_RADIANCE, &renderer->caustics.surface});
     if (renderer->caustics.volume.id)
         output_add(outputs,
