@@ -48,10 +48,10 @@ vec3 arriving_unshadowed(light l, vec3 place, out vec3 direction, out float away
 // Across its direction, W/m2; above: which side of a surface rays start on, or 0.
 vec3 arriving(light l, vec3 place, vec3 above, float weight, out vec3 direction) {
     float away, clearance = bvh_clearance();
-    vec3 light = weight * arriving_unshadowed(l, place, direction, away);
-    bool asks = dot(light, vec3(1.0)) > 0.0 && away > clearance;
+    vec3 power = weight * arriving_unshadowed(l, place, direction, away);
+    bool asks = dot(power, vec3(1.0)) > 0.0 && away > clearance;
     bvh_ray ray = bvh_ray_along(place + clearance * above, -direction, away - clearance);
-    return asks && !bvh_meets_any(ray, asks) ? light : vec3(0.0);
+    return asks && !bvh_meets_any(ray, asks) ? power : vec3(0.0);
 }
 
 vec3 irradiance_from(light l, vec3 place, vec3 normal, vec3 flat_normal) {
@@ -89,18 +89,18 @@ vec3 indirect_at(ivec2 pixel, int chain, vec3 place, vec3 normal, vec3 flat_norm
         bvh_hit hit = bvh_meet(origin, direction, dot(direction, flat_normal) > 0.0);
         if (hit.triangle >= 0) {
             light l = light_by_chance(fract(number.x * 61.0 + number.y));
-            vec3 light = irradiance_from(l, origin + hit.distance * direction, hit.normal, hit.normal);
-            sum += reflected(hit) * light * passes_outside(origin, direction, hit.distance);
+            vec3 lit = irradiance_from(l, origin + hit.distance * direction, hit.normal, hit.normal);
+            sum += reflected(hit) * lit * passes_outside(origin, direction, hit.distance);
         }
     }
     return sum * (float(light_count) / (float(params.rays) * PI));
 }
 
 sent sent_outside_picture(ivec2 pixel, int chain, bvh_hit hit, vec3 place) {
-    vec3 normal = smooth_normal(hit.triangle, place, hit.normal), albedo = reflected(hit), light = vec3(0.0);
+    vec3 normal = smooth_normal(hit.triangle, place, hit.normal), albedo = reflected(hit), lit = vec3(0.0);
     for (int i = 0; i < light_count; i++)
-        light += irradiance_from(light_at(i), place, normal, hit.normal);
-    return sent(albedo * light / PI + glow(hit), albedo * indirect_at(pixel, chain, place, normal, hit.normal));
+        lit += irradiance_from(light_at(i), place, normal, hit.normal);
+    return sent(albedo * lit / PI + glow(hit), albedo * indirect_at(pixel, chain, place, normal, hit.normal));
 }
 
 // What the texel shows where it is the place's surface, and 1.
@@ -112,28 +112,28 @@ void add_texel(ivec2 texel, vec3 place, vec3 normal, float weight, inout sent su
     if (!s.present || smooth_or_black || dot(s.normal, normal) < LEAST_COSINE ||
         abs(dot(s.position - place, normal)) > params.reach)
         return;
-    vec4 light = texelFetch(screen_light, texel, 0);
-    sum.direct += weight * (1.0 - light.a) * light.rgb;
-    sum.indirect += weight * light.a * light.rgb;
+    vec4 shown = texelFetch(screen_light, texel, 0);
+    sum.direct += weight * (1.0 - shown.a) * shown.rgb;
+    sum.indirect += weight * shown.a * shown.rgb;
     match += weight;
 }
 
 // False: the picture does not show the place.
-bool sent_in_picture(vec3 place, vec3 normal, out sent light) {
+bool sent_in_picture(vec3 place, vec3 normal, out sent found) {
     vec4 clip = camera.world_to_clip * vec4(place, 1.0);
     vec2 at = (0.5 * clip.xy / clip.w + 0.5) * vec2(gbuffer_size()) - 0.5, part = fract(at);
     ivec2 texel = ivec2(floor(at));
     float match = 0.0;
-    light = sent(vec3(0.0), vec3(0.0));
+    found = sent(vec3(0.0), vec3(0.0));
     if (clip.w <= camera.near || any(greaterThan(abs(clip.xy), vec2(clip.w))))
         return false;
     for (int i = 0; i < 4; i++) {
         ivec2 corner = ivec2(i & 1, i >> 1);
         vec2 weights = mix(1.0 - part, part, vec2(corner));
-        add_texel(texel + corner, place, normal, weights.x * weights.y, light, match);
+        add_texel(texel + corner, place, normal, weights.x * weights.y, found, match);
     }
-    light.direct /= max(match, LEAST_MATCH);
-    light.indirect /= max(match, LEAST_MATCH);
+    found.direct /= max(match, LEAST_MATCH);
+    found.indirect /= max(match, LEAST_MATCH);
     return match >= LEAST_MATCH;
 }
 
@@ -160,9 +160,9 @@ vec3 scattered_into(ivec2 pixel, int chain, int event, vec3 origin, vec3 directi
         bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
         float s = directional ? mix(ends.x, ends.y, u) : foot + from_foot;
         float stands_for = directional ? ends.y - ends.x : (h + from_foot * from_foot / h) * (angles.y - angles.x);
-        vec3 incoming, light = arriving(l, origin + s * direction, vec3(0.0), stands_for, incoming);
+        vec3 incoming, power = arriving(l, origin + s * direction, vec3(0.0), stands_for, incoming);
         float g = medium.g, sharp = 1.0 + g * g + 2.0 * g * dot(incoming, direction);
-        sum += light * medium_passes(s - ends.x) * ((1.0 - g * g) / (4.0 * PI * sharp * sqrt(sharp)));
+        sum += power * medium_passes(s - ends.x) * ((1.0 - g * g) / (4.0 * PI * sharp * sqrt(sharp)));
     }
     sum *= medium.scattering * (float(light_count) / float(STEPS));
 #endif
@@ -171,13 +171,13 @@ vec3 scattered_into(ivec2 pixel, int chain, int event, vec3 origin, vec3 directi
 
 void add_end(ivec2 pixel, walk w, bvh_hit hit, inout sent sum) {
     vec3 place = w.origin + hit.distance * w.direction;
-    sent light = sent(vec3(0.0), vec3(0.0));
+    sent found = sent(vec3(0.0), vec3(0.0));
     if (hit.triangle < 0)
-        light.direct = sky_along(w.direction);
-    else if (!sent_in_picture(place, hit.normal, light))
-        light = sent_outside_picture(pixel, w.chain, hit, place);
-    sum.direct += w.flux * light.direct;
-    sum.indirect += w.flux * light.indirect;
+        found.direct = sky_along(w.direction);
+    else if (!sent_in_picture(place, hit.normal, found))
+        found = sent_outside_picture(pixel, w.chain, hit, place);
+    sum.direct += w.flux * found.direct;
+    sum.indirect += w.flux * found.indirect;
 }
 
 // From the first surface on, whose hit that is.
