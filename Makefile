@@ -41,7 +41,7 @@ SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
     $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl'))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
-SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials roughness plant courtyard hall vase ring pawns gem
+SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials roughness plant courtyard hall vase ring pawns gem window
 SKY_NAMES := day overcast
 SCENE_FOLDER := scenes
 SCENES := $(BUILD)/scenes/made

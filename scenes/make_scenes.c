@@ -36,6 +36,7 @@ static const struct scene_maker {
     {"ring", make_ring},
     {"pawns", make_pawns},
     {"gem", make_gem},
+    {"window", make_window},
     {"vase", make_vase},
     {"failures/room", make_room},
     {"failures/table-legs", make_table_legs},

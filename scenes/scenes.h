@@ -24,6 +24,7 @@ void make_hall(struct glb *glb);
 void make_ring(struct glb *glb);
 void make_pawns(struct glb *glb);
 void make_gem(struct glb *glb);
+void make_window(struct glb *glb);
 void make_vase(struct glb *glb);
 
 /* scenes/boxes/failures.c */

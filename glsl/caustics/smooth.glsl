@@ -1,5 +1,5 @@
 // Smooth surfaces as rays meet them: material and shading normal of a triangle.
-#include "shared/caustics.h"
+#include "shared/smooth.h"
 
 layout(binding = UNIT_TRIANGLE_ROWS) uniform usamplerBuffer triangle_rows;
 layout(binding = UNIT_SMOOTH_MATERIALS) uniform samplerBuffer smooth_materials;

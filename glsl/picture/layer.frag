@@ -30,6 +30,10 @@ void main() {
         value.rgb = s.direct_specular;
     else if (shown == LAYER_INDIRECT_SPECULAR)
         value.rgb = s.indirect_specular;
+#ifdef HAS_CAUSTICS
+    else if (shown == LAYER_SENT)
+        value = sent_by(pixel);
+#endif
     else if (depth > 0.0)
         value.rgb = shown == LAYER_NORMAL
                         ? octahedral_decode(texelFetch(gbuffer_normals, ivec3(pixel, 0), 0).rg)

@@ -20,11 +20,11 @@ struct seen {
     vec3 albedo, direct, indirect, radiance, direct_specular, indirect_specular, airlight, caustic, volume;
 };
 
-vec3 radiance_of(vec3 albedo, vec3 received, ivec2 texel) {
+vec3 radiance_of(vec3 albedo, vec3 received, smooth_seen shown, ivec2 texel) {
     if (gbuffer_depth(texel) == 0.0)
         return through_medium(background(texel), texel);
     vec3 radiance = albedo * received + direct_specular(texel) + emitted(texel) + indirect_specular(texel);
-    return through_medium(radiance, texel);
+    return through_medium(radiance + shown.direct + shown.indirect, texel);
 }
 
 uvec2 assignment_at(ivec2 pixel) {
@@ -52,19 +52,19 @@ seen seen_by(uvec2 assignment, ivec2 pixel) {
         ivec2 texel = clamp(pixel + assigned_offset(is_edge_sample ? stand_in : assigned), ivec2(0), last);
         float present = gbuffer_depth(texel) > 0.0 ? 1.0 : 0.0;
         vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
-        vec3 direct = texelFetch(directs, texel, 0).rgb;
-        vec3 caustic = caustic_at(texel);
-        vec3 indirect = params.indirect * irradiance_at(texel, is_edge_sample, pixel);
+        smooth_seen shown = smooth_at(texel);
+        vec3 direct = shown.rough * texelFetch(directs, texel, 0).rgb;
+        vec3 indirect = shown.rough * params.indirect * irradiance_at(texel, is_edge_sample, pixel);
         vec3 weight = (albedo + LEAST_WEIGHT) * present;
         weights += weight;
         sum.coverage += present;
         sum.albedo += albedo;
         sum.direct += weight * direct;
         sum.indirect += weight * indirect;
-        sum.caustic += weight * caustic;
-        sum.direct_specular += direct_specular(texel) * present;
-        sum.indirect_specular += indirect_specular(texel) * present;
-        sum.radiance += radiance_of(albedo, direct + caustic + indirect, texel);
+        sum.caustic += weight * shown.caustic;
+        sum.direct_specular += (direct_specular(texel) + shown.direct) * present;
+        sum.indirect_specular += (indirect_specular(texel) + shown.indirect) * present;
+        sum.radiance += radiance_of(albedo, direct + shown.caustic + indirect, shown, texel);
         sum.airlight += airlight(texel);
         sum.volume += volume_caustic(texel);
     }
@@ -73,6 +73,15 @@ seen seen_by(uvec2 assignment, ivec2 pixel) {
     return seen(sum.coverage * share, sum.albedo * share, sum.direct * weighted,
                 sum.indirect * weighted, sum.radiance * share, sum.direct_specular * share,
                 sum.indirect_specular * share, sum.airlight * share, sum.caustic * weighted, sum.volume * share);
+}
+
+// What the pixel's middle sends, not yet through the medium; A: the part that is indirect light.
+vec4 sent_by(ivec2 texel) {
+    vec3 albedo = albedo_fetch(albedos, ivec3(texel, 0));
+    vec3 direct = albedo * (texelFetch(directs, texel, 0).rgb + smooth_at(texel).caustic);
+    vec3 indirect = albedo * params.indirect * irradiance_at(texel, false, texel) + indirect_specular(texel);
+    vec3 all = direct + direct_specular(texel) + emitted(texel) + indirect;
+    return vec4(all, dot(indirect, vec3(1.0)) / max(dot(all, vec3(1.0)), 1e-30));
 }
 
 seen seen_from(ivec2 pixel) {

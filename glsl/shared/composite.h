@@ -51,4 +51,8 @@ PASS_BLOCK(composite_params, 64)
 #define LAYER_VOLUME 11  /* likewise, in a medium */
 #define LAYERS 12
 
+/* For glass and mirrors, which show it (passes/caustics/glass.h): what a pixel's middle sends, without the medium; A: the
+ * part of it that is indirect light. Not among the layers. */
+#define LAYER_SENT 12
+
 #endif

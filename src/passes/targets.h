@@ -53,7 +53,8 @@ struct contribution {
     const struct texture *radiance;
     const struct texture *in_scatter,
         *transmittance; /* both or none; a scene's medium replaces them */
-    /* The renderer's, RGBA32F: radiance of a white surface, and radiance; not scaled. */
+    /* The renderer's, RGBA32F: radiance of a white surface, and radiance; not scaled. Where A of caustic is not 0 the pixel
+     * shows glass or a mirror, and the texel is the radiance that these show (passes/caustics/glass.h). */
     const struct texture *caustic, *volume_caustic;
 };
 

@@ -3,6 +3,7 @@
 #include "base/log.h"
 #include "metrics/layer.h"
 #include "quality/picture.h"
+#include "scene/caustics.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 
@@ -47,19 +48,20 @@ static bool trace(const struct estimate *estimate, int samples, uint32_t seed, s
     const struct material_settings *surface =
         settings_of(struct material_settings, &desc->settings, &material_part);
     struct image picture;
-    if (!picture_trace_paths(
-            desc->stage,
-            &(struct path_tracer_desc){.width = desc->width,
-                                       .height = desc->height,
-                                       .every = estimate->every,
-                                       .bounces = measure_bounces(desc),
-                                       .samples = samples,
-                                       .paths = PATHS_PER_SAMPLE,
-                                       .seed = seed,
-                                       .materials = surface->materials,
-                                       .medium = medium_of(&desc->stage->scene, &desc->settings,
-                                                           desc->stage->geometry.radius)},
-            &picture, NULL))
+    if (!picture_trace_paths(desc->stage,
+                             &(struct path_tracer_desc){
+                                 .width = desc->width,
+                                 .height = desc->height,
+                                 .every = estimate->every,
+                                 .bounces = measure_bounces(desc),
+                                 .samples = samples,
+                                 .paths = PATHS_PER_SAMPLE,
+                                 .seed = seed,
+                                 .materials = surface->materials,
+                                 .smooth = caustics_shown(&desc->stage->scene, &desc->settings),
+                                 .medium = medium_of(&desc->stage->scene, &desc->settings,
+                                                     desc->stage->geometry.radius)},
+                             &picture, NULL))
         return false;
     take_sums(&picture, samples, sums);
     image_free(&picture);

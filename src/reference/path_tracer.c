@@ -9,6 +9,7 @@
 #include "reference/path.h"
 #include "reference/primary.h"
 #include "reference/rows.h"
+#include "reference/smooth.h"
 #include "scene/lights/environment.h"
 #include "scene/medium.h"
 
@@ -186,12 +187,14 @@ static vec3s glow_of(const struct tracer *tracer, const struct hit *hit) {
 }
 
 /* What glass or a mirror shows is specular light: direct light is what the lights send to the place that is seen, and what
- * shines itself. */
-static void light_smooth(const struct tracer *tracer, const struct hit *hit, int stream,
+ * shines itself. away: of the camera, which may be in glass, metres. */
+static void light_smooth(const struct tracer *tracer, const struct hit *hit, float away, int stream,
                          const struct sampler *sampler, const struct samplers *samplers,
                          struct film_sample *sample) {
     struct sampler steps = {sampler->seed, sampler->index, CHAIN_PAIRS};
     struct chain chain = chain_follow(&tracer->emission, &tracer->rays, hit, &steps);
+    const struct material *around = smooth_inside(hit, NULL); /* a camera in glass */
+    vec3s passes = around ? smooth_passes(around, away) : glms_vec3_one();
     struct film_sample seen = {0};
     vec3s shines = glms_vec3_zero();
     if (chain.hits) {
@@ -206,10 +209,13 @@ static void light_smooth(const struct tracer *tracer, const struct hit *hit, int
             glms_vec3_mul(chain.share, hit_radiance(&chain.end, &seen.indirect));
     }
     sample->direct.specular = glms_vec3_add(chain.between, glms_vec3_mul(chain.share, shines));
+    sample->direct.specular = glms_vec3_mul(passes, sample->direct.specular);
+    sample->indirect.specular = glms_vec3_mul(passes, sample->indirect.specular);
 }
 
-static void add_surface(const struct tracer *tracer, const struct hit *hit, vec3s passes,
-                        int stream, const struct sampler *sampler, struct sums *sums) {
+static void add_surface(const struct tracer *tracer, const struct hit *hit,
+                        const struct sight *sight, vec3s passes, int stream,
+                        const struct sampler *sampler, struct sums *sums) {
     struct samplers samplers = samplers_at(sampler, DIRECT_PAIRS);
     struct film_sample sample = {
         .position = hit->position,
@@ -219,7 +225,7 @@ static void add_surface(const struct tracer *tracer, const struct hit *hit, vec3
         .passes = passes,
     };
     if (hit->smooth)
-        light_smooth(tracer, hit, stream, sampler, &samplers, &sample);
+        light_smooth(tracer, hit, sight->length, stream, sampler, &samplers, &sample);
     else
         light_surface(tracer, hit, stream, sampler, &samplers, &sample);
     film_pixel_add(&sums->pixel, stream, &sample);
@@ -251,7 +257,7 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     if (tracer->airlight)
         add_airlight(tracer, &sight, stream, &sampler, sums);
     if (hits)
-        add_surface(tracer, &hit, passes, stream, &sampler, sums);
+        add_surface(tracer, &hit, &sight, passes, stream, &sampler, sums);
     else
         film_pixel_add_background(&sums->pixel, background(tracer, sight.direction), passes);
 }

@@ -10,7 +10,13 @@ bool renderer_has_caustics(const struct renderer_desc *desc);
 /* HAS_... of passes/picture/composite.h; medium: the frames have one. */
 unsigned renderer_caustic_kinds(const struct renderer_desc *desc, bool medium);
 
-/* Fills renderer->caustics. Error: caustics_pass_init's. */
+/* Fills renderer->caustics and renderer->glass. Error: caustics_pass_init's, glass_pass_init's. */
 bool renderer_init_caustics(struct renderer *renderer, bool medium);
+
+/* Error: out of GPU memory; all is as it was. */
+bool renderer_resize_caustics(struct renderer *renderer, int width, int height);
+
+/* After the technique and the airlight: what smooth surfaces throw onto others, and what they show. */
+void renderer_render_caustics(struct renderer *renderer, const struct frame *frame);
 
 #endif

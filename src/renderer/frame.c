@@ -2,6 +2,7 @@
 #include "passes/frame.h"
 #include "renderer/renderer.h"
 
+#include "renderer/caustics.h"
 #include "renderer/views.h"
 #include "shared/composite.h"
 
@@ -172,8 +173,7 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     if (frame->medium)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
                              renderer->airlight.maps.maps, &renderer->desc.emitters);
-    if (renderer->caustics.tree)
-        caustics_pass_render(&renderer->caustics, frame, &renderer->gbuffer);
+    renderer_render_caustics(renderer, frame);
 }
 
 static void begin_pass(struct renderer *renderer, int pass) {
@@ -286,7 +286,8 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
                                              OUTPUT_AIRLIGHT, &renderer->airlight.pass.in_scatter});
     if (renderer->caustics.surface.id)
         output_add(outputs,
-                   &(struct output){"caustic", "light that glass and mirrors throw onto surfaces",
+                   &(struct output){"caustic",
+                                    "light that glass and mirrors throw onto surfaces, and show",
                                     OUTPUT_RADIANCE, &renderer->caustics.surface});
     if (renderer->caustics.volume.id)
         output_add(outputs,

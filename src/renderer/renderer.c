@@ -194,10 +194,6 @@ static bool resize_airlight(struct renderer *renderer, int width, int height) {
            airlight_pass_resize(&renderer->airlight.pass, width, height);
 }
 
-static bool resize_caustics(struct renderer *renderer, int width, int height) {
-    return !renderer->caustics.tree || caustics_pass_resize(&renderer->caustics, width, height);
-}
-
 static bool resize_technique(struct renderer *renderer, int width, int height) {
     return renderer->technique->resize(renderer->technique_state, width, height);
 }
@@ -228,7 +224,7 @@ static const struct part_row {
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
     {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
     {PART_AIRLIGHT, MEMBERS(airlight, airlight), init_airlight, resize_airlight},
-    {PART_CAUSTICS, MEMBERS(caustics, caustics), init_caustics, resize_caustics},
+    {PART_CAUSTICS, MEMBERS(caustics, glass), init_caustics, renderer_resize_caustics},
     {PART_MEAN, MEMBERS(refining.centers, refining.mean), init_mean, NULL},
     {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
 };
@@ -391,6 +387,7 @@ static void free_parts(struct renderer *renderer) {
     composite_pass_free(&renderer->composite);
     airlight_free(&renderer->airlight);
     caustics_pass_free(&renderer->caustics);
+    glass_pass_free(&renderer->glass);
     if (renderer->technique)
         renderer->technique->free(renderer->technique_state);
     if (renderer->direct)

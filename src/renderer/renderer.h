@@ -11,6 +11,7 @@
 #include "direct/environment.h"
 #include "lights/light_samples.h"
 #include "passes/caustics/caustics.h"
+#include "passes/caustics/glass.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
@@ -69,6 +70,7 @@ struct renderer {
     void *direct_state;
     struct airlight airlight;      /* of a medium; zeroed without one */
     struct caustics_pass caustics; /* zeroed where they are not shown */
+    struct glass_pass glass;       /* likewise */
     bool lights_drawn;             /* what depends on no camera is that of desc */
     int pass;                      /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */

@@ -10,7 +10,7 @@ static const struct option table[] = {
     {"surface", 0, OPTION_CHOICE, offsetof(struct caustics_settings, surface), CAUSTICS_OFF,
      .choices = surface_names,
      .help = "caustics on surfaces: patches between light rays, or a spot of\n"
-             "each; glass and mirrors are black; off: glass is opaque"},
+             "each; glass shows the scene; off: glass is opaque"},
     {"medium", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
      .choices = volume_names,
      .help = "caustics in a medium: light rays of glass and mirrors as lines"},
@@ -18,7 +18,7 @@ static const struct option table[] = {
      .help = "light rays per side of each light's view of glass and\n"
              "mirrors; raise for small objects or close views"},
     {"chains", 0, OPTION_INT, offsetof(struct caustics_settings, chains), 3, 1, 8,
-     .help = "chains of each light ray at glass: reflected outside,\n"
+     .help = "chains of a light ray and of a pixel at glass: reflected,\n"
              "straight through, reflected within once, twice, ..."},
     {NULL},
 };

@@ -1,122 +1,9 @@
 /* Caustics: exact answers of mirrors and slabs, relations that hold of any picture, and what is hard or refused. */
-#include "render_support.h"
-
-#include "gltf_parts.h"
-
-#include "base/memory.h"
+#include "smooth_stage.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
 #include <string.h>
-
-#define CHEAP "vpls=64 rsm-size=64 "
-#define PATCHES CHEAP "caustics.surface=patches caustics.size=64 "
-
-enum { SIZE = 64, FLOOR = 0, SMOOTH = 1 };
-
-/* --- a floor and a smooth object -------------------------------------------------------------- */
-
-/* Nodes of quads from 0 to 1 in x and y, which face +z; their material is the mesh's. The floor, 40 m wide, is z = 0. */
-#define FLOOR_NODE "{\"mesh\": 0, \"translation\": [-20, -20, 0], \"scale\": [40, 40, 1]}"
-
-/* Squares at that z, as wide, which face up and down. */
-#define UP_NODE "{\"mesh\": 1, \"translation\": [%g, %g, %g], \"scale\": [%g, %g, 1]}"
-#define DOWN_NODE                                                                                  \
-    "{\"mesh\": 1, \"translation\": [%g, %g, %g], \"rotation\": [1, 0, 0, 0], \"scale\": [%g, "    \
-    "%g, 1]}"
-
-static int print_square(char *text, size_t size, const char *node, double z, double width) {
-    bool is_down = strcmp(node, DOWN_NODE) == 0;
-    return snprintf(text, size, node, -width / 2, is_down ? width / 2 : -width / 2, z, width,
-                    width);
-}
-
-/* A light of 1 W/sr in z = 2 that shines down, and a camera that looks down from such a height. */
-static void open_nodes(struct stage *stage, const char *nodes, float eye) {
-    open_stage(stage,
-               write_parts("caustics.glb",
-                           &(struct gltf_parts){
-                               .nodes = nodes,
-                               .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}},"
-                                            " {\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
-                               .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                                         " \"indices\": 1, \"material\": 0}]},"
-                                         " {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                                         " \"indices\": 1, \"material\": 1}]}]"}));
-    stage->camera = (struct camera){.eye = {0, 0, eye},
-                                    .right = {1, 0, 0},
-                                    .up = {0, 1, 0},
-                                    .forward = {0, 0, -1},
-                                    .fov_y = .05F};
-    emitters_free(&stage->emitters);
-    stage->emitters = (struct emitters){.items = mem_alloc(1, sizeof(struct emitter)), .count = 1};
-    stage->emitters.items[0] = emitter_new(EMITTER_SPOT);
-    stage->emitters.items[0].position[2] = 2;
-    stage->emitters.items[0].cos_outer = cosf(1.2F);
-    stage->emitters.items[0].cos_inner = cosf(1.1F);
-    emitter_aim(&stage->emitters.items[0], (float[]){0, 0, -1});
-}
-
-static void make_mirror(struct stage *stage) {
-    struct material *material = &stage->scene.materials[SMOOTH];
-    material->metalness = 1;
-    material->roughness = 0;
-    for (int c = 0; c < 3; c++)
-        material->base_color[c] = 1 - .2F * (float)c;
-}
-
-static void make_glass(struct stage *stage, float index) {
-    struct material *material = &stage->scene.materials[SMOOTH];
-    material->transmission = 1;
-    material->index_of_refraction = index;
-    material->roughness = 0;
-}
-
-/* A mirror above the light, which shines up, and the eye. */
-static void open_mirror(struct stage *stage, double width, float eye) {
-    char nodes[512];
-    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, width);
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-    open_nodes(stage, nodes, eye);
-    make_mirror(stage);
-    emitter_aim(&stage->emitters.items[0], (float[]){0, 0, 1});
-}
-
-/* A slab from z = .8 to 1 between light and eye. */
-static void open_slab(struct stage *stage, float index, double width, float eye) {
-    char nodes[512];
-    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, width);
-    used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, .8, width);
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-    open_nodes(stage, nodes, eye);
-    make_glass(stage, index);
-}
-
-static double channel_mean(const struct image *image, const char *channel) {
-    int c = image_find_channel(image, channel);
-    double sum = 0;
-    assert_true(c >= 0);
-    for (int i = 0; i < image->width * image->height; i++)
-        sum += (double)image_at(image, i % image->width, i / image->width)[c];
-    return sum / image->width / image->height;
-}
-
-static double mean_of(const struct image *image, const char *layer) {
-    char name[32];
-    double sum = 0;
-    for (int c = 0; c < 3; c++) {
-        snprintf(name, sizeof name, "%s.%c", layer, "RGB"[c]);
-        sum += channel_mean(image, name) / 3;
-    }
-    return sum;
-}
-
-static struct image draw(const struct stage *stage, const char *settings) {
-    return render_stage(stage, "unshadowed", settings, SIZE);
-}
 
 /* --- exact answers ---------------------------------------------------------------------------- */
 
@@ -159,11 +46,10 @@ static void test_slab(void **state) {
     stage_free(&stage);
 }
 
-/* All light of a small mirror lands where the camera sees it: a square of 2 m. */
-static void test_energy(void **state) {
-    (void)state;
+/* All light of a mirror that is that wide lands where the camera sees it: a square of 2 m. */
+static void check_energy(double half) {
     struct stage stage;
-    const double half = .25, height = 2.5;
+    const double height = 2.5;
     open_mirror(&stage, 2 * half, (float)height);
     stage.camera.fov_y = glm_rad(60);
     double solid_angle = 4 * asin(half * half / (half * half + 1));
@@ -176,6 +62,12 @@ static void test_energy(void **state) {
         image_free(&drawn);
     }
     stage_free(&stage);
+}
+
+static void test_energy(void **state) {
+    (void)state;
+    check_energy(.25);
+    check_energy(.005); /* small in the light's wide cone */
 }
 
 static void set_medium(struct stage *stage, float scattering, float absorption, float g) {

@@ -42,6 +42,13 @@ static const struct expectation {
     {"ring", 8196, 0, 3, {-4, 0, -4}, {4, 5, 4}, "|table|wall|"},
     {"pawns", 6148, 0, 4, {-4, 0, -4}, {4, 5, 4}, "|table|wall|"},
     {"gem", 68, 0, 3, {-4, 0, -4}, {4, 5, 4}, "|table|wall|"},
+    {"window",
+     256,
+     0,
+     9,
+     {-3.2F, -.2F, -4.2F},
+     {3.2F, 5.2F, 3.2F},
+     "|red|blue|yellow|green|white|"},
     {"vase", 6556, 0, 4, {-2, 0, -1}, {2, 2, 2}, "|floor|wall|vase|"},
     {"sphere", 20172, 0, 1, {-1.0f, -1.0f, -1.0f}, {1.0f, 1.0f, 1.0f}, ""},
 };
@@ -170,8 +177,9 @@ static void check_scene(const struct expectation *expected, const char *path) {
     assert_int_equal(camera_node_count(&scene), 1);
     assert_int_equal(emitter_node_count(&scene), lights_of(expected));
     assert_int_equal(scene.environment != NULL, strcmp(expected->name, "courtyard") == 0);
-    assert_int_equal(medium_exists(&scene.medium),
-                     strcmp(expected->name, "hall") == 0 || strcmp(expected->name, "gem") == 0);
+    assert_int_equal(medium_exists(&scene.medium), strcmp(expected->name, "hall") == 0 ||
+                                                       strcmp(expected->name, "gem") == 0 ||
+                                                       strcmp(expected->name, "window") == 0);
     scene_free(&scene);
 }
 

@@ -68,8 +68,7 @@ static bool init_targets(struct caustics_pass *pass) {
                                 .label = "caustics",
                                 .width = pass->desc.width,
                                 .height = pass->desc.height};
-    bool ok = !pass->desc.surface ||
-              framebuffer_init_target(&pass->surface, &pass->surface_framebuffer, &desc);
+    bool ok = framebuffer_init_target(&pass->surface, &pass->surface_framebuffer, &desc);
     desc.label = "caustics in the medium";
     return ok && (!pass->desc.volume ||
                   framebuffer_init_target(&pass->volume, &pass->volume_framebuffer, &desc));
@@ -271,8 +270,7 @@ void caustics_pass_render(struct caustics_pass *pass, const struct frame *frame,
                           const struct gbuffer *gbuffer) {
     static const float none[4] = {0};
     smooth_surfaces_follow(&pass->surfaces, frame->scene, frame->geometry);
-    if (pass->desc.surface)
-        framebuffer_clear_color(pass->surface_framebuffer, TARGET_RESULT, none);
+    framebuffer_clear_color(pass->surface_framebuffer, TARGET_RESULT, none);
     if (pass->desc.volume)
         framebuffer_clear_color(pass->volume_framebuffer, TARGET_RESULT, none);
     for (int i = 0; i < frame->emitters->count; i++) {

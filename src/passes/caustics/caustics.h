@@ -5,7 +5,7 @@
  * [Dong 2011] traces through depth maps and takes surface caustics from [Wyman 2008]. The cost of rays is that of
  * desc.size squared, times chains and lights; of lines also that of the pixels they cover.
  *
- * Light is not seen through glass, and does not start VPLs. */
+ * The light does not start VPLs. What glass and mirrors show is in glass.h. */
 #ifndef PASSES_CAUSTICS_H
 #define PASSES_CAUSTICS_H
 
@@ -36,7 +36,8 @@ struct caustics_pass {
         line_program;
     struct texture leaves, ends, fluxes, patches[2], splats; /* RGBA32F, a texel a ray */
     GLuint ray_framebuffer, cell_framebuffer, splat_framebuffer;
-    struct texture surface, volume; /* RGBA32F: radiance of a white surface, and radiance */
+    struct texture surface,
+        volume; /* RGBA32F: radiance of a white surface, and radiance; A of surface is 0 */
     GLuint surface_framebuffer, volume_framebuffer;
     struct buffer params;
 };

@@ -22,6 +22,16 @@ unsigned composite_kinds(const struct contribution *contribution) {
            (contribution->volume_caustic ? HAS_VOLUME_CAUSTICS : 0U);
 }
 
+/* GL promises a program 16 samplers. Of all kinds together 17 are needed: without samplers of their own, edge samples take
+ * the irradiance of the pixel that stands in for them. */
+static unsigned contributes_within_samplers(const struct composite_desc *desc) {
+    const unsigned all = HAS_IRRADIANCE | HAS_RADIANCE | HAS_MEDIUM | HAS_EDGE_SAMPLES |
+                         HAS_CAUSTICS | HAS_VOLUME_CAUSTICS;
+    bool is_too_much =
+        desc->contributes == all && desc->has_sky && desc->has_emission && desc->has_specular;
+    return is_too_much ? all & ~(unsigned)HAS_EDGE_SAMPLES : desc->contributes;
+}
+
 static bool init_programs(struct composite_pass *pass) {
     unsigned has = pass->desc.contributes;
     char defines[192], centers[sizeof defines + 8];
@@ -54,6 +64,7 @@ static bool init_programs(struct composite_pass *pass) {
 
 bool composite_pass_init(struct composite_pass *pass, const struct composite_desc *desc) {
     *pass = (struct composite_pass){.desc = *desc};
+    pass->desc.contributes = contributes_within_samplers(desc);
     if (init_programs(pass) &&
         texture_init(&pass->display, &(struct texture_desc){.label = "display",
                                                             .format = GL_RGBA8,

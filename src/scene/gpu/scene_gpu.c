@@ -43,12 +43,18 @@ static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geom
     return ok;
 }
 
+/* Of glass that is not opaque a camera sees the inner side. */
+static bool has_two_sides(const struct material *material, bool smooth_black) {
+    return material->double_sided ||
+           (smooth_black && material_smooth_kind(material) == SMOOTH_GLASS);
+}
+
 /* Glass and mirrors whose light caustics carry reflect none of their own. */
 static struct material_block block_of(const struct material *material, bool smooth_black) {
     bool black = smooth_black && material_smooth_kind(material) != SMOOTH_NONE;
     struct material_block block = {
         .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff : -1,
-        .double_sided = material->double_sided,
+        .double_sided = has_two_sides(material, smooth_black),
         .textured = material->base_color_texture >= 0,
         .emission_textured = material->emission_texture >= 0,
         .metalness = material->metalness,
@@ -382,7 +388,7 @@ void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided,
     for (int i = 0; i < gpu->batch_count; i++) {
         const struct geometry_batch *batch = &gpu->batches[i];
         const struct material *material = &gpu->scene->materials[batch->material];
-        if (!material->alpha_mask && material->double_sided == double_sided)
+        if (!material->alpha_mask && has_two_sides(material, gpu->smooth_black) == double_sided)
             draw_indices(gpu, batch->first_index, batch->index_count, views);
     }
 }

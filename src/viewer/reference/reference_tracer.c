@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "quality/picture.h"
+#include "scene/caustics.h"
 #include "scene/medium.h"
 
 #include <stdio.h>
@@ -53,6 +54,7 @@ static bool trace_stage(struct reference_tracer *tracer, const struct stage *sta
         .height = tracer->session.height,
         .bounces = tracer->bounces,
         .medium = medium_of(&stage->scene, &tracer->session.settings, stage->geometry.radius),
+        .smooth = caustics_shown(&stage->scene, &tracer->session.settings),
         .paths = 1, /* the first picture is to come soon */
         .noise = tracer->noise,
         .threads = spare_threads(),

@@ -9,6 +9,7 @@
 #include "base/memory.h"
 #include "base/progress.h"
 #include "quality/picture.h"
+#include "scene/caustics.h"
 #include "scene/hash.h"
 #include "scene/material.h"
 #include "scene/medium.h"
@@ -39,6 +40,10 @@ static struct medium medium_shown(const struct measure_desc *desc) {
     return medium_of(&stage->scene, &desc->settings, stage->geometry.radius);
 }
 
+static bool has_smooth(const struct measure_desc *desc) {
+    return caustics_shown(&desc->stage->scene, &desc->settings);
+}
+
 /* --- where it is kept ------------------------------------------------------------------------- */
 
 /* Of all that the reference depends on; the renderer's own picture on all sources. */
@@ -54,6 +59,9 @@ static uint64_t hash_of(const struct measure_desc *desc, enum reference_kind kin
         hash_bytes(&sum, &materials, sizeof materials);
     if (kind == REFERENCE_AO)
         hash_bytes(&sum, &ao_distance, sizeof ao_distance);
+    bool smooth = has_smooth(desc);
+    if (smooth)
+        hash_bytes(&sum, &smooth, sizeof smooth);
     struct medium medium = medium_shown(desc);
     if (medium_exists(&medium))
         hash_bytes(&sum, &medium, sizeof medium);
@@ -94,6 +102,7 @@ static struct path_tracer_desc tracer_of(const struct reference_desc *reference,
                                      .noise = reference->noise,
                                      .materials = materials_of(desc),
                                      .medium = medium_shown(desc),
+                                     .smooth = has_smooth(desc),
                                      .centers = seen || reference->kind == REFERENCE_CENTERS,
                                      .ao_distance = ao ? ao_distance_of(desc) : 0,
                                      .ao_alone = ao,

@@ -1,0 +1,184 @@
+#include "passes/caustics/glass.h"
+
+#include "base/memory.h"
+#include "gl/framebuffer.h"
+#include "gl/program.h"
+#include "passes/frame.h"
+#include "passes/targets.h"
+#include "scene/lights/environment.h"
+#include "scene/mesh/triangle_albedos.h"
+#include "shared/glass.h"
+
+#include <cglm/util.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What lies so near a surface of the picture is that surface, over the scene's radius. */
+static const float reach = 3e-3F;
+
+/* For the indirect light of a place outside the picture. */
+enum { RAYS = 4 };
+
+/* --- triangles -------------------------------------------------------------------------------- */
+
+static size_t glow_size(const struct glass_pass *pass) {
+    return (size_t)pass->desc.scene->material_count * sizeof *pass->glow;
+}
+
+static void add_glow(const struct glass_pass *pass, const struct geometry *geometry,
+                     float (*texels)[4]) {
+    for (int b = 0; b < geometry->batch_count; b++) {
+        const struct geometry_batch *batch = &geometry->batches[b];
+        const struct material *material = &pass->desc.scene->materials[batch->material];
+        for (uint32_t i = 0; i < batch->index_count / 3; i++)
+            for (int c = 0; c < 3; c++)
+                texels[2 * (batch->first_index / 3 + i) + 1][c] =
+                    pass->glow[batch->material][c] *
+                    (material->unlit ? material->base_color[c] : 1);
+    }
+}
+
+static bool init_triangles(struct glass_pass *pass, const struct geometry *geometry) {
+    _Static_assert(sizeof(struct triangle_albedo) == 4 * sizeof(float), "a texel");
+    size_t count = geometry->index_count / 3;
+    struct triangle_albedo *albedos = mem_alloc(count, sizeof *albedos);
+    float(*texels)[4] = mem_alloc(2 * count, sizeof *texels);
+    struct surface_colors colors = {.scene = pass->desc.scene,
+                                    .geometry = geometry,
+                                    .materials = pass->desc.materials,
+                                    .smooth_black = true};
+    texture_decode_table(colors.srgb_to_linear);
+    triangle_albedos_find(albedos, &colors);
+    for (size_t i = 0; i < count; i++)
+        memcpy(texels[2 * i], &albedos[i], sizeof albedos[i]);
+    add_glow(pass, geometry, texels);
+    bool ok = buffer_init(&pass->triangles, "triangles that glass shows",
+                          2 * count * sizeof *texels, texels);
+    free(albedos);
+    free(texels);
+    pass->laid_out = geometry->laid_out;
+    if (!ok)
+        return false;
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->triangle_texels);
+    gl.TextureBuffer(pass->triangle_texels, GL_RGBA32F, pass->triangles.id);
+    return true;
+}
+
+static void free_triangles(struct glass_pass *pass) {
+    if (pass->triangle_texels)
+        gl.DeleteTextures(1, &pass->triangle_texels);
+    pass->triangle_texels = 0;
+    buffer_free(&pass->triangles);
+}
+
+/* Where there is no memory for metaballs that have grown, what they reflect is black. */
+static void follow(struct glass_pass *pass, const struct frame *frame) {
+    bool glows_alike = memcmp(pass->glow, frame->scene->glow, glow_size(pass)) == 0;
+    if (pass->laid_out == frame->geometry->laid_out && glows_alike)
+        return;
+    memcpy(pass->glow, frame->scene->glow, glow_size(pass));
+    free_triangles(pass);
+    init_triangles(pass, frame->geometry);
+}
+
+/* --- life ------------------------------------------------------------------------------------- */
+
+static bool init_screen(struct glass_pass *pass) {
+    return framebuffer_init_target(&pass->screen, &pass->screen_framebuffer,
+                                   &(struct texture_desc){.format = GL_RGBA32F,
+                                                          .label = "light that glass shows",
+                                                          .width = pass->desc.width,
+                                                          .height = pass->desc.height});
+}
+
+static void free_screen(struct glass_pass *pass) {
+    framebuffer_free(&pass->screen_framebuffer);
+    texture_free(&pass->screen);
+}
+
+bool glass_pass_resize(struct glass_pass *pass, int width, int height) {
+    struct glass_pass fresh = *pass;
+    fresh.screen = (struct texture){0};
+    fresh.screen_framebuffer = 0;
+    fresh.desc.width = width;
+    fresh.desc.height = height;
+    bool ok = init_screen(&fresh);
+    free_screen(ok ? pass : &fresh);
+    if (ok)
+        *pass = fresh;
+    return ok;
+}
+
+bool glass_pass_init(struct glass_pass *pass, const struct glass_desc *desc) {
+    *pass = (struct glass_pass){.desc = *desc};
+    pass->glow = mem_alloc((size_t)desc->scene->material_count, sizeof *pass->glow);
+    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                            .fragment = "caustics/glass.frag",
+                                                            .defines = desc->medium && desc->sky
+                                                                           ? "HAS_MEDIUM;HAS_SKY"
+                                                                       : desc->medium ? "HAS_MEDIUM"
+                                                                       : desc->sky    ? "HAS_SKY"
+                                                                                      : NULL}) &&
+        init_screen(pass) && init_triangles(pass, desc->geometry) &&
+        buffer_init(&pass->params, "parameters of glass", sizeof(struct glass_params), NULL))
+        return true;
+    glass_pass_free(pass);
+    return false;
+}
+
+void glass_pass_free(struct glass_pass *pass) {
+    program_free(&pass->program);
+    free_screen(pass);
+    free_triangles(pass);
+    buffer_free(&pass->params);
+    free(pass->glow);
+    *pass = (struct glass_pass){0};
+}
+
+/* --- the frame -------------------------------------------------------------------------------- */
+
+static void write_params(const struct glass_pass *pass, const struct frame *frame,
+                         const struct environment *sky) {
+    struct glass_params params = {
+        .reach = reach * frame->geometry->radius,
+        .scale = 1 / frame->irradiance_scale,
+        .chains = pass->desc.chains,
+        .rays = RAYS,
+        .pass = frame->pass,
+    };
+    if (sky) {
+        params.sky_strength = sky->strength;
+        params.sky_turn = glm_rad(sky->turn);
+    }
+    buffer_write(&pass->params, 0, sizeof params, &params);
+}
+
+void glass_pass_render(struct glass_pass *pass, const struct frame *frame,
+                       const struct gbuffer *gbuffer, const struct glass_inputs *inputs) {
+    follow(pass, frame);
+    write_params(pass, frame, inputs->sky);
+    struct pass_state state = {
+        .name = "glass",
+        .program = pass->program,
+        .framebuffer = inputs->framebuffer,
+        .width = pass->desc.width,
+        .height = pass->desc.height,
+        .textures = {{UNIT_BVH, inputs->tree->texels},
+                     {UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_GBUFFER_ALBEDO, gbuffer->albedo.id},
+                     {UNIT_GLASS_TRIANGLES, pass->triangle_texels},
+                     {UNIT_GLASS_SCREEN, pass->screen.id}},
+        .blocks = {{BLOCK_PASS, &pass->params},
+                   {BLOCK_LIGHTS, frame->lights},
+                   {BLOCK_VIEW, frame->view}},
+    };
+    smooth_surfaces_add(inputs->surfaces, &state);
+    if (pass->desc.sky)
+        pass_add_texture(&state, UNIT_GLASS_SKY, frame->scene->sky.id);
+    if (frame->medium)
+        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    pass_begin(frame->timers, &state);
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}

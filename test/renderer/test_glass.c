@@ -1,0 +1,216 @@
+/* What glass and mirrors show: exact answers outside and inside the picture, and the path tracer's pictures. */
+#include "smooth_stage.h"
+
+#include "quality/picture.h"
+#include "scene/caustics.h"
+
+/* The smooth surfaces throw no light here: what they show has answers of its own. */
+#define SHOWN CHEAP "caustics.surface=patches caustics.size=8 "
+
+/* The light at that height, downwards. */
+static void place_light(struct stage *stage, float z) {
+    stage->emitters.items[0].position[2] = z;
+    emitter_aim(&stage->emitters.items[0], (float[]){0, 0, -1});
+}
+
+static void look_up(struct stage *stage) {
+    stage->camera.up[1] = -1;
+    stage->camera.forward[2] = 1;
+}
+
+/* The picture's mean of a channel, over the radiance of the floor below a light that far above it. */
+static double over_floor(const struct image *image, const char *channel, double height) {
+    return channel_mean(image, channel) * GLM_PI * height * height;
+}
+
+/* --- exact answers ---------------------------------------------------------------------------- */
+
+/* The floor below the light, in a mirror above both. The picture does not show the floor. */
+static void test_mirror(void **state) {
+    (void)state;
+    struct stage stage;
+    open_mirror(&stage, 4, 1);
+    place_light(&stage, 2);
+    look_up(&stage);
+    struct image drawn = draw(&stage, SHOWN);
+    check_near("red over expected", over_floor(&drawn, "R", 2), 1, .01);
+    check_near("blue over expected", over_floor(&drawn, "B", 2) / .6, 1, .01);
+    check_near("specular", over_floor(&drawn, "direct.specular.R", 2), 1, .01);
+    check_near("indirect specular", mean_of(&drawn, "indirect.specular"), 0, 1e-4);
+    check_near("direct", mean_of(&drawn, "direct"), 0, 0);
+    check_near("indirect", mean_of(&drawn, "indirect"), 0, 0);
+    image_free(&drawn);
+    emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
+    drawn = draw(&stage, SHOWN);
+    check_near("a dark floor", mean_of(&drawn, "direct.specular"), 0, 0);
+    image_free(&drawn);
+    stage_free(&stage);
+}
+
+/* Light that comes back from a mirror is indirect light of the floor that the mirror shows: none but of rays that
+ * see the floor by another surface. A ceiling beside the mirror reflects light to the floor. */
+static void test_indirect(void **state) {
+    (void)state;
+    struct stage stage;
+    char nodes[512];
+    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, .2);
+    snprintf(nodes + used, sizeof nodes - (size_t)used,
+             ", {\"mesh\": 0, \"translation\": [-20, 20, 3.01], \"rotation\": [1, 0, 0, 0],"
+             " \"scale\": [40, 40, 1]}]");
+    open_nodes(&stage, nodes, 1);
+    make_mirror(&stage);
+    look_up(&stage);
+    stage.emitters.items[0].cos_outer = cosf(.35F);
+    stage.emitters.items[0].cos_inner = cosf(.3F);
+    stage.emitters.items[0].position[2] = .5F; /* lights the ceiling, and not the floor */
+    emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
+    stage.emitters.items[0].position[0] = 1;
+    struct image drawn = draw(&stage, SHOWN);
+    struct path_tracer_desc desc = {
+        .width = 8, .height = 8, .bounces = 1, .samples = 1024, .smooth = true};
+    struct image traced;
+    check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+    double expected = channel_mean(&traced, "indirect.specular.R");
+    printf("    traced %g\n", expected);
+    check_near("over traced", channel_mean(&drawn, "indirect.specular.R") / expected, 1, .05);
+    image_free(&drawn);
+    image_free(&traced);
+    stage_free(&stage);
+}
+
+/* The floor through a slab, straight on: (1 - F)^2 of it, and F^2 of that once more by reflection within. */
+static void test_slab(void **state) {
+    (void)state;
+    struct stage stage;
+    static const struct {
+        const char *what;
+        float index, absorption, eye;
+        double expected;
+    } rows[] = {
+        {"index 1", 1, 0, 2, 1},
+        {"index 1.5", 1.5F, 0, 2, .9216 * 1.0016},
+        {"absorbing", 1.5F, 3, 2, .9216 * .54881164},
+        {"camera inside, index 1", 1, 0, .9F, 1},
+        {"camera inside, index 1.5", 1.5F, 0, .9F, .96 * 1.0016},
+        {"camera inside, absorbing", 1.5F, 3, .9F, .96 * .74081822},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        open_slab(&stage, rows[i].index, 4, rows[i].eye);
+        place_light(&stage, .5F);
+        stage.camera.fov_y = .02F;
+        for (int c = 0; c < 3; c++)
+            stage.scene.materials[SMOOTH].absorption[c] = rows[i].absorption;
+        struct image drawn = draw(&stage, SHOWN);
+        check_near(rows[i].what, over_floor(&drawn, "R", .5) / rows[i].expected, 1, .003);
+        check_near("direct", mean_of(&drawn, "direct"), 0, 0);
+        image_free(&drawn);
+        drawn = draw(&stage, SHOWN "samples=8");
+        check_near("of 8 samples", over_floor(&drawn, "R", .5) / rows[i].expected, 1, .003);
+        image_free(&drawn);
+        stage_free(&stage);
+    }
+}
+
+/* One interface, and a slab in a slab, each of whose interfaces has air on its other side: as the reference has it. */
+static void test_open_and_nested(void **state) {
+    (void)state;
+    for (int nested = 0; nested < 2; nested++) {
+        struct stage stage;
+        char nodes[1024];
+        int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
+        used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 4);
+        for (int i = 0; nested && i < 3; i++) {
+            static const double z[] = {.95, .85, .8};
+            used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
+            used += print_square(nodes + used, sizeof nodes - (size_t)used,
+                                 i == 0 ? UP_NODE : DOWN_NODE, z[i], 4);
+        }
+        snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+        open_nodes(&stage, nodes, 2);
+        make_glass(&stage, 1.5F);
+        place_light(&stage, .5F);
+        struct image drawn = draw(&stage, SHOWN "caustics.chains=8");
+        struct path_tracer_desc desc = {
+            .width = 16, .height = 16, .bounces = 1, .samples = 512, .smooth = true};
+        struct image traced;
+        check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+        printf("    %s\n", nested ? "nested" : "open");
+        check_near("over traced", channel_mean(&drawn, "R") / channel_mean(&traced, "R"), 1, .02);
+        check_finite("drawn", &drawn);
+        image_free(&drawn);
+        image_free(&traced);
+        stage_free(&stage);
+    }
+}
+
+/* --- beside the path tracer ------------------------------------------------------------------- */
+
+/* Without caustics on surfaces, which the path tracer does not show in glass. */
+static void test_traced(void **state) {
+    (void)state;
+    enum { WIDE = 96 };
+    static const char *const scenes[] = {"scenes/ring.glb", "scenes/pawns.glb", "scenes/gem.glb"};
+    static const char shown[] =
+        CHEAP "caustics.surface=off caustics.medium=lines caustics.size=8 medium.scatter=.0001";
+    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
+        struct stage stage;
+        struct image traced;
+        open_stage(&stage, scenes[i]);
+        memset(&stage.scene.medium, 0, sizeof stage.scene.medium);
+        struct image drawn = render_stage(&stage, "unshadowed", shown, WIDE);
+        struct path_tracer_desc desc = {.width = WIDE,
+                                        .height = WIDE,
+                                        .bounces = 1,
+                                        .samples = 16,
+                                        .centers = true,
+                                        .smooth = true};
+        check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+        double off = mean_of(&drawn, "specular") / mean_of(&traced, "specular");
+        printf("    %s\n", scenes[i]);
+        check_near("specular over traced", off, 1, .06);
+        check_near("direct over traced", mean_of(&drawn, "direct") / mean_of(&traced, "direct"), 1,
+                   .02);
+        image_free(&drawn);
+        image_free(&traced);
+        stage_free(&stage);
+    }
+}
+
+/* A medium between glass and the place that it shows: a window of index 1, or thin, shows the same fog. */
+static void check_medium(bool thin) {
+    struct stage with, without;
+    open_slab(&with, 1, 4, 2);
+    with.scene.materials[SMOOTH].thin_walled = thin;
+    open_nodes(&without, "[" FLOOR_NODE "]", 2);
+    place_light(&with, .5F);
+    place_light(&without, .5F);
+    with.camera.fov_y = without.camera.fov_y = 1;
+    for (int c = 0; c < 3; c++) {
+        with.scene.medium.scattering[c] = without.scene.medium.scattering[c] = .4F;
+        with.scene.materials[SMOOTH].absorption[c] = thin ? 0 : .4F;
+    }
+    struct image a = draw(&with, SHOWN "medium.steps=128");
+    struct image b = draw(&without, CHEAP "medium.steps=128");
+    check_near(thin ? "thin over none" : "index 1 over none",
+               channel_mean(&a, "R") / channel_mean(&b, "R"), 1, .03);
+    image_free(&a);
+    image_free(&b);
+    stage_free(&with);
+    stage_free(&without);
+}
+
+static void test_medium(void **state) {
+    (void)state;
+    check_medium(false);
+    check_medium(true);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_mirror), cmocka_unit_test(test_indirect),
+        cmocka_unit_test(test_slab),   cmocka_unit_test(test_open_and_nested),
+        cmocka_unit_test(test_traced), cmocka_unit_test(test_medium),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
