@@ -5,6 +5,7 @@
 #include "passes/frame.h"
 #include "scene/caustics.h"
 #include "techniques/implicit-visibility/interpolate.h"
+#include "techniques/implicit-visibility/show.h"
 #include "techniques/many_lights.h"
 
 #include <stdlib.h>
@@ -288,6 +289,14 @@ static struct contribution contribution(const void *state) {
     return (struct contribution){.irradiance = &technique->interpolate.irradiance};
 }
 
+static void read_element(const void *state, const float position[3], const float normal[3],
+                         struct element_view *view) {
+    const struct implicit_visibility *technique = state;
+    if (technique->linked)
+        show_element(view, &technique->elements, &technique->tree, &technique->links,
+                     &technique->light, position, normal);
+}
+
 static const struct settings_part *const parts[] = {&lights_part, &radiosity_part, NULL};
 
 static const struct preset presets[] = {
@@ -310,4 +319,5 @@ const struct technique implicit_visibility_technique = {
     .render_lights = render_lights,
     .render_view = render_view,
     .contribution = contribution,
+    .read_element = read_element,
 };

@@ -188,11 +188,16 @@ static void add_sky(const struct walk *walk, int b, float weight, const float (*
         sum[c] += weight * radiance[c];
 }
 
+/* In the leaf's bins. */
+static vec3s normal_of(const struct walk *walk) {
+    const float *normal = walk->leaf->normal;
+    return glms_mat3_mulv(walk->turn, (vec3s){{normal[0], normal[1], normal[2]}});
+}
+
 static void take_links(const struct walk *walk, struct links *links, const float (*sky)[3]) {
     const uint32_t own = walk->own;
     struct link *items = links->items + (size_t)own * (size_t)links->stride;
-    const vec3s normal = glms_mat3_mulv(
-        walk->turn, (vec3s){{walk->leaf->normal[0], walk->leaf->normal[1], walk->leaf->normal[2]}});
+    const vec3s normal = normal_of(walk);
     float all = 0, filled = 0, buried = 0, open[3] = {0};
     int count = 0;
     for (int b = 0; b < links->bins.count; b++) {
@@ -257,16 +262,21 @@ static void find_partners(struct walk *walk, const struct pairs *pairs) {
     walk_tree(walk);
 }
 
+static void start_walk(struct walk *walk, const struct links *links, const struct tree *tree,
+                       int leaf) {
+    walk->links = links;
+    walk->tree = tree;
+    walk->own = (uint32_t)leaf;
+    walk->leaf = &tree->nodes[leaf];
+    walk->turn = links->desc.turned ? turn_of((uint32_t)leaf) : glms_mat3_identity();
+}
+
 static void make_some(void *context, size_t run) {
     const struct making *making = context;
     struct walk *walk = mem_alloc(1, sizeof *walk);
     int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
-    walk->links = making->links;
-    walk->tree = making->tree;
     for (int i = first; i < end && i < making->tree->leaf_count; i++) {
-        walk->own = (uint32_t)i;
-        walk->leaf = &making->tree->nodes[i];
-        walk->turn = making->links->desc.turned ? turn_of((uint32_t)i) : glms_mat3_identity();
+        start_walk(walk, making->links, making->tree, i);
         find_partners(walk, making->pairs);
         take_links(walk, making->links, making->sky);
     }
@@ -282,6 +292,24 @@ void links_make(struct links *links, const struct tree *tree, const float (*sky)
     links->linked = pairs.linked;
     parallel_for(runs, links->desc.threads, make_some, &making);
     pairs_free(&pairs);
+}
+
+vec3s links_partners(const struct links *links, const struct tree *tree, int leaf,
+                     uint32_t *partners) {
+    struct walk *walk = mem_alloc(1, sizeof *walk);
+    struct pairs pairs = {0};
+    start_walk(walk, links, tree, leaf);
+    if (links->desc.pairs)
+        pairs_make(&pairs, tree, &links->bins);
+    find_partners(walk, links->desc.pairs ? &pairs : NULL);
+    for (int b = 0; b < links->bins.count; b++) {
+        bool leak = walk->nodes[b] == PARTNER_NONE && !links->desc.leaky;
+        partners[b] = leak ? close_leak(walk, b) : walk->nodes[b];
+    }
+    vec3s normal = normal_of(walk);
+    pairs_free(&pairs);
+    free(walk);
+    return normal;
 }
 
 bool links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
