@@ -4,10 +4,8 @@
 
 #include "shared/types.h"
 
-/* Of each cell the number of the first element that lies in it or in a later one; x counts fastest. */
-#define UNIT_ELEMENT_CELLS (UNIT_OWN + 0)
-/* Texels of each element: position and weight; normal; irradiance. */
-#define UNIT_ELEMENTS (UNIT_OWN + 1)
+/* STORAGE_ELEMENT_CELLS: of each cell the number of the first element that lies in it or in a later one; x counts fastest.
+ * STORAGE_ELEMENTS: texels of each element: position and weight; normal; irradiance. */
 #define ELEMENT_TEXELS 3
 
 struct element_grid_params {

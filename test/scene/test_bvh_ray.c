@@ -85,6 +85,40 @@ static void test_nearest(void **state) {
     bvh_free(&tree);
 }
 
+/* Of two triangles the nearer one is met where its part is opaque: parts go row by row along the first edge
+ * (scene/mesh/opacity.c). */
+static void test_opaque(void **state) {
+    (void)state;
+    struct bvh tree;
+    struct bvh_triangle *triangles = mem_alloc(2, sizeof *triangles);
+    const struct bvh_triangle both = {.edges = {{{1, 0, 0}}, {{0, 1, 0}}},
+                                      .opaque = {0x5A3C0FF1U, 0x9E2244B7U}};
+    int number = 0, met = 0, wrong = 0;
+    for (int i = 0; i < 2; i++) {
+        triangles[i] = both;
+        triangles[i].corner.z = (float)i;
+        triangles[i].number = (uint32_t)i;
+    }
+    triangles[1].opaque[0] = triangles[1].opaque[1] = ~0U;
+    bvh_init(&tree, triangles, 2);
+    for (int row = 0; row < 8; row++)
+        for (int i = 0; i < 2 * (8 - row) - 1; i++, number++) {
+            float past = i % 2 ? 2.F / 3 : 1.F / 3;
+            const vec3s origin = {{((float)(i / 2) + past) / 8, ((float)row + past) / 8, -1}};
+            const vec3s along = {{0, 0, 1}};
+            struct bvh_hit hit = bvh_ray_trace_opaque(&tree, origin, along);
+            bool opaque = both.opaque[number / 32] >> number % 32 & 1;
+            assert_non_null(hit.triangle);
+            wrong += (hit.triangle->number == 0) != opaque;
+            met += opaque;
+            assert_int_equal(bvh_ray_trace(&tree, origin, along).triangle->number, 0);
+        }
+    printf("  %d of %d parts are opaque, %d seen wrongly\n", met, number, wrong);
+    assert_int_equal(number, 64);
+    assert_int_equal(wrong, 0);
+    bvh_free(&tree);
+}
+
 /* --- the tree --------------------------------------------------------------------------------- */
 
 enum { MANY = 20000 }; /* so many that subtrees are built in parallel */
@@ -191,6 +225,6 @@ static void test_none(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_nearest), cmocka_unit_test(test_tree),
                                        cmocka_unit_test(test_one_place),
-                                       cmocka_unit_test(test_none)};
+                                       cmocka_unit_test(test_opaque), cmocka_unit_test(test_none)};
     return cmocka_run_group_tests_name("bvh_ray", tests, NULL, NULL);
 }

@@ -1,7 +1,9 @@
 /* Radiosity with implicit visibility: exact answers of elements, links and bounces, and what must not change them. */
 #include "volume_scenes.h"
 
+#include "base/clock.h"
 #include "base/error.h"
+#include "scene/mesh/bvh_ray.h"
 #include "techniques/implicit-visibility/light.h"
 
 struct radiosity {
@@ -158,6 +160,42 @@ static void test_sphere(void **state) {
     check_at_most("published leak, at least", .015, leak);
 }
 
+struct pair_links {
+    double mean, count, linked, ms; /* E / pi L; links of leaves; ends between nodes; CPU */
+};
+
+static struct pair_links links_of(int side, int most, bool pairs) {
+    struct radiosity radiosity;
+    struct pair_links of = {0};
+    open_radiosity(&radiosity, sphere(), .5, most,
+                   &(struct links_desc){
+                       .side = side, .cover = LINKS_COVER_CENTER, .leaky = true, .pairs = pairs},
+                   false);
+    of.ms = -clock_cpu_ms();
+    of.mean = share_of(&radiosity).mean;
+    of.ms += clock_cpu_ms();
+    for (int i = 0; i < radiosity.elements.count; i++)
+        of.count += radiosity.links.counts[i];
+    of.linked = (double)radiosity.links.linked;
+    printf("  %4d leaves, 6 x %2d^2 bins, by %s: E / pi L %.4f, %6.0f links of leaves, %6.0f ends "
+           "between nodes, %.0f ms\n",
+           radiosity.elements.count, side, pairs ? "pairs " : "leaves", of.mean, of.count,
+           of.linked, of.ms);
+    close_radiosity(&radiosity);
+    return of;
+}
+
+/* Pairs of nodes that are refined and pushed end with nearly the links of leaves that walk alone. */
+static void test_pairs(void **state) {
+    (void)state;
+    for (int side = 8; side <= 16; side += 4) {
+        struct pair_links pairs = links_of(side, 1500, true), alone = links_of(side, 1500, false);
+        check_near("E by pairs", pairs.mean / alone.mean, 1, .03);
+        check_near("links by pairs", pairs.count / alone.count, 1, .03);
+        check_at_most("ends between nodes over links of leaves", pairs.linked / pairs.count, 1);
+    }
+}
+
 static float left_square(const struct element *element) {
     return element->position.x < 0 ? 1 / GLM_PIf : 0;
 }
@@ -226,11 +264,12 @@ static void test_furnace(void **state) {
     double direct = 0, indirect = 0, last = 0;
     open_radiosity(&radiosity, sphere(), albedo, 1000, &(struct links_desc){.side = 8}, false);
     const struct geometry *geometry = &radiosity.stage.geometry;
-    element_light_casters(&casters, geometry);
+    element_light_casters(&casters, &radiosity.stage.scene, geometry);
     links_make(&radiosity.links, &radiosity.tree, NULL);
-    element_light_direct(&radiosity.light, &radiosity.elements,
-                         &(struct direct_lights){&light, 1, &casters, geometry_clearance(geometry)},
-                         &radiosity.links);
+    element_light_direct(
+        &radiosity.light, &radiosity.elements,
+        &(struct direct_lights){&light, 1, false, &casters, geometry_clearance(geometry)},
+        &radiosity.links);
     for (int bounces = 1; bounces <= 20; bounces += bounces < 3 ? 1 : 17) {
         element_light_bounce(&radiosity.light, &radiosity.elements, &radiosity.tree,
                              &radiosity.links, bounces);
@@ -271,6 +310,86 @@ static void test_picture(void **state) {
     check_near("least", least * GLM_PI / .5, 1, .03);
     check_near("most", most * GLM_PI / .5, 1, .03);
     image_free(&layers);
+    stage_free(&stage);
+}
+
+static float half_shines(const struct element *element) {
+    return element->position.z > 0 ? 1 : 0;
+}
+
+/* Lamps shine by their own lists of links as by all links, and no other link is in the lists. */
+static void test_lamps(void **state) {
+    (void)state;
+    struct radiosity radiosity;
+    double worst = 0, lists = 0, all = 0;
+    open_radiosity(&radiosity, sphere(), .5, 1000, &(struct links_desc){.side = 8}, false);
+    for (int i = 0; i < radiosity.elements.count; i++) {
+        struct element *element = &radiosity.elements.items[i];
+        element->emission = glms_vec3_fill(half_shines(element));
+    }
+    element_light_emit(&radiosity.light, &radiosity.elements, &radiosity.tree);
+    links_make(&radiosity.links, &radiosity.tree, NULL);
+    links_sort_lamps(&radiosity.links, (const float(*)[4])radiosity.light.emission);
+    element_light_direct(&radiosity.light, &radiosity.elements,
+                         &(struct direct_lights){.lamps_by_links = true}, &radiosity.links);
+    set_radiance(&radiosity, half_shines);
+    for (int i = 0; i < radiosity.elements.count; i++) {
+        double direct = (double)radiosity.light.direct[i][0];
+        worst = fmax(worst, fabs(direct - gathered(&radiosity, i)));
+        lists += radiosity.links.lamp_counts[i];
+        all += radiosity.links.counts[i];
+    }
+    printf("  %.0f of %.0f links lead to the half that shines\n", lists, all);
+    check_at_most("lists beside all links", worst, 1e-5);
+    check_near("share of the lists", lists / all, .5, .1);
+    close_radiosity(&radiosity);
+}
+
+/* The table's lamp gives its elements what its light has: 6.4 W/sr of red. */
+static void test_emission(void **state) {
+    (void)state;
+    struct stage stage;
+    struct elements elements;
+    double sum = 0;
+    open_stage(&stage, "scenes/table.glb");
+    elements_init(&elements, &(struct elements_desc){&stage.scene, &stage.geometry,
+                                                     MATERIALS_DIFFUSE, false, 2000});
+    for (int i = 0; i < elements.count; i++)
+        sum += (double)elements.items[i].area * (double)elements.items[i].emission.x;
+    printf("  the lamp's elements: %.4f W/sr\n", sum);
+    check_near("emission over the light's", sum / 6.4, 1, .01);
+    elements_free(&elements);
+    stage_free(&stage);
+}
+
+/* Rays to lights pass through holes of alpha masks. */
+static void test_masks(void **state) {
+    (void)state;
+    struct stage stage;
+    struct bvh casters;
+    int holes = 0, hits = 0;
+    open_stage(&stage, "scenes/materials.glb");
+    element_light_casters(&casters, &stage.scene, &stage.geometry);
+    for (uint32_t t = 0; t < stage.geometry.index_count / 3; t++) {
+        vec3s edges[2],
+            corner = corners_edges(&stage.geometry, &stage.geometry.indices[3 * t], edges);
+        vec3s normal = glms_vec3_normalize(glms_vec3_cross(edges[0], edges[1]));
+        for (int k = 0; k < 100; k++) {
+            float u = ((float)(k % 10) + .4F) / 10, v = ((float)(k / 10) + .4F) / 10;
+            vec3s place = glms_vec3_muladds(edges[0], u, corner);
+            place =
+                glms_vec3_add(glms_vec3_muladds(edges[1], v, place), glms_vec3_scale(normal, .01F));
+            if (u + v >= 1)
+                continue;
+            hits++;
+            holes +=
+                !(bvh_ray_trace_opaque(&casters, place, glms_vec3_negate(normal)).distance < .02F);
+        }
+    }
+    printf("  %d of %d places of triangles are holes\n", holes, hits);
+    check_at_most("holes", 100, holes);
+    check_at_most("holes", holes, hits / 4);
+    bvh_free(&casters);
     stage_free(&stage);
 }
 
@@ -459,12 +578,14 @@ static void test_near_window(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),   cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_squares), cmocka_unit_test(test_convex),
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_order),   cmocka_unit_test(test_start),
-        cmocka_unit_test(test_sun),     cmocka_unit_test(test_turned_sky),
-        cmocka_unit_test(test_memory),  cmocka_unit_test(test_near_window),
+        cmocka_unit_test(test_areas),    cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_squares),  cmocka_unit_test(test_convex),
+        cmocka_unit_test(test_furnace),  cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_order),    cmocka_unit_test(test_start),
+        cmocka_unit_test(test_sun),      cmocka_unit_test(test_turned_sky),
+        cmocka_unit_test(test_memory),   cmocka_unit_test(test_near_window),
+        cmocka_unit_test(test_pairs),    cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_emission), cmocka_unit_test(test_masks),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

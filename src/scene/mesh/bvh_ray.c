@@ -1,6 +1,7 @@
 #include "scene/mesh/bvh_ray.h"
 
 #include "base/extremes.h"
+#include "shared/bvh.h"
 
 #include <math.h>
 
@@ -8,6 +9,7 @@ enum { STACK = 72 }; /* the tree is less deep */
 
 struct ray {
     vec3s origin, direction, inverse;
+    bool asks_opacity; /* passes through what is not opaque */
 };
 
 /* The distance at which a ray enters a box, INFINITY where it does not before its end. One along a side of the box has
@@ -23,6 +25,18 @@ static float entry(const struct bvh_box *box, const struct ray *ray, float end) 
     return from <= end ? from : INFINITY;
 }
 
+static float part_of(float scaled) {
+    return float_min(floorf(scaled), OPACITY_SIDE - 1);
+}
+
+/* As is_opaque of glsl/visibility/bvh.glsl [Gruen et al. 2020]. */
+static bool is_opaque(const struct bvh_triangle *triangle, float u, float v) {
+    float x = u * OPACITY_SIDE, y = v * OPACITY_SIDE, column = part_of(x), row = part_of(y);
+    int turned = x - column + y - row > 1;
+    int number = (int)row * (2 * OPACITY_SIDE - (int)row) + 2 * (int)column + turned;
+    return triangle->opaque[number < 32 ? 0 : 1] >> (number & 31) & 1;
+}
+
 /* [Möller and Trumbore 1997] */
 static void meet(struct bvh_hit *nearest, const struct bvh_triangle *triangle,
                  const struct ray *ray) {
@@ -36,7 +50,8 @@ static void meet(struct bvh_hit *nearest, const struct bvh_triangle *triangle,
     float u = glms_vec3_dot(to, across) * inverse;
     float v = glms_vec3_dot(ray->direction, around) * inverse;
     float distance = glms_vec3_dot(triangle->edges[1], around) * inverse;
-    if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest->distance)
+    if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest->distance &&
+        (!ray->asks_opacity || is_opaque(triangle, u, v)))
         *nearest = (struct bvh_hit){triangle, distance, volume > 0};
 }
 
@@ -68,8 +83,7 @@ static void push_children(struct pending *pending, const struct bvh *tree, uint3
         pending->nodes[pending->count++] = nearer;
 }
 
-struct bvh_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction) {
-    struct ray ray = {origin, direction, glms_vec3_div(glms_vec3_one(), direction)};
+static struct bvh_hit trace(const struct bvh *tree, const struct ray *ray) {
     struct bvh_hit nearest = {NULL, INFINITY, false};
     struct pending pending;
     pending.nodes[0] = (struct entered){0, 0};
@@ -83,9 +97,19 @@ struct bvh_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s directi
         if (tests > BVH_RAY_TESTS)
             return (struct bvh_hit){NULL, INFINITY, false};
         for (uint32_t i = 0; i < node->count; i++)
-            meet(&nearest, &tree->triangles[node->first + i], &ray);
+            meet(&nearest, &tree->triangles[node->first + i], ray);
         if (node->count == 0)
-            push_children(&pending, tree, node->first, &ray, nearest.distance);
+            push_children(&pending, tree, node->first, ray, nearest.distance);
     }
     return nearest;
+}
+
+struct bvh_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction) {
+    return trace(
+        tree, &(struct ray){origin, direction, glms_vec3_div(glms_vec3_one(), direction), false});
+}
+
+struct bvh_hit bvh_ray_trace_opaque(const struct bvh *tree, vec3s origin, vec3s direction) {
+    return trace(tree,
+                 &(struct ray){origin, direction, glms_vec3_div(glms_vec3_one(), direction), true});
 }

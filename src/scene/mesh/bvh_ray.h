@@ -17,4 +17,7 @@ struct bvh_hit {
 enum { BVH_RAY_TESTS = 2048 };
 struct bvh_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction);
 
+/* The nearest one of those that are opaque where the ray meets them. */
+struct bvh_hit bvh_ray_trace_opaque(const struct bvh *tree, vec3s origin, vec3s direction);
+
 #endif

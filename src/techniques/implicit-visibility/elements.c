@@ -22,12 +22,12 @@ struct third {
     float at[3];    /* the vertex */
     float inner[3]; /* the middle of the third */
     float side, area;
-    vec3s albedo;
+    vec3s albedo, emission;
 };
 
 struct cluster {
     uint64_t key;
-    double area, place[3], albedo[3];
+    double area, place[3], albedo[3], emission[3];
     float distance2; /* of the element from the mean place */
     struct element element;
 };
@@ -120,6 +120,7 @@ static void add_third(struct maker *maker, const struct third *third) {
     for (int c = 0; c < 3; c++) {
         cluster->place[c] += (double)(third->area * place.raw[c]);
         cluster->albedo[c] += (double)(third->area * third->albedo.raw[c]);
+        cluster->emission[c] += (double)(third->area * third->emission.raw[c]);
     }
 }
 
@@ -165,6 +166,16 @@ static int longest_edge(const vec3s places[3], float *length2) {
     return longest;
 }
 
+static vec3s emission_at(const struct maker *maker, const struct corners *corners,
+                         const struct material *material) {
+    const struct surface_colors *colors = &maker->colors;
+    vec4s texel = corners_texel(
+        corners, colors->scene, colors->geometry, colors->srgb_to_linear,
+        &(struct corners_texture){material->emission_texture, material->emission_mapping});
+    const float *emission = material->emission;
+    return (vec3s){{emission[0] * texel.r, emission[1] * texel.g, emission[2] * texel.b}};
+}
+
 static void visit_piece(struct maker *maker, const uint32_t *index, const struct piece *piece,
                         const vec3s places[3], const struct material *material,
                         visit_third *visit) {
@@ -176,6 +187,8 @@ static void visit_piece(struct maker *maker, const uint32_t *index, const struct
         struct corners corners = corners_of(index, middle);
         vec4s albedo = corners_albedo(&corners, &maker->colors, material);
         third.albedo = glms_vec3(albedo);
+        if (maker->colored)
+            third.emission = emission_at(maker, &corners, material);
         alpha = albedo.w;
     }
     if (material->alpha_mask && alpha < material->alpha_cutoff)
@@ -275,8 +288,10 @@ static void take_clusters(struct elements *elements, const struct maker *maker) 
             continue;
         *element = cluster->element;
         element->area = (float)cluster->area;
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 3; c++) {
             element->albedo.raw[c] = (float)(cluster->albedo[c] / cluster->area);
+            element->emission.raw[c] = (float)(cluster->emission[c] / cluster->area);
+        }
         elements->count++;
     }
 }

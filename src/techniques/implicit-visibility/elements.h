@@ -16,6 +16,7 @@ struct element {
     float side;          /* 1; -1: the triangle's back */
     float area;          /* m2 */
     vec3s albedo;
+    vec3s emission;         /* W/(sr m2) */
     vec3s position, normal; /* elements_place */
 };
 

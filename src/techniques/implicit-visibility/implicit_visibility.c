@@ -5,6 +5,7 @@
 #include "passes/frame.h"
 #include "scene/caustics.h"
 #include "techniques/implicit-visibility/interpolate.h"
+#include "techniques/implicit-visibility/show.h"
 #include "techniques/many_lights.h"
 
 #include <stdlib.h>
@@ -12,15 +13,18 @@
 struct radiosity_settings {
     int elements, bins;
     int cover, weight; /* enum links_cover, links_weight */
-    int sky;           /* SKY_... */
+    int sky, lamps;    /* BY_... */
+    int links;         /* LINKS_BY_... */
     bool turned;
 };
 
 #define ROW(name) offsetof(struct radiosity_settings, name)
 
-enum { SKY_BY_RAYS, SKY_THROUGH_BINS }; /* values of radiosity.sky */
+enum { BY_RAYS, BY_BINS };                /* values of radiosity.sky and radiosity.lamps */
+enum { LINKS_BY_LEAVES, LINKS_BY_PAIRS }; /* values of radiosity.links */
 
-static const char *const sky_names[] = {"rays", "bins", NULL};
+static const char *const light_names[] = {"rays", "bins", NULL};
+static const char *const links_names[] = {"leaves", "pairs", NULL};
 static const char *const cover_names[] = {"disk", "center", NULL};
 static const char *const weight_names[] = {"bin", "element", NULL};
 
@@ -31,18 +35,26 @@ static const struct option table[] = {
     {"bins", 0, OPTION_INT, ROW(bins), 12, 2, BINS_SIDE_MAX,
      .help = "bins along each side of a cube of directions, n: 6 n^2 directions; more: sharper\n"
              "shadows, slower; at most the root of a sixth of the elements"},
+    {"links", 0, OPTION_CHOICE, ROW(links), LINKS_BY_LEAVES, .choices = links_names,
+     .help = "who makes links: leaves, each element by its own walk of the tree; pairs, nodes in\n"
+             "pairs, then refined and pushed to the elements, as published"},
     {"cover", 0, OPTION_CHOICE, ROW(cover), LINKS_COVER_DISK, .choices = cover_names,
      .help =
          "bins that an element fills: disk, all that it covers; center, the one of its middle,\n"
-         "as published, with leaks"},
+         "as published, with leaks",
+     .needs = "radiosity.links=leaves"},
     {"weight", 0, OPTION_CHOICE, ROW(weight), LINKS_WEIGHT_BIN, .choices = weight_names,
      .help = "light of an element: bin, as if it filled its bin; element, by its own solid angle,\n"
              "as published, too dark by half"},
-    {"sky", 0, OPTION_CHOICE, ROW(sky), SKY_BY_RAYS, .choices = sky_names,
+    {"sky", 0, OPTION_CHOICE, ROW(sky), BY_RAYS, .choices = light_names,
      .help = "light of an environment at the elements: rays, from sky.directions directions;\n"
              "bins, through those without a partner, as published"},
+    {"lamps", 0, OPTION_CHOICE, ROW(lamps), BY_RAYS, .choices = light_names,
+     .help = "light of lamps that are surfaces, at the elements: rays, to the lights that stand\n"
+             "for them; bins, by links to their elements, as published"},
     {"turned", 0, OPTION_FLAG, ROW(turned), 1,
-     .help = "turns the bins of each element at random: noise in place of bands"},
+     .help = "turns the bins of each element at random: noise in place of bands",
+     .needs = "radiosity.links=leaves"},
     {NULL},
 };
 
@@ -65,6 +77,7 @@ struct implicit_visibility {
     bool linked;     /* the links are those of this pose, with light of the sky or without */
     bool sky_linked;
     bool sky_by_bins;          /* it shines through bins; else by rays */
+    bool lamps_by_bins;        /* likewise lamps, by links */
     float (*sky)[3];           /* of each bin; NULL: none */
     struct environment sky_of; /* what it is of: its texels are the scene's */
 };
@@ -123,7 +136,7 @@ static bool place_elements(struct implicit_visibility *technique, const struct g
     elements_place(&technique->elements, geometry);
     bvh_free(&technique->casters);
     if (technique->elements.count > 0)
-        element_light_casters(&technique->casters, geometry);
+        element_light_casters(&technique->casters, technique->scene, geometry);
     return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry);
 }
 
@@ -139,6 +152,8 @@ static bool make_elements(struct implicit_visibility *technique, const struct ge
     if (!links_init(&technique->links, &technique->links_desc, technique->elements.count))
         return false;
     element_light_init(&technique->light, &technique->tree);
+    if (technique->lamps_by_bins)
+        element_light_emit(&technique->light, &technique->elements, &technique->tree);
     return place_elements(technique, geometry);
 }
 
@@ -177,10 +192,12 @@ static bool init(void **state, const struct technique_desc *desc) {
         .cover = (enum links_cover)own->cover,
         .weight = (enum links_weight)own->weight,
         .turned = own->turned,
-        .leaky = own->cover == LINKS_COVER_CENTER,
+        .leaky = own->cover == LINKS_COVER_CENTER || own->links == LINKS_BY_PAIRS,
+        .pairs = own->links == LINKS_BY_PAIRS,
     };
     technique->bounces = settings_of(struct lights_settings, desc->settings, &lights_part)->bounces;
-    technique->sky_by_bins = own->sky == SKY_THROUGH_BINS;
+    technique->lamps_by_bins = own->lamps == BY_BINS;
+    technique->sky_by_bins = own->sky == BY_BINS;
     if (!interpolate_pass_init(&technique->interpolate, desc->width, desc->height) ||
         !make_elements(technique, desc->geometry))
         return false;
@@ -220,9 +237,19 @@ static void link_elements(struct implicit_visibility *technique, const struct fr
     timer_end(frame->timers);
     timer_begin(frame->timers, "links");
     links_make(&technique->links, &technique->tree, sky ? (const float(*)[3])technique->sky : NULL);
+    if (technique->lamps_by_bins)
+        links_sort_lamps(&technique->links, (const float(*)[4])technique->light.emission);
     timer_end(frame->timers);
     technique->linked = true;
     technique->sky_linked = sky;
+}
+
+/* Lamps are dark where all lights were replaced by others. */
+static bool lamps_shine(const struct frame *frame) {
+    for (int i = 0; i < frame->emitters->count; i++)
+        if (frame->emitters->items[i].lamp > 0)
+            return true;
+    return false;
 }
 
 static void light_elements(struct implicit_visibility *technique, const struct frame *frame) {
@@ -230,6 +257,7 @@ static void light_elements(struct implicit_visibility *technique, const struct f
     const struct direct_lights lights = {
         .items = frame->emitters->items,
         .count = frame->emitters->count - sky,
+        .lamps_by_links = technique->lamps_by_bins && lamps_shine(frame),
         .casters = &technique->casters,
         .clearance = geometry_clearance(frame->geometry),
     };
@@ -261,12 +289,20 @@ static struct contribution contribution(const void *state) {
     return (struct contribution){.irradiance = &technique->interpolate.irradiance};
 }
 
+static void read_element(const void *state, const float position[3], const float normal[3],
+                         struct element_view *view) {
+    const struct implicit_visibility *technique = state;
+    if (technique->linked)
+        show_element(view, &technique->elements, &technique->tree, &technique->links,
+                     &technique->light, position, normal);
+}
+
 static const struct settings_part *const parts[] = {&lights_part, &radiosity_part, NULL};
 
 static const struct preset presets[] = {
     MANY_LIGHTS_FAST,
-    {"paper", "weights of eq. 4.5, one bin for each partner, bins of the world",
-     "radiosity.cover=center radiosity.weight=element radiosity.sky=bins radiosity.turned=off",
+    {"paper", "links by pairs of nodes, weights of eq. 4.5, lamps and environments by bins",
+     "radiosity.links=pairs radiosity.weight=element radiosity.sky=bins radiosity.lamps=bins",
      NULL},
     {NULL}};
 
@@ -283,4 +319,5 @@ const struct technique implicit_visibility_technique = {
     .render_lights = render_lights,
     .render_view = render_view,
     .contribution = contribution,
+    .read_element = read_element,
 };

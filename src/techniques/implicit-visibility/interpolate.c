@@ -27,26 +27,9 @@ bool interpolate_pass_init(struct interpolate_pass *pass, int width, int height)
     return false;
 }
 
-static void texel_buffer_free(struct texel_buffer *buffer) {
-    if (buffer->texels)
-        gl.DeleteTextures(1, &buffer->texels);
-    buffer_free(&buffer->buffer);
-    *buffer = (struct texel_buffer){0};
-}
-
-static bool texel_buffer_init(struct texel_buffer *buffer, const char *label, GLenum format,
-                              size_t size) {
-    *buffer = (struct texel_buffer){0};
-    if (!buffer_init(&buffer->buffer, label, size, NULL))
-        return false;
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &buffer->texels);
-    gl.TextureBuffer(buffer->texels, format, buffer->buffer.id);
-    return true;
-}
-
 static void free_room(struct interpolate_pass *pass) {
-    texel_buffer_free(&pass->cells);
-    texel_buffer_free(&pass->elements);
+    buffer_free(&pass->cells);
+    buffer_free(&pass->elements);
     free(pass->firsts);
     free(pass->texels);
     pass->firsts = NULL;
@@ -97,10 +80,8 @@ bool interpolate_pass_fit(struct interpolate_pass *pass, const struct elements *
     const size_t texels = ELEMENT_TEXELS * (size_t)elements->count;
     pass->firsts = mem_alloc(cells, sizeof *pass->firsts);
     pass->texels = mem_alloc(texels, sizeof *pass->texels);
-    return texel_buffer_init(&pass->cells, "cells of elements", GL_R32UI,
-                             cells * sizeof *pass->firsts) &&
-           texel_buffer_init(&pass->elements, "elements", GL_RGBA32F,
-                             texels * sizeof *pass->texels);
+    return buffer_init(&pass->cells, "cells of elements", cells * sizeof *pass->firsts, NULL) &&
+           buffer_init(&pass->elements, "elements", texels * sizeof *pass->texels, NULL);
 }
 
 static int cell_of(const struct interpolate_pass *pass, vec3s position) {
@@ -143,10 +124,10 @@ void interpolate_pass_write(struct interpolate_pass *pass, const struct elements
         texels[0][3] = open * open * open * open;
     }
     buffer_write(&pass->params, 0, sizeof pass->grid, &pass->grid);
-    buffer_write(&pass->cells.buffer, 0, ((size_t)pass->cell_count + 1) * sizeof *pass->firsts,
+    buffer_write(&pass->cells, 0, ((size_t)pass->cell_count + 1) * sizeof *pass->firsts,
                  pass->firsts);
     if (elements->count > 0)
-        buffer_write(&pass->elements.buffer, 0,
+        buffer_write(&pass->elements, 0,
                      (size_t)ELEMENT_TEXELS * (size_t)elements->count * sizeof *pass->texels,
                      pass->texels);
 }
@@ -161,9 +142,9 @@ void interpolate_pass_render(const struct interpolate_pass *pass, const struct f
                    .width = pass->irradiance.width,
                    .height = pass->irradiance.height,
                    .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
-                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                                {UNIT_ELEMENT_CELLS, pass->cells.texels},
-                                {UNIT_ELEMENTS, pass->elements.texels}},
+                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
+                   .storages = {{STORAGE_ELEMENT_CELLS, &pass->cells},
+                                {STORAGE_ELEMENTS, &pass->elements}},
                    .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
                });
     pass_draw_fullscreen(1);

@@ -2,8 +2,12 @@
 #include "lib/gbuffer.glsl"
 #include "shared/element_grid.h"
 
-layout(binding = UNIT_ELEMENT_CELLS) uniform usamplerBuffer element_cells;
-layout(binding = UNIT_ELEMENTS) uniform samplerBuffer elements;
+layout(std430, binding = STORAGE_ELEMENT_CELLS) readonly buffer element_cell_storage {
+    uint element_cells[];
+};
+layout(std430, binding = STORAGE_ELEMENTS) readonly buffer element_storage {
+    vec4 elements[];
+};
 
 layout(location = TARGET_RESULT) out vec4 result;
 
@@ -23,15 +27,15 @@ struct fit {
 };
 
 void add_element(surface s, vec3 tangent, vec3 bitangent, int number, inout fit sums) {
-    vec4 place = texelFetch(elements, ELEMENT_TEXELS * number);
+    vec4 place = elements[ELEMENT_TEXELS * number];
     vec3 path = (place.xyz - s.position) / params.cell;
     float distance2 = dot(path, path);
-    float facing = dot(texelFetch(elements, ELEMENT_TEXELS * number + 1).xyz, s.normal);
+    float facing = dot(elements[ELEMENT_TEXELS * number + 1].xyz, s.normal);
     if (distance2 >= 3.0 || facing <= 0.0)
         return;
     float falloff = max(1.0 - distance2, 0.0), plane = max(1.0 - abs(dot(path, s.normal)) / OFF_PLANE, 0.0);
     float weight = facing * facing * (falloff * falloff * plane * place.w + LAST_RESORT / (1e-3 + distance2));
-    vec3 value = weight * texelFetch(elements, ELEMENT_TEXELS * number + 2).xyz;
+    vec3 value = weight * elements[ELEMENT_TEXELS * number + 2].xyz;
     float u = dot(path, tangent), v = dot(path, bitangent);
     sums.ones += weight * vec3(1.0, u, v);
     sums.squares += weight * vec3(u * u, u * v, v * v);
@@ -66,8 +70,8 @@ void main() {
     for (int k = 0; k < 9; k++) {
         ivec2 row = middle.yz + ivec2(k % 3 - 1, k / 3 - 1);
         int cell = (row.y * counts.y + row.x) * counts.x + middle.x - 1;
-        int end = int(texelFetch(element_cells, cell + 3).r);
-        for (int number = int(texelFetch(element_cells, cell).r); number < end; number++)
+        int end = int(element_cells[cell + 3]);
+        for (int number = int(element_cells[cell]); number < end; number++)
             add_element(s, tangent, bitangent, number, sums);
     }
     result = vec4(sums.ones.x > 0.0 ? fit_value(sums) * params.scale : vec3(0.0), 1.0);

@@ -11,20 +11,13 @@
 
 struct frame;
 
-/* A buffer that shaders read by texels. */
-struct texel_buffer {
-    struct buffer buffer;
-    GLuint texels;
-};
-
 struct interpolate_pass {
     GLuint program;
     struct irradiance irradiance;
     struct element_grid_params grid;
-    struct buffer params;
-    struct texel_buffer cells, elements;
-    uint32_t *firsts;   /* of each cell, and one more */
-    float (*texels)[4]; /* of the elements */
+    struct buffer params, cells, elements; /* storages: texel buffers need have but 65,536 texels */
+    uint32_t *firsts;                      /* of each cell, and one more */
+    float (*texels)[4];                    /* of the elements */
     int element_count, cell_count, cells_along[3];
 };
 

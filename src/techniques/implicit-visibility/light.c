@@ -4,9 +4,11 @@
 #include "base/parallel.h"
 #include "scene/mesh/bvh_ray.h"
 #include "scene/mesh/corners.h"
+#include "scene/mesh/opacity.h"
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { LEAVES_TOGETHER = 64 };
 
@@ -25,18 +27,46 @@ void element_light_free(struct element_light *light) {
     free(light->direct);
     free(light->radiance);
     free(light->irradiance);
+    free(light->emission);
     *light = (struct element_light){0};
 }
 
-void element_light_casters(struct bvh *casters, const struct geometry *geometry) {
-    const uint32_t count = geometry->index_count / 3;
-    struct bvh_triangle *triangles = mem_alloc(count, sizeof *triangles);
-    for (uint32_t i = 0; i < count; i++) {
-        triangles[i] = (struct bvh_triangle){.number = i};
-        triangles[i].corner =
-            corners_edges(geometry, &geometry->indices[3 * i], triangles[i].edges);
+void element_light_emit(struct element_light *light, const struct elements *elements,
+                        const struct tree *tree) {
+    float most = 0;
+    for (int i = 0; i < elements->count; i++)
+        most = fmaxf(most, glms_vec3_max(elements->items[i].emission));
+    if (!(most > 0))
+        return;
+    light->emission = mem_alloc((size_t)light->node_count, sizeof *light->emission);
+    for (int i = 0; i < elements->count; i++)
+        memcpy(light->emission[i], elements->items[i].emission.raw, 3 * sizeof(float));
+    tree_pull_up_values(tree, light->emission);
+}
+
+static void add_opaque(struct opaque_triangles *list, const struct geometry *geometry,
+                       const struct geometry_batch *batch) {
+    for (uint32_t i = 0; i < batch->index_count; i += 3) {
+        struct bvh_triangle triangle = {.opaque = {~0U, ~0U},
+                                        .number = (batch->first_index + i) / 3};
+        triangle.corner =
+            corners_edges(geometry, &geometry->indices[batch->first_index + i], triangle.edges);
+        opaque_triangles_add(list, &triangle);
     }
-    bvh_init(casters, triangles, count);
+}
+
+void element_light_casters(struct bvh *casters, const struct scene *scene,
+                           const struct geometry *geometry) {
+    struct opaque_triangles list = {0};
+    for (int b = 0; b < geometry->batch_count; b++) {
+        const struct geometry_batch *batch = &geometry->batches[b];
+        if (scene->materials[batch->material].alpha_mask)
+            opaque_triangles_add_masked(&list, scene, geometry, batch);
+        else
+            add_opaque(&list, geometry, batch);
+    }
+    if (list.count > 0)
+        bvh_init(casters, list.items, list.count);
 }
 
 /* --- environment ------------------------------------------------------------------------------ */
@@ -78,7 +108,9 @@ struct lighting {
 static bool is_hidden(const struct direct_lights *lights, const struct element *element,
                       vec3s to_light, float distance) {
     vec3s origin = glms_vec3_muladds(element->normal, lights->clearance, element->position);
-    struct bvh_hit hit = bvh_ray_trace(lights->casters, origin, to_light);
+    if (lights->casters->count == 0)
+        return false;
+    struct bvh_hit hit = bvh_ray_trace_opaque(lights->casters, origin, to_light);
     return hit.distance < distance - lights->clearance;
 }
 
@@ -108,8 +140,14 @@ static void light_some(void *context, size_t run) {
     for (int i = first; i < end && i < lighting->light->count; i++) {
         const float *sky = lighting->links->sky[i];
         vec3s sum = {{sky[0], sky[1], sky[2]}};
+        if (lighting->lights->lamps_by_links && lighting->light->emission)
+            sum = glms_vec3_add(sum,
+                                links_gather_lamps(lighting->links, i,
+                                                   (const float(*)[4])lighting->light->emission));
         for (int l = 0; l < lighting->lights->count; l++) {
             const struct emitter *light = &lighting->lights->items[l];
+            if (lighting->lights->lamps_by_links && light->lamp > 0)
+                continue;
             float factor = arriving(lighting->lights, light, &lighting->elements->items[i]);
             glm_vec3_muladds((float *)light->intensity, factor, sum.raw);
         }

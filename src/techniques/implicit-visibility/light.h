@@ -12,13 +12,19 @@ struct element_light {
     float (*direct)[3];     /* irradiance of lights, W/m2 */
     float (*radiance)[4];   /* leaving each node of the tree, W/(sr m2) */
     float (*irradiance)[3]; /* indirect, of each leaf, W/m2 */
+    float (*emission)[4];   /* of each node, W/(sr m2); NULL: none emits */
 };
 
 void element_light_init(struct element_light *light, const struct tree *tree);
 void element_light_free(struct element_light *light);
 
-/* A tree of the geometry's triangles for element_light_direct; bvh_free it. */
-void element_light_casters(struct bvh *casters, const struct geometry *geometry);
+/* Lets the elements of lamps emit, in their places of the tree, where there are any. */
+void element_light_emit(struct element_light *light, const struct elements *elements,
+                        const struct tree *tree);
+
+/* A tree of the geometry's triangles for element_light_direct, with their alpha masks; bvh_free it. */
+void element_light_casters(struct bvh *casters, const struct scene *scene,
+                           const struct geometry *geometry);
 
 /* Mean radiance of the environment in each bin; free() it. */
 float (*element_light_sky(const struct bins *bins, const struct environment *environment))[3];
@@ -26,6 +32,7 @@ float (*element_light_sky(const struct bins *bins, const struct environment *env
 struct direct_lights {
     const struct emitter *items; /* as if without a size */
     int count;
+    bool lamps_by_links; /* lamps that are surfaces shine by light->emission along the links */
     const struct bvh *casters;
     float clearance; /* geometry_clearance */
 };

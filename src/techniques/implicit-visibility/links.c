@@ -4,16 +4,11 @@
 #include "base/halton.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "techniques/implicit-visibility/pairs.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* Nodes whose normals differ more are opened: their mean says little. */
-static const float least_normal = .7F;
-
-/* Partners nearer than this, over the leaf's radius, are its own surface. */
-static const float least_distance = .25F;
 
 /* Disks around the elements leave gaps: area of a disk that has none, over its element's. */
 static const float disk_area = 1.5F;
@@ -21,16 +16,10 @@ static const float disk_area = 1.5F;
 /* Disks of less of a bin's solid angle are less than a bin wide. */
 static const float disk_share = .5F;
 
-/* A back hides light, but the front at the same place counts. */
-static const float back_distance = 1.02F;
-
 /* An empty bin with so many filled neighbours is a leak. */
 enum { FILLED_NEIGHBOURS = 5 };
 
 enum { STACK_MAX = 256, LEAVES_TOGETHER = 8 };
-
-#define BACK 0x80000000U
-#define NOTHING UINT32_MAX
 
 struct walk {
     const struct links *links;
@@ -39,18 +28,13 @@ struct walk {
     uint32_t own;
     mat3s turn; /* from the world to the leaf's bins */
     float distances[BINS_MAX];
-    uint32_t nodes[BINS_MAX]; /* with BACK; NOTHING: empty */
+    uint32_t nodes[BINS_MAX]; /* with PARTNER_BACK; PARTNER_NONE: empty */
 };
 
 /* --- partners --------------------------------------------------------------------------------- */
 
 static void offer(struct walk *walk, int bin, uint32_t node, bool front, float distance) {
-    float key = front ? distance : distance * back_distance;
-    uint32_t word = front ? node : node | BACK;
-    if (key < walk->distances[bin] || (key == walk->distances[bin] && word < walk->nodes[bin])) {
-        walk->distances[bin] = key;
-        walk->nodes[bin] = word;
-    }
+    partner_offer(&walk->distances[bin], &walk->nodes[bin], node, front, distance);
 }
 
 struct disk {
@@ -133,23 +117,11 @@ static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s
         offer_disk(walk, j, turned, small);
 }
 
-/* Whether the node is too wide for one link. A node of differing normals shows more than its mean. */
-static bool opens(const struct walk *walk, const struct tree_node *node, const float path[3],
-                  vec3s turned, float distance) {
-    float length2 = glm_vec3_norm2((float *)node->normal);
-    if (length2 < least_normal * least_normal || distance < node->radius)
-        return true;
-    float cosine = fabsf(glm_vec3_dot((float *)node->normal, (float *)path)) / distance;
-    float shown = cosine + .5F * sqrtf(fmaxf(1 - length2, 0));
-    float solid_angle = node->area * shown / (distance * distance);
-    return solid_angle > bins_solid_angle(&walk->links->bins, turned.raw, distance);
-}
-
 /* All nodes that reach above the leaf's horizon. */
 static void walk_tree(struct walk *walk) {
     const struct tree *tree = walk->tree;
     const struct tree_node *leaf = walk->leaf;
-    const float near2 = glm_pow2(least_distance * leaf->radius);
+    const float near2 = glm_pow2(PARTNER_LEAST_DISTANCE * leaf->radius);
     uint32_t stack[STACK_MAX] = {(uint32_t)tree->count - 1};
     for (int size = 1; size > 0;) {
         uint32_t j = stack[--size];
@@ -162,7 +134,8 @@ static void walk_tree(struct walk *walk) {
             continue;
         float distance2 = glm_vec3_norm2(path), distance = sqrtf(distance2);
         vec3s turned = glms_mat3_mulv(walk->turn, (vec3s){{path[0], path[1], path[2]}});
-        if (j >= (uint32_t)tree->leaf_count && opens(walk, node, path, turned, distance) &&
+        if (j >= (uint32_t)tree->leaf_count &&
+            partner_opens(&walk->links->bins, node, path, turned.raw, distance) &&
             size + TREE_CHILDREN <= STACK_MAX) {
             for (int k = 0; k < TREE_CHILDREN && node->children[k] != TREE_NONE; k++)
                 stack[size++] = node->children[k];
@@ -181,13 +154,13 @@ static uint32_t close_leak(const struct walk *walk, int b) {
     int filled = 0, nearest = -1;
     for (int k = 0; k < BIN_NEIGHBOURS; k++) {
         int other = bin->neighbours[k];
-        if (walk->nodes[other] == NOTHING)
+        if (walk->nodes[other] == PARTNER_NONE)
             continue;
         filled++;
         if (nearest < 0 || walk->distances[other] < walk->distances[nearest])
             nearest = other;
     }
-    return filled >= FILLED_NEIGHBOURS ? walk->nodes[nearest] : NOTHING;
+    return filled >= FILLED_NEIGHBOURS ? walk->nodes[nearest] : PARTNER_NONE;
 }
 
 /* [Dong 2011 eq. 4.5] */
@@ -215,11 +188,16 @@ static void add_sky(const struct walk *walk, int b, float weight, const float (*
         sum[c] += weight * radiance[c];
 }
 
+/* In the leaf's bins. */
+static vec3s normal_of(const struct walk *walk) {
+    const float *normal = walk->leaf->normal;
+    return glms_mat3_mulv(walk->turn, (vec3s){{normal[0], normal[1], normal[2]}});
+}
+
 static void take_links(const struct walk *walk, struct links *links, const float (*sky)[3]) {
     const uint32_t own = walk->own;
     struct link *items = links->items + (size_t)own * (size_t)links->stride;
-    const vec3s normal = glms_mat3_mulv(
-        walk->turn, (vec3s){{walk->leaf->normal[0], walk->leaf->normal[1], walk->leaf->normal[2]}});
+    const vec3s normal = normal_of(walk);
     float all = 0, filled = 0, buried = 0, open[3] = {0};
     int count = 0;
     for (int b = 0; b < links->bins.count; b++) {
@@ -228,16 +206,16 @@ static void take_links(const struct walk *walk, struct links *links, const float
             continue;
         uint32_t node = walk->nodes[b];
         all += weight;
-        if (node == NOTHING && !links->desc.leaky)
+        if (node == PARTNER_NONE && !links->desc.leaky)
             node = close_leak(walk, b);
-        if (node == NOTHING) {
+        if (node == PARTNER_NONE) {
             add_sky(walk, b, weight, sky, open);
             continue;
         }
         filled += weight;
-        if (node & BACK)
+        if (node & PARTNER_BACK)
             buried += weight;
-        if (!(node & BACK) && count < links->stride)
+        if (!(node & PARTNER_BACK) && count < links->stride)
             items[count++] = (struct link){node, links->desc.weight == LINKS_WEIGHT_ELEMENT
                                                      ? element_weight(walk, node)
                                                      : weight};
@@ -266,46 +244,88 @@ static mat3s turn_of(uint32_t number) {
 struct making {
     struct links *links;
     const struct tree *tree;
+    const struct pairs *pairs; /* NULL: each leaf walks */
     const float (*sky)[3];
 };
+
+static void find_partners(struct walk *walk, const struct pairs *pairs) {
+    const size_t count = (size_t)walk->links->bins.count, first = walk->own * count;
+    if (pairs) {
+        memcpy(walk->distances, pairs->distances + first, count * sizeof *walk->distances);
+        memcpy(walk->nodes, pairs->partners + first, count * sizeof *walk->nodes);
+        return;
+    }
+    for (size_t b = 0; b < count; b++) {
+        walk->distances[b] = INFINITY;
+        walk->nodes[b] = PARTNER_NONE;
+    }
+    walk_tree(walk);
+}
+
+static void start_walk(struct walk *walk, const struct links *links, const struct tree *tree,
+                       int leaf) {
+    walk->links = links;
+    walk->tree = tree;
+    walk->own = (uint32_t)leaf;
+    walk->leaf = &tree->nodes[leaf];
+    walk->turn = links->desc.turned ? turn_of((uint32_t)leaf) : glms_mat3_identity();
+}
 
 static void make_some(void *context, size_t run) {
     const struct making *making = context;
     struct walk *walk = mem_alloc(1, sizeof *walk);
     int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
-    walk->links = making->links;
-    walk->tree = making->tree;
     for (int i = first; i < end && i < making->tree->leaf_count; i++) {
-        walk->own = (uint32_t)i;
-        walk->leaf = &making->tree->nodes[i];
-        walk->turn = making->links->desc.turned ? turn_of((uint32_t)i) : glms_mat3_identity();
-        for (int b = 0; b < making->links->bins.count; b++) {
-            walk->distances[b] = INFINITY;
-            walk->nodes[b] = NOTHING;
-        }
-        walk_tree(walk);
+        start_walk(walk, making->links, making->tree, i);
+        find_partners(walk, making->pairs);
         take_links(walk, making->links, making->sky);
     }
     free(walk);
 }
 
 void links_make(struct links *links, const struct tree *tree, const float (*sky)[3]) {
-    struct making making = {links, tree, sky};
+    struct pairs pairs = {0};
+    struct making making = {links, tree, links->desc.pairs ? &pairs : NULL, sky};
     size_t runs = ((size_t)tree->leaf_count + LEAVES_TOGETHER - 1) / LEAVES_TOGETHER;
+    if (links->desc.pairs)
+        pairs_make(&pairs, tree, &links->bins);
+    links->linked = pairs.linked;
     parallel_for(runs, links->desc.threads, make_some, &making);
+    pairs_free(&pairs);
+}
+
+vec3s links_partners(const struct links *links, const struct tree *tree, int leaf,
+                     uint32_t *partners) {
+    struct walk *walk = mem_alloc(1, sizeof *walk);
+    struct pairs pairs = {0};
+    start_walk(walk, links, tree, leaf);
+    if (links->desc.pairs)
+        pairs_make(&pairs, tree, &links->bins);
+    find_partners(walk, links->desc.pairs ? &pairs : NULL);
+    for (int b = 0; b < links->bins.count; b++) {
+        bool leak = walk->nodes[b] == PARTNER_NONE && !links->desc.leaky;
+        partners[b] = leak ? close_leak(walk, b) : walk->nodes[b];
+    }
+    vec3s normal = normal_of(walk);
+    pairs_free(&pairs);
+    free(walk);
+    return normal;
 }
 
 bool links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
     const size_t count = (size_t)leaf_count;
     *links = (struct links){.desc = *desc, .leaf_count = leaf_count};
+    links->desc.turned &= !desc->pairs; /* nodes share the world's bins */
     bins_init(&links->bins, desc->side);
     /* Half of all bins, and those that the horizon cuts. */
     links->stride = links->bins.count / 2 + 6 * desc->side + 8;
-    if (!mem_check(links_bytes(links)))
+    size_t pairs = desc->pairs ? pairs_bytes(2 * count, links->bins.count) : 0;
+    if (!mem_check(links_bytes(links) + pairs))
         return error_prefix("links of %d surface elements, %d bins each", leaf_count,
                             links->bins.count);
     links->items = mem_alloc(count * (size_t)links->stride, sizeof *links->items);
     links->counts = mem_alloc(count, sizeof *links->counts);
+    links->lamp_counts = mem_alloc(count, sizeof *links->lamp_counts);
     links->filled = mem_alloc(count, sizeof *links->filled);
     links->buried = mem_alloc(count, sizeof *links->buried);
     links->sky = mem_alloc(count, sizeof *links->sky);
@@ -316,6 +336,7 @@ void links_free(struct links *links) {
     bins_free(&links->bins);
     free(links->items);
     free(links->counts);
+    free(links->lamp_counts);
     free(links->filled);
     free(links->buried);
     free(links->sky);
@@ -323,16 +344,45 @@ void links_free(struct links *links) {
 }
 
 size_t links_bytes(const struct links *links) {
-    size_t each = (size_t)links->stride * sizeof *links->items + sizeof *links->counts +
+    size_t each = (size_t)links->stride * sizeof *links->items + 2 * sizeof *links->counts +
                   sizeof *links->filled + sizeof *links->buried + sizeof *links->sky;
     return (size_t)links->leaf_count * each;
 }
 
-vec3s links_gather(const struct links *links, int leaf, const float (*radiance)[4]) {
+static bool is_lamp(const float emission[4]) {
+    return emission[0] > 0 || emission[1] > 0 || emission[2] > 0;
+}
+
+void links_sort_lamps(struct links *links, const float (*emission)[4]) {
+    struct link *others = mem_alloc((size_t)links->stride, sizeof *others);
+    for (int i = 0; i < links->leaf_count; i++) {
+        struct link *items = links->items + (size_t)i * (size_t)links->stride;
+        int lamps = 0, rest = 0;
+        for (int k = 0; emission && k < links->counts[i]; k++) {
+            if (is_lamp(emission[items[k].node]))
+                items[lamps++] = items[k];
+            else
+                others[rest++] = items[k];
+        }
+        memcpy(items + lamps, others, (size_t)rest * sizeof *items);
+        links->lamp_counts[i] = lamps;
+    }
+    free(others);
+}
+
+static vec3s gather(const struct links *links, int leaf, int count, const float (*radiance)[4]) {
     const struct link *items = links->items + (size_t)leaf * (size_t)links->stride;
     float sum[4] = {0};
-    for (int k = 0; k < links->counts[leaf]; k++)
+    for (int k = 0; k < count; k++)
         for (int c = 0; c < 4; c++)
             sum[c] += items[k].weight * radiance[items[k].node][c];
     return (vec3s){{sum[0], sum[1], sum[2]}};
+}
+
+vec3s links_gather(const struct links *links, int leaf, const float (*radiance)[4]) {
+    return gather(links, leaf, links->counts[leaf], radiance);
+}
+
+vec3s links_gather_lamps(const struct links *links, int leaf, const float (*emission)[4]) {
+    return gather(links, leaf, links->lamp_counts[leaf], emission);
 }

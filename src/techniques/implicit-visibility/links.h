@@ -1,8 +1,8 @@
 /* Links of surface elements to their nearest partner in each bin of directions [Dong 2011 §4.3.2]: visibility without a map.
  *
- * Each leaf walks the tree by itself, from the root: a node is opened while its solid angle exceeds the bin's. The thesis
- * links nodes with each other, refines and pushes the links to the leaves; that ends with nearly the same links, but
- * depends on the order. Here the bits depend on neither order nor threads.
+ * Each leaf walks the tree by itself, from the root: a node is opened while its solid angle exceeds the bin's. The bits
+ * depend on neither order nor threads. The thesis links nodes with each other, refines and pushes the links to the leaves:
+ * links_desc.pairs.
  *
  * The thesis has a partner fill the bin of its middle alone. Near partners then leave bins empty beside it, through which
  * light leaks. LINKS_COVER_DISK fills all bins whose middle ray meets the partner's disk. The weight of a link is the cosine
@@ -23,6 +23,8 @@ struct links_desc {
     enum links_weight weight;
     bool turned; /* each leaf has turned its bins at random: no bands, but noise */
     bool leaky;  /* empty bins among filled ones stay empty */
+    bool
+        pairs; /* by pairs of nodes (pairs.h), in bins of the world, each partner in its middle's */
     int threads; /* 0: all cores */
 };
 
@@ -37,8 +39,10 @@ struct links {
     int leaf_count, stride;
     struct link *items; /* stride of each leaf */
     int *counts;        /* of each leaf's links */
+    int *lamp_counts;   /* its first so many lead to lamps: its list of light links */
     float *filled;      /* share of each leaf's cosine whose bins have a partner, front or back */
     float *buried;   /* the same, with backs: a leaf that sees little else lies within something */
+    long linked;     /* by pairs: ends of links between nodes, before the push */
     float (*sky)[3]; /* irradiance through the empty bins */
 };
 
@@ -49,9 +53,18 @@ void links_free(struct links *links);
 /* Links all leaves. sky: radiance of each bin; NULL: none. */
 void links_make(struct links *links, const struct tree *tree, const float (*sky)[3]);
 
+/* The partner of each bin of one leaf as links_make found it, as partner.h has them, leaks closed. Returns the leaf's
+ * normal in its bins. */
+vec3s links_partners(const struct links *links, const struct tree *tree, int leaf,
+                     uint32_t *partners);
+
+/* Puts links to nodes that emit before all others of each leaf [Dong 2011 §4.3.3]. Radiance of nodes; NULL: none emits. */
+void links_sort_lamps(struct links *links, const float (*emission)[4]);
+
 size_t links_bytes(const struct links *links);
 
-/* Irradiance of a leaf by the values of the tree's nodes. */
+/* Irradiance of a leaf by the values of the tree's nodes: of all its links, or of those to lamps. */
 vec3s links_gather(const struct links *links, int leaf, const float (*radiance)[4]);
+vec3s links_gather_lamps(const struct links *links, int leaf, const float (*emission)[4]);
 
 #endif
