@@ -208,7 +208,7 @@ def compare_places(glb, place, aspect):
 
 def flux(falloff):
     """Over all directions, over 2 pi."""
-    steps = 200000
+    steps = 20000
     return sum(falloff(math.pi * (i + 0.5) / steps) * math.sin(math.pi * (i + 0.5) / steps)
                for i in range(steps)) * math.pi / steps
 

@@ -33,6 +33,19 @@ static void test_formats_are_the_scene(void **state) {
         }
 }
 
+static void test_schema(void **state) {
+    (void)state;
+    need_command("python3 -c 'import jsonschema'");
+    expect(0, "for s in three-lights courtyard table; do"
+              " % export scenes/$s.glb -o @/schema-$s -q || exit 1; done");
+    expect(0, "% export scenes/three-lights.glb -o @/schema-all -q --environment scenes/day.hdr"
+              " --light '0 size=1; 1 range=3; sky; +area size=1,2; +directional size=0.1'");
+    expect(0, "for s in three-lights courtyard table all; do python3 test/apps/check_schema.py"
+              " bench/schema/pack.schema.json @/schema-$s/scene.json || exit 1; done");
+    expect(1, "sed 's/\"bounces\": 1/\"bounces\": -1/' @/schema-all/scene.json > @/wrong.json;"
+              " python3 test/apps/check_schema.py bench/schema/pack.schema.json @/wrong.json");
+}
+
 /* The shorter side of a high picture is its width. */
 static void test_high_picture(void **state) {
     (void)state;
@@ -204,7 +217,7 @@ static void test_refusals(void **state) {
     expect(1, "% export no-such.glb -o @/none");
     expect(1, "% export scenes/table.glb -o @/none --camera nobody");
     expect(1, "mkdir -p @/there && % export scenes/table.glb -o @/there");
-    expect_text("exists: export makes a new folder");
+    expect_text("exists: choose the name of a new folder");
     expect(1, "% export scenes/table.glb -o @/no/such/folder");
     expect_text("cannot make the folder");
     expect(1, "printf '{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{}]}' > @/e.gltf;"
@@ -218,6 +231,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_formats_are_the_scene),
         cmocka_unit_test(test_high_picture),
+        cmocka_unit_test(test_schema),
         cmocka_unit_test(test_checker_sees_changes),
         cmocka_unit_test(test_environment_lies_right),
         cmocka_unit_test(test_notes_are_in_the_files),

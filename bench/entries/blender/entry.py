@@ -31,7 +31,6 @@ def parse_arguments():
     parser.add_argument("--engine", choices=["cycles", "eevee"], default="cycles")
     parser.add_argument("--spp", type=int, default=64)
     parser.add_argument("--denoise", action="store_true", help="Open Image Denoise, with albedo and normal")
-    parser.add_argument("--device", default=None, help="name of the processor, for method.json")
     parser.add_argument("--probes", type=int, default=4, help="light probes of EEVEE along each axis; 0: direct light")
     parser.add_argument("--seed", type=int, default=0)
     return parser.parse_args(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])
@@ -387,6 +386,15 @@ def draw(folder, arguments):
     return picture["file"], time.monotonic() - ready, ready - start
 
 
+def processor():
+    try:
+        with open("/proc/cpuinfo") as file:
+            names = [line.split(":", 1)[1].strip() for line in file if line.startswith("model name")]
+        return f"{names[0]}, {len(names)} threads"
+    except (OSError, IndexError):
+        return None
+
+
 def write_method(arguments, files, seconds, before):
     cycles = arguments.engine == "cycles"
     name = "Blender Cycles" if cycles else "Blender EEVEE"
@@ -395,7 +403,7 @@ def write_method(arguments, files, seconds, before):
         "version": bpy.app.version_string,
         "url": "https://www.blender.org",
         "licence": "GPL-2.0-or-later",
-        "device": arguments.device,
+        "device": processor(),
         "driver": None,
         "layers": None,
         "ms": {"median": 1000 * statistics.median(seconds), "p99": None, "frames": len(seconds),

@@ -1,5 +1,4 @@
 /* manylight export: a scene for other renderers. */
-#define _DEFAULT_SOURCE
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/options.h"
@@ -9,16 +8,13 @@
 #include "apps/export/pack.h"
 #include "apps/export/pbrt.h"
 #include "base/error.h"
+#include "base/file/output_file.h"
 #include "base/memory.h"
 #include "scene/medium.h"
 #include "scene/texture.h"
 
-#include <dirent.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 enum export_format { FORMAT_PACK, FORMAT_MITSUBA, FORMAT_PBRT };
 
@@ -64,48 +60,6 @@ static const struct arguments arguments = {
     .max_positional = 1,
 };
 
-/* --- the folder ------------------------------------------------------------------------------- */
-
-/* It is made beside its place, and comes there when all files are written. */
-static char *begin_folder(const char *path) {
-    struct stat there;
-    size_t length = strlen(path);
-    while (length > 1 && path[length - 1] == '/')
-        length--;
-    if (lstat(path, &there) == 0) {
-        error_set("%s exists: export makes a new folder", path);
-        return NULL;
-    }
-    char *folder = mem_printf("%.*s.part-XXXXXX", (int)length, path);
-    if (mkdtemp(folder) && chmod(folder, 0755) == 0)
-        return folder;
-    error_set("cannot make the folder %s: %s", path, strerror(errno));
-    free(folder);
-    return NULL;
-}
-
-static void remove_folder(const char *folder) {
-    DIR *files = opendir(folder);
-    for (struct dirent *file; files && (file = readdir(files));) {
-        char *path = mem_printf("%s/%s", folder, file->d_name);
-        if (strcmp(file->d_name, ".") != 0 && strcmp(file->d_name, "..") != 0)
-            unlink(path);
-        free(path);
-    }
-    if (files)
-        closedir(files);
-    rmdir(folder);
-}
-
-static bool end_folder(char *folder, const char *path, bool ok) {
-    if (ok && rename(folder, path) != 0)
-        ok = error_set("cannot make the folder %s: %s", path, strerror(errno));
-    if (!ok)
-        remove_folder(folder);
-    free(folder);
-    return ok;
-}
-
 /* --- the scene -------------------------------------------------------------------------------- */
 
 static void note_scene(struct export_target *target, int format) {
@@ -131,7 +85,7 @@ static bool export_stage(const struct values *values, const struct stage *stage)
         target.width = size[0];
         target.height = size[1];
     }
-    char *folder = begin_folder(values->output);
+    char *folder = output_folder_begin(values->output);
     if (!folder)
         return false;
     target.folder = folder;
@@ -141,7 +95,7 @@ static bool export_stage(const struct values *values, const struct stage *stage)
     bool ok = exporters[values->format](&target);
     export_meshes_free(&target);
     free(target.notes.data);
-    return end_folder(folder, values->output, ok);
+    return output_folder_end(folder, values->output, ok);
 }
 
 int app_export(int argc, char **argv) {
