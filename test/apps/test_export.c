@@ -39,7 +39,7 @@ static void test_schema(void **state) {
     expect(0, "for s in three-lights courtyard table; do"
               " % export scenes/$s.glb -o @/schema-$s -q || exit 1; done");
     expect(0, "% export scenes/three-lights.glb -o @/schema-all -q --environment scenes/day.hdr"
-              " --light '0 size=1; 1 range=3; sky; +area size=1,2; +directional size=0.1'");
+              " --light '0 size=1,0; 1 range=3; sky; +area size=1,2; +directional size=0.1,0'");
     expect(0, "for s in three-lights courtyard table all; do python3 test/apps/check_schema.py"
               " bench/schema/pack.schema.json @/schema-$s/scene.json || exit 1; done");
     expect(1, "sed 's/\"bounces\": 1/\"bounces\": -1/' @/schema-all/scene.json > @/wrong.json;"

@@ -47,9 +47,12 @@ def sha256_of(path):
 
 
 def read_pack(folder):
-    with open(os.path.join(folder, "scene.json")) as file:
-        pack = json.load(file)
-    if pack["format"] != "manylight scene pack" or pack["version"] != 1:
+    try:
+        with open(os.path.join(folder, "scene.json")) as file:
+            pack = json.load(file)
+    except (OSError, ValueError) as error:
+        raise SystemExit(f"{folder}: no scene pack: {error}")
+    if pack.get("format") != "manylight scene pack" or pack.get("version") != 1:
         raise SystemExit(f"{folder}: no scene pack of version 1")
     for part in (pack["scene"], pack["environment"]):
         if part and sha256_of(os.path.join(folder, part["file"])) != part["sha256"]:
@@ -143,8 +146,6 @@ def build_material(material, source, pack):
         cutoff = source.get("alphaCutoff", 0.5) if source["alphaMode"] == "MASK" else 0.5
         shader = tree.mix(tree.math("GREATER_THAN", alpha, cutoff), clear, shader)
     tree.links.new(shader, output.inputs["Surface"])
-    # Emission is sampled on the side that shines.
-    material.cycles.emission_sampling = "FRONT_BACK" if hasattr(material.cycles, "emission_sampling") else None
 
 
 def build_materials(path, pack):
@@ -278,7 +279,8 @@ def set_world(folder, environment):
     picture = tree.add("ShaderNodeTexEnvironment",
                        Vector=tree.add("ShaderNodeMapping", Vector=where, Rotation=turn).outputs[0])
     picture.image = bpy.data.images.load(os.path.abspath(os.path.join(folder, environment["file"])))
-    picture.image.colorspace_settings.name = "Linear"
+    newer = bpy.app.version >= (4, 0, 0)
+    picture.image.colorspace_settings.name = "Linear Rec.709" if newer else "Linear"
     picture.interpolation = "Closest"
     tree.links.new(picture.outputs[0], background.inputs["Color"])
     background.inputs["Strength"].default_value = environment["strength"]
@@ -421,6 +423,8 @@ def write_method(arguments, files, seconds, before):
 
 def main():
     arguments = parse_arguments()
+    for folder in arguments.packs:
+        read_pack(folder)
     os.makedirs(arguments.entry, exist_ok=True)
     drawn = [draw(folder, arguments) for folder in arguments.packs]
     write_method(arguments, [d[0] for d in drawn], [d[1] for d in drawn], [d[2] for d in drawn])

@@ -13,15 +13,21 @@ bool export_is_shape(const struct emitter *emitter) {
 }
 
 void export_note_light(struct export_target *target, const struct emitter *emitter) {
-    if (emitter->range > 0 && emitter->type != EMITTER_DIRECTIONAL)
-        export_note(target, "light %d: its range is left out", emitter->number);
-    if (emitter->size[0] > 0 && !export_is_shape(emitter))
-        export_note(target, "light %d: its size is left out", emitter->number);
-    if (export_is_shape(emitter))
-        export_note(target, "light %d: its shape blocks light", emitter->number);
-    if (emitter->type == EMITTER_SPOT)
-        export_note(target, "light %d: another falloff at the edge of its cone, of the same flux",
-                    emitter->number);
+    const struct {
+        bool is_so;
+        const char *text;
+    } notes[] = {
+        {emitter->range > 0 && emitter->type != EMITTER_DIRECTIONAL, "its range is left out"},
+        {emitter->size[0] > 0 && !export_is_shape(emitter), "its size is left out"},
+        {export_is_shape(emitter), "its shape blocks light"},
+        {emitter->type == EMITTER_SPOT,
+         "another falloff at the edge of its cone, of the same flux"},
+    };
+    for (size_t i = 0; i < sizeof notes / sizeof *notes; i++)
+        if (notes[i].is_so && emitter->number >= 0)
+            export_note(target, "light %d: %s", emitter->number, notes[i].text);
+        else if (notes[i].is_so)
+            export_note(target, "an added light: %s", notes[i].text);
 }
 
 /* A sphere's is its intensity over the area that is seen. */
