@@ -421,8 +421,18 @@ def write_method(arguments, files, seconds, before):
         file.write("\n")
 
 
+def check_denoiser(arguments):
+    import _cycles
+
+    if arguments.denoise and arguments.engine == "eevee":
+        raise SystemExit("entry.py: --denoise is for --engine cycles")
+    if arguments.denoise and not _cycles.with_openimagedenoise:
+        raise SystemExit("entry.py: --denoise: this Blender is built without Open Image Denoise, as Debian's is")
+
+
 def main():
     arguments = parse_arguments()
+    check_denoiser(arguments)
     for folder in arguments.packs:
         read_pack(folder)
     os.makedirs(arguments.entry, exist_ok=True)
@@ -433,8 +443,10 @@ def main():
 try:
     main()
 except SystemExit as end:
-    print(end, file=sys.stderr)
-    os._exit(1)
+    if isinstance(end.code, str):
+        print(end.code, file=sys.stderr)
+    sys.stdout.flush()
+    os._exit(1 if end.code else 0)
 except Exception:
     import traceback
 
