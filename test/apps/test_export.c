@@ -209,6 +209,59 @@ static void test_chosen_lights(void **state) {
     expect(0, "grep 'radiance\" value=\"2 2 2\"' @/sized/scene.xml");
 }
 
+/* --- entries ---------------------------------------------------------------------------------- */
+
+/* Draws a small picture of the box by a script of bench/entries/, and scores it. */
+static void check_entry(const char *command, const char *pack, double most_bias,
+                        double most_error) {
+    char line[512];
+    double error = NAN, bias = NAN;
+    expect(0, "mkdir -p @/references; ls @/references/*.exr || % reference scenes/cornell-box.glb"
+              " --size 48x48 --spp 256 -q -o @/references/cornell-box.48x48.exr");
+    snprintf(line, sizeof line,
+             "rm -rf @/%s @/entry; %% export scenes/cornell-box.glb -o @/%s --size 48x48 -q && %s >"
+             " @/log.txt 2>&1 || { tail -5 @/log.txt; exit 1; }",
+             pack, pack, command);
+    expect(0, line);
+    int status = run_line("% score @/entry @/references");
+    const char *row = strstr(output, "beauty");
+    assert_non_null(row);
+    assert_int_equal(sscanf(row, "beauty %lf %*f %*f %*f %lf", &error, &bias), 2);
+    check_near("bias", bias, 0, most_bias);
+    check_at_most("relative RMSE", error, most_error);
+    assert_true(status <= 1); /* few samples may look like fireflies */
+    assert_null(strstr(output, "fault: exposure"));
+    assert_null(strstr(output, "fault: mirrored"));
+    assert_null(strstr(output, "fault: shifted"));
+}
+
+static void test_cycles(void **state) {
+    (void)state;
+    need_command("blender --version");
+    check_entry("blender -b --factory-startup -P bench/entries/blender/entry.py -- @/entry @/cycles"
+                " --spp 64",
+                "cycles", .02, .2);
+}
+
+static void test_povray(void **state) {
+    (void)state;
+    need_command("povray --version");
+    check_entry("python3 bench/entries/povray/entry.py @/entry @/povray", "povray", .02, .2);
+}
+
+/* Scripts refuse what they cannot draw before they start anything. */
+static void test_scripts_refuse(void **state) {
+    (void)state;
+    need_command("python3 -c 1");
+    expect(0, "rm -rf @/lamp; % export scenes/table.glb -o @/lamp -q");
+    expect(1, "python3 bench/entries/povray/entry.py @/refused @/lamp");
+    expect_text("an environment or emissive surfaces");
+    expect(1, "python3 bench/entries/povray/entry.py @/refused @/nowhere");
+    expect_text("no scene pack");
+    expect(1, "echo >> @/lamp/scene.glb; python3 bench/entries/povray/entry.py @/refused @/lamp");
+    expect_text("its SHA-256 is another");
+}
+
 static void test_refusals(void **state) {
     (void)state;
     expect(2, "% export scenes/table.glb");
@@ -238,6 +291,9 @@ int main(void) {
         cmocka_unit_test(test_xml_is_well_formed),
         cmocka_unit_test(test_chosen_lights),
         cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_cycles),
+        cmocka_unit_test(test_povray),
+        cmocka_unit_test(test_scripts_refuse),
     };
     return cmocka_run_group_tests_name("export", tests, clean, NULL);
 }
