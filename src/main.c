@@ -32,6 +32,7 @@ static const struct subcommand {
     {"average", "joins pictures of different passes", app_average},
     {"bench", "measures times, errors and memory", app_bench},
     {"compare", "measures the error between two pictures", app_compare},
+    {"export", "writes a scene for other renderers: a pack, Mitsuba 3, pbrt-v4", app_export},
     {"info", "describes a scene, or the renderer of this machine", app_info},
     {"render", "renders pictures without a window", app_render},
     {"report", "writes a page on a scene: each technique's time, error and picture", app_report},

@@ -6,6 +6,7 @@
 int app_average(int argc, char **argv);
 int app_bench(int argc, char **argv);
 int app_compare(int argc, char **argv);
+int app_export(int argc, char **argv);
 int app_reference(int argc, char **argv);
 int app_info(int argc, char **argv);
 int app_render(int argc, char **argv);

@@ -3,6 +3,7 @@
 
 #include "base/file/image_file.h"
 #include "base/memory.h"
+#include "base/sha256.h"
 #include "metrics/colour.h"
 
 #include <math.h>
@@ -183,6 +184,34 @@ static void test_missing_layer(void **state) {
     image_free(&beauty);
 }
 
+/* The table does not mix with JSON on standard output. */
+static void test_sums_and_standard_output(void **state) {
+    (void)state;
+    char method[256], digits[SHA256_DIGITS + 1];
+    write_entry(&frame, NAME, "{\"name\": \"test\"}");
+    check_ok(NAME, sha256_of_file(scratch("entry/" NAME), digits));
+    snprintf(method, sizeof method, "{\"name\": \"test\", \"sha256\": {\"" NAME "\": \"%s\"}}",
+             digits);
+    write_entry(&frame, NAME, method);
+    expect(0, "% score @/entry @/references -o - 2> @/table");
+    assert_int_equal(output[0], '{');
+    expect_text("\"sha256\"");
+    assert_int_equal(count_text(output, "relative-bias "), 0);
+    expect(0, "cat @/table");
+    expect_text("relative-bias ");
+    method[strlen(method) - 4] ^= 1; /* the last digit, to another digit */
+    write_entry(&frame, NAME, method);
+    expect(1, "% score @/entry @/references");
+    expect_text("fault: sha256: its SHA-256 is ");
+    assert_int_equal(count_text(output, "fault: "), 1);
+    snprintf(method, sizeof method, "{\"name\": \"test\", \"sha256\": {\"a.1x1.exr\": \"%s\"}}",
+             digits);
+    write_entry(&frame, NAME, method);
+    expect(1, "% score @/entry @/references");
+    expect_text("a.1x1.exr");
+    expect_text("fault: missing-picture: method.json lists its SHA-256");
+}
+
 /* --- figures ---------------------------------------------------------------------------------- */
 
 /* The same digits as compare prints, and no fault, be the technique right or wrong. */
@@ -241,6 +270,9 @@ static void test_refusals(void **state) {
         {"{\"name\": \"a\", \"ms\": {\"frames\": 1.5}}", "ms: frames: it is no whole number"},
         {"{\"name\": \"a\", \"layers\": \"direct\"}", "layers: it is no list of texts"},
         {"{\"name\": \"a\", \"hardware_rays\": 1}", "hardware_rays: it is neither true nor false"},
+        {"{\"name\": \"a\", \"sha256\": {\"b.exr\": \"ab\"}}",
+         "sha256: b.exr: it is no 64 lower-case hexadecimal digits"},
+        {"{\"name\": \"a\", \"sha256\": []}", "sha256: it is no object"},
         {"{\"name\": \"a\", \"speed\": 1}", "'speed' is no field of it"},
     };
     for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
@@ -273,6 +305,7 @@ int main(void) {
         cmocka_unit_test(test_another_camera),
         cmocka_unit_test(test_size_layer_and_names),
         cmocka_unit_test(test_missing_layer),
+        cmocka_unit_test(test_sums_and_standard_output),
         cmocka_unit_test(test_figures_are_those_of_compare),
         cmocka_unit_test(test_schemas),
         cmocka_unit_test(test_refusals),

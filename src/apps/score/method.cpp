@@ -19,7 +19,7 @@ using nlohmann::json;
 
 namespace {
 
-enum class Kind { Text, Number, Whole, Flag, Texts, Times };
+enum class Kind { Text, Number, Whole, Flag, Texts, Times, Sums };
 
 struct Field {
     const char *name;
@@ -40,6 +40,7 @@ const Field fields[] = {
     {"denoiser", Kind::Text, false},
     {"hardware_rays", Kind::Flag, false},
     {"precomputed_s", Kind::Number, false},
+    {"sha256", Kind::Sums, false}, /* of pictures, by the names of their files */
 };
 
 const Field times[] = {
@@ -53,6 +54,23 @@ template <size_t count> bool check_fields(const json &object, const Field (&tabl
 
 bool is_count(const json &value) {
     return value.is_number_integer() && value.get<double>() >= 0;
+}
+
+bool is_sum(const json &value) {
+    if (!value.is_string())
+        return false;
+    const std::string &text = value.get_ref<const std::string &>();
+    return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+bool check_sums(const json &value) {
+    if (!value.is_object())
+        return error_set("it is no object");
+    for (const auto &item : value.items())
+        if (!is_sum(item.value()))
+            return error_set("%.80s: it is no 64 lower-case hexadecimal digits",
+                             item.key().c_str());
+    return true;
 }
 
 bool check_value(const json &value, const Field &field) {
@@ -74,6 +92,8 @@ bool check_value(const json &value, const Field &field) {
         return value.is_array() || error_set("%s: it is no list of texts", field.name);
     case Kind::Times:
         return check_fields(value, times) || error_prefix("%s", field.name);
+    case Kind::Sums:
+        return check_sums(value) || error_prefix("%s", field.name);
     }
     return false;
 }
@@ -117,12 +137,26 @@ bool copy_layers(struct method &method, const json &object) {
     return true;
 }
 
+void copy_sums(struct method &method, const json &object) {
+    if (!object.contains("sha256") || object["sha256"].is_null())
+        return;
+    const json &sums = object["sha256"];
+    method.sums = static_cast<struct method_sum *>(mem_alloc(sums.size(), sizeof *method.sums));
+    for (const auto &item : sums.items()) {
+        struct method_sum &sum = method.sums[method.sum_count++];
+        sum.file = mem_strdup(item.key().c_str());
+        snprintf(sum.digits, sizeof sum.digits, "%s",
+                 item.value().get_ref<const std::string &>().c_str());
+    }
+}
+
 bool take(struct method &method, const json &object) {
     if (!check_fields(object, fields) || !copy_layers(method, object))
         return false;
     copy_text(method.name, object, "name");
     copy_text(method.version, object, "version");
     copy_text(method.device, object, "device");
+    copy_sums(method, object);
     method.json = mem_strdup(object.dump().c_str());
     return true;
 }
@@ -143,6 +177,16 @@ bool method_read(struct method *method, const char *path) {
 }
 
 void method_free(struct method *method) {
+    for (int i = 0; i < method->sum_count; i++)
+        free(method->sums[i].file);
+    free(method->sums);
     free(method->json);
     *method = {};
+}
+
+const char *method_sum_of(const struct method *method, const char *file) {
+    for (int i = 0; i < method->sum_count; i++)
+        if (strcmp(method->sums[i].file, file) == 0)
+            return method->sums[i].digits;
+    return nullptr;
 }

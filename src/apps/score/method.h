@@ -10,16 +10,27 @@ extern "C" {
 
 enum { METHOD_LAYERS_MAX = 16 };
 
+/* A picture as whoever made it has it. */
+struct method_sum {
+    char *file;
+    char digits[65]; /* its SHA-256, as base/sha256.h writes it */
+};
+
 struct method {
     char name[128], version[64], device[128]; /* "" where it does not tell */
     char layers[METHOD_LAYERS_MAX][32];       /* that it promises besides beauty */
     int layer_count;
+    struct method_sum *sums;
+    int sum_count;
     char *json; /* all of it, in one line */
 };
 
 /* Error: names the file, the field and what it must be. */
 bool method_read(struct method *method, const char *path);
 void method_free(struct method *method);
+
+/* The digits that it lists for a picture; NULL: none. */
+const char *method_sum_of(const struct method *method, const char *file);
 
 #ifdef __cplusplus
 }

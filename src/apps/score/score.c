@@ -3,6 +3,7 @@
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/bench/measure/reference.h"
+#include "apps/outputs.h"
 #include "apps/score/entry.h"
 #include "apps/score/method.h"
 
@@ -11,6 +12,7 @@
 #include "base/file/output_file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "base/sha256.h"
 #include "metrics/faults.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
@@ -30,7 +32,8 @@ static const struct option options[] = {
     {"scene", 0, OPTION_LIST, offsetof(struct values, scenes), .value_name = "NAME",
      .help = "score this scene alone; repeatable [all of REFERENCES]"},
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE.json",
-     .help = "write the scores as JSON; bench/schema/score.schema.json tells their form"},
+     .help = "write the scores as JSON; -: to standard output, and the table to standard error;\n"
+             "bench/schema/score.schema.json tells their form"},
     {NULL},
 };
 
@@ -45,10 +48,12 @@ static void print_more(FILE *out, const void *values) {
             "SCENE.WxH.FRAME.exr. REFERENCES holds pictures of the same names. The beauty layer\n"
             "is scored, and the layers that method.json lists. method.json has a name, and may\n"
             "have version, url, licence, device, driver, layers, ms {median, p99, frames,\n"
-            "covers}, history_frames, denoiser, hardware_rays, precomputed_s; null is unknown.\n"
+            "covers}, history_frames, denoiser, hardware_rays, precomputed_s, sha256 {FILE:\n"
+            "DIGITS, ...}; null is unknown.\n"
             "Metrics: as manylight compare has them. Noise: the reference's standard error of\n"
             "the indirect layer over its mean.\n"
-            "Faults: name, missing-picture, no-reference, size, missing-layer, not-finite");
+            "Faults: name, missing-picture, no-reference, size, missing-layer, not-finite,\n"
+            "sha256");
     for (int i = 0; i < FAULT_COUNT; i++)
         fprintf(out, ", %s", picture_fault_names[i]);
     fprintf(out, ".\nExit status: 0; 1 where a fault is found; 2 for wrong usage.\n");
@@ -64,8 +69,9 @@ static const struct arguments arguments = {
     .print_more = print_more,
 };
 
-/* What is found goes to a table on stdout and to JSON at once. */
+/* What is found goes to a table and to JSON at once. */
 struct score {
+    FILE *table;
     const char *entry_folder, *reference_folder;
     struct method method;
     struct output_text json;
@@ -89,7 +95,7 @@ static void begin_row(struct score *score, struct row *row, const char *file, co
 }
 
 static void add_fault(struct score *score, struct row *row, const char *fault, const char *text) {
-    printf("%-28s %-10s fault: %s: %s\n", row->file, row->layer, fault, text);
+    fprintf(score->table, "%-28s %-10s fault: %s: %s\n", row->file, row->layer, fault, text);
     fprintf(score->json.stream, "%s{\"fault\": \"%s\", \"text\": ", row->separator, fault);
     json_print_text(score->json.stream, text);
     fprintf(score->json.stream, "}");
@@ -112,8 +118,9 @@ static void add_unscored(struct score *score, const char *file, const char *laye
 /* Both as the metrics take them. */
 struct pair {
     struct image picture, reference;
-    int not_finite; /* values of the picture that are taken as 0 */
-    double noise;   /* of the reference; NaN: it does not tell */
+    int not_finite;                 /* values of the picture that are taken as 0 */
+    double noise;                   /* of the reference; NaN: it does not tell */
+    char digits[SHA256_DIGITS + 1]; /* of the picture's file */
 };
 
 /* Linear R G B of a layer, with zeros for what is not finite. */
@@ -148,25 +155,36 @@ static void print_metrics(struct score *score, const struct row *row, const stru
     struct comparison comparison = {.test = &pair->picture,
                                     .reference = &pair->reference,
                                     .pixels_per_degree = (float)DEFAULT_PIXELS_PER_DEGREE};
-    printf("%-28s %-10s", row->file, row->layer);
+    fprintf(score->table, "%-28s %-10s", row->file, row->layer);
     fprintf(score->json.stream, ", \"metrics\": {");
     for (int i = 0; i < SCORED; i++) {
         double value = metric_measure(metric_find(metric_names[i]), &comparison, NULL);
-        printf(" %13.6g", value);
+        fprintf(score->table, " %13.6g", value);
         fprintf(score->json.stream, "%s\"%s\": ", i ? ", " : "", metric_names[i]);
         json_print_number(score->json.stream, value);
     }
     if (isfinite(pair->noise))
-        printf(" %13.6g\n", pair->noise);
+        fprintf(score->table, " %13.6g\n", pair->noise);
     else
-        printf(" %13s\n", "-");
+        fprintf(score->table, " %13s\n", "-");
     fprintf(score->json.stream, "}, \"noise\": ");
     json_print_number(score->json.stream, pair->noise);
+}
+
+/* Of a picture that is another than method.json lists. */
+static void add_sum_fault(struct score *score, struct row *row, const struct pair *pair) {
+    const char *listed = method_sum_of(&score->method, row->file);
+    if (!listed || strcmp(listed, pair->digits) == 0)
+        return;
+    char *text = mem_printf("its SHA-256 is %s, method.json lists %s", pair->digits, listed);
+    add_fault(score, row, "sha256", text);
+    free(text);
 }
 
 static void print_faults(struct score *score, struct row *row, const struct pair *pair) {
     struct picture_faults faults;
     fprintf(score->json.stream, ", \"faults\": [");
+    add_sum_fault(score, row, pair);
     if (pair->not_finite) {
         char *text = mem_printf("%d values are NaN or infinite, and taken as 0", pair->not_finite);
         add_fault(score, row, "not-finite", text);
@@ -203,7 +221,8 @@ static bool score_layer(struct score *score, const char *file, const char *layer
     struct pair pair = {0};
     char *path = mem_printf("%s/%s", score->entry_folder, file);
     char *reference_path = mem_printf("%s/%s", score->reference_folder, file);
-    bool ok = image_is_whole(path) && read_reference(&pair, reference_path, layer);
+    bool ok = image_is_whole(path) && sha256_of_file(path, pair.digits) &&
+              read_reference(&pair, reference_path, layer);
     if (ok && read_picture(&pair, path, layer))
         score_pair(score, file, layer, &pair);
     else if (ok)
@@ -231,6 +250,14 @@ static bool score_file(struct score *score, const char *file) {
     return ok;
 }
 
+/* Whatever its name is. */
+static bool entry_has(const struct entry *entry, const char *file) {
+    bool found = entry_find(entry, file);
+    for (int i = 0; i < entry->other_count; i++)
+        found |= strcmp(entry->others[i], file) == 0;
+    return found;
+}
+
 static bool score_all(struct score *score, const struct values *values, const struct entry *entry,
                       const struct entry *references) {
     for (int i = 0; i < references->count; i++) {
@@ -248,6 +275,11 @@ static bool score_all(struct score *score, const struct values *values, const st
             is_asked(&values->scenes, entry->pictures[i].scene))
             add_unscored(score, entry->pictures[i].file, "beauty", "no-reference",
                          "REFERENCES has none of that name");
+    for (int i = 0; i < score->method.sum_count && values->scenes.count == 0; i++)
+        if (!entry_has(entry, score->method.sums[i].file) &&
+            !entry_find(references, score->method.sums[i].file))
+            add_unscored(score, score->method.sums[i].file, "beauty", "missing-picture",
+                         "method.json lists its SHA-256");
     for (int i = 0; i < entry->other_count; i++)
         add_unscored(score, entry->others[i], "beauty", "name",
                      "it is neither SCENE.WxH.exr nor SCENE.WxH.FRAME.exr");
@@ -290,11 +322,11 @@ static bool check_output(const struct score *score, const char *output, const st
 
 static void print_head(struct score *score) {
     const struct method *method = &score->method;
-    printf("%s%s%s%s%s\n%-28s %-10s", method->name, *method->version ? " " : "", method->version,
-           *method->device ? ", " : "", method->device, "picture", "layer");
+    fprintf(score->table, "%s%s%s%s%s\n%-28s %-10s", method->name, *method->version ? " " : "",
+            method->version, *method->device ? ", " : "", method->device, "picture", "layer");
     for (int i = 0; i < SCORED; i++)
-        printf(" %13s", metric_names[i]);
-    printf(" %13s\n", "noise");
+        fprintf(score->table, " %13s", metric_names[i]);
+    fprintf(score->table, " %13s\n", "noise");
     fprintf(score->json.stream, "{\"method\": %s,\n \"scores\": [", method->json);
 }
 
@@ -326,8 +358,10 @@ int app_score(int argc, char **argv) {
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, folders, &count, &status))
         return status;
-    struct score score = {
-        .entry_folder = folders[0], .reference_folder = folders[1], .separator = ""};
+    struct score score = {.table = outputs_table_stream(&values.output, 1),
+                          .entry_folder = folders[0],
+                          .reference_folder = folders[1],
+                          .separator = ""};
     if (!score_entry(&score, &values))
         return arguments_fail(argv[0]);
     return score.fault_count ? STATUS_FAILED : STATUS_OK;

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -404,5 +405,49 @@ bool output_text_write(struct output_text *text, const char *path) {
 bool output_text_end(struct output_text *text, const char *path) {
     bool ok = output_text_write(text, path);
     output_text_free(text);
+    return ok;
+}
+
+/* --- folders ---------------------------------------------------------------------------------- */
+
+static bool fail_folder(const char *path) {
+    return error_set("cannot make the folder %s: %s", path, strerror(errno));
+}
+
+char *output_folder_begin(const char *path) {
+    struct stat there;
+    size_t length = strlen(path);
+    while (length > 1 && path[length - 1] == '/')
+        length--;
+    if (lstat(path, &there) == 0) {
+        error_set("%s exists: choose the name of a new folder", path);
+        return NULL;
+    }
+    char *folder = mem_printf("%.*s.part-XXXXXX", (int)length, path);
+    if (mkdtemp(folder) && chmod(folder, 0755) == 0)
+        return folder;
+    fail_folder(path);
+    free(folder);
+    return NULL;
+}
+
+static void remove_folder(const char *folder) {
+    DIR *files = opendir(folder);
+    for (struct dirent *file; files && (file = readdir(files));) {
+        char *path = mem_printf("%s/%s", folder, file->d_name);
+        if (strcmp(file->d_name, ".") != 0 && strcmp(file->d_name, "..") != 0)
+            unlink(path);
+        free(path);
+    }
+    if (files)
+        closedir(files);
+    rmdir(folder);
+}
+
+bool output_folder_end(char *folder, const char *path, bool ok) {
+    ok = ok && (rename(folder, path) == 0 || fail_folder(path));
+    if (!ok)
+        remove_folder(folder);
+    free(folder);
     return ok;
 }

@@ -81,4 +81,10 @@ bool output_text_write(struct output_text *text, const char *path);
 /* Writes it and frees the text, whatever happens. */
 bool output_text_end(struct output_text *text, const char *path);
 
+/* A new folder whose files are written beside its place, and which comes there whole: output_folder_begin returns the
+ * folder to write to, to be given to output_folder_end, which frees it, and removes it with its files where ok is false.
+ * NULL, and an error: the path exists, or no folder can be made there. */
+char *output_folder_begin(const char *path);
+bool output_folder_end(char *folder, const char *path, bool ok);
+
 #endif

@@ -1,0 +1,33 @@
+/* The scene's triangles as binary PLY files: position, normal, u v where the mesh has a texture. */
+#ifndef APPS_EXPORT_MESHES_H
+#define APPS_EXPORT_MESHES_H
+
+#include "apps/export/target.h"
+
+#include <cglm/struct.h>
+
+/* Sorts the stage's triangles into target->meshes; points and lines are left out. */
+void export_meshes_find(struct export_target *target);
+
+/* Accepts a zeroed target. */
+void export_meshes_free(struct export_target *target);
+
+/* The mapping of the mesh's texture: the base colour's, else the emission's; -1 = it has none. */
+int export_mapping(const struct export_target *target, const struct export_mesh *mesh);
+
+struct ply_desc {
+    bool flips_v; /* v counts from the bottom of a picture */
+    bool back;    /* the other side, a little behind: all turned round */
+};
+
+/* Writes mesh-N.ply, of a back mesh-N-back.ply. */
+bool export_ply(const struct export_target *target, int n, const struct ply_desc *desc);
+
+/* Means over the mesh, by area: of the vertices' colours, and of what it emits, W/(sr m2). */
+vec3s export_vertex_color(const struct export_target *target, const struct export_mesh *mesh);
+vec3s export_emission(const struct export_target *target, const struct export_mesh *mesh);
+
+/* Notes of what neither format has of the mesh's material. */
+void export_note_mesh(struct export_target *target, const struct export_mesh *mesh);
+
+#endif

@@ -1,0 +1,54 @@
+#include "apps/export/target.h"
+
+#include "base/file/output_file.h"
+#include "base/log.h"
+#include "base/memory.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+char *export_path(const struct export_target *target, const char *name) {
+    return mem_printf("%s/%s", target->folder, name);
+}
+
+static void add_comments(struct text *text, const struct export_target *target, const char *before,
+                         const char *after) {
+    for (const char *line = target->notes.data; line && *line; line += strcspn(line, "\n") + 1)
+        text_print(text, "%s%.*s%s\n", before, (int)strcspn(line, "\n"), line, after);
+}
+
+bool export_write(const struct export_target *target, const char *name, const char *before,
+                  const char *after, const struct text *body) {
+    struct text all = {0};
+    char *path = export_path(target, name);
+    add_comments(&all, target, before, after);
+    text_append(&all, body->data, body->length);
+    bool ok = output_file_write(path, all.data, all.length);
+    free(all.data);
+    free(path);
+    return ok;
+}
+
+void export_note(struct export_target *target, const char *format, ...) {
+    char line[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(line, sizeof line, format, args);
+    va_end(args);
+    strncat(line, "\n", sizeof line - strlen(line) - 1);
+    if (target->notes.data && strstr(target->notes.data, line))
+        return;
+    text_print(&target->notes, "%s", line);
+    log_note("%.*s", (int)strcspn(line, "\n"), line);
+}
+
+void export_numbers(struct text *text, const float *numbers, int count) {
+    for (int i = 0; i < count; i++)
+        text_print(text, " %.9g", (double)numbers[i] + 0.0); /* no "-0" */
+}
+
+bool export_is_diffuse(const struct export_target *target, const struct material *material) {
+    return target->materials == MATERIALS_DIFFUSE || material_is_diffuse(material);
+}

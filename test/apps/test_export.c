@@ -1,0 +1,299 @@
+/* manylight export: what other renderers would read is the scene, by readers of the test's own. */
+#include "command_support.h"
+
+#include "base/file/image_file.h"
+#include "renderer/stage.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+static int clean(void **state) {
+    (void)state;
+    scratch("");
+    expect(0, "rm -rf @/*");
+    return 0;
+}
+
+static void test_formats_are_the_scene(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"cornell-box", "three-lights", "table", "courtyard",
+                                         "plant"};
+    static const char *const formats[] = {"pack", "mitsuba", "pbrt"};
+    need_command("python3 -c 1");
+    for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++)
+        for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
+            char line[512];
+            snprintf(line, sizeof line,
+                     "%% export scenes/%s.glb -o @/out --format %s --size 300x200 -q &&"
+                     " python3 test/apps/check_export.py %s @/out scenes/%s.glb && rm -r @/out",
+                     scenes[s], formats[f], formats[f], scenes[s]);
+            expect(0, line);
+        }
+}
+
+static void test_schema(void **state) {
+    (void)state;
+    need_command("python3 -c 'import jsonschema'");
+    expect(0, "for s in three-lights courtyard table; do"
+              " % export scenes/$s.glb -o @/schema-$s -q || exit 1; done");
+    expect(0, "% export scenes/three-lights.glb -o @/schema-all -q --environment scenes/day.hdr"
+              " --light '0 size=1,0; 1 range=3; sky; +area size=1,2; +directional size=0.1,0'");
+    expect(0, "for s in three-lights courtyard table all; do python3 test/apps/check_schema.py"
+              " bench/schema/pack.schema.json @/schema-$s/scene.json || exit 1; done");
+    expect(1, "sed 's/\"bounces\": 1/\"bounces\": -1/' @/schema-all/scene.json > @/wrong.json;"
+              " python3 test/apps/check_schema.py bench/schema/pack.schema.json @/wrong.json");
+}
+
+/* The shorter side of a high picture is its width. */
+static void test_high_picture(void **state) {
+    (void)state;
+    need_command("python3 -c 1");
+    expect(0, "% export scenes/cornell-box.glb -o @/high --format pbrt --size 100x200 -q &&"
+              " python3 test/apps/check_export.py pbrt @/high scenes/cornell-box.glb");
+}
+
+/* A checker that misses a change would pass anything. */
+static void test_checker_sees_changes(void **state) {
+    (void)state;
+    static const char *const changes[] = {"s/Scale -1 1 1/Scale 1 1 1/",
+                                          "s/rgb I. . 500/rgb I\" [ 501/",
+                                          "s/fov. . 39/fov\" [ 38/",
+                                          "s/0.0649999976/0.066/",
+                                          "s/coneangle. . 28.9/coneangle\" [ 29.3/",
+                                          "s/maxdepth/maxdepth/"};
+    need_command("python3 -c 1");
+    expect(0, "% export scenes/cornell-box.glb -o @/seen --format pbrt -q");
+    for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
+        char line[512];
+        bool is_last = i + 1 == sizeof changes / sizeof *changes;
+        snprintf(line, sizeof line,
+                 "rm -rf @/changed; cp -r @/seen @/changed && sed -i '%s' @/changed/scene.pbrt &&"
+                 " python3 test/apps/check_export.py pbrt @/changed scenes/cornell-box.glb",
+                 changes[i]);
+        expect(is_last ? 0 : 1, line);
+    }
+}
+
+/* --- environment ------------------------------------------------------------------------------ */
+
+static float random_float(uint32_t *state) {
+    *state = *state * 1664525 + 1013904223;
+    return (float)(*state >> 8) / 16777216;
+}
+
+static void random_direction(uint32_t *state, float direction[3]) {
+    float z = 2 * random_float(state) - 1, turn = 6.2831853F * random_float(state);
+    float across = sqrtf(1 - z * z);
+    glm_vec3_copy((vec3){across * cosf(turn), across * sinf(turn), z}, direction);
+}
+
+/* Where pbrt-v4 looks a direction up: the angle by atan2, the inverse of what export does. */
+static void pbrt_texel(const struct image *image, const float d[3], const float **texel) {
+    float radius = sqrtf(fmaxf(0, 1 - fabsf(d[2])));
+    float phi = atan2f(fabsf(d[1]), fabsf(d[0])) * 2 / GLM_PIf, v = phi * radius, u = radius - v;
+    if (d[2] < 0) {
+        float swap = u;
+        u = 1 - v;
+        v = 1 - swap;
+    }
+    int x = (int)((copysignf(u, d[0]) + 1) / 2 * (float)image->width);
+    int y = (int)((copysignf(v, d[1]) + 1) / 2 * (float)image->height);
+    *texel = image_at(image, x < image->width ? x : image->width - 1,
+                      y < image->height ? y : image->height - 1);
+}
+
+/* Where Mitsuba does, its panorama turned about +Y by so many degrees. */
+static void mitsuba_texel(const struct image *image, const float d[3], float turn,
+                          const float **texel) {
+    float a = turn * GLM_PIf / 180;
+    float x = cosf(a) * d[0] - sinf(a) * d[2], z = sinf(a) * d[0] + cosf(a) * d[2];
+    float u = atan2f(x, -z) / (2 * GLM_PIf), v = acosf(d[1]) / GLM_PIf;
+    u -= floorf(u);
+    int column = (int)(u * (float)image->width), row = (int)(v * (float)image->height);
+    *texel = image_at(image, column < image->width ? column : image->width - 1,
+                      row < image->height ? row : image->height - 1);
+}
+
+/* The share of directions in which the file has what the scene has. */
+static double share_of_same(const struct environment *sky, const struct image *image,
+                            const float *turn, float strength) {
+    uint32_t state = 1;
+    int same = 0;
+    enum { DIRECTIONS = 20000 };
+    for (int i = 0; i < DIRECTIONS; i++) {
+        float direction[3], radiance[3];
+        const float *texel;
+        random_direction(&state, direction);
+        environment_radiance(sky, direction, radiance);
+        if (turn)
+            mitsuba_texel(image, direction, *turn, &texel);
+        else
+            pbrt_texel(image, direction, &texel);
+        same += fabsf(strength * texel[1] - radiance[1]) < .002F * radiance[1];
+    }
+    return (double)same / DIRECTIONS;
+}
+
+static void test_environment_lies_right(void **state) {
+    (void)state;
+    struct stage stage;
+    struct image image;
+    float angle = 0, scale = 0;
+    const struct stage_desc desc = {.path = "scenes/courtyard.glb",
+                                    .environment = {.turn = 70, .strength = 3}};
+    check_ok("stage", stage_init(&stage, &desc));
+    expect(0, "% export scenes/courtyard.glb -o @/sky-pbrt --format pbrt -q --environment-turn 70"
+              " --environment-strength 3");
+    check_ok("square", image_read(&image, scratch("sky-pbrt/environment.exr")));
+    double share = share_of_same(stage.emitters.sky, &image, NULL, 1);
+    image_free(&image);
+    printf("    pbrt: %.3f of the directions\n", share);
+    assert_true(share > .8); /* texels at the borders of others are means */
+    expect(0, "% export scenes/courtyard.glb -o @/sky-mitsuba --format mitsuba -q"
+              " --environment-turn 70 --environment-strength 3 &&"
+              " grep -o 'angle=\"[0-9.]*' @/sky-mitsuba/scene.xml | tr -d 'a-z=\"' &&"
+              " grep -o 'scale\" value=\"[0-9.]*' @/sky-mitsuba/scene.xml | tr -d 'a-z=\" '");
+    assert_int_equal(sscanf(output, "%f %f", &angle, &scale), 2);
+    check_ok("panorama", image_read(&image, scratch("sky-mitsuba/environment.exr")));
+    share = share_of_same(stage.emitters.sky, &image, &angle, scale);
+    image_free(&image);
+    printf("    Mitsuba: %.3f of the directions\n", share);
+    assert_true(share > .99);
+    stage_free(&stage);
+}
+
+/* --- what formats lack ------------------------------------------------------------------------ */
+
+static void test_notes_are_in_the_files(void **state) {
+    (void)state;
+    expect(0, "% export scenes/gloss.glb -o @/gloss --format mitsuba");
+    expect_text("Mitsuba's principled BSDF in place of glTF's");
+    expect(0, "grep -c '<!-- material .*principled' @/gloss/scene.xml");
+    expect(0, "% export scenes/gloss.glb -o @/plain --format mitsuba --materials diffuse");
+    assert_null(strstr(output, "principled"));
+    expect(0, "% export scenes/materials.glb -o @/textured --format mitsuba");
+    expect_text("its alpha mask is not interpolated");
+    expect(0, "ls @/textured/color-*.exr @/textured/mask-*.png");
+    expect(0, "% export scenes/materials.glb -o @/textured-pbrt --format pbrt");
+    expect(0, "grep -c 'texture alpha' @/textured-pbrt/scene.pbrt");
+    expect(0, "% export scenes/hall.glb -o @/hall --format pbrt");
+    expect_text("the medium is left out");
+}
+
+/* All XML is well-formed, and all files that it names are there. */
+static void test_xml_is_well_formed(void **state) {
+    (void)state;
+    need_command("python3 -c 1");
+    expect(0,
+           "for scene in gloss textured; do python3 -c 'import sys, os, xml.etree.ElementTree as"
+           " e\nfor f in e.parse(sys.argv[1]).getroot().iter(\"string\"):\n if f.get(\"name\") =="
+           " \"filename\": os.stat(os.path.dirname(sys.argv[1]) + \"/\" + f.get(\"value\"))'"
+           " @/$scene/scene.xml || exit 1; done");
+}
+
+/* A light that is changed, and a lamp that is left off. */
+static void test_chosen_lights(void **state) {
+    (void)state;
+    expect(0, "% export scenes/table.glb -o @/dark --format mitsuba -q --light \"+point"
+              " position=0,2,0 intensity=1,2,3\" && grep -A3 'type=\"point\"' @/dark/scene.xml");
+    expect_text("value=\"0 2 0\"");
+    expect_text("value=\"1 2 3\"");
+    expect(1, "grep 'type=\"area\"' @/dark/scene.xml");
+    expect(0, "% export scenes/table.glb -o @/dark-pack -q --light \"+point position=0,2,0\" &&"
+              " grep emissive_surfaces @/dark-pack/scene.json");
+    expect_text("false");
+    expect(0, "% export scenes/table.glb -o @/sized --format mitsuba -q --light \"+area position="
+              "0,2,0 direction=0,-1,0 size=1,2 intensity=4,4,4\"");
+    expect(0, "grep 'radiance\" value=\"2 2 2\"' @/sized/scene.xml");
+}
+
+/* --- entries ---------------------------------------------------------------------------------- */
+
+/* Draws a small picture of the box by a script of bench/entries/, and scores it. */
+static void check_entry(const char *command, const char *pack, double most_bias,
+                        double most_error) {
+    char line[512];
+    double error = NAN, bias = NAN;
+    expect(0, "mkdir -p @/references; ls @/references/*.exr || % reference scenes/cornell-box.glb"
+              " --size 48x48 --spp 256 -q -o @/references/cornell-box.48x48.exr");
+    snprintf(line, sizeof line,
+             "rm -rf @/%s @/entry; %% export scenes/cornell-box.glb -o @/%s --size 48x48 -q && %s >"
+             " @/log.txt 2>&1 || { tail -5 @/log.txt; exit 1; }",
+             pack, pack, command);
+    expect(0, line);
+    int status = run_line("% score @/entry @/references");
+    const char *row = strstr(output, "beauty");
+    assert_non_null(row);
+    assert_int_equal(sscanf(row, "beauty %lf %*f %*f %*f %lf", &error, &bias), 2);
+    check_near("bias", bias, 0, most_bias);
+    check_at_most("relative RMSE", error, most_error);
+    assert_true(status <= 1); /* few samples may look like fireflies */
+    assert_null(strstr(output, "fault: exposure"));
+    assert_null(strstr(output, "fault: mirrored"));
+    assert_null(strstr(output, "fault: shifted"));
+}
+
+static void test_cycles(void **state) {
+    (void)state;
+    need_command("blender --version");
+    check_entry("blender -b --factory-startup -P bench/entries/blender/entry.py -- @/entry @/cycles"
+                " --spp 64",
+                "cycles", .02, .2);
+}
+
+static void test_povray(void **state) {
+    (void)state;
+    need_command("povray --version");
+    check_entry("python3 bench/entries/povray/entry.py @/entry @/povray", "povray", .02, .2);
+}
+
+/* Scripts refuse what they cannot draw before they start anything. */
+static void test_scripts_refuse(void **state) {
+    (void)state;
+    need_command("python3 -c 1");
+    expect(0, "rm -rf @/lamp; % export scenes/table.glb -o @/lamp -q");
+    expect(1, "python3 bench/entries/povray/entry.py @/refused @/lamp");
+    expect_text("an environment or emissive surfaces");
+    expect(1, "python3 bench/entries/povray/entry.py @/refused @/nowhere");
+    expect_text("no scene pack");
+    expect(1, "echo >> @/lamp/scene.glb; python3 bench/entries/povray/entry.py @/refused @/lamp");
+    expect_text("its SHA-256 is another");
+}
+
+static void test_refusals(void **state) {
+    (void)state;
+    expect(2, "% export scenes/table.glb");
+    expect_text("-o FOLDER is missing");
+    expect(2, "% export scenes/table.glb -o @/none --format maya");
+    expect(1, "% export no-such.glb -o @/none");
+    expect(1, "% export scenes/table.glb -o @/none --camera nobody");
+    expect(1, "mkdir -p @/there && % export scenes/table.glb -o @/there");
+    expect_text("exists: choose the name of a new folder");
+    expect(1, "% export scenes/table.glb -o @/no/such/folder");
+    expect_text("cannot make the folder");
+    expect(1, "printf '{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{}]}' > @/e.gltf;"
+              " % export @/e.gltf -o @/none");
+    expect(1, "% export scenes/materials.glb -o @/none --light 0,1");
+    expect_text("emissive surfaces shine all or none");
+    expect(2, "ls -d @/none @/none.part-* @/no @/no.part-* @/there.part-* 2>/dev/null");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_formats_are_the_scene),
+        cmocka_unit_test(test_high_picture),
+        cmocka_unit_test(test_schema),
+        cmocka_unit_test(test_checker_sees_changes),
+        cmocka_unit_test(test_environment_lies_right),
+        cmocka_unit_test(test_notes_are_in_the_files),
+        cmocka_unit_test(test_xml_is_well_formed),
+        cmocka_unit_test(test_chosen_lights),
+        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_cycles),
+        cmocka_unit_test(test_povray),
+        cmocka_unit_test(test_scripts_refuse),
+    };
+    return cmocka_run_group_tests_name("export", tests, clean, NULL);
+}
