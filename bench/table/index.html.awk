@@ -56,7 +56,7 @@ function print_points(count,    i, j, row, y, low, label) {
             escaped(text[row, "method"]), time_of(row), error_of(row), label[i] + 4, escaped(text[row, "method"])
     }
 }
-function time_of(row) { return value[row, "cpu"] != "" ? value[row, "cpu"] : value[row, "ms"] }
+function time_of(row) { return (value[row, "cpu"] != "" ? value[row, "cpu"] : value[row, "ms"]) + 0 }
 function error_of(row) { return 100 * value[row, "indirect-relative-rmse"] }
 function print_chart(list, count, name,    i, row, shown_count) {
     x_low = y_low = 1e30
