@@ -112,8 +112,9 @@ static void test_parts_and_machines(void **state) {
     expect_text("8 rows, 4 failed");
     expect(1, RUN "-o @/other --join --merge @/one --merge @/parts");
     expect(0, "cmp @/parts/results.json @/other/results.json");
-    expect(0, "rm -rf @/wrong && cp -r @/one @/wrong && sed -i 's/\"sha256\": \"./\"sha256\": \"x/' "
-              "@/wrong/cases/*copy*");
+    expect(0,
+           "rm -rf @/wrong && cp -r @/one @/wrong && sed -i 's/\"sha256\": \"./\"sha256\": \"x/' "
+           "@/wrong/cases/*copy*");
     expect(1, RUN "-o @/parts --join --merge @/wrong");
     expect_text("another row of this device is here");
 }
