@@ -7,7 +7,8 @@ function quoted(text) {
 }
 # As `run` names folders.
 function slug(text) {
-    gsub(/[^A-Za-z0-9._+-]+/, "-", text)
+    gsub(/[^A-Za-z0-9._+-]/, "-", text)
+    gsub(/--+/, "-", text)
     sub(/^-*/, "", text)
     sub(/-*$/, "", text)
     return text
