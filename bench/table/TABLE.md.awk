@@ -82,7 +82,7 @@ END {
     print "- Errors: relative RMSE of indirect light and of the picture; FLIP; absolute bias of indirect light. Medians of scenes."
     print "- Times: medians of frames. On software OpenGL they depend on other work, CPU times less."
     print "- Noise: standard error of the reference over its mean. It is part of each error: subtract it as squares."
-    printf "- Rows: %d scenes, %d methods, %d cases, %d failed, %d with faults; commit %s.\n", scene_count, method_count,
+    printf "- Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; commit %s.\n", scene_count, method_count,
         rows, failed, faulty, text[1, "commit"]
     for (i = 1; i <= device_count; i++)
         for (j = 1; j <= size_count; j++) {

@@ -45,7 +45,7 @@ function print_points(count,    i, j, row, y, low, label) {
         low = label[i] = y > low + 16 ? y : low + 16
     }
     for (i = count; i > 0; i--) {
-        y = i < count ? label[i + 1] - 16 : 336
+        y = i < count ? label[i + 1] - 16 : 320
         if (label[i] > y)
             label[i] = y
     }
@@ -123,8 +123,8 @@ function print_head() {
     print "@media(prefers-color-scheme:dark){:root{--back:#16181b;--text:#e6e6e6;--soft:#a3a3a3;--line:#3a3d42;--mark:#ff9a73}}"
     print "body{background:var(--back);color:var(--text);font:16px/1.5 system-ui,sans-serif;margin:0 auto;max-width:60rem;padding:1rem 1.25rem 3rem}"
     print "h1,h2,h3{line-height:1.2}h2,h3{margin-top:2.5rem}a{color:var(--mark)}.wide{overflow-x:auto}"
-    print "table{border-collapse:collapse;font-variant-numeric:tabular-nums}"
-    print "th,td{padding:.25rem .75rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}"
+    print "table{border-collapse:collapse;font-size:.9rem;font-variant-numeric:tabular-nums}"
+    print "th,td{padding:.25rem .5rem;border-bottom:1px solid var(--line);text-align:right;white-space:nowrap}"
     print "th:first-child,td:first-child,.note{text-align:left}td.note{white-space:normal;overflow-wrap:anywhere}"
     print ".soft,.tick{color:var(--soft);fill:var(--soft)}svg{width:100%;height:auto;font:13px system-ui,sans-serif;fill:var(--text)}"
     print ".grid{stroke:var(--line);fill:none}.point circle{fill:var(--mark)}.point path{stroke:var(--line);fill:none}.point:hover path{stroke:var(--mark)}"
@@ -140,7 +140,7 @@ END {
     print_head()
     print "<h1>Error against time</h1>"
     print "<p>Methods of indirect light against a path-traced reference with as many bounces. Relative RMSE of indirect light and of the picture (beauty), FLIP, bias of the mean; the noise of the reference is part of each error. Times are medians of frames.</p>"
-    printf "<p>%d scenes, %d methods, %d cases, %d failed, %d with faults. Commit %s. <a href=\"results.json\">Results</a>, <a href=\"times.json\">times</a>, <a href=\"jeri.json\">list of pictures</a>.</p>\n",
+    printf "<p>Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d. Commit %s. <a href=\"results.json\">Results</a>, <a href=\"times.json\">times</a>, <a href=\"jeri.json\">list of pictures</a>.</p>\n",
         scene_count, method_count, rows, failed, faulty, escaped(text[1, "commit"])
     print "<nav>"
     for (i = 1; i <= scene_count; i++)
