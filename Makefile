@@ -185,7 +185,7 @@ include mk/install.mk mk/test.mk
 
 # --- benchmark ------------------------------------------------------------------------------------
 
-BENCHES := bench chart accuracy methods fronts parsimony direct convergence stability
+BENCHES := bench chart accuracy methods fronts parsimony direct convergence stability table figures
 .PHONY: $(BENCHES)
 $(BENCHES): all
 	@$(MAKE) --no-print-directory -f bench/Makefile $@ BUILD=$(BUILD) BINARY=$(BINARY) SCENE_NAMES="$(SCENE_NAMES)"

@@ -1,0 +1,95 @@
+# The table as a page of bench/: for each machine and size the methods, then which method suits which scene.
+function cells(list, what, device, size, method,    i, row, count) {
+    split("", list)
+    for (i = 1; i <= scene_count; i++) {
+        row = row_of[scenes[i], size, method, device]
+        if (row && value[row, what] != "")
+            list[++count] = value[row, what] < 0 ? -value[row, what] : value[row, what] + 0
+    }
+    return count + 0
+}
+function print_methods(device, size,    i, j, row, done, broken, faults, list, line) {
+    print "| method | scenes | failed | with faults | indirect, % | beauty, % | FLIP | bias, % | ms | CPU ms |"
+    print "|---|---|---|---|---|---|---|---|---|---|"
+    for (i = 1; i <= method_count; i++) {
+        done = broken = faults = 0
+        for (j = 1; j <= scene_count; j++) {
+            row = row_of[scenes[j], size, methods[i], device]
+            if (!row)
+                continue
+            done++
+            broken += text[row, "status"] != "ok"
+            faults += text[row, "faults"] != ""
+        }
+        if (!done)
+            continue
+        line = "| " methods[i] " | " done " | " (broken ? broken : "") " | " (faults ? faults : "")
+        line = line " | " shown(median_of(list, cells(list, "indirect-relative-rmse", device, size, methods[i])), 3, 100)
+        line = line " | " shown(median_of(list, cells(list, "relative-rmse", device, size, methods[i])), 3, 100)
+        line = line " | " shown(median_of(list, cells(list, "hdr-flip", device, size, methods[i])), 2)
+        line = line " | " shown(median_of(list, cells(list, "indirect-relative-bias", device, size, methods[i])), 2, 100)
+        line = line " | " whole(median_of(list, cells(list, "ms", device, size, methods[i])))
+        print line " | " whole(median_of(list, cells(list, "cpu", device, size, methods[i]))) " |"
+    }
+}
+# The row of a scene with the least of a field, among errors up to a limit; 0 where there is none.
+function least(scene, size, device, what, limit,    i, row, best, error) {
+    for (i = 1; i <= method_count; i++) {
+        row = row_of[scene, size, methods[i], device]
+        error = row ? value[row, "indirect-relative-rmse"] : ""
+        if (error == "" || error + 0 > limit || value[row, what] == "")
+            continue
+        if (!best || value[row, what] + 0 < value[best, what] + 0)
+            best = row
+    }
+    return best + 0
+}
+function noise_of(scene, size, device,    i, row) {
+    for (i = 1; i <= method_count; i++) {
+        row = row_of[scene, size, methods[i], device]
+        if (row && value[row, "noise"] != "")
+            return value[row, "noise"]
+    }
+    return ""
+}
+function told(row) {
+    return row ? " | " text[row, "method"] " | " shown(value[row, "indirect-relative-rmse"], 3, 100) " | " whole(value[row, "cpu"]) : " | | |"
+}
+function print_scenes(device, size,    i, noise) {
+    print "| scene | noise, % | least error | % | CPU ms | fastest within 10 % | % | CPU ms | fastest within 25 % | % | CPU ms |"
+    print "|---|---|---|---|---|---|---|---|---|---|---|"
+    for (i = 1; i <= scene_count; i++) {
+        noise = noise_of(scenes[i], size, device)
+        if (noise != "")
+            print "| " scenes[i] " | " shown(noise, 2, 100) told(least(scenes[i], size, device, "indirect-relative-rmse", 1e30)) \
+                told(least(scenes[i], size, device, "cpu", .1)) told(least(scenes[i], size, device, "cpu", .25)) " |"
+    }
+}
+function print_failures(    i, n) {
+    for (i = 1; i <= rows; i++)
+        if (text[i, "status"] != "ok") {
+            if (!n++)
+                print "\n## Failed cases\n"
+            print "- " text[i, "scene"] " " text[i, "size"] " " text[i, "method"] ": `" text[i, "error"] "`"
+        }
+}
+END {
+    sort_sizes()
+    print "# Table of error against time\n"
+    print "This page compares methods by their error against a path-traced reference with as many bounces, and by the time of"
+    print "a frame. `make table` writes it. [Benchmarking](../docs/dev/benchmarking.md#the-table) tells how, and how to enter"
+    print "another renderer.\n"
+    print "- Errors: relative RMSE of indirect light and of the picture; FLIP; absolute bias of indirect light. Medians of scenes."
+    print "- Times: medians of frames. On software OpenGL they depend on other work, CPU times less."
+    print "- Noise: standard error of the reference over its mean. It is part of each error: subtract it as squares."
+    printf "- Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; commit %s.\n", scene_count, method_count,
+        rows, failed, faulty, text[1, "commit"]
+    for (i = 1; i <= device_count; i++)
+        for (j = 1; j <= size_count; j++) {
+            printf "\n## %s, %s\n\n", sizes[j], devices[i]
+            print_methods(devices[i], sizes[j])
+            print ""
+            print_scenes(devices[i], sizes[j])
+        }
+    print_failures()
+}
