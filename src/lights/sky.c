@@ -3,6 +3,7 @@
 #include <cglm/cglm.h>
 
 #include <math.h>
+#include <string.h>
 
 void environment_lights_fit(struct environment_lights *lights, const struct environment *sky,
                             enum sky_fit fit, int count) {
@@ -11,20 +12,19 @@ void environment_lights_fit(struct environment_lights *lights, const struct envi
 
 /* --- directional lights ------------------------------------------------------------------------- */
 
-/* What it gives a surface that faces it, the mean of RGB, W/m2. */
-static float power_of(const struct environment_light *light) {
+float environment_light_power(const struct environment_light *light) {
     vec3 vector;
     environment_light_vector(light, vector);
     return (light->radiance[0] + light->radiance[1] + light->radiance[2]) / 3 *
            glm_vec3_norm(vector);
 }
 
-/* The same as a vector towards it. */
-static void add_power(const struct environment_light *light, float to[3]) {
+/* The same as a vector towards it, by its weight. */
+static void add_power(const struct environment_light *light, float weight, float to[3]) {
     vec3 vector;
     environment_light_vector(light, vector);
     float mean = (light->radiance[0] + light->radiance[1] + light->radiance[2]) / 3;
-    glm_vec3_muladds(vector, mean, to);
+    glm_vec3_muladds(vector, weight * mean, to);
 }
 
 /* By how far it moves how much. */
@@ -50,15 +50,17 @@ static void join(struct sky_groups *groups, float (*powers)[4], int light_count,
 }
 
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
-                              int count) {
+                              const float *weights, int count) {
     float powers[ENVIRONMENT_LIGHTS_MAX]
                 [4]; /* of each group: the sum of vectors, and of what they are long */
-    groups->count = lights->count;
+    *groups = (struct sky_groups){.count = lights->count};
     for (int i = 0; i < lights->count; i++) {
         groups->of[i] = i;
+        groups->weights[i] = weights ? weights[i] : 1;
+        groups->scales[i] = 1;
         glm_vec3_zero(powers[i]);
-        add_power(&lights->items[i], powers[i]);
-        powers[i][3] = power_of(&lights->items[i]);
+        add_power(&lights->items[i], groups->weights[i], powers[i]);
+        powers[i][3] = groups->weights[i] * environment_light_power(&lights->items[i]);
     }
     while (groups->count > count) {
         float least = INFINITY;
@@ -76,15 +78,19 @@ void environment_lights_group(struct sky_groups *groups, const struct environmen
     }
 }
 
+bool sky_groups_same(const struct sky_groups *a, const struct sky_groups *b) {
+    return memcmp(a, b, sizeof *a) == 0;
+}
+
 int environment_lights_suns(const struct environment_lights *lights) {
     static const float widest = .01F, least_share = .025F; /* sr */
     float all = 0;
     int suns = 0;
     for (int i = 0; i < lights->count; i++)
-        all += power_of(&lights->items[i]);
+        all += environment_light_power(&lights->items[i]);
     while (suns < SKY_SUNS_MAX && suns < lights->count &&
            lights->items[suns].solid_angle < widest &&
-           power_of(&lights->items[suns]) >= least_share * all)
+           environment_light_power(&lights->items[suns]) >= least_share * all)
         suns++;
     return suns;
 }
@@ -103,6 +109,30 @@ static void add_light(const struct environment_light *light, float scale, struct
     glm_vec3_muladds((float *)light->radiance, scale * glm_vec3_norm(vector), emitter->intensity);
 }
 
+/* Of a group's lights, how much power they have by their weights, and by the squares of these. */
+struct weighted {
+    float once, twice;
+};
+
+static struct weighted weighted_power(const struct environment_lights *lights,
+                                      const struct sky_groups *groups, int group) {
+    struct weighted power = {0, 0};
+    for (int i = 0; i < lights->count; i++)
+        if (groups->of[i] == group) {
+            float weight = groups->weights[i];
+            power.once += weight * environment_light_power(&lights->items[i]);
+            power.twice += weight * weight * environment_light_power(&lights->items[i]);
+        }
+    return power;
+}
+
+float sky_group_weight(const struct environment_lights *lights, const struct sky_groups *groups,
+                       int group) {
+    struct weighted power = weighted_power(lights, groups, group);
+    return power.once > 0 ? power.twice / power.once : 1;
+}
+
+/* All light that passes by the weights passes by the mean weight, too. */
 struct emitter sky_group_emitter(const struct environment_lights *lights,
                                  const struct sky_groups *groups, int group,
                                  const struct environment *sky) {
@@ -110,42 +140,40 @@ struct emitter sky_group_emitter(const struct environment_lights *lights,
     for (int i = 0; i < lights->count; i++)
         if (groups->of[i] == group) {
             struct environment_light light = environment_light_turned(&lights->items[i], sky);
-            add_power(&light, power);
+            add_power(&light, groups->weights[i], power);
         }
     struct emitter emitter = towards(power);
+    float scale = sky->strength * groups->scales[group] / sky_group_weight(lights, groups, group);
     for (int i = 0; i < lights->count; i++)
         if (groups->of[i] == group)
-            add_light(&lights->items[i], sky->strength, &emitter);
+            add_light(&lights->items[i], scale * groups->weights[i], &emitter);
     return emitter;
 }
 
-static void direction_in(const struct environment_light *light, const float place[2],
-                         float direction[3]) {
-    vec3 from, to;
-    glm_vec3_lerp((float *)light->corners[0], (float *)light->corners[1], place[0], from);
-    glm_vec3_lerp((float *)light->corners[3], (float *)light->corners[2], place[0], to);
-    glm_vec3_lerp(from, to, place[1], direction);
+/* One of its lights, as often as it has weighted power, stands for all. */
+static float share_of(const struct environment_lights *lights, const struct sky_groups *groups,
+                      int light) {
+    return groups->weights[light] * environment_light_power(&lights->items[light]);
 }
 
-/* One of its lights, as often as it has power, stands for all. */
 struct emitter sky_group_piece(const struct environment_lights *lights,
                                const struct sky_groups *groups, int group,
                                const struct environment *sky, const float place[2]) {
     float all = 0, before = 0;
     for (int i = 0; i < lights->count; i++)
-        all += groups->of[i] == group ? power_of(&lights->items[i]) : 0;
+        all += groups->of[i] == group ? share_of(lights, groups, i) : 0;
     int chosen = -1;
     float share = 0, within = 0;
     for (int i = 0; i < lights->count && (chosen < 0 || before <= place[0] * all); i++)
         if (groups->of[i] == group) {
             chosen = i;
-            share = power_of(&lights->items[i]) / all;
+            share = share_of(lights, groups, i) / all;
             within = (place[0] * all - before) / (share * all);
             before += share * all;
         }
     struct environment_light light = environment_light_turned(&lights->items[chosen], sky);
     vec3 direction;
-    direction_in(&light, (float[]){glm_clamp(within, 0, 1), place[1]}, direction);
+    environment_light_direction(&light, (float[]){glm_clamp(within, 0, 1), place[1]}, direction);
     struct emitter emitter = towards(direction);
     add_light(&light, 1 / share, &emitter);
     return emitter;
