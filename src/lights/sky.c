@@ -1,8 +1,11 @@
 #include "lights/sky.h"
 
+#include "base/memory.h"
+
 #include <cglm/cglm.h>
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 void environment_lights_fit(struct environment_lights *lights, const struct environment *sky,
@@ -27,6 +30,13 @@ static void add_power(const struct environment_light *light, float weight, float
     glm_vec3_muladds(vector, weight * mean, to);
 }
 
+/* Both: the vector, and how long it would be if all came from one side. */
+static void weighted_power(const struct environment_light *light, float weight, float power[4]) {
+    glm_vec3_zero(power);
+    add_power(light, weight, power);
+    power[3] = weight * environment_light_power(light);
+}
+
 /* By how far it moves how much. */
 static float cost_of_joining(const float a[4], const float b[4]) {
     vec3 x, y;
@@ -35,47 +45,144 @@ static float cost_of_joining(const float a[4], const float b[4]) {
     return a[3] * b[3] / (a[3] + b[3]) * glm_vec3_distance2(x, y);
 }
 
-/* Makes one of the groups `from` and `to`. */
-static void join(struct sky_groups *groups, float (*powers)[4], int light_count, int to, int from) {
-    for (int c = 0; c < 4; c++)
-        powers[to][c] += powers[from][c];
+/* What groups are made of: directions times power, and power, of each. */
+struct joining {
+    struct sky_groups *groups;
+    float powers[ENVIRONMENT_LIGHTS_MAX][4];
+};
+
+static void begin_joining(struct joining *joining, struct sky_groups *groups,
+                          const struct environment_lights *lights) {
+    *groups = (struct sky_groups){.count = lights->count};
+    joining->groups = groups;
+    for (int i = 0; i < lights->count; i++) {
+        groups->of[i] = i;
+        groups->weights[i] = groups->scales[i] = 1;
+        weighted_power(&lights->items[i], 1, joining->powers[i]);
+    }
+}
+
+/* The two that cost least; the first stays. */
+static void find_pair(const struct joining *joining, int pair[2]) {
+    float least = INFINITY;
+    pair[0] = 0;
+    pair[1] = 1;
+    for (int i = 0; i < joining->groups->count; i++)
+        for (int k = i + 1; k < joining->groups->count; k++) {
+            float cost = cost_of_joining(joining->powers[i], joining->powers[k]);
+            if (cost < least) {
+                least = cost;
+                pair[0] = i;
+                pair[1] = k;
+            }
+        }
+}
+
+/* The last group takes the place of the one that goes. */
+static void join(struct joining *joining, int light_count, const int pair[2]) {
+    struct sky_groups *groups = joining->groups;
+    glm_vec4_add(joining->powers[pair[0]], joining->powers[pair[1]], joining->powers[pair[0]]);
     int last = --groups->count;
-    glm_vec4_copy(powers[last], powers[from]);
+    glm_vec4_copy(joining->powers[last], joining->powers[pair[1]]);
     for (int i = 0; i < light_count; i++) {
-        if (groups->of[i] == from)
-            groups->of[i] = to;
+        if (groups->of[i] == pair[1])
+            groups->of[i] = pair[0];
         if (groups->of[i] == last)
-            groups->of[i] = from;
+            groups->of[i] = pair[1];
     }
 }
 
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
-                              const float *weights, int count) {
-    float powers[ENVIRONMENT_LIGHTS_MAX]
-                [4]; /* of each group: the sum of vectors, and of what they are long */
-    *groups = (struct sky_groups){.count = lights->count};
-    for (int i = 0; i < lights->count; i++) {
-        groups->of[i] = i;
-        groups->weights[i] = weights ? weights[i] : 1;
-        groups->scales[i] = 1;
-        glm_vec3_zero(powers[i]);
-        add_power(&lights->items[i], groups->weights[i], powers[i]);
-        powers[i][3] = groups->weights[i] * environment_light_power(&lights->items[i]);
-    }
+                              int count) {
+    struct joining joining;
+    begin_joining(&joining, groups, lights);
     while (groups->count > count) {
-        float least = INFINITY;
-        int to = 0, from = 1;
-        for (int i = 0; i < groups->count; i++)
-            for (int k = i + 1; k < groups->count; k++) {
-                float cost = cost_of_joining(powers[i], powers[k]);
-                if (cost < least) {
-                    least = cost;
-                    to = i;
-                    from = k;
-                }
-            }
-        join(groups, powers, lights->count, to, from);
+        int pair[2];
+        find_pair(&joining, pair);
+        join(&joining, lights->count, pair);
     }
+}
+
+/* --- groups by weights ---------------------------------------------------------------------------- */
+
+/* Pairs of lights and pairs: number i is light i, number count + k the k-th pair. */
+struct tree {
+    int pairs[ENVIRONMENT_LIGHTS_MAX][2];
+    float powers[2 * ENVIRONMENT_LIGHTS_MAX][4];
+    float costs[2 * ENVIRONMENT_LIGHTS_MAX]; /* of all joining in it */
+    int light_count;
+};
+
+/* By even weights, so that it stays as weights change. */
+static void build_tree(struct tree *tree, const struct environment_lights *lights) {
+    struct sky_groups groups;
+    struct joining joining;
+    int numbers[ENVIRONMENT_LIGHTS_MAX];
+    begin_joining(&joining, &groups, lights);
+    tree->light_count = lights->count;
+    for (int i = 0; i < lights->count; i++)
+        numbers[i] = i;
+    for (int k = 0; groups.count > 1; k++) {
+        int pair[2];
+        find_pair(&joining, pair);
+        tree->pairs[k][0] = numbers[pair[0]];
+        tree->pairs[k][1] = numbers[pair[1]];
+        numbers[pair[0]] = lights->count + k;
+        numbers[pair[1]] = numbers[groups.count - 1];
+        join(&joining, lights->count, pair);
+    }
+}
+
+static void weigh_tree(struct tree *tree, const struct environment_lights *lights,
+                       const float weights[]) {
+    for (int i = 0; i < lights->count; i++) {
+        weighted_power(&lights->items[i], weights[i], tree->powers[i]);
+        tree->costs[i] = 0;
+    }
+    for (int k = 0; k < lights->count - 1; k++) {
+        int a = tree->pairs[k][0], b = tree->pairs[k][1], whole = lights->count + k;
+        glm_vec4_add(tree->powers[a], tree->powers[b], tree->powers[whole]);
+        tree->costs[whole] = tree->costs[a] + tree->costs[b] +
+                             cost_of_joining(tree->powers[a], tree->powers[b]);
+    }
+}
+
+static void put_in_group(struct sky_groups *groups, const struct tree *tree, int number,
+                         int group) {
+    if (number < tree->light_count) {
+        groups->of[number] = group;
+        return;
+    }
+    const int *pair = tree->pairs[number - tree->light_count];
+    put_in_group(groups, tree, pair[0], group);
+    put_in_group(groups, tree, pair[1], group);
+}
+
+void environment_lights_group_by_weights(struct sky_groups *groups,
+                                         const struct environment_lights *lights,
+                                         const float weights[], int count) {
+    struct tree *tree = mem_alloc(1, sizeof *tree);
+    int parts[ENVIRONMENT_LIGHTS_MAX] = {2 * lights->count - 2}, part_count = lights->count > 0;
+    build_tree(tree, lights);
+    weigh_tree(tree, lights, weights);
+    while (part_count > 0 && part_count < count && part_count < lights->count) {
+        int widest = 0;
+        for (int i = 1; i < part_count; i++)
+            if (tree->costs[parts[i]] > tree->costs[parts[widest]])
+                widest = i;
+        if (parts[widest] < lights->count)
+            break;
+        const int *pair = tree->pairs[parts[widest] - lights->count];
+        parts[part_count++] = pair[1];
+        parts[widest] = pair[0];
+    }
+    *groups = (struct sky_groups){.count = part_count};
+    for (int g = 0; g < part_count; g++) {
+        put_in_group(groups, tree, parts[g], g);
+        groups->scales[g] = 1;
+    }
+    memcpy(groups->weights, weights, (size_t)lights->count * sizeof *weights);
+    free(tree);
 }
 
 bool sky_groups_same(const struct sky_groups *a, const struct sky_groups *b) {
@@ -114,8 +221,8 @@ struct weighted {
     float once, twice;
 };
 
-static struct weighted weighted_power(const struct environment_lights *lights,
-                                      const struct sky_groups *groups, int group) {
+static struct weighted weighted_sums(const struct environment_lights *lights,
+                                     const struct sky_groups *groups, int group) {
     struct weighted power = {0, 0};
     for (int i = 0; i < lights->count; i++)
         if (groups->of[i] == group) {
@@ -128,7 +235,7 @@ static struct weighted weighted_power(const struct environment_lights *lights,
 
 float sky_group_weight(const struct environment_lights *lights, const struct sky_groups *groups,
                        int group) {
-    struct weighted power = weighted_power(lights, groups, group);
+    struct weighted power = weighted_sums(lights, groups, group);
     return power.once > 0 ? power.twice / power.once : 1;
 }
 

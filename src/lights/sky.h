@@ -27,10 +27,15 @@ struct sky_groups {
     float scales[ENVIRONMENT_LIGHTS_MAX];  /* of each group: times the light of its middle */
 };
 
-/* At most `count`: lights are joined where that moves the least weighted power the least far. NULL: all
- * weights are 1. All scales are 1. */
+/* At most `count`: lights are joined where that moves the least power the least far. Weights and scales are 1. */
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
-                              const float *weights, int count);
+                              int count);
+
+/* The same with weighted powers, of fixed groups within groups: those are parted which cost most. So other weights change few
+ * groups. */
+void environment_lights_group_by_weights(struct sky_groups *groups,
+                                         const struct environment_lights *lights,
+                                         const float weights[], int count);
 
 bool sky_groups_same(const struct sky_groups *a, const struct sky_groups *b);
 

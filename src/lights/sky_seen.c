@@ -116,7 +116,10 @@ void sky_groups_by_seen(struct sky_groups *groups, const struct environment_ligh
     places->rays = rays;
     find_places(places, camera, aspect);
     float unit = find_weights(weights, places, lights, sky);
-    environment_lights_group(groups, lights, weights, count);
+    if (unit > 0)
+        environment_lights_group_by_weights(groups, lights, weights, count);
+    else
+        environment_lights_group(groups, lights, count);
     if (unit > 0)
         scale_middles(groups, lights, sky, places, unit);
     free(places);

@@ -125,7 +125,7 @@ void light_search_group_sky(struct light_search *search, struct sky_groups *grou
         sky_groups_by_seen(&now.groups, lights, count, sky, rays_for(search, desc),
                            &now.from.camera, now.from.aspect);
     else if (!known)
-        environment_lights_group(&now.groups, lights, NULL, count);
+        environment_lights_group(&now.groups, lights, count);
     if (!known) {
         now.lights = *lights;
         *last = now;

@@ -108,7 +108,7 @@ static void test_open_floor(void **state) {
     struct environment_lights lights;
     open_nodes(&stage, "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
     group(&groups, &lights, &stage);
-    environment_lights_group(&even, &lights, NULL, DIRECTIONS);
+    environment_lights_group(&even, &lights, DIRECTIONS);
     assert_true(sky_groups_same(&groups, &even));
     stage_free(&stage);
 }
@@ -129,7 +129,10 @@ static void test_pieces(void **state) {
     }
     for (int even = 0; even < 2; even++) {
         double sum = 0;
-        environment_lights_group(&groups, &lights, even ? NULL : weights, DIRECTIONS);
+        if (even)
+            environment_lights_group(&groups, &lights, DIRECTIONS);
+        else
+            environment_lights_group_by_weights(&groups, &lights, weights, DIRECTIONS);
         for (int g = 0; g < groups.count; g++)
             for (int i = 0; i < PLACES; i++) {
                 const float place[2] = {((float)i + .5F) / PLACES, .5F};
