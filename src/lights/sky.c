@@ -142,8 +142,8 @@ static void weigh_tree(struct tree *tree, const struct environment_lights *light
     for (int k = 0; k < lights->count - 1; k++) {
         int a = tree->pairs[k][0], b = tree->pairs[k][1], whole = lights->count + k;
         glm_vec4_add(tree->powers[a], tree->powers[b], tree->powers[whole]);
-        tree->costs[whole] = tree->costs[a] + tree->costs[b] +
-                             cost_of_joining(tree->powers[a], tree->powers[b]);
+        tree->costs[whole] =
+            tree->costs[a] + tree->costs[b] + cost_of_joining(tree->powers[a], tree->powers[b]);
     }
 }
 

@@ -4,22 +4,20 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 
-#include <cglm/struct.h>
-
 #include <math.h>
 #include <stdlib.h>
 
 enum {
-    SEEN_SIDE = 8, /* places a side of the picture */
-    AROUND = 8,    /* rays from each */
+    SEEN_SIDE = 16, /* places a side of the picture */
+    AROUND = 2,     /* rays from each */
     PLACES = SEEN_SIDE * SEEN_SIDE * AROUND,
 };
 
 /* Of light that has longer ways, in mean weights. */
 static const float least_weight = .1F;
 
-/* The middle of a group may pass where the rest is blocked, or the other way round; it is trusted that far. */
-static const float largest_scale = 4;
+/* A middle that comes to few places does not get all light of its group: elsewhere it would be too bright. */
+static const float largest_scale = 1.4F;
 
 struct place {
     vec3s position, normal;
