@@ -425,3 +425,11 @@ void environment_light_vector(const struct environment_light *light, float vecto
     for (int c = 0; c < 3; c++)
         vector[c] = (float)sum[c];
 }
+
+void environment_light_direction(const struct environment_light *light, const float place[2],
+                                 float direction[3]) {
+    vec3 from, to;
+    glm_vec3_lerp((float *)light->corners[0], (float *)light->corners[1], place[0], from);
+    glm_vec3_lerp((float *)light->corners[3], (float *)light->corners[2], place[0], to);
+    glm_vec3_lerp(from, to, place[1], direction);
+}

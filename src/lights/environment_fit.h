@@ -39,4 +39,8 @@ struct environment_light environment_light_turned(const struct environment_light
  * above the horizon is the product with the normal. */
 void environment_light_vector(const struct environment_light *light, float vector[3]);
 
+/* Towards a place of it, two numbers in [0, 1]; not unit. */
+void environment_light_direction(const struct environment_light *light, const float place[2],
+                                 float direction[3]);
+
 #endif

@@ -1,8 +1,12 @@
 #include "lights/sky.h"
 
+#include "base/memory.h"
+
 #include <cglm/cglm.h>
 
 #include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
 void environment_lights_fit(struct environment_lights *lights, const struct environment *sky,
                             enum sky_fit fit, int count) {
@@ -11,20 +15,26 @@ void environment_lights_fit(struct environment_lights *lights, const struct envi
 
 /* --- directional lights ------------------------------------------------------------------------- */
 
-/* What it gives a surface that faces it, the mean of RGB, W/m2. */
-static float power_of(const struct environment_light *light) {
+float environment_light_power(const struct environment_light *light) {
     vec3 vector;
     environment_light_vector(light, vector);
     return (light->radiance[0] + light->radiance[1] + light->radiance[2]) / 3 *
            glm_vec3_norm(vector);
 }
 
-/* The same as a vector towards it. */
-static void add_power(const struct environment_light *light, float to[3]) {
+/* The same as a vector towards it, by its weight. */
+static void add_power(const struct environment_light *light, float weight, float to[3]) {
     vec3 vector;
     environment_light_vector(light, vector);
     float mean = (light->radiance[0] + light->radiance[1] + light->radiance[2]) / 3;
-    glm_vec3_muladds(vector, mean, to);
+    glm_vec3_muladds(vector, weight * mean, to);
+}
+
+/* Both: the vector, and how long it would be if all came from one side. */
+static void weighted_power(const struct environment_light *light, float weight, float power[4]) {
+    glm_vec3_zero(power);
+    add_power(light, weight, power);
+    power[3] = weight * environment_light_power(light);
 }
 
 /* By how far it moves how much. */
@@ -35,45 +45,148 @@ static float cost_of_joining(const float a[4], const float b[4]) {
     return a[3] * b[3] / (a[3] + b[3]) * glm_vec3_distance2(x, y);
 }
 
-/* Makes one of the groups `from` and `to`. */
-static void join(struct sky_groups *groups, float (*powers)[4], int light_count, int to, int from) {
-    for (int c = 0; c < 4; c++)
-        powers[to][c] += powers[from][c];
+/* What groups are made of: directions times power, and power, of each. */
+struct joining {
+    struct sky_groups *groups;
+    float powers[ENVIRONMENT_LIGHTS_MAX][4];
+};
+
+static void begin_joining(struct joining *joining, struct sky_groups *groups,
+                          const struct environment_lights *lights) {
+    *groups = (struct sky_groups){.count = lights->count};
+    joining->groups = groups;
+    for (int i = 0; i < lights->count; i++) {
+        groups->of[i] = i;
+        groups->weights[i] = groups->scales[i] = 1;
+        weighted_power(&lights->items[i], 1, joining->powers[i]);
+    }
+}
+
+/* The two that cost least; the first stays. */
+static void find_pair(const struct joining *joining, int pair[2]) {
+    float least = INFINITY;
+    pair[0] = 0;
+    pair[1] = 1;
+    for (int i = 0; i < joining->groups->count; i++)
+        for (int k = i + 1; k < joining->groups->count; k++) {
+            float cost = cost_of_joining(joining->powers[i], joining->powers[k]);
+            if (cost < least) {
+                least = cost;
+                pair[0] = i;
+                pair[1] = k;
+            }
+        }
+}
+
+/* The last group takes the place of the one that goes. */
+static void join(struct joining *joining, int light_count, const int pair[2]) {
+    struct sky_groups *groups = joining->groups;
+    glm_vec4_add(joining->powers[pair[0]], joining->powers[pair[1]], joining->powers[pair[0]]);
     int last = --groups->count;
-    glm_vec4_copy(powers[last], powers[from]);
+    glm_vec4_copy(joining->powers[last], joining->powers[pair[1]]);
     for (int i = 0; i < light_count; i++) {
-        if (groups->of[i] == from)
-            groups->of[i] = to;
+        if (groups->of[i] == pair[1])
+            groups->of[i] = pair[0];
         if (groups->of[i] == last)
-            groups->of[i] = from;
+            groups->of[i] = pair[1];
     }
 }
 
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
                               int count) {
-    float powers[ENVIRONMENT_LIGHTS_MAX]
-                [4]; /* of each group: the sum of vectors, and of what they are long */
-    groups->count = lights->count;
-    for (int i = 0; i < lights->count; i++) {
-        groups->of[i] = i;
-        glm_vec3_zero(powers[i]);
-        add_power(&lights->items[i], powers[i]);
-        powers[i][3] = power_of(&lights->items[i]);
-    }
+    struct joining joining;
+    begin_joining(&joining, groups, lights);
     while (groups->count > count) {
-        float least = INFINITY;
-        int to = 0, from = 1;
-        for (int i = 0; i < groups->count; i++)
-            for (int k = i + 1; k < groups->count; k++) {
-                float cost = cost_of_joining(powers[i], powers[k]);
-                if (cost < least) {
-                    least = cost;
-                    to = i;
-                    from = k;
-                }
-            }
-        join(groups, powers, lights->count, to, from);
+        int pair[2];
+        find_pair(&joining, pair);
+        join(&joining, lights->count, pair);
     }
+}
+
+/* --- groups by weights ---------------------------------------------------------------------------- */
+
+/* Pairs of lights and pairs: number i is light i, number count + k the k-th pair. */
+struct tree {
+    int pairs[ENVIRONMENT_LIGHTS_MAX][2];
+    float powers[2 * ENVIRONMENT_LIGHTS_MAX][4];
+    float costs[2 * ENVIRONMENT_LIGHTS_MAX]; /* of all joining in it */
+    int light_count;
+};
+
+/* By even weights, so that it stays as weights change. */
+static void build_tree(struct tree *tree, const struct environment_lights *lights) {
+    struct sky_groups groups;
+    struct joining joining;
+    int numbers[ENVIRONMENT_LIGHTS_MAX];
+    begin_joining(&joining, &groups, lights);
+    tree->light_count = lights->count;
+    for (int i = 0; i < lights->count; i++)
+        numbers[i] = i;
+    for (int k = 0; groups.count > 1; k++) {
+        int pair[2];
+        find_pair(&joining, pair);
+        tree->pairs[k][0] = numbers[pair[0]];
+        tree->pairs[k][1] = numbers[pair[1]];
+        numbers[pair[0]] = lights->count + k;
+        numbers[pair[1]] = numbers[groups.count - 1];
+        join(&joining, lights->count, pair);
+    }
+}
+
+static void weigh_tree(struct tree *tree, const struct environment_lights *lights,
+                       const float weights[]) {
+    for (int i = 0; i < lights->count; i++) {
+        weighted_power(&lights->items[i], weights[i], tree->powers[i]);
+        tree->costs[i] = 0;
+    }
+    for (int k = 0; k < lights->count - 1; k++) {
+        int a = tree->pairs[k][0], b = tree->pairs[k][1], whole = lights->count + k;
+        glm_vec4_add(tree->powers[a], tree->powers[b], tree->powers[whole]);
+        tree->costs[whole] =
+            tree->costs[a] + tree->costs[b] + cost_of_joining(tree->powers[a], tree->powers[b]);
+    }
+}
+
+static void put_in_group(struct sky_groups *groups, const struct tree *tree, int number,
+                         int group) {
+    if (number < tree->light_count) {
+        groups->of[number] = group;
+        return;
+    }
+    const int *pair = tree->pairs[number - tree->light_count];
+    put_in_group(groups, tree, pair[0], group);
+    put_in_group(groups, tree, pair[1], group);
+}
+
+void environment_lights_group_by_weights(struct sky_groups *groups,
+                                         const struct environment_lights *lights,
+                                         const float weights[], int count) {
+    struct tree *tree = mem_alloc(1, sizeof *tree);
+    int parts[ENVIRONMENT_LIGHTS_MAX] = {2 * lights->count - 2}, part_count = lights->count > 0;
+    build_tree(tree, lights);
+    weigh_tree(tree, lights, weights);
+    while (part_count > 0 && part_count < count && part_count < lights->count) {
+        int widest = 0;
+        for (int i = 1; i < part_count; i++)
+            if (tree->costs[parts[i]] > tree->costs[parts[widest]])
+                widest = i;
+        if (parts[widest] < lights->count)
+            break;
+        const int *pair = tree->pairs[parts[widest] - lights->count];
+        parts[part_count++] = pair[1];
+        parts[widest] = pair[0];
+    }
+    *groups = (struct sky_groups){.count = part_count};
+    for (int g = 0; g < part_count; g++) {
+        put_in_group(groups, tree, parts[g], g);
+        groups->scales[g] = 1;
+    }
+    memcpy(groups->weights, weights, (size_t)lights->count * sizeof *weights);
+    free(tree);
+}
+
+bool sky_groups_same(const struct sky_groups *a, const struct sky_groups *b) {
+    return memcmp(a, b, sizeof *a) == 0;
 }
 
 int environment_lights_suns(const struct environment_lights *lights) {
@@ -81,10 +194,10 @@ int environment_lights_suns(const struct environment_lights *lights) {
     float all = 0;
     int suns = 0;
     for (int i = 0; i < lights->count; i++)
-        all += power_of(&lights->items[i]);
+        all += environment_light_power(&lights->items[i]);
     while (suns < SKY_SUNS_MAX && suns < lights->count &&
            lights->items[suns].solid_angle < widest &&
-           power_of(&lights->items[suns]) >= least_share * all)
+           environment_light_power(&lights->items[suns]) >= least_share * all)
         suns++;
     return suns;
 }
@@ -103,6 +216,30 @@ static void add_light(const struct environment_light *light, float scale, struct
     glm_vec3_muladds((float *)light->radiance, scale * glm_vec3_norm(vector), emitter->intensity);
 }
 
+/* Of a group's lights, how much power they have by their weights, and by the squares of these. */
+struct weighted {
+    float once, twice;
+};
+
+static struct weighted weighted_sums(const struct environment_lights *lights,
+                                     const struct sky_groups *groups, int group) {
+    struct weighted power = {0, 0};
+    for (int i = 0; i < lights->count; i++)
+        if (groups->of[i] == group) {
+            float weight = groups->weights[i];
+            power.once += weight * environment_light_power(&lights->items[i]);
+            power.twice += weight * weight * environment_light_power(&lights->items[i]);
+        }
+    return power;
+}
+
+float sky_group_weight(const struct environment_lights *lights, const struct sky_groups *groups,
+                       int group) {
+    struct weighted power = weighted_sums(lights, groups, group);
+    return power.once > 0 ? power.twice / power.once : 1;
+}
+
+/* All light that passes by the weights passes by the mean weight, too. */
 struct emitter sky_group_emitter(const struct environment_lights *lights,
                                  const struct sky_groups *groups, int group,
                                  const struct environment *sky) {
@@ -110,42 +247,40 @@ struct emitter sky_group_emitter(const struct environment_lights *lights,
     for (int i = 0; i < lights->count; i++)
         if (groups->of[i] == group) {
             struct environment_light light = environment_light_turned(&lights->items[i], sky);
-            add_power(&light, power);
+            add_power(&light, groups->weights[i], power);
         }
     struct emitter emitter = towards(power);
+    float scale = sky->strength * groups->scales[group] / sky_group_weight(lights, groups, group);
     for (int i = 0; i < lights->count; i++)
         if (groups->of[i] == group)
-            add_light(&lights->items[i], sky->strength, &emitter);
+            add_light(&lights->items[i], scale * groups->weights[i], &emitter);
     return emitter;
 }
 
-static void direction_in(const struct environment_light *light, const float place[2],
-                         float direction[3]) {
-    vec3 from, to;
-    glm_vec3_lerp((float *)light->corners[0], (float *)light->corners[1], place[0], from);
-    glm_vec3_lerp((float *)light->corners[3], (float *)light->corners[2], place[0], to);
-    glm_vec3_lerp(from, to, place[1], direction);
+/* One of its lights, as often as it has weighted power, stands for all. */
+static float share_of(const struct environment_lights *lights, const struct sky_groups *groups,
+                      int light) {
+    return groups->weights[light] * environment_light_power(&lights->items[light]);
 }
 
-/* One of its lights, as often as it has power, stands for all. */
 struct emitter sky_group_piece(const struct environment_lights *lights,
                                const struct sky_groups *groups, int group,
                                const struct environment *sky, const float place[2]) {
     float all = 0, before = 0;
     for (int i = 0; i < lights->count; i++)
-        all += groups->of[i] == group ? power_of(&lights->items[i]) : 0;
+        all += groups->of[i] == group ? share_of(lights, groups, i) : 0;
     int chosen = -1;
     float share = 0, within = 0;
     for (int i = 0; i < lights->count && (chosen < 0 || before <= place[0] * all); i++)
         if (groups->of[i] == group) {
             chosen = i;
-            share = power_of(&lights->items[i]) / all;
+            share = share_of(lights, groups, i) / all;
             within = (place[0] * all - before) / (share * all);
             before += share * all;
         }
     struct environment_light light = environment_light_turned(&lights->items[chosen], sky);
     vec3 direction;
-    direction_in(&light, (float[]){glm_clamp(within, 0, 1), place[1]}, direction);
+    environment_light_direction(&light, (float[]){glm_clamp(within, 0, 1), place[1]}, direction);
     struct emitter emitter = towards(direction);
     add_light(&light, 1 / share, &emitter);
     return emitter;

@@ -23,18 +23,36 @@ int environment_lights_suns(const struct environment_lights *lights);
 struct sky_groups {
     int of[ENVIRONMENT_LIGHTS_MAX];
     int count;
+    float weights[ENVIRONMENT_LIGHTS_MAX]; /* of each light: its chance is its power times that */
+    float scales[ENVIRONMENT_LIGHTS_MAX];  /* of each group: times the light of its middle */
 };
 
-/* At most so many: lights are joined where that moves the least power the least far. */
+/* At most `count`: lights are joined where that moves the least power the least far. Weights and scales are 1. */
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
                               int count);
+
+/* The same with weighted powers, of fixed groups within groups: those are parted which cost most. So other weights change few
+ * groups. */
+void environment_lights_group_by_weights(struct sky_groups *groups,
+                                         const struct environment_lights *lights,
+                                         const float weights[], int count);
+
+bool sky_groups_same(const struct sky_groups *a, const struct sky_groups *b);
+
+/* What a light gives a surface that faces it, the mean of RGB, W/m2. */
+float environment_light_power(const struct environment_light *light);
+
+/* The mean weight of the power that is drawn. */
+float sky_group_weight(const struct environment_lights *lights, const struct sky_groups *groups,
+                       int group);
 
 /* As the sky is turned. */
 void sky_block_of(struct sky_block *block, const struct environment_lights *lights,
                   const struct environment *sky);
 
-/* A directional light in the middle of a group, which gives a surface that faces it as much as all lights
- * of the group; or from a place of it, two numbers in [0, 1), as much as all on average. */
+/* A directional light in the weighted middle of a group. With even weights it gives a surface that faces it as much as all
+ * lights of the group; else lights count by their weights. Or one from a place of the group, two numbers in [0, 1): it gives
+ * as much as all on average, whatever the weights. */
 struct emitter sky_group_emitter(const struct environment_lights *lights,
                                  const struct sky_groups *groups, int group,
                                  const struct environment *sky);

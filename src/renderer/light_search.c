@@ -2,23 +2,43 @@
 
 #include "base/memory.h"
 #include "scene/animation.h"
+#include "lights/sky_seen.h"
 #include "scene/light_seen.h"
 #include "techniques/many_lights.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* By importance a quarter of the VPLs still follow flux alone: little is gained where that many show. */
 static const float least_seen = .4F;
 
+struct looked_at {
+    unsigned pose; /* of the geometry; and so of the rays */
+    float aspect;
+    struct camera camera;
+};
+
+/* The last answers, and what they depend on. */
+struct lamps_answer {
+    struct looked_at from;
+    struct emitters emitters;
+    bool unseen, known;
+};
+
+struct sky_answer {
+    struct looked_at from;
+    struct environment_lights lights;
+    float turn;
+    int count; /* at most so many groups; 0: there is no answer */
+    bool by_seen;
+    struct sky_groups groups;
+};
+
 struct light_search {
     struct surface_rays rays; /* zeroed before the first question */
-    struct light_question {
-        unsigned pose; /* of the geometry; and so of the rays */
-        float aspect;
-        struct camera camera;
-        struct emitters emitters;
-    } last;
-    bool unseen; /* the answer */
+    unsigned pose;            /* of the rays */
+    struct lamps_answer lamps;
+    struct sky_answer sky;
 };
 
 struct light_search *light_search_create(void) {
@@ -28,7 +48,7 @@ struct light_search *light_search_create(void) {
 static void forget(struct light_search *search) {
     if (search->rays.geometry)
         surface_rays_free(&search->rays);
-    emitters_free(&search->last.emitters);
+    emitters_free(&search->lamps.emitters);
     *search = (struct light_search){0};
 }
 
@@ -38,39 +58,77 @@ void light_search_free(struct light_search *search) {
     free(search);
 }
 
-static bool is_asked(const struct renderer_desc *desc, const struct light_layout *samples) {
-    const struct lights_settings *lights =
-        settings_of(struct lights_settings, &desc->settings, &lights_part);
-    return lights->importance == IMPORTANCE_AUTO && desc->technique->follows_camera &&
-           desc->geometry->index_count > 0 && samples->lights > 0 &&
-           samples->lights == samples->groups && !desc->emitters.sky &&
-           scene_duration(desc->scene) <= 0 && many_lights_may_trace(desc->scene, desc->geometry);
+static const struct lights_settings *lights_of(const struct renderer_desc *desc) {
+    return settings_of(struct lights_settings, &desc->settings, &lights_part);
 }
 
-static bool is_answered(const struct light_search *search, const struct light_question *question) {
-    const struct light_question *last = &search->last;
-    return search->rays.geometry && last->pose == question->pose &&
-           last->aspect == question->aspect && cameras_same(&last->camera, &question->camera) &&
-           emitters_same(&last->emitters, &question->emitters);
+static bool may_search(const struct renderer_desc *desc) {
+    const struct technique *technique = desc->technique;
+    return technique->follows_camera && !technique->through_walls &&
+           desc->geometry->index_count > 0 && scene_duration(desc->scene) <= 0 &&
+           many_lights_may_trace(desc->scene, desc->geometry);
+}
+
+static struct looked_at looked_at(const struct renderer_desc *desc) {
+    return (struct looked_at){desc->geometry->pose_count, (float)desc->width / (float)desc->height,
+                              desc->camera};
+}
+
+static bool same_look(const struct looked_at *a, const struct looked_at *b) {
+    return a->pose == b->pose && a->aspect == b->aspect && cameras_same(&a->camera, &b->camera);
+}
+
+static const struct surface_rays *rays_for(struct light_search *search,
+                                           const struct renderer_desc *desc) {
+    unsigned pose = desc->geometry->pose_count;
+    if (!search->rays.geometry || search->pose != pose) {
+        forget(search);
+        surface_rays_init(&search->rays, desc->scene, desc->geometry);
+        search->pose = pose;
+    }
+    return &search->rays;
 }
 
 bool light_search_is_unseen(struct light_search *search, const struct renderer_desc *desc,
                             const struct light_layout *samples) {
-    if (!is_asked(desc, samples))
+    const struct looked_at from = looked_at(desc);
+    struct lamps_answer *last = &search->lamps;
+    if (lights_of(desc)->importance != IMPORTANCE_AUTO || desc->emitters.sky ||
+        samples->lights == 0 || samples->lights != samples->groups || !may_search(desc))
         return false;
-    struct light_question question = {desc->geometry->pose_count,
-                                      (float)desc->width / (float)desc->height, desc->camera,
-                                      desc->emitters};
-    if (is_answered(search, &question))
-        return search->unseen;
-    if (!search->rays.geometry || search->last.pose != question.pose) {
-        forget(search);
-        surface_rays_init(&search->rays, desc->scene, desc->geometry);
+    if (last->known && same_look(&last->from, &from) &&
+        emitters_same(&last->emitters, &desc->emitters))
+        return last->unseen;
+    float seen = light_seen(rays_for(search, desc), &desc->emitters, &from.camera, from.aspect);
+    emitters_free(&last->emitters);
+    *last = (struct lamps_answer){from, emitters_copy(&desc->emitters), seen < least_seen, true};
+    return last->unseen;
+}
+
+static bool same_sky(const struct environment_lights *a, const struct environment_lights *b) {
+    return a->count == b->count &&
+           memcmp(a->items, b->items, (size_t)a->count * sizeof *a->items) == 0;
+}
+
+void light_search_group_sky(struct light_search *search, struct sky_groups *groups,
+                            const struct renderer_desc *desc,
+                            const struct environment_lights *lights, int count) {
+    const struct environment *sky = desc->emitters.sky;
+    struct sky_answer *last = &search->sky;
+    struct sky_answer now = {.from = looked_at(desc), .turn = sky ? sky->turn : 0, .count = count};
+    now.by_seen =
+        lights->count > 0 && lights_of(desc)->importance != IMPORTANCE_OFF && may_search(desc);
+    bool known = last->count == count && last->by_seen == now.by_seen &&
+                 same_sky(&last->lights, lights) &&
+                 (!now.by_seen || (last->turn == now.turn && same_look(&last->from, &now.from)));
+    if (!known && now.by_seen)
+        sky_groups_by_seen(&now.groups, lights, count, sky, rays_for(search, desc),
+                           &now.from.camera, now.from.aspect);
+    else if (!known)
+        environment_lights_group(&now.groups, lights, count);
+    if (!known) {
+        now.lights = *lights;
+        *last = now;
     }
-    search->unseen = light_seen(&search->rays, &question.emitters, &question.camera,
-                                question.aspect) < least_seen;
-    emitters_free(&search->last.emitters);
-    question.emitters = emitters_copy(&question.emitters);
-    search->last = question;
-    return search->unseen;
+    *groups = last->groups;
 }

@@ -307,25 +307,23 @@ static void set_defaults(struct renderer_desc *desc) {
         renderer_settings_init(&desc->settings);
 }
 
-/* Takes what there was before where that is as wanted: a fit takes a while. */
-static void plan_sky(struct light_plan *plan, const struct light_plan *before,
+/* Takes the fit of before where that is as wanted: it takes a while. */
+static void plan_sky(struct light_plan *plan, const struct renderer *renderer,
                      const struct renderer_desc *desc) {
+    const struct light_plan *before = plan == &renderer->plan ? NULL : &renderer->plan;
     const struct environment_settings *sky =
         settings_of(struct environment_settings, &desc->settings, &sky_part);
     const struct environment *environment = desc->emitters.sky;
     int room = LIGHTS_MAX - desc->emitters.count;
     struct sky_wanted *wanted = &plan->wanted;
-    *wanted = (struct sky_wanted){environment, sky->fit, sky->lights,
-                                  sky->directions < room ? sky->directions : room};
+    *wanted = (struct sky_wanted){environment, sky->fit, sky->lights};
     if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
-        before->wanted.lights == wanted->lights &&
-        before->wanted.directions == wanted->directions) {
+        before->wanted.lights == wanted->lights)
         plan->sky = before->sky;
-        plan->sky_samples = before->sky_samples;
-        return;
-    }
-    environment_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
-    environment_lights_group(&plan->sky_samples, &plan->sky, wanted->directions);
+    else
+        environment_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
+    light_search_group_sky(renderer->light_search, &plan->sky_samples, desc, &plan->sky,
+                           sky->directions < room ? sky->directions : room);
 }
 
 /* Light samples of all wide lights together, from which their reflected light starts. */
@@ -337,14 +335,13 @@ static const float wide_light = .3F;
 /* Takes what the renderer has where that is as wanted. Error: more lights than there is room for. */
 static bool plan_lights(struct light_plan *plan, const struct renderer *renderer,
                         const struct renderer_desc *desc) {
-    const struct light_plan *before = plan == &renderer->plan ? NULL : &renderer->plan;
     struct light_samples samples;
     if (!light_layout_of(&plan->layout, &desc->emitters))
         return false;
     if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
         return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
                          desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
-    plan_sky(plan, before, desc);
+    plan_sky(plan, renderer, desc);
     plan->light_samples =
         (struct light_samples_desc){LIGHT_SAMPLES, wide_light, desc->geometry->radius};
     light_samples_place(&samples, &desc->emitters,
@@ -532,6 +529,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     if (!plan_lights(&plan, renderer, &desc))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);
+    bool same_samples = sky_groups_same(&plan.sky_samples, &renderer->plan.sky_samples);
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
     unsigned parts = parts_between(renderer, &desc, &plan);
     bool same_medium = settings_same(&desc.settings, &renderer->desc.settings, &medium_part);
@@ -540,7 +538,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     bool ok = change(renderer, &desc, &plan, parts);
     if (!same_lights)
         emitters_free(ok ? &old : &desc.emitters);
-    renderer->lights_drawn &= (same_lights && same_medium) || !ok; /* VPLs hold what it passes */
+    renderer->lights_drawn &= (same_lights && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
     if (ok && !same_picture)
         renderer->refining.count = 0;
     return ok;

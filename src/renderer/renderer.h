@@ -51,8 +51,8 @@ struct light_plan {
     struct sky_groups sky_samples; /* from which its reflected light starts */
     struct sky_wanted {
         const struct environment *environment;
-        int fit, lights, directions;
-    } wanted; /* that they were fitted by */
+        int fit, lights;
+    } wanted; /* that the lights were fitted by */
 };
 
 struct renderer {

@@ -88,24 +88,14 @@ static float direct(const struct search *search, const struct surface_hit *place
     return sum;
 }
 
-/* By the cosine to the normal. */
-static vec3s way_from(vec3s normal, float x, float y) {
-    vec3s tangent = glms_vec3_normalize(glms_vec3_ortho(normal));
-    vec3s bitangent = glms_vec3_cross(normal, tangent);
-    float radius = sqrtf(x), angle = 2 * GLM_PIf * y;
-    vec3s way = glms_vec3_scale(normal, sqrtf(1 - x));
-    way = glms_vec3_muladds(tangent, radius * cosf(angle), way);
-    return glms_vec3_muladds(bitangent, radius * sinf(angle), way);
-}
-
 /* What the place emits and reflects: light of the lamps, and what surfaces reflect of it once. */
 static float radiance_of(const struct search *search, const struct surface_hit *place,
                          uint32_t number) {
     float sum = emission_at(search, place) + direct(search, place, number);
     for (uint32_t i = 0; sum < least_radiance && i < BOUNCES; i++) {
         uint32_t point = number * BOUNCES + i;
-        vec3s way = way_from(place->normal, (float)radical_inverse(5, point),
-                             (float)radical_inverse(7, point));
+        const float at[2] = {(float)radical_inverse(5, point), (float)radical_inverse(7, point)};
+        vec3s way = surface_ray_direction(place->normal, at);
         struct surface_hit next;
         if (surface_rays_find(&search->rays, place->position, way, &next))
             sum += reflectance * direct(search, &next, point) / BOUNCES;

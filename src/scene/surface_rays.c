@@ -3,6 +3,8 @@
 #include "base/memory.h"
 #include "scene/mesh/corners.h"
 
+#include <math.h>
+
 enum { SURFACES = 8 }; /* culled backs that a ray passes */
 
 void surface_rays_init(struct surface_rays *rays, const struct scene *scene,
@@ -51,6 +53,15 @@ bool surface_rays_find(const struct surface_rays *rays, vec3s origin, vec3s dire
     return false;
 }
 
+vec3s surface_ray_direction(vec3s normal, const float point[2]) {
+    vec3s tangent = glms_vec3_normalize(glms_vec3_ortho(normal));
+    vec3s bitangent = glms_vec3_cross(normal, tangent);
+    float radius = sqrtf(point[0]), angle = 2 * GLM_PIf * point[1];
+    vec3s direction = glms_vec3_scale(normal, sqrtf(1 - point[0]));
+    direction = glms_vec3_muladds(tangent, radius * cosf(angle), direction);
+    return glms_vec3_muladds(bitangent, radius * sinf(angle), direction);
+}
+
 bool surface_rays_find_seen(const struct surface_rays *rays, const struct camera *camera,
                             const float point[2], float aspect, struct surface_hit *place) {
     vec3s origin, direction;
@@ -67,4 +78,8 @@ bool surface_rays_blocked(const struct surface_rays *rays, vec3s from, vec3s to)
         return false;
     struct bvh_hit hit = bvh_ray_trace(&rays->tree, from, glms_vec3_scale(path, 1 / distance));
     return hit.distance < distance - rays->clearance;
+}
+
+bool surface_rays_leave(const struct surface_rays *rays, vec3s from, vec3s direction) {
+    return !bvh_ray_trace(&rays->tree, from, direction).triangle;
 }

@@ -32,11 +32,17 @@ void surface_rays_free(struct surface_rays *rays);
 bool surface_rays_find(const struct surface_rays *rays, vec3s origin, vec3s direction,
                        struct surface_hit *place);
 
+/* A unit direction with density cos / pi about the normal, from two numbers in [0, 1). */
+vec3s surface_ray_direction(vec3s normal, const float point[2]);
+
 /* What a camera sees at a point of the picture, x and y in [0, 1] from the top left corner. */
 bool surface_rays_find_seen(const struct surface_rays *rays, const struct camera *camera,
                             const float point[2], float aspect, struct surface_hit *place);
 
 /* Whether anything lies between two places above surfaces. */
 bool surface_rays_blocked(const struct surface_rays *rays, vec3s from, vec3s to);
+
+/* Whether nothing lies that way, however far. */
+bool surface_rays_leave(const struct surface_rays *rays, vec3s from, vec3s direction);
 
 #endif

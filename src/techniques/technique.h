@@ -44,6 +44,7 @@ struct technique {
     const struct settings_part *const *parts; /* tables of its settings; null-terminated */
     const struct preset *presets;             /* ends with a row of no name; NULL = none */
     const struct refinement *refinement;      /* NULL: all passes are made as the first */
+    bool through_walls; /* nothing stops its light, so where light comes in is of no matter */
     /* Refuses values that exclude each other; NULL: none do. Error: for the user. */
     bool (*check)(const struct settings *settings);
     /* Makes *state, with all textures and programs. Error: of the first pass that fails; free is then called. */

@@ -47,6 +47,7 @@ const struct technique unshadowed_technique = {
     .parts = parts,
     .presets = presets,
     .refinement = &refinement,
+    .through_walls = true,
     .check = many_lights_check,
     .init = init,
     .free = free_state,

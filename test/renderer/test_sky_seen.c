@@ -1,0 +1,192 @@
+/* Directions of a sky's reflected light: dense where light comes in, and right on average for whatever weights. */
+#include "render_support.h"
+
+#include "gltf_parts.h"
+
+#include "base/memory.h"
+#include "lights/sky_seen.h"
+#include "scene/lights/environment.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { SIZE = 48, DIRECTIONS = 12, PLACES = 4096 };
+
+/* A closed room, 1 m wide and high, whose wall x = .5 has an upright slit; +Z is up. */
+#define ACROSS_X "\"rotation\": [0, 0.70710678, 0, 0.70710678]"
+#define ACROSS_Y "\"rotation\": [-0.70710678, 0, 0, 0.70710678]"
+#define SLIT_ROOM                                                                                  \
+    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 0]},"                                             \
+    "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 1]},"                                             \
+    "{\"mesh\": 0, " ACROSS_X ", \"translation\": [-0.5, -0.5, 1]},"                               \
+    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, -0.5, 1]},"                               \
+    "{\"mesh\": 0, " ACROSS_Y ", \"translation\": [-0.5, 0.5, 1]},"                                \
+    "{\"mesh\": 0, " ACROSS_X ", \"scale\": [1, 0.46, 1], \"translation\": [0.5, -0.5, 1]},"       \
+    "{\"mesh\": 0, " ACROSS_X ", \"scale\": [1, 0.46, 1], \"translation\": [0.5, 0.04, 1]}"
+
+/* Of 1 all around, in place of other lights. */
+static void set_even_sky(struct stage *stage) {
+    struct environment *sky = mem_alloc(1, sizeof *sky);
+    *sky = (struct environment){.width = 64, .height = 32, .strength = 1};
+    sky->texels = mem_alloc(64 * 32, sizeof *sky->texels);
+    for (int i = 0; i < 64 * 32; i++)
+        glm_vec3_broadcast(1, sky->texels[i]);
+    environment_free(stage->scene.environment);
+    stage->scene.environment = sky;
+    stage->emitters.sky = sky;
+    stage->emitters.count = 0;
+}
+
+/* The camera looks down from the middle of the ceiling. */
+static void open_nodes(struct stage *stage, const char *nodes) {
+    char all[4096];
+    snprintf(all, sizeof all, "[{\"camera\": 0, \"translation\": [0, 0, 0.95]}, %s]", nodes);
+    open_stage(stage,
+               write_parts("room.glb",
+                           &(struct gltf_parts){
+                               .nodes = all,
+                               .materials = "[{\"doubleSided\": true,"
+                                            " \"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
+                               .more = "\"cameras\": [{\"type\": \"perspective\","
+                                       " \"perspective\": {\"yfov\": 1.2, \"znear\": 0.01}}],"}));
+    set_even_sky(stage);
+}
+
+static void group(struct sky_groups *groups, struct environment_lights *lights,
+                  const struct stage *stage) {
+    struct surface_rays rays;
+    environment_lights_fit(lights, stage->emitters.sky, SKY_FIT_EVEN, 120);
+    surface_rays_init(&rays, &stage->scene, &stage->geometry);
+    sky_groups_by_seen(groups, lights, DIRECTIONS, stage->emitters.sky, &rays, &stage->camera, 1);
+    surface_rays_free(&rays);
+}
+
+/* Its direction meets the slit from somewhere in the room. */
+static bool comes_in(const struct emitter *light) {
+    return light->direction[0] < 0 &&
+           fabsf(light->direction[1]) < .54F / .001F * -light->direction[0];
+}
+
+/* Light from behind the other walls has the least weight; the mean is 1, and so much; most directions come in. */
+static void test_slit(void **state) {
+    (void)state;
+    struct stage stage;
+    struct sky_groups groups;
+    struct environment_lights lights;
+    open_nodes(&stage, SLIT_ROOM);
+    group(&groups, &lights, &stage);
+    double power = 0, weighted = 0, behind = 0;
+    int inside = 0;
+    for (int i = 0; i < lights.count; i++) {
+        double own = (double)environment_light_power(&lights.items[i]);
+        bool behind_walls = true;
+        for (int c = 0; c < 4; c++)
+            behind_walls &= lights.items[i].corners[c][0] <= 1e-6F;
+        power += own;
+        weighted += own * (double)groups.weights[i];
+        if (behind_walls)
+            behind = fmax(behind, (double)groups.weights[i]);
+    }
+    for (int g = 0; g < groups.count; g++) {
+        struct emitter middle = sky_group_emitter(&lights, &groups, g, stage.emitters.sky);
+        inside += comes_in(&middle);
+    }
+    check_near("mean weight", weighted / power, 1.1, 1e-4);
+    check_near("largest weight behind walls", behind, .1, 1e-6);
+    printf("    %-48s %d of %d\n", "directions that come in", inside, groups.count);
+    assert_true(inside > DIRECTIONS * 2 / 3);
+    stage_free(&stage);
+}
+
+/* No place reflects light into the picture: all lights count by their power. */
+static void test_open_floor(void **state) {
+    (void)state;
+    struct stage stage;
+    struct sky_groups groups, even;
+    struct environment_lights lights;
+    open_nodes(&stage, "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
+    group(&groups, &lights, &stage);
+    environment_lights_group(&even, &lights, DIRECTIONS);
+    assert_true(sky_groups_same(&groups, &even));
+    stage_free(&stage);
+}
+
+/* The mean over places is what the lights have together, for even weights and others. */
+static void test_pieces(void **state) {
+    (void)state;
+    struct stage stage;
+    struct sky_groups groups;
+    struct environment_lights lights;
+    float weights[ENVIRONMENT_LIGHTS_MAX];
+    double all = 0;
+    open_nodes(&stage, SLIT_ROOM);
+    environment_lights_fit(&lights, stage.emitters.sky, SKY_FIT_EVEN, 60);
+    for (int i = 0; i < lights.count; i++) {
+        weights[i] = i % 3 ? .1F : 3;
+        all += (double)environment_light_power(&lights.items[i]);
+    }
+    for (int even = 0; even < 2; even++) {
+        double sum = 0;
+        if (even)
+            environment_lights_group(&groups, &lights, DIRECTIONS);
+        else
+            environment_lights_group_by_weights(&groups, &lights, weights, DIRECTIONS);
+        for (int g = 0; g < groups.count; g++)
+            for (int i = 0; i < PLACES; i++) {
+                const float place[2] = {((float)i + .5F) / PLACES, .5F};
+                struct emitter piece =
+                    sky_group_piece(&lights, &groups, g, stage.emitters.sky, place);
+                sum += (double)piece.intensity[0] / PLACES;
+            }
+        check_near(even ? "even weights" : "other weights", sum / all, 1, 2e-3);
+    }
+    stage_free(&stage);
+}
+
+/* One frame has the tracer's light; by power alone it errs more. */
+static void test_light(void **state) {
+    (void)state;
+    struct stage stage;
+    open_nodes(&stage, SLIT_ROOM);
+    struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 4096 : 1024);
+    double mean = layer_mean(&reference, "indirect");
+    struct image by_power =
+        render_stage(&stage, "clustered", "path=traced lights.importance=off", SIZE);
+    struct image by_seen = render_stage(&stage, "clustered", "path=traced", SIZE);
+    printf("    %-48s %g\n", "by power alone", layer_mean(&by_power, "indirect") / mean);
+    check_near("indirect light, mean", layer_mean(&by_seen, "indirect") / mean, 1, .1);
+    image_free(&reference);
+    image_free(&by_power);
+    image_free(&by_seen);
+    stage_free(&stage);
+}
+
+/* A renderer whose camera moves has the pictures of new ones. */
+static void test_moved_camera(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer = {0};
+    open_stage(&stage, "scenes/courtyard.glb");
+    for (int i = 0; i < 3; i++) {
+        struct renderer_desc desc = desc_of(&stage, "clustered", "vpls=64", SIZE, SIZE);
+        desc.keep_lights = true;
+        desc.camera.eye[0] += .7F * (float)(i % 2);
+        struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+        assert_true(same_pixels(&followed, &fresh));
+        image_free(&followed);
+        image_free(&fresh);
+    }
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_slit),         cmocka_unit_test(test_open_floor),
+        cmocka_unit_test(test_pieces),       cmocka_unit_test(test_light),
+        cmocka_unit_test(test_moved_camera),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
