@@ -538,7 +538,8 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     bool ok = change(renderer, &desc, &plan, parts);
     if (!same_lights)
         emitters_free(ok ? &old : &desc.emitters);
-    renderer->lights_drawn &= (same_lights && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
+    renderer->lights_drawn &=
+        (same_lights && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
     if (ok && !same_picture)
         renderer->refining.count = 0;
     return ok;
