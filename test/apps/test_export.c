@@ -276,6 +276,10 @@ static void test_scripts_refuse(void **state) {
     expect_text("an environment or emissive surfaces");
     expect(1, "python3 bench/entries/povray/entry.py @/refused @/nowhere");
     expect_text("no scene pack");
+    expect(1, "rm -rf @/far; % export scenes/cornell-box.glb -o @/far --size 8x8 -q &&"
+              " sed -i 's|\"cornell-box.8x8|\"../cornell-box.8x8|' @/far/scene.json &&"
+              " python3 bench/entries/povray/entry.py @/refused @/far");
+    expect_text("picture.file is no plain name");
     expect(1, "echo >> @/lamp/scene.glb; python3 bench/entries/povray/entry.py @/refused @/lamp");
     expect_text("its SHA-256 is another");
 }
