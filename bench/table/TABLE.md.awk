@@ -80,6 +80,7 @@ END {
     print "a frame. `make table` writes it. [Benchmarking](../docs/dev/benchmarking.md#the-table) tells how, and how to enter"
     print "another renderer.\n"
     print "- Errors: relative RMSE of indirect light and of the picture; FLIP; absolute bias of indirect light. Medians of scenes."
+    print "- The picture has direct light too: edges of spots' cones and shadows, not antialiased, lead its error in small pictures."
     print "- Times: medians of frames. On software OpenGL they depend on other work, CPU times less."
     print "- Noise: standard error of the reference over its mean. It is part of each error: subtract it as squares."
     printf "- Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; commit %s.\n", scene_count, method_count,

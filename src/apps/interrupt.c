@@ -5,9 +5,11 @@
 #include <signal.h>
 #include <stddef.h>
 
-static const int held[] = {SIGINT, SIGTERM};
+static const int held[] = {SIGINT, SIGTERM}, caught[] = {SIGINT, SIGTERM, SIGHUP};
 
-enum { HELD = sizeof held / sizeof *held };
+enum { HELD = sizeof held / sizeof *held, CAUGHT = sizeof caught / sizeof *caught };
+
+static volatile sig_atomic_t remembered;
 
 static bool is_ignored(int number) {
     struct sigaction action;
@@ -37,5 +39,24 @@ bool interrupt_came(void) {
     for (int i = 0; i < HELD; i++)
         if (sigismember(&pending, held[i]))
             return true;
-    return false;
+    return remembered != 0;
+}
+
+static void remember(int number) {
+    remembered = number;
+}
+
+void interrupts_catch(void) {
+    struct sigaction action = {.sa_handler = remember, .sa_flags = SA_RESTART};
+    for (int i = 0; i < CAUGHT; i++)
+        if (!is_ignored(caught[i]))
+            sigaction(caught[i], &action, NULL);
+}
+
+void interrupts_obey(void) {
+    for (int i = 0; i < CAUGHT; i++)
+        if (!is_ignored(caught[i]))
+            signal(caught[i], SIG_DFL);
+    if (remembered)
+        raise(remembered);
 }

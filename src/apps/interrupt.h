@@ -1,8 +1,14 @@
-/* SIGINT and SIGTERM held back while a sequence is rendered, so that it ends between two frames.
+/* SIGINT and SIGTERM held back or remembered, so that nothing is left half done.
+ *
+ * Held back while a sequence is rendered, so that it ends between two frames.
  *
  *     interrupts_hold();         before anything starts threads: they inherit it
  *     ... interrupt_came() ...   between two frames
  *     interrupts_release();      the process ends here if one came, by that signal
+ *
+ * Remembered where threads run already and would take the signal, SIGHUP too:
+ *
+ *     interrupts_catch(), interrupt_came(), interrupts_obey(): the process ends here if one came
  *
  * Signals that the caller ignores, as nohup does, stay ignored.
  */
@@ -14,5 +20,7 @@
 void interrupts_hold(void);
 bool interrupt_came(void);
 void interrupts_release(void);
+void interrupts_catch(void);
+void interrupts_obey(void);
 
 #endif

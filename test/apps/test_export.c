@@ -193,6 +193,24 @@ static void test_xml_is_well_formed(void **state) {
            " @/$scene/scene.xml || exit 1; done");
 }
 
+/* Names of materials may have what ends a comment. */
+static void test_odd_names(void **state) {
+    (void)state;
+    need_command("python3 -c 1");
+    expect(0, "LC_ALL=C sed 's/\"name\":\"metal/\"name\":\"-->--/' scenes/gloss.glb > @/odd.glb &&"
+              " % export @/odd.glb -o @/odd --format mitsuba && grep -e '- ->' @/odd/scene.xml &&"
+              " python3 -c 'import xml.etree.ElementTree as e\ne.parse(\"@/odd/scene.xml\")'");
+}
+
+/* A signal while files are written leaves none of them. */
+static void test_interrupted(void **state) {
+    (void)state;
+    expect(143, "% export scenes/courtyard.glb -o @/ended --format pbrt & p=$!; until"
+                " ls -d @/ended.part-* || ! kill -0 $p; do :; done > @/log.txt 2>&1; kill -TERM $p;"
+                " wait $p");
+    expect(2, "ls -d @/ended @/ended.part-*");
+}
+
 /* A light that is changed, and a lamp that is left off. */
 static void test_chosen_lights(void **state) {
     (void)state;
@@ -258,6 +276,10 @@ static void test_scripts_refuse(void **state) {
     expect_text("an environment or emissive surfaces");
     expect(1, "python3 bench/entries/povray/entry.py @/refused @/nowhere");
     expect_text("no scene pack");
+    expect(1, "rm -rf @/far; % export scenes/cornell-box.glb -o @/far --size 8x8 -q &&"
+              " sed -i 's|\"cornell-box.8x8|\"../cornell-box.8x8|' @/far/scene.json &&"
+              " python3 bench/entries/povray/entry.py @/refused @/far");
+    expect_text("picture.file is no plain name");
     expect(1, "echo >> @/lamp/scene.glb; python3 bench/entries/povray/entry.py @/refused @/lamp");
     expect_text("its SHA-256 is another");
 }
@@ -289,6 +311,8 @@ int main(void) {
         cmocka_unit_test(test_environment_lies_right),
         cmocka_unit_test(test_notes_are_in_the_files),
         cmocka_unit_test(test_xml_is_well_formed),
+        cmocka_unit_test(test_odd_names),
+        cmocka_unit_test(test_interrupted),
         cmocka_unit_test(test_chosen_lights),
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_cycles),

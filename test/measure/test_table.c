@@ -138,6 +138,35 @@ static void test_entry_and_variant(void **state) {
         "bench/schema/results.schema.json @/one/results.json");
 }
 
+#define FEW "bench/table/run --spp 4 --scene scenes/cornell-box.glb --size 24x24 --frames 1 "
+
+/* A row of another picture of the entry or of other settings is stale. */
+static void test_changed_inputs(void **state) {
+    (void)state;
+    need_file("bench/table/run");
+    expect(0,
+           FEW "--variant few:technique=unshadowed,vpls=64 --entry @/entry -o @/mixed --dry-run");
+    expect_text("stale: 0\nfailed: 0\nok: 2");
+    expect(0,
+           FEW "--variant few:technique=unshadowed,vpls=32 --entry @/entry -o @/mixed --dry-run");
+    expect_text("stale: 1\nfailed: 0\nok: 1");
+    expect(0, "@/draw scenes/cornell-box.glb 24x24 @/entry/cornell-box.24x24.exr");
+    expect(0,
+           FEW "--variant few:technique=unshadowed,vpls=64 --entry @/entry -o @/mixed --dry-run");
+    expect_text("stale: 1\nfailed: 0\nok: 1");
+}
+
+/* A run that is ended stops the renderer that it started, and leaves no row of it. */
+static void test_ended_run(void **state) {
+    (void)state;
+    need_file("bench/table/run");
+    expect(0,
+           RUN "--size 24x24 --variant none --renderer 'slow=echo $$ > @/pid; exec sleep 300; :' "
+               "-o @/ended & run=$!; i=0; while [ $i -lt 600 ] && ! [ -s @/pid ]; do sleep .1; "
+               "i=$((i + 1)); done; kill -TERM $run; wait $run; [ $? -eq 130 ] && "
+               "[ -s @/pid ] && ! kill -0 $(cat @/pid) && [ -z \"$(ls -A @/ended/cases)\" ]");
+}
+
 static void test_refusals(void **state) {
     (void)state;
     need_file("bench/table/run");
@@ -160,13 +189,14 @@ static void test_refusals(void **state) {
     expect_count("cut/results.json", "\"error\": \"reference: ", 1);
 }
 
+/* In a long run alone: it starts 24 processes in turn. */
 static void test_slurm_array(void **state) {
     (void)state;
     need_file("bench/table/run");
     need_command("PATH=$PATH:/usr/sbin command -v munged slurmctld slurmd sbatch");
     expect(0, "rm -rf @/slurm && mkdir @/slurm && MANYLIGHT_BINARY=$(realpath "
               "\"${MANYLIGHT_BINARY:-./manylight}\") "
-              "timeout 500 test/slurm/one-node @/slurm test/slurm/table @/slurm");
+              "timeout 1500 test/slurm/one-node @/slurm test/slurm/table @/slurm");
     expect_text("slurm: the same bytes");
 }
 
@@ -178,8 +208,10 @@ int main(void) {
         cmocka_unit_test(test_dry_run_writes_nothing),
         cmocka_unit_test(test_parts_and_machines),
         cmocka_unit_test(test_entry_and_variant),
+        cmocka_unit_test(test_changed_inputs),
+        cmocka_unit_test(test_ended_run),
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_slurm_array),
     };
-    return cmocka_run_group_tests_name("table", tests, prepare, NULL);
+    return run_some_tests(tests, (int)(sizeof tests / sizeof *tests) - 1, prepare, NULL);
 }

@@ -54,6 +54,8 @@ def read_pack(folder):
         raise SystemExit(f"{folder}: no scene pack: {error}")
     if pack.get("format") != "manylight scene pack" or pack.get("version") != 1:
         raise SystemExit(f"{folder}: no scene pack of version 1")
+    if os.path.basename(pack["picture"]["file"]) != pack["picture"]["file"]:
+        raise SystemExit(f"{folder}: picture.file is no plain name")
     for part in (pack["scene"], pack["environment"]):
         if part and sha256_of(os.path.join(folder, part["file"])) != part["sha256"]:
             raise SystemExit(f"{folder}/{part['file']}: its SHA-256 is another than scene.json says")

@@ -153,15 +153,21 @@ def draw(folder, entry):
     if sha256_of(path) != pack["scene"]["sha256"]:
         sys.exit(f"entry.py: {path}: its SHA-256 is another than scene.json says")
     glb, picture = Glb(path), pack["picture"]
+    if os.path.basename(picture["file"]) != picture["file"]:
+        sys.exit(f"entry.py: {folder}: picture.file is no plain name")
     check(folder, pack, glb)
     with tempfile.NamedTemporaryFile("w", suffix=".pov", delete=False) as file:
         file.write(scene_text(pack, glb))
     command = ["povray", f"+I{file.name}", f"+O{os.path.join(entry, picture['file'])}", f"+W{picture['width']}",
                f"+H{picture['height']}", "+FE", "-D", "-GD", "-GR", "-GS", "-GW", "+A0.0", "+AM1", "+R4", "-J"]
     start = time.monotonic()
-    done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    try:
+        done = subprocess.run(command, stdin=subprocess.DEVNULL, capture_output=True, text=True)
+    except OSError as error:
+        sys.exit(f"entry.py: povray does not start: {error}")
+    finally:
+        os.unlink(file.name)
     seconds = time.monotonic() - start
-    os.unlink(file.name)
     if done.returncode:
         sys.exit(f"entry.py: {folder}: povray fails:\n{done.stderr[-2000:]}")
     return picture["file"], seconds

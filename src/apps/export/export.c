@@ -1,6 +1,7 @@
 /* manylight export: a scene for other renderers. */
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/interrupt.h"
 #include "apps/options.h"
 
 #include "apps/export/meshes.h"
@@ -85,6 +86,7 @@ static bool export_stage(const struct values *values, const struct stage *stage)
         target.width = size[0];
         target.height = size[1];
     }
+    interrupts_catch();
     char *folder = output_folder_begin(values->output);
     if (!folder)
         return false;
@@ -92,10 +94,12 @@ static bool export_stage(const struct values *values, const struct stage *stage)
     texture_decode_table(target.srgb_to_linear);
     export_meshes_find(&target);
     note_scene(&target, values->format);
-    bool ok = exporters[values->format](&target);
+    bool ok = exporters[values->format](&target) && !interrupt_came();
     export_meshes_free(&target);
     free(target.notes.data);
-    return output_folder_end(folder, values->output, ok);
+    ok = output_folder_end(folder, values->output, ok);
+    interrupts_obey();
+    return ok;
 }
 
 int app_export(int argc, char **argv) {

@@ -3,6 +3,7 @@
 #include "apps/export/lights.h"
 #include "apps/export/meshes.h"
 #include "apps/export/textures.h"
+#include "apps/interrupt.h"
 
 #include <cglm/cglm.h>
 #include <stdio.h>
@@ -284,7 +285,7 @@ static bool print_scene(struct export_target *target, struct text *xml) {
                target->bounces + 2);
     print_camera(xml, target);
     for (int i = 0; ok && i < target->mesh_count; i++)
-        ok = print_mesh(target, xml, i);
+        ok = print_mesh(target, xml, i) && !interrupt_came();
     for (int i = 0; i < emitters->count; i++)
         if (export_is_light(&emitters->items[i]))
             print_light(target, xml, &emitters->items[i]);

@@ -3,6 +3,7 @@
 #include "apps/export/lights.h"
 #include "apps/export/meshes.h"
 #include "apps/export/textures.h"
+#include "apps/interrupt.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -230,7 +231,7 @@ static bool print_scene(struct export_target *target, struct text *out) {
     print_head(out, target);
     export_note(target, "pbrt computes with spectra: colours of several reflections differ");
     for (int i = 0; ok && i < target->mesh_count; i++)
-        ok = print_mesh(target, out, i);
+        ok = print_mesh(target, out, i) && !interrupt_came();
     for (int i = 0; i < emitters->count; i++)
         if (export_is_light(&emitters->items[i]))
             print_light(target, out, &emitters->items[i]);

@@ -13,10 +13,22 @@ char *export_path(const struct export_target *target, const char *name) {
     return mem_printf("%s/%s", target->folder, name);
 }
 
+/* XML ends a comment at two hyphens. */
+static void add_comment(struct text *text, const char *line, size_t length) {
+    for (size_t i = 0; i < length; i++) {
+        text_append(text, &line[i], 1);
+        if (line[i] == '-' && line[i + 1] == '-')
+            text_append(text, " ", 1);
+    }
+}
+
 static void add_comments(struct text *text, const struct export_target *target, const char *before,
                          const char *after) {
-    for (const char *line = target->notes.data; line && *line; line += strcspn(line, "\n") + 1)
-        text_print(text, "%s%.*s%s\n", before, (int)strcspn(line, "\n"), line, after);
+    for (const char *line = target->notes.data; line && *line; line += strcspn(line, "\n") + 1) {
+        text_print(text, "%s", before);
+        add_comment(text, line, strcspn(line, "\n"));
+        text_print(text, "%s\n", after);
+    }
 }
 
 bool export_write(const struct export_target *target, const char *name, const char *before,
@@ -35,7 +47,7 @@ void export_note(struct export_target *target, const char *format, ...) {
     char line[512];
     va_list args;
     va_start(args, format);
-    vsnprintf(line, sizeof line, format, args);
+    vsnprintf(line, sizeof line - 1, format, args);
     va_end(args);
     strncat(line, "\n", sizeof line - strlen(line) - 1);
     if (target->notes.data && strstr(target->notes.data, line))

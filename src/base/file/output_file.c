@@ -424,7 +424,9 @@ char *output_folder_begin(const char *path) {
         return NULL;
     }
     char *folder = mem_printf("%.*s.part-XXXXXX", (int)length, path);
-    if (mkdtemp(folder) && chmod(folder, 0755) == 0)
+    mode_t mask = umask(0);
+    umask(mask);
+    if (mkdtemp(folder) && chmod(folder, 0777 & ~mask) == 0)
         return folder;
     fail_folder(path);
     free(folder);
