@@ -62,9 +62,10 @@ static const struct lights_settings *lights_of(const struct renderer_desc *desc)
     return settings_of(struct lights_settings, &desc->settings, &lights_part);
 }
 
+/* Light that stays while the camera moves is the same for all views. */
 static bool may_search(const struct renderer_desc *desc) {
     const struct technique *technique = desc->technique;
-    return technique->follows_camera && !technique->through_walls &&
+    return technique->follows_camera == many_lights_follow_camera && !technique->through_walls &&
            desc->geometry->index_count > 0 && scene_duration(desc->scene) <= 0 &&
            many_lights_may_trace(desc->scene, desc->geometry);
 }
