@@ -13,7 +13,7 @@
 static const float least_seen = .4F;
 
 struct looked_at {
-    unsigned pose; /* of the geometry; and so of the rays */
+    unsigned moved; /* the pose that last moved any of the geometry; and so of the rays */
     float aspect;
     struct camera camera;
 };
@@ -36,7 +36,7 @@ struct sky_answer {
 
 struct light_search {
     struct surface_rays rays; /* zeroed before the first question */
-    unsigned pose;            /* of the rays */
+    unsigned moved;           /* of the rays */
     struct lamps_answer lamps;
     struct sky_answer sky;
 };
@@ -62,29 +62,39 @@ static const struct lights_settings *lights_of(const struct renderer_desc *desc)
     return settings_of(struct lights_settings, &desc->settings, &lights_part);
 }
 
+/* Light that stays while the camera moves is the same for all views. */
 static bool may_search(const struct renderer_desc *desc) {
     const struct technique *technique = desc->technique;
-    return technique->follows_camera && !technique->through_walls &&
+    return technique->follows_camera == many_lights_follow_camera && !technique->through_walls &&
            desc->geometry->index_count > 0 && scene_duration(desc->scene) <= 0 &&
            many_lights_may_trace(desc->scene, desc->geometry);
 }
 
+/* Frames of what does not move have a pose each. */
+static unsigned last_move(const struct geometry *geometry) {
+    unsigned last = 0;
+    for (int p = 0; p < geometry->part_count; p++)
+        if (geometry->parts[p].moved > last)
+            last = geometry->parts[p].moved;
+    return last;
+}
+
 static struct looked_at looked_at(const struct renderer_desc *desc) {
-    return (struct looked_at){desc->geometry->pose_count, (float)desc->width / (float)desc->height,
+    return (struct looked_at){last_move(desc->geometry), (float)desc->width / (float)desc->height,
                               desc->camera};
 }
 
 static bool same_look(const struct looked_at *a, const struct looked_at *b) {
-    return a->pose == b->pose && a->aspect == b->aspect && cameras_same(&a->camera, &b->camera);
+    return a->moved == b->moved && a->aspect == b->aspect && cameras_same(&a->camera, &b->camera);
 }
 
 static const struct surface_rays *rays_for(struct light_search *search,
                                            const struct renderer_desc *desc) {
-    unsigned pose = desc->geometry->pose_count;
-    if (!search->rays.geometry || search->pose != pose) {
+    unsigned moved = last_move(desc->geometry);
+    if (!search->rays.geometry || search->moved != moved) {
         forget(search);
         surface_rays_init(&search->rays, desc->scene, desc->geometry);
-        search->pose = pose;
+        search->moved = moved;
     }
     return &search->rays;
 }

@@ -533,7 +533,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
     unsigned parts = parts_between(renderer, &desc, &plan);
     bool same_medium = settings_same(&desc.settings, &renderer->desc.settings, &medium_part);
-    bool same_picture = parts == 0 && same_lights && same_medium &&
+    bool same_picture = parts == 0 && same_lights && same_samples && same_medium &&
                         cameras_same(&desc.camera, &renderer->desc.camera);
     bool ok = change(renderer, &desc, &plan, parts);
     if (!same_lights)

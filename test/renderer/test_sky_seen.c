@@ -182,11 +182,25 @@ static void test_moved_camera(void **state) {
     stage_free(&stage);
 }
 
+/* Voxels stay while only the camera moves, so their light comes from the same directions for all views. */
+static void test_voxels(void **state) {
+    (void)state;
+    struct stage stage;
+    open_nodes(&stage, SLIT_ROOM);
+    struct image by_power =
+        render_stage(&stage, "imperfect-volume", "path=fast lights.importance=off", SIZE);
+    struct image usual = render_stage(&stage, "imperfect-volume", "path=fast", SIZE);
+    assert_true(same_pixels(&by_power, &usual));
+    image_free(&by_power);
+    image_free(&usual);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_slit),         cmocka_unit_test(test_open_floor),
         cmocka_unit_test(test_pieces),       cmocka_unit_test(test_light),
-        cmocka_unit_test(test_moved_camera),
+        cmocka_unit_test(test_moved_camera), cmocka_unit_test(test_voxels),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
