@@ -47,6 +47,8 @@ static void test_emission(void **state) {
     struct table table;
     double sum[3];
     open_table(&table);
+    for (int i = 0; i < table.elements.count; i++)
+        assert_int_equal(table.lamps.of_elements[i], table.light.emission[i][0] > 0);
     add_up(&table, sum);
     check_near("emission over the light's", sum[0] / 6.4, 1, .01);
     struct emitters emitters = emitters_copy(&table.stage.emitters);
