@@ -3,7 +3,6 @@
 
 #include "base/clock.h"
 #include "base/error.h"
-#include "scene/mesh/bvh_ray.h"
 #include "techniques/implicit-visibility/light.h"
 
 struct radiosity {
@@ -345,54 +344,6 @@ static void test_lamps(void **state) {
     close_radiosity(&radiosity);
 }
 
-/* The table's lamp gives its elements what its light has: 6.4 W/sr of red. */
-static void test_emission(void **state) {
-    (void)state;
-    struct stage stage;
-    struct elements elements;
-    double sum = 0;
-    open_stage(&stage, "scenes/table.glb");
-    elements_init(&elements, &(struct elements_desc){&stage.scene, &stage.geometry,
-                                                     MATERIALS_DIFFUSE, false, 2000});
-    for (int i = 0; i < elements.count; i++)
-        sum += (double)elements.items[i].area * (double)elements.items[i].emission.x;
-    printf("  the lamp's elements: %.4f W/sr\n", sum);
-    check_near("emission over the light's", sum / 6.4, 1, .01);
-    elements_free(&elements);
-    stage_free(&stage);
-}
-
-/* Rays to lights pass through holes of alpha masks. */
-static void test_masks(void **state) {
-    (void)state;
-    struct stage stage;
-    struct bvh casters;
-    int holes = 0, hits = 0;
-    open_stage(&stage, "scenes/materials.glb");
-    element_light_casters(&casters, &stage.scene, &stage.geometry);
-    for (uint32_t t = 0; t < stage.geometry.index_count / 3; t++) {
-        vec3s edges[2],
-            corner = corners_edges(&stage.geometry, &stage.geometry.indices[3 * t], edges);
-        vec3s normal = glms_vec3_normalize(glms_vec3_cross(edges[0], edges[1]));
-        for (int k = 0; k < 100; k++) {
-            float u = ((float)(k % 10) + .4F) / 10, v = ((float)(k / 10) + .4F) / 10;
-            vec3s place = glms_vec3_muladds(edges[0], u, corner);
-            place =
-                glms_vec3_add(glms_vec3_muladds(edges[1], v, place), glms_vec3_scale(normal, .01F));
-            if (u + v >= 1)
-                continue;
-            hits++;
-            holes +=
-                !(bvh_ray_trace_opaque(&casters, place, glms_vec3_negate(normal)).distance < .02F);
-        }
-    }
-    printf("  %d of %d places of triangles are holes\n", holes, hits);
-    check_at_most("holes", 100, holes);
-    check_at_most("holes", holes, hits / 4);
-    bvh_free(&casters);
-    stage_free(&stage);
-}
-
 /* --- order ------------------------------------------------------------------------------------ */
 
 static float by_height(const struct element *element) {
@@ -578,14 +529,13 @@ static void test_near_window(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),    cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_squares),  cmocka_unit_test(test_convex),
-        cmocka_unit_test(test_furnace),  cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_order),    cmocka_unit_test(test_start),
-        cmocka_unit_test(test_sun),      cmocka_unit_test(test_turned_sky),
-        cmocka_unit_test(test_memory),   cmocka_unit_test(test_near_window),
-        cmocka_unit_test(test_pairs),    cmocka_unit_test(test_lamps),
-        cmocka_unit_test(test_emission), cmocka_unit_test(test_masks),
+        cmocka_unit_test(test_areas),   cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_squares), cmocka_unit_test(test_convex),
+        cmocka_unit_test(test_furnace), cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_order),   cmocka_unit_test(test_start),
+        cmocka_unit_test(test_sun),     cmocka_unit_test(test_turned_sky),
+        cmocka_unit_test(test_memory),  cmocka_unit_test(test_near_window),
+        cmocka_unit_test(test_pairs),   cmocka_unit_test(test_lamps),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

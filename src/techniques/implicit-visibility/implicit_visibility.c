@@ -78,6 +78,7 @@ struct implicit_visibility {
     bool sky_linked;
     bool sky_by_bins;          /* it shines through bins; else by rays */
     bool lamps_by_bins;        /* likewise lamps, by links */
+    struct lamps lamps;        /* where they are by bins */
     float (*sky)[3];           /* of each bin; NULL: none */
     struct environment sky_of; /* what it is of: its texels are the scene's */
 };
@@ -87,6 +88,7 @@ static void free_elements(struct implicit_visibility *technique) {
     tree_free(&technique->tree);
     links_free(&technique->links);
     element_light_free(&technique->light);
+    lamps_free(&technique->lamps);
     bvh_free(&technique->casters);
 }
 
@@ -153,7 +155,7 @@ static bool make_elements(struct implicit_visibility *technique, const struct ge
         return false;
     element_light_init(&technique->light, &technique->tree);
     if (technique->lamps_by_bins)
-        element_light_emit(&technique->light, &technique->elements, &technique->tree);
+        lamps_init(&technique->lamps, scene, geometry, &technique->elements);
     return place_elements(technique, geometry);
 }
 
@@ -161,8 +163,10 @@ static bool make_elements(struct implicit_visibility *technique, const struct ge
 static void follow_sky(struct implicit_visibility *technique) {
     const struct environment *environment = technique->scene->environment;
     struct environment *of = &technique->sky_of;
-    bool same = environment && technique->sky && environment->texels == of->texels &&
-                environment->turn == of->turn && environment->strength == of->strength;
+    bool same = !environment
+                    ? !technique->sky
+                    : technique->sky && environment->texels == of->texels &&
+                          environment->turn == of->turn && environment->strength == of->strength;
     if (!technique->sky_by_bins || same)
         return;
     free(technique->sky);
@@ -237,8 +241,10 @@ static void link_elements(struct implicit_visibility *technique, const struct fr
     timer_end(frame->timers);
     timer_begin(frame->timers, "links");
     links_make(&technique->links, &technique->tree, sky ? (const float(*)[3])technique->sky : NULL);
-    if (technique->lamps_by_bins)
+    if (technique->lamps_by_bins) { /* those of lamps that are dark, too */
+        element_light_emit(&technique->light, &technique->elements, &technique->tree);
         links_sort_lamps(&technique->links, (const float(*)[4])technique->light.emission);
+    }
     timer_end(frame->timers);
     technique->linked = true;
     technique->sky_linked = sky;
@@ -262,6 +268,11 @@ static void light_elements(struct implicit_visibility *technique, const struct f
         .clearance = geometry_clearance(frame->geometry),
     };
     link_elements(technique, frame, sky > 0);
+    if (lights.lamps_by_links) {
+        lamps_follow(&technique->lamps, frame->emitters);
+        element_light_dim(&technique->light, &technique->elements, &technique->tree,
+                          &technique->lamps);
+    }
     timer_begin(frame->timers, "direct at elements");
     element_light_direct(&technique->light, &technique->elements, &lights, &technique->links);
     timer_end(frame->timers);

@@ -38,9 +38,21 @@ void element_light_emit(struct element_light *light, const struct elements *elem
         most = fmaxf(most, glms_vec3_max(elements->items[i].emission));
     if (!(most > 0))
         return;
-    light->emission = mem_alloc((size_t)light->node_count, sizeof *light->emission);
+    if (!light->emission)
+        light->emission = mem_alloc((size_t)light->node_count, sizeof *light->emission);
     for (int i = 0; i < elements->count; i++)
         memcpy(light->emission[i], elements->items[i].emission.raw, 3 * sizeof(float));
+    tree_pull_up_values(tree, light->emission);
+}
+
+void element_light_dim(struct element_light *light, const struct elements *elements,
+                       const struct tree *tree, const struct lamps *lamps) {
+    if (!light->emission)
+        return;
+    for (int i = 0; i < elements->count; i++)
+        for (int c = 0; c < 3; c++)
+            light->emission[i][c] =
+                elements->items[i].emission.raw[c] * lamps->share[lamps->of_elements[i]][c];
     tree_pull_up_values(tree, light->emission);
 }
 

@@ -5,6 +5,7 @@
 #include "scene/lights/emitter.h"
 #include "scene/lights/environment.h"
 #include "scene/mesh/bvh.h"
+#include "techniques/implicit-visibility/lamps.h"
 #include "techniques/implicit-visibility/links.h"
 
 struct element_light {
@@ -12,7 +13,7 @@ struct element_light {
     float (*direct)[3];     /* irradiance of lights, W/m2 */
     float (*radiance)[4];   /* leaving each node of the tree, W/(sr m2) */
     float (*irradiance)[3]; /* indirect, of each leaf, W/m2 */
-    float (*emission)[4];   /* of each node, W/(sr m2); NULL: none emits */
+    float (*emission)[4];   /* of each node, W/(sr m2), dimmed; NULL: none emits */
 };
 
 void element_light_init(struct element_light *light, const struct tree *tree);
@@ -21,6 +22,10 @@ void element_light_free(struct element_light *light);
 /* Lets the elements of lamps emit, in their places of the tree, where there are any. */
 void element_light_emit(struct element_light *light, const struct elements *elements,
                         const struct tree *tree);
+
+/* Scales the emission of each lamp's elements by the lamp's share. */
+void element_light_dim(struct element_light *light, const struct elements *elements,
+                       const struct tree *tree, const struct lamps *lamps);
 
 /* A tree of the geometry's triangles for element_light_direct, with their alpha masks; bvh_free it. */
 void element_light_casters(struct bvh *casters, const struct scene *scene,
