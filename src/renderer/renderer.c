@@ -500,7 +500,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
          (renderer_has_caustics(desc) || renderer_has_caustics(old))))
         parts |= PART_CAUSTICS | PART_COMPOSITE | PART_MEAN;
     if (renderer_has_caustics(desc) != renderer_has_caustics(old))
-        parts |= PART_TECHNIQUE | PART_REFINER;
+        parts |= PART_TECHNIQUE | PART_REFINER | PART_CAUSTICS | PART_COMPOSITE | PART_MEAN;
     if (picture->samples != renderer_picture(renderer).samples)
         parts |= PART_ANTIALIAS;
     if (desc->width != old->width || desc->height != old->height)

@@ -29,7 +29,11 @@ const struct settings_part caustics_part = {"caustics", "caustics", table,
 bool caustics_shown(const struct scene *scene, const struct settings *settings) {
     const struct caustics_settings *own =
         settings_of(struct caustics_settings, settings, &caustics_part);
+    const struct material_settings *material =
+        settings_of(struct material_settings, settings, &material_part);
     struct medium medium = medium_of(scene, settings, 1);
+    if (material->materials != MATERIALS_FULL)
+        return false;
     if (own->surface == CAUSTICS_OFF && !(own->volume && medium_exists(&medium)))
         return false;
     for (int m = 0; m < scene->mesh_count; m++)

@@ -16,8 +16,8 @@ struct caustics_settings {
 
 extern const struct settings_part caustics_part;
 
-/* Whether the settings ask for any, in a medium where there is one, and a mesh has a smooth material. Such a surface then
- * scatters no light. */
+/* Whether the settings ask for any, in a medium where there is one, materials are not all diffuse, and a mesh has a smooth
+ * material. Such a surface then scatters no light. */
 bool caustics_shown(const struct scene *scene, const struct settings *settings);
 
 #endif

@@ -3,6 +3,7 @@
 
 #include "quality/picture.h"
 #include "scene/caustics.h"
+#include "scene/material.h"
 
 /* The smooth surfaces throw no light here: what they show has answers of its own. */
 #define SHOWN CHEAP "caustics.surface=patches caustics.size=8 "
@@ -206,11 +207,69 @@ static void test_medium(void **state) {
     check_medium(true);
 }
 
+/* --- settings that follow each other ----------------------------------------------------------- */
+
+/* With a sky, a medium and all caustics the composite has more samplers than GL promises, if edge samples have theirs. They
+ * come back once there is room. */
+static void test_all_kinds(void **state) {
+    (void)state;
+    static const char *const settings[] = {
+        CHEAP "samples=8 caustics.size=16 caustics.surface=patches caustics.medium=lines",
+        CHEAP "samples=8 caustics.size=16 caustics.surface=patches",
+        CHEAP "samples=8 caustics.size=16 caustics.medium=lines", CHEAP "samples=8"};
+    struct stage stage;
+    struct renderer renderer = {0};
+    check_ok("window",
+             stage_init(&stage, &(struct stage_desc){.path = "scenes/window.glb",
+                                                     .environment = {"scenes/day.hdr", 0, 1}}));
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
+        struct renderer_desc desc = desc_of(&stage, "clustered", settings[i], SIZE, SIZE);
+        struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+        check_finite(settings[i], &followed);
+        assert_true(same_pixels(&followed, &fresh));
+        image_free(&followed);
+        image_free(&fresh);
+    }
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* Glass is diffuse if all materials are, as it is to the path tracer. */
+static void test_diffuse(void **state) {
+    (void)state;
+    static const char *const settings[] = {PATCHES, PATCHES "surface.materials=diffuse",
+                                           CHEAP "surface.materials=diffuse"};
+    struct stage stage;
+    struct renderer renderer = {0};
+    struct image followed = {0}, opaque = {0};
+    open_slab(&stage, 1.5F, 1, 2);
+    for (int i = 0; i < 3; i++) {
+        struct renderer_desc desc = desc_of(&stage, "unshadowed", settings[i], SIZE, SIZE);
+        if (i < 2) {
+            image_free(&followed);
+            followed = follow_layers(&renderer, &desc);
+        } else
+            opaque = render_layers(&desc);
+    }
+    assert_true(same_pixels(&followed, &opaque));
+    struct path_tracer_desc desc = {
+        .width = 16, .height = 16, .samples = 64, .materials = MATERIALS_DIFFUSE, .smooth = true};
+    struct image traced;
+    check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+    check_near("over traced", mean_of(&followed, "direct") / mean_of(&traced, "direct"), 1, .02);
+    image_free(&followed);
+    image_free(&opaque);
+    image_free(&traced);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mirror), cmocka_unit_test(test_indirect),
-        cmocka_unit_test(test_slab),   cmocka_unit_test(test_open_and_nested),
-        cmocka_unit_test(test_traced), cmocka_unit_test(test_medium),
+        cmocka_unit_test(test_mirror),    cmocka_unit_test(test_indirect),
+        cmocka_unit_test(test_slab),      cmocka_unit_test(test_open_and_nested),
+        cmocka_unit_test(test_traced),    cmocka_unit_test(test_medium),
+        cmocka_unit_test(test_all_kinds), cmocka_unit_test(test_diffuse),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

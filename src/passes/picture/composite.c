@@ -33,7 +33,7 @@ static unsigned contributes_within_samplers(const struct composite_desc *desc) {
 }
 
 static bool init_programs(struct composite_pass *pass) {
-    unsigned has = pass->desc.contributes;
+    unsigned has = contributes_within_samplers(&pass->desc);
     char defines[192], centers[sizeof defines + 8];
     snprintf(defines, sizeof defines, "%s%s%s%s%s%s%s%s%s",
              has & HAS_IRRADIANCE ? "HAS_IRRADIANCE;" : "",
@@ -64,7 +64,6 @@ static bool init_programs(struct composite_pass *pass) {
 
 bool composite_pass_init(struct composite_pass *pass, const struct composite_desc *desc) {
     *pass = (struct composite_pass){.desc = *desc};
-    pass->desc.contributes = contributes_within_samplers(desc);
     if (init_programs(pass) &&
         texture_init(&pass->display, &(struct texture_desc){.label = "display",
                                                             .format = GL_RGBA8,
@@ -170,7 +169,7 @@ static void draw(const struct composite_pass *pass, const struct frame *frame,
     if (pass->desc.has_specular)
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->direct_specular->id);
     add_contribution(&state, &inputs->contribution);
-    if (pass->desc.contributes & HAS_EDGE_SAMPLES)
+    if (contributes_within_samplers(&pass->desc) & HAS_EDGE_SAMPLES)
         add_edge_samples(&state, frame, &inputs->contribution);
     timer_begin(frame->timers, state.name);
     if (program == pass->display_program && !program_dispatched(program)) {

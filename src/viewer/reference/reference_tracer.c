@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "quality/picture.h"
 #include "scene/caustics.h"
+#include "scene/material.h"
 #include "scene/medium.h"
 
 #include <stdio.h>
@@ -49,10 +50,13 @@ static int spare_threads(void) {
 static bool trace_stage(struct reference_tracer *tracer, const struct stage *stage) {
     struct path_tracer_progress reached;
     struct image picture;
+    const struct material_settings *surface =
+        settings_of(struct material_settings, &tracer->session.settings, &material_part);
     const struct path_tracer_desc desc = {
         .width = tracer->session.width,
         .height = tracer->session.height,
         .bounces = tracer->bounces,
+        .materials = surface->materials,
         .medium = medium_of(&stage->scene, &tracer->session.settings, stage->geometry.radius),
         .smooth = caustics_shown(&stage->scene, &tracer->session.settings),
         .paths = 1, /* the first picture is to come soon */

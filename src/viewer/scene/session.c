@@ -6,6 +6,8 @@
 #include "base/memory.h"
 #include "base/shell.h"
 #include "renderer/renderer.h"
+#include "scene/caustics.h"
+#include "scene/material.h"
 #include "scene/medium.h"
 
 #include <errno.h>
@@ -59,11 +61,21 @@ void session_set_sky(struct session *session, const struct environment *sky) {
     session->sky_strength = sky ? sky->strength : 1;
 }
 
+/* Glass and mirrors; a reference depends on no other settings of caustics. */
+static bool same_surfaces(const struct settings *a, const struct settings *b) {
+    const struct caustics_settings *own = settings_of(struct caustics_settings, a, &caustics_part),
+                                   *other =
+                                       settings_of(struct caustics_settings, b, &caustics_part);
+    return (own->surface == CAUSTICS_OFF) == (other->surface == CAUSTICS_OFF) &&
+           own->volume == other->volume && settings_same(a, b, &material_part);
+}
+
 bool session_same_view(const struct session *a, const struct session *b) {
     return strcmp(a->clip, b->clip) == 0 && a->time == b->time &&
            session_bounces(a) == session_bounces(b) && strcmp(a->camera, b->camera) == 0 &&
            strcmp(a->lights, b->lights) == 0 && session_same_sky(a, b) &&
-           settings_same(&a->settings, &b->settings, &medium_part);
+           settings_same(&a->settings, &b->settings, &medium_part) &&
+           same_surfaces(&a->settings, &b->settings);
 }
 
 /* Steps through the settings that are not at their defaults. */

@@ -41,7 +41,7 @@ int session_bounces(const struct session *session);
 
 bool session_same_sky(const struct session *a, const struct session *b);
 
-/* Whether both have one reference but for its size: place, light, time, bounces, sky and medium. */
+/* Whether both have one reference but for its size: place, light, time, bounces, sky, medium, materials and glass. */
 bool session_same_view(const struct session *a, const struct session *b);
 
 /* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at
