@@ -1,8 +1,8 @@
 #include "renderer/light_search.h"
 
 #include "base/memory.h"
-#include "scene/animation.h"
 #include "lights/sky_seen.h"
+#include "scene/animation.h"
 #include "scene/light_seen.h"
 #include "techniques/many_lights.h"
 
