@@ -184,22 +184,36 @@ static void make_direct(struct renderer *renderer, const struct direct_method *d
     make_progressive(renderer, desc);
 }
 
-static void make_scene(const char *path, bool thorough) {
-    struct stage stage;
-    check(stage_init(&stage, &(struct stage_desc){.path = path}), path);
-    struct renderer renderer;
+static void begin(struct renderer *renderer, struct stage *stage, const struct stage_desc *opened) {
+    check(stage_init(stage, opened), opened->path);
     struct renderer_desc desc = {.width = SIZE,
                                  .height = SIZE,
-                                 .scene = &stage.scene,
-                                 .geometry = &stage.geometry,
-                                 .emitters = stage.emitters,
-                                 .camera = stage.camera};
+                                 .scene = &stage->scene,
+                                 .geometry = &stage->geometry,
+                                 .emitters = stage->emitters,
+                                 .camera = stage->camera};
     init_settings(&desc.settings);
-    check(renderer_init(&renderer, &desc), path);
+    check(renderer_init(renderer, &desc), opened->path);
+}
+
+static void make_scene(const char *path, bool thorough) {
+    struct stage stage;
+    struct renderer renderer;
+    begin(&renderer, &stage, &(struct stage_desc){.path = path});
     for (const struct technique *const *t = techniques; *t; t++)
         make_technique(&renderer, *t, thorough);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         make_direct(&renderer, *d, thorough);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* Its glass and fog beside an environment. */
+static void make_under_sky(const char *path) {
+    struct stage stage;
+    struct renderer renderer;
+    begin(&renderer, &stage, &(struct stage_desc){.path = path, .environment = {"scenes/day.hdr"}});
+    make_progressive(&renderer, renderer.desc);
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -218,6 +232,7 @@ int main(int argc, char **argv) {
         make_scene(argv[i], i == 2);
         screen_set_way(SCREEN_COMPUTE);
         make_scene(argv[i], false);
+        make_under_sky(argv[i]);
     }
     show_window();
     context_free(context);
