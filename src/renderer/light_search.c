@@ -58,8 +58,8 @@ void light_search_free(struct light_search *search) {
     free(search);
 }
 
-static const struct lights_settings *lights_of(const struct renderer_desc *desc) {
-    return settings_of(struct lights_settings, &desc->settings, &lights_part);
+static int importance_of(const struct renderer_desc *desc) {
+    return settings_of(struct lights_settings, &desc->settings, &lights_part)->importance;
 }
 
 /* Light that stays while the camera moves is the same for all views. */
@@ -103,8 +103,8 @@ bool light_search_is_unseen(struct light_search *search, const struct renderer_d
                             const struct light_layout *samples) {
     const struct looked_at from = looked_at(desc);
     struct lamps_answer *last = &search->lamps;
-    if (lights_of(desc)->importance != IMPORTANCE_AUTO || desc->emitters.sky ||
-        samples->lights == 0 || samples->lights != samples->groups || !may_search(desc))
+    if (importance_of(desc) != IMPORTANCE_AUTO || desc->emitters.sky || samples->lights == 0 ||
+        samples->lights != samples->groups || !may_search(desc))
         return false;
     if (last->known && same_look(&last->from, &from) &&
         emitters_same(&last->emitters, &desc->emitters))
@@ -126,8 +126,7 @@ void light_search_group_sky(struct light_search *search, struct sky_groups *grou
     const struct environment *sky = desc->emitters.sky;
     struct sky_answer *last = &search->sky;
     struct sky_answer now = {.from = looked_at(desc), .turn = sky ? sky->turn : 0, .count = count};
-    now.by_seen =
-        lights->count > 0 && lights_of(desc)->importance != IMPORTANCE_OFF && may_search(desc);
+    now.by_seen = lights->count > 0 && importance_of(desc) != IMPORTANCE_OFF && may_search(desc);
     bool known = last->count == count && last->by_seen == now.by_seen &&
                  same_sky(&last->lights, lights) &&
                  (!now.by_seen || (last->turn == now.turn && same_look(&last->from, &now.from)));
