@@ -40,8 +40,8 @@ int volume_points_count(double area, float voxel, float per_voxel);
 bool volume_points_init(struct volume_points *points, const struct volume_points_desc *desc);
 void volume_points_free(struct volume_points *points);
 
-/* Whether they lie on all that is in the box: metaballs have other triangles in each pose, and a part that moves across the
- * box's sides has another part of itself in it, so that points are to be made anew. */
+/* Whether they lie on all that is in the box; else they are to be made anew. Metaballs have other triangles in each pose.
+ * Of a part that moves across the box's sides another piece is in the box. */
 bool volume_points_fit(const struct volume_points *points, const struct geometry *geometry);
 
 /* Puts them where the geometry is; they fit. */
