@@ -4,33 +4,14 @@
 #include "base/error.h"
 #include "base/phases.h"
 #include "base/memory.h"
-#include "scene/mesh/corners.h"
 #include "scene/mesh/opacity.h"
 #include "scene/mesh/stackless_bvh.h"
 
 #include <math.h>
 #include <string.h>
 
-static void add_opaque(struct opaque_triangles *list, const struct geometry *geometry,
-                       const struct geometry_batch *batch) {
-    for (uint32_t i = 0; i < batch->index_count; i += 3) {
-        const uint32_t *index = &geometry->indices[batch->first_index + i];
-        struct bvh_triangle triangle = {.opaque = {~0U, ~0U},
-                                        .number = (batch->first_index + i) / 3};
-        triangle.corner = corners_edges(geometry, index, triangle.edges);
-        opaque_triangles_add(list, &triangle);
-    }
-}
-
 static void plant(struct bvh *tree, const struct scene *scene, const struct geometry *geometry) {
-    struct opaque_triangles list = {0};
-    for (int b = 0; b < geometry->batch_count; b++) {
-        const struct geometry_batch *batch = &geometry->batches[b];
-        if (scene->materials[batch->material].alpha_mask)
-            opaque_triangles_add_masked(&list, scene, geometry, batch);
-        else
-            add_opaque(&list, geometry, batch);
-    }
+    struct opaque_triangles list = opaque_triangles_of(scene, geometry);
     bvh_init(tree, list.items, list.count);
 }
 

@@ -58,6 +58,14 @@ static enum fill fill_bits(const struct masked *masked, const struct part *part,
     return opaque == 0 ? FILL_NONE : opaque == number ? FILL_ALL : FILL_SOME;
 }
 
+static void append(struct opaque_triangles *list, const struct bvh_triangle *triangle) {
+    if (list->count == list->room) {
+        list->room = list->room ? 2 * list->room : 1024;
+        list->items = mem_resize(list->items, list->room, sizeof *list->items);
+    }
+    list->items[list->count++] = *triangle;
+}
+
 static void add(struct opaque_triangles *list, const struct masked *masked, const struct part *part,
                 const uint32_t bits[2]) {
     vec3s places[3];
@@ -66,13 +74,13 @@ static void add(struct opaque_triangles *list, const struct masked *masked, cons
         places[k] = corners_vector(&corners, masked->geometry->position);
     }
     uint32_t number = (uint32_t)(masked->index - masked->geometry->indices) / 3;
-    opaque_triangles_add(list, &(struct bvh_triangle){
-                                   .corner = places[0],
-                                   .edges = {glms_vec3_sub(places[1], places[0]),
-                                             glms_vec3_sub(places[2], places[0])},
-                                   .opaque = {bits[0], bits[1]},
-                                   .number = number,
-                               });
+    append(list,
+           &(struct bvh_triangle){
+               .corner = places[0],
+               .edges = {glms_vec3_sub(places[1], places[0]), glms_vec3_sub(places[2], places[0])},
+               .opaque = {bits[0], bits[1]},
+               .number = number,
+           });
 }
 
 /* What is opaque, or a hole, throughout is not cut. */
@@ -122,17 +130,8 @@ static int depth_of(const struct masked *masked) {
     return depth;
 }
 
-void opaque_triangles_add(struct opaque_triangles *list, const struct bvh_triangle *triangle) {
-    if (list->count == list->room) {
-        list->room = list->room ? 2 * list->room : 1024;
-        list->items = mem_resize(list->items, list->room, sizeof *list->items);
-    }
-    list->items[list->count++] = *triangle;
-}
-
-void opaque_triangles_add_masked(struct opaque_triangles *list, const struct scene *scene,
-                                 const struct geometry *geometry,
-                                 const struct geometry_batch *batch) {
+static void add_masked(struct opaque_triangles *list, const struct scene *scene,
+                       const struct geometry *geometry, const struct geometry_batch *batch) {
     static const struct part whole = {{{{0, 0}}, {{1, 0}}, {{0, 1}}}};
     struct masked masked = {
         .scene = scene, .geometry = geometry, .material = &scene->materials[batch->material]};
@@ -142,4 +141,28 @@ void opaque_triangles_add_masked(struct opaque_triangles *list, const struct sce
         masked.index = &geometry->indices[batch->first_index + i];
         add_part(list, &masked, &whole, depth_of(&masked));
     }
+}
+
+static void add_opaque(struct opaque_triangles *list, const struct geometry *geometry,
+                       const struct geometry_batch *batch) {
+    for (uint32_t i = 0; i < batch->index_count; i += 3) {
+        const uint32_t *index = &geometry->indices[batch->first_index + i];
+        struct bvh_triangle triangle = {.opaque = {~0U, ~0U},
+                                        .number = (batch->first_index + i) / 3};
+        triangle.corner = corners_edges(geometry, index, triangle.edges);
+        append(list, &triangle);
+    }
+}
+
+struct opaque_triangles opaque_triangles_of(const struct scene *scene,
+                                            const struct geometry *geometry) {
+    struct opaque_triangles list = {0};
+    for (int b = 0; b < geometry->batch_count; b++) {
+        const struct geometry_batch *batch = &geometry->batches[b];
+        if (scene->materials[batch->material].alpha_mask)
+            add_masked(&list, scene, geometry, batch);
+        else
+            add_opaque(&list, geometry, batch);
+    }
+    return list;
 }

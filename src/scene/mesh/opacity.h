@@ -7,17 +7,13 @@
 #include "scene/mesh/geometry.h"
 #include "scene/mesh/bvh.h"
 
-/* Those that are found. */
 struct opaque_triangles {
     struct bvh_triangle *items; /* of the heap; its owner's */
     uint32_t count, room;
 };
 
-void opaque_triangles_add(struct opaque_triangles *list, const struct bvh_triangle *triangle);
-
-/* Adds what an alpha mask leaves of the triangles of a batch that has one. */
-void opaque_triangles_add_masked(struct opaque_triangles *list, const struct scene *scene,
-                                 const struct geometry *geometry,
-                                 const struct geometry_batch *batch);
+/* All triangles, of those with an alpha mask what it leaves. */
+struct opaque_triangles opaque_triangles_of(const struct scene *scene,
+                                            const struct geometry *geometry);
 
 #endif

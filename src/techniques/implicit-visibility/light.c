@@ -3,7 +3,6 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "scene/mesh/bvh_ray.h"
-#include "scene/mesh/corners.h"
 #include "scene/mesh/opacity.h"
 
 #include <math.h>
@@ -56,27 +55,9 @@ void element_light_dim(struct element_light *light, const struct elements *eleme
     tree_pull_up_values(tree, light->emission);
 }
 
-static void add_opaque(struct opaque_triangles *list, const struct geometry *geometry,
-                       const struct geometry_batch *batch) {
-    for (uint32_t i = 0; i < batch->index_count; i += 3) {
-        struct bvh_triangle triangle = {.opaque = {~0U, ~0U},
-                                        .number = (batch->first_index + i) / 3};
-        triangle.corner =
-            corners_edges(geometry, &geometry->indices[batch->first_index + i], triangle.edges);
-        opaque_triangles_add(list, &triangle);
-    }
-}
-
 void element_light_casters(struct bvh *casters, const struct scene *scene,
                            const struct geometry *geometry) {
-    struct opaque_triangles list = {0};
-    for (int b = 0; b < geometry->batch_count; b++) {
-        const struct geometry_batch *batch = &geometry->batches[b];
-        if (scene->materials[batch->material].alpha_mask)
-            opaque_triangles_add_masked(&list, scene, geometry, batch);
-        else
-            add_opaque(&list, geometry, batch);
-    }
+    struct opaque_triangles list = opaque_triangles_of(scene, geometry);
     if (list.count > 0)
         bvh_init(casters, list.items, list.count);
 }
