@@ -45,65 +45,56 @@ static float cost_of_joining(const float a[4], const float b[4]) {
     return a[3] * b[3] / (a[3] + b[3]) * glm_vec3_distance2(x, y);
 }
 
-/* What groups are made of: directions times power, and power, of each. */
-struct joining {
-    struct sky_groups *groups;
-    float powers[ENVIRONMENT_LIGHTS_MAX][4];
-};
+/* The two of the first `count` that cost least. */
+static struct sky_join find_join(float (*powers)[4], int count) {
+    struct sky_join least = {0, 1};
+    float least_cost = INFINITY;
+    for (int i = 0; i < count; i++)
+        for (int k = i + 1; k < count; k++) {
+            float cost = cost_of_joining(powers[i], powers[k]);
+            if (cost < least_cost) {
+                least_cost = cost;
+                least = (struct sky_join){i, k};
+            }
+        }
+    return least;
+}
 
-static void begin_joining(struct joining *joining, struct sky_groups *groups,
-                          const struct environment_lights *lights) {
-    *groups = (struct sky_groups){.count = lights->count};
-    joining->groups = groups;
-    for (int i = 0; i < lights->count; i++) {
-        groups->of[i] = i;
-        groups->weights[i] = groups->scales[i] = 1;
-        weighted_power(&lights->items[i], 1, joining->powers[i]);
+/* By even weights, so that joins stay as weights change. */
+void environment_lights_find_joins(struct environment_lights *lights) {
+    float powers[ENVIRONMENT_LIGHTS_MAX][4];
+    for (int i = 0; i < lights->count; i++)
+        weighted_power(&lights->items[i], 1, powers[i]);
+    for (int k = 0, count = lights->count; count > 1; k++) {
+        struct sky_join join = find_join(powers, count--);
+        glm_vec4_add(powers[join.to], powers[join.from], powers[join.to]);
+        glm_vec4_copy(powers[count], powers[join.from]);
+        lights->joins[k] = join;
     }
 }
 
-/* The two that cost least; the first stays. */
-static void find_pair(const struct joining *joining, int pair[2]) {
-    float least = INFINITY;
-    pair[0] = 0;
-    pair[1] = 1;
-    for (int i = 0; i < joining->groups->count; i++)
-        for (int k = i + 1; k < joining->groups->count; k++) {
-            float cost = cost_of_joining(joining->powers[i], joining->powers[k]);
-            if (cost < least) {
-                least = cost;
-                pair[0] = i;
-                pair[1] = k;
-            }
-        }
-}
+/* --- groups --------------------------------------------------------------------------------------- */
 
-/* The last group takes the place of the one that goes. */
-static void join(struct joining *joining, int light_count, const int pair[2]) {
-    struct sky_groups *groups = joining->groups;
-    glm_vec4_add(joining->powers[pair[0]], joining->powers[pair[1]], joining->powers[pair[0]]);
+static void join(struct sky_groups *groups, int light_count, struct sky_join pair) {
     int last = --groups->count;
-    glm_vec4_copy(joining->powers[last], joining->powers[pair[1]]);
     for (int i = 0; i < light_count; i++) {
-        if (groups->of[i] == pair[1])
-            groups->of[i] = pair[0];
+        if (groups->of[i] == pair.from)
+            groups->of[i] = pair.to;
         if (groups->of[i] == last)
-            groups->of[i] = pair[1];
+            groups->of[i] = pair.from;
     }
 }
 
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
                               int count) {
-    struct joining joining;
-    begin_joining(&joining, groups, lights);
-    while (groups->count > count) {
-        int pair[2];
-        find_pair(&joining, pair);
-        join(&joining, lights->count, pair);
+    *groups = (struct sky_groups){.count = lights->count};
+    for (int i = 0; i < lights->count; i++) {
+        groups->of[i] = i;
+        groups->weights[i] = groups->scales[i] = 1;
     }
+    for (int k = 0; groups->count > count; k++)
+        join(groups, lights->count, lights->joins[k]);
 }
-
-/* --- groups by weights ---------------------------------------------------------------------------- */
 
 /* Pairs of lights and pairs: number i is light i, number count + k the k-th pair. */
 struct tree {
@@ -113,23 +104,17 @@ struct tree {
     int light_count;
 };
 
-/* By even weights, so that it stays as weights change. */
 static void build_tree(struct tree *tree, const struct environment_lights *lights) {
-    struct sky_groups groups;
-    struct joining joining;
-    int numbers[ENVIRONMENT_LIGHTS_MAX];
-    begin_joining(&joining, &groups, lights);
+    int numbers[ENVIRONMENT_LIGHTS_MAX]; /* of each group, in the tree */
     tree->light_count = lights->count;
     for (int i = 0; i < lights->count; i++)
         numbers[i] = i;
-    for (int k = 0; groups.count > 1; k++) {
-        int pair[2];
-        find_pair(&joining, pair);
-        tree->pairs[k][0] = numbers[pair[0]];
-        tree->pairs[k][1] = numbers[pair[1]];
-        numbers[pair[0]] = lights->count + k;
-        numbers[pair[1]] = numbers[groups.count - 1];
-        join(&joining, lights->count, pair);
+    for (int k = 0; k < lights->count - 1; k++) {
+        struct sky_join pair = lights->joins[k];
+        tree->pairs[k][0] = numbers[pair.to];
+        tree->pairs[k][1] = numbers[pair.from];
+        numbers[pair.to] = lights->count + k;
+        numbers[pair.from] = numbers[lights->count - 1 - k];
     }
 }
 

@@ -6,14 +6,24 @@
 #include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 
+/* Of two groups that become one the first keeps its number; the last group takes that of the second. */
+struct sky_join {
+    int to, from;
+};
+
 struct environment_lights {
     struct environment_light items[ENVIRONMENT_LIGHTS_MAX];
     int count;
+    struct sky_join joins
+        [ENVIRONMENT_LIGHTS_MAX]; /* count - 1, in turn; each moves the least power the least far */
 };
 
 /* As environment_fit fits them; sky NULL: none. */
 void environment_lights_fit(struct environment_lights *lights, const struct environment *sky,
                             enum sky_fit fit, int count);
+
+/* Finds the joins, which groups need. */
+void environment_lights_find_joins(struct environment_lights *lights);
 
 /* How many of the first are suns: narrow, and a good share of all light. At most SKY_SUNS_MAX. */
 enum { SKY_SUNS_MAX = 4 };
@@ -27,12 +37,12 @@ struct sky_groups {
     float scales[ENVIRONMENT_LIGHTS_MAX];  /* of each group: times the light of its middle */
 };
 
-/* At most `count`: lights are joined where that moves the least power the least far. Weights and scales are 1. */
+/* At most `count`, by the first joins. Weights and scales are 1. */
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
                               int count);
 
-/* The same with weighted powers, of fixed groups within groups: those are parted which cost most. So other weights change few
- * groups. */
+/* At most `count`, from all lights as one group: joins are undone where most weighted power moves farthest. So other
+ * weights change few groups. */
 void environment_lights_group_by_weights(struct sky_groups *groups,
                                          const struct environment_lights *lights,
                                          const float weights[], int count);

@@ -320,8 +320,10 @@ static void plan_sky(struct light_plan *plan, const struct renderer *renderer,
     if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
         before->wanted.lights == wanted->lights)
         plan->sky = before->sky;
-    else
+    else {
         environment_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
+        environment_lights_find_joins(&plan->sky);
+    }
     light_search_group_sky(renderer->light_search, &plan->sky_samples, desc, &plan->sky,
                            sky->directions < room ? sky->directions : room);
 }

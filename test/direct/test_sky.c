@@ -34,23 +34,6 @@ static void paint_day(const float direction[3], float radiance[3]) {
         glm_vec3_copy((vec3){300, 280, 250}, radiance);
 }
 
-/* The scene's sky instead of its own, and no other light. */
-static void set_sky(struct stage *stage,
-                    void (*paint)(const float direction[3], float radiance[3])) {
-    struct environment *sky = mem_alloc(1, sizeof *sky);
-    *sky = (struct environment){.width = SKY_WIDTH, .height = SKY_HEIGHT, .strength = 1};
-    sky->texels = mem_alloc(SKY_WIDTH * SKY_HEIGHT, sizeof *sky->texels);
-    for (int i = 0; i < SKY_WIDTH * SKY_HEIGHT; i++) {
-        float direction[3];
-        environment_direction(sky, i % SKY_WIDTH + .5, i / SKY_WIDTH + .5, direction);
-        paint(direction, sky->texels[i]);
-    }
-    environment_free(stage->scene.environment);
-    stage->scene.environment = sky;
-    stage->emitters.sky = sky;
-    stage->emitters.count = 0;
-}
-
 static void open_quads(struct stage *stage, const char *camera, const char *nodes) {
     char all[4096];
     snprintf(all, sizeof all, "[{\"camera\": 0, %s}, %s]", camera, nodes);
@@ -60,7 +43,7 @@ static void open_quads(struct stage *stage, const char *camera, const char *node
                                                 " \"perspective\": {\"yfov\": 0.9,"
                                                 " \"znear\": 0.01}}],"});
     open_stage(stage, path);
-    set_sky(stage, paint_even);
+    set_sky(stage, SKY_WIDTH, SKY_HEIGHT, paint_even);
 }
 
 /* What the share of the sky should be at a place; negative where it is not asked for. */
@@ -262,7 +245,7 @@ static void test_day(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
-    set_sky(&stage, paint_day);
+    set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_day);
     struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
     struct image got = render_stage(&stage, "clustered", "", SIZE);
     double mean = layer_mean(&reference, "direct");
@@ -291,7 +274,7 @@ static void test_texel(void **state) {
     struct emitter sun = {.type = EMITTER_DIRECTIONAL, .number = -1};
     float towards[3];
     open_stage(&stage, "scenes/table.glb");
-    set_sky(&stage, paint_texel);
+    set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_texel);
     const struct environment *sky = stage.scene.environment;
     double solid_angle = environment_solid_angle(sky, TEXEL_ROW);
     environment_direction(sky, TEXEL_COLUMN + .5, TEXEL_ROW + .5, towards);
@@ -347,7 +330,7 @@ static void test_sum(void **state) {
     const char *settings = is_long_run() ? "" : "shadow-size=512 rsm-size=64 vpls=64";
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
-    set_sky(&stage, paint_day);
+    set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_day);
     for (const struct direct_method *const *method = direct_methods; *method; method++) {
         struct renderer_desc desc = desc_of(&stage, "unshadowed", settings, SIZE, SIZE);
         struct image layers[3];
@@ -385,7 +368,7 @@ static void test_black(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     struct image without = render_stage(&stage, "clustered", "", SIZE);
-    set_sky(&stage, paint_black);
+    set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_black);
     struct image dark = render_stage(&stage, "clustered", "", SIZE);
     check_finite("black sky alone", &dark);
     check_near("its light", layer_mean(&dark, "direct") + layer_mean(&dark, "indirect"), 0, 0);

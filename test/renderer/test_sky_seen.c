@@ -26,17 +26,9 @@ enum { SIZE = 48, DIRECTIONS = 12, PLACES = 4096 };
     "{\"mesh\": 0, " ACROSS_X ", \"scale\": [1, 0.46, 1], \"translation\": [0.5, -0.5, 1]},"       \
     "{\"mesh\": 0, " ACROSS_X ", \"scale\": [1, 0.46, 1], \"translation\": [0.5, 0.04, 1]}"
 
-/* Of 1 all around, in place of other lights. */
-static void set_even_sky(struct stage *stage) {
-    struct environment *sky = mem_alloc(1, sizeof *sky);
-    *sky = (struct environment){.width = 64, .height = 32, .strength = 1};
-    sky->texels = mem_alloc(64 * 32, sizeof *sky->texels);
-    for (int i = 0; i < 64 * 32; i++)
-        glm_vec3_broadcast(1, sky->texels[i]);
-    environment_free(stage->scene.environment);
-    stage->scene.environment = sky;
-    stage->emitters.sky = sky;
-    stage->emitters.count = 0;
+static void paint_even(const float direction[3], float radiance[3]) {
+    (void)direction;
+    glm_vec3_broadcast(1, radiance);
 }
 
 /* The camera looks down from the middle of the ceiling. */
@@ -51,13 +43,14 @@ static void open_nodes(struct stage *stage, const char *nodes) {
                                             " \"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
                                .more = "\"cameras\": [{\"type\": \"perspective\","
                                        " \"perspective\": {\"yfov\": 1.2, \"znear\": 0.01}}],"}));
-    set_even_sky(stage);
+    set_sky(stage, 64, 32, paint_even);
 }
 
 static void group(struct sky_groups *groups, struct environment_lights *lights,
                   const struct stage *stage) {
     struct surface_rays rays;
     environment_lights_fit(lights, stage->emitters.sky, SKY_FIT_EVEN, 120);
+    environment_lights_find_joins(lights);
     surface_rays_init(&rays, &stage->scene, &stage->geometry);
     sky_groups_by_seen(groups, lights, DIRECTIONS, stage->emitters.sky, &rays, &stage->camera, 1);
     surface_rays_free(&rays);
@@ -123,6 +116,7 @@ static void test_pieces(void **state) {
     double all = 0;
     open_nodes(&stage, SLIT_ROOM);
     environment_lights_fit(&lights, stage.emitters.sky, SKY_FIT_EVEN, 60);
+    environment_lights_find_joins(&lights);
     for (int i = 0; i < lights.count; i++) {
         weights[i] = i % 3 ? .1F : 3;
         all += (double)environment_light_power(&lights.items[i]);

@@ -10,6 +10,7 @@
 #include "reference/channels.h"
 #include "quality/picture.h"
 #include "reference/path_tracer.h"
+#include "scene/lights/environment.h"
 #include "scene/node.h"
 #include "scene/placing.h"
 #include "shared/vpl.h"
@@ -95,6 +96,22 @@ void pose_stage(struct stage *stage) {
     check_ok("geometry", geometry_init(&stage->geometry, &stage->scene, 0));
     camera_place(&stage->camera, &stage->scene, 0, 0);
     check_ok("lights", emitters_from_text(&stage->emitters, &stage->scene, NULL, 0));
+}
+
+void set_sky(struct stage *stage, int width, int height,
+             void (*paint)(const float direction[3], float radiance[3])) {
+    struct environment *sky = mem_alloc(1, sizeof *sky);
+    *sky = (struct environment){.width = width, .height = height, .strength = 1};
+    sky->texels = mem_alloc((size_t)width * (size_t)height, sizeof *sky->texels);
+    for (int i = 0; i < width * height; i++) {
+        float direction[3];
+        environment_direction(sky, i % width + .5, i / width + .5, direction);
+        paint(direction, sky->texels[i]);
+    }
+    environment_free(stage->scene.environment);
+    stage->scene.environment = sky;
+    stage->emitters.sky = sky;
+    stage->emitters.count = 0;
 }
 
 void scale_scene(struct scene *scene, float s) {

@@ -31,6 +31,10 @@ void pose_stage(struct stage *stage);
  * picture: no length and no light is absolute. pose_stage follows. */
 void scale_scene(struct scene *scene, float s);
 
+/* A sky of that many texels in place of the scene's, and no other light. */
+void set_sky(struct stage *stage, int width, int height,
+             void (*paint)(const float direction[3], float radiance[3]));
+
 /* Turns everything, camera and light too, about the y axis. */
 void turn_stage(struct stage *stage, double degrees);
 
