@@ -4,7 +4,6 @@
 
 #include "gltf_parts.h"
 
-#include "base/memory.h"
 #include "direct/direct.h"
 #include "scene/lights/environment.h"
 #include "shared/vpl.h"

@@ -3,7 +3,6 @@
 
 #include "gltf_parts.h"
 
-#include "base/memory.h"
 #include "lights/sky_seen.h"
 #include "scene/lights/environment.h"
 

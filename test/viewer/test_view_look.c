@@ -190,6 +190,13 @@ static void test_view(void **state) {
     end_viewer();
 }
 
+/* Closed, the others leave room for what is told of the surface. */
+static void open_surface(void) {
+    press("Quality");
+    press("Picture");
+    press("Surface");
+}
+
 /* What was clicked on stays the same place, however often it is looked at from elsewhere. */
 static void test_pick(void **state) {
     (void)state;
@@ -198,9 +205,7 @@ static void test_pick(void **state) {
         skip();
     start_viewer(BOX, "");
     sync_viewer();
-    press("Quality"); /* closed, it leaves room for what is told of the surface */
-    press("Picture");
-    press("Surface");
+    open_surface();
     xdo("mousemove 150 640 click 1");
     sync_viewer();
     find_text("position, m ", first, sizeof first);
@@ -225,9 +230,7 @@ static void test_light_ball(void **state) {
     sync_viewer();
     press("output");
     press("voxels");
-    press("Quality");
-    press("Picture");
-    press("Surface");
+    open_surface();
     find_text("light at the voxel", text, sizeof text);
     assert_string_equal(text, "");
     xdo("mousemove 150 640 click 1");
@@ -255,9 +258,7 @@ static void test_element_cube(void **state) {
         skip();
     start_viewer(BOX, "--technique implicit-visibility --set elements=500 --set radiosity.bins=6");
     sync_viewer();
-    press("Quality");
-    press("Picture");
-    press("Surface");
+    open_surface();
     struct bitmap before = read_screen();
     find_text("surface element", text, sizeof text);
     assert_string_equal(text, "");
