@@ -110,13 +110,13 @@ typedef int manylight_progress(void *user, double done, const char *note);
 
 /* The caller's own OpenGL context, which all calls of the device use, 4.5 core. user is of the struct.
  *
- * State on return. Framebuffer, program, vertex array, buffer, texture, sampler and image bindings, viewport, tests,
- * blending, masks, rasterisation, pixel storage and clip control are those of before. Not: errors of glGetError, which
- * are left alone unless a call makes its own. Not allowed during a call: a query, a conditional render or a transform
- * feedback that has begun.
+ * State on return. Framebuffer, program, vertex array, buffer, texture, sampler and image bindings, viewports, tests,
+ * blending, masks, rasterisation, pixel storage and clip control are those of before the call. Errors of glGetError are
+ * gone. During a call no query, conditional rendering or transform feedback of the caller may be active.
  *
  * The context must live until the device and its renderers are freed; freeing them makes it current. */
 struct manylight_host {
+    size_t size;
     void *(*get_proc)(void *user, const char *name); /* required */
     int (*make_current)(
         void *user); /* not 0: failed. NULL: it is current on the thread at each call */
@@ -191,17 +191,21 @@ struct manylight_light {
     size_t size;
     enum manylight_light_type type;
     float position[3], direction[3]; /* direction 0: down */
-    float intensity[3]; /* W/sr, W/m2 of a directional light; of an area light W/sr on its axis */
-    float extent[2];    /* of an area light, m: width and height; height 0: a disk's diameter */
+    float up[3];                     /* of lights with a width and a height; 0: chosen */
+    float intensity[3]; /* W/sr; of a directional light W/m2, of an area light W/(sr m2) */
+    /* Of an area light and a spot width and height, m, or the diameter of a disk and 0; of a point the diameter of its
+     * sphere, m; of a directional light its angle. */
+    float extent[2];
     float inner_angle, outer_angle; /* of a spot: half angles of the cone; outer 0: pi/4 */
 };
 
 struct manylight_camera {
     size_t size;
     float eye[3], forward[3], up[3]; /* forward 0: -Z; up 0: +Y */
-    float fov_y;                     /* vertical; 0: orthographic by y_extent, or 0.8 without */
-    float y_extent;                  /* half the height of an orthographic picture */
-    float near_plane, far_plane;     /* m; far 0: none */
+    float right[3]; /* 0: made of forward and up; else all three are taken as they are */
+    float fov_y;    /* vertical; 0: orthographic by y_extent */
+    float y_extent; /* half the height of an orthographic picture; both 0: a fov_y of .8 */
+    float near_plane, far_plane; /* m; what is nearer or farther is not seen; far 0: no end */
 };
 
 /* Exactly one of path, memory and meshes; memory may have a path besides. Elements of an array begin with their size,
