@@ -1,0 +1,26 @@
+# libmanylight.so: the layers below the viewer and the subcommands, behind src/library/manylight.h.
+
+.PHONY: lib
+
+# The number of MANYLIGHT_ABI in the header.
+ABI := $(shell sed -n 's/^.define MANYLIGHT_ABI //p' src/library/manylight.h)
+LIBDIR ?= lib
+
+SHARED_FOLDER := $(BUILD)/lib
+SHARED_NAME := libmanylight.so.$(ABI)
+SHARED := $(SHARED_FOLDER)/libmanylight.so.$(VERSION)
+SHARED_MAP := src/library/manylight.map
+SHARED_OBJECTS := $(filter-out $(BUILD)/src/apps/% $(BUILD)/src/viewer/% $(BUILD)/chart_embedded.o,$(OBJECTS))
+SHARED_LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs OpenImageIO 2>/dev/null)) \
+    -lembree3 -ldraco -lmeshoptimizer -ldl -lpthread -lm
+
+lib: $(SHARED)
+
+# A folder of the compiler's and the loader's names, as an installed one.
+$(SHARED): $(SHARED_OBJECTS) $(SHARED_MAP)
+	@mkdir -p $(@D)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SHARED_NAME) -Wl,--version-script,$(SHARED_MAP) -Wl,--as-needed \
+	    $(if $(findstring sanitize,$(CFLAGS)),,-Wl,-z,defs) -o $@ $(SHARED_OBJECTS) $(SHARED_LIBS)
+	@ln -sf $(@F) $(@D)/$(SHARED_NAME)
+	@ln -sf $(SHARED_NAME) $(@D)/libmanylight.so
