@@ -24,3 +24,13 @@ $(SHARED): $(SHARED_OBJECTS) $(SHARED_MAP)
 	    $(if $(findstring sanitize,$(CFLAGS)),,-Wl,-z,defs) -o $@ $(SHARED_OBJECTS) $(SHARED_LIBS)
 	@ln -sf $(@F) $(@D)/$(SHARED_NAME)
 	@ln -sf $(SHARED_NAME) $(@D)/libmanylight.so
+
+# What other builds find the library by. PREFIX is the one that it is installed for.
+FINDERS := $(addprefix $(SHARED_FOLDER)/,manylight.pc manylightConfig.cmake manylightConfigVersion.cmake)
+UP := $(shell printf '%s' '$(LIBDIR)' | sed -E 's,[^/]+,..,g')
+
+$(FINDERS): $(SHARED_FOLDER)/%: src/library/%.in FORCE
+	@mkdir -p $(@D)
+	@sed -e 's,@PREFIX@,$(PREFIX),' -e 's,@LIBDIR@,$(LIBDIR),' -e 's,@VERSION@,$(VERSION),' -e 's,@ABI@,$(ABI),' \
+	    -e 's,@UP@,$(UP),' $< > $@.new
+	$(keep)
