@@ -24,7 +24,7 @@ struct manylight_device {
     struct host_state *state;
     pthread_mutex_t busy;
     atomic_bool is_busy;
-    pthread_t user; /* while is_busy */
+    _Atomic(pthread_t) user; /* while is_busy */
 };
 
 /* --- the caller's context --------------------------------------------------------------------- */
@@ -37,7 +37,8 @@ static void *ask(const char *name) {
 }
 
 static bool enter_host(struct manylight_device *device) {
-    if (atomic_load(&device->is_busy) && pthread_equal(device->user, pthread_self())) {
+    if (atomic_load(&device->is_busy) &&
+        pthread_equal(atomic_load(&device->user), pthread_self())) {
         error_set("the device is at work: a callback cannot call it");
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     }
@@ -47,7 +48,7 @@ static bool enter_host(struct manylight_device *device) {
         error_set("the host's make_current failed");
         return door_blame(MANYLIGHT_NO_DEVICE);
     }
-    device->user = pthread_self();
+    atomic_store(&device->user, pthread_self());
     atomic_store(&device->is_busy, true);
     return true;
 }

@@ -286,9 +286,9 @@ manylight_renderer_change(struct manylight_renderer *renderer,
                           const struct manylight_renderer_desc *desc);
 
 /* The value of a setting as text, cut to fit, zero-terminated. */
-MANYLIGHT_API enum manylight_status
-manylight_renderer_setting(const struct manylight_renderer *renderer, const char *name, char *text,
-                           size_t text_size);
+MANYLIGHT_API enum manylight_status manylight_renderer_setting(struct manylight_renderer *renderer,
+                                                               const char *name, char *text,
+                                                               size_t text_size);
 
 struct manylight_view {
     size_t size;

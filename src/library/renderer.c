@@ -100,8 +100,11 @@ static bool resolve(const struct manylight_renderer_desc *given, const struct lo
 struct call {
     struct manylight_renderer *of;
     const struct renderer_desc *desc;
+    const struct manylight_renderer_desc *given;
     const struct manylight_view *view;
     const char *text;
+    char *room;
+    size_t room_size;
     struct image image;
     struct bitmap bitmap;
     int layer;
@@ -174,20 +177,14 @@ static bool check_frame(const struct manylight_renderer *renderer) {
 
 static bool follow(void *user) {
     struct call *call = user;
-    if (!check_exists(call->of) || !renderer_follow(&call->of->renderer, call->desc))
-        return false;
-    call->of->has_frame = false;
-    return true;
-}
-
-static bool change(struct manylight_renderer *renderer,
-                   const struct manylight_renderer_desc *desc) {
+    struct manylight_renderer *renderer = call->of;
     struct renderer_desc resolved;
     struct drawing drawing;
-    if (!resolve(desc, &renderer->loan, &resolved, &drawing) ||
-        !device_do(renderer->device, follow, &(struct call){.of = renderer, .desc = &resolved}))
+    if (!check_exists(renderer) || !resolve(call->given, &renderer->loan, &resolved, &drawing) ||
+        !renderer_follow(&renderer->renderer, &resolved))
         return false;
     renderer->drawing = drawing;
+    renderer->has_frame = false;
     return true;
 }
 
@@ -195,19 +192,27 @@ enum manylight_status manylight_renderer_change(struct manylight_renderer *rende
                                                 const struct manylight_renderer_desc *desc) {
     struct door door;
     door_enter(&door);
-    return door_leave(&door, change(renderer, desc), MANYLIGHT_FAILED);
+    bool ok = device_do(renderer->device, follow, &(struct call){.of = renderer, .given = desc});
+    return door_leave(&door, ok, MANYLIGHT_FAILED);
 }
 
-enum manylight_status manylight_renderer_setting(const struct manylight_renderer *renderer,
+static bool read_setting(void *user) {
+    struct call *call = user;
+    struct setting setting;
+    const struct settings *settings = &call->of->renderer.desc.settings;
+    if (!check_exists(call->of) || !settings_find(settings, call->text, &setting))
+        return false;
+    setting_format(&setting, settings, call->room, call->room_size);
+    return true;
+}
+
+enum manylight_status manylight_renderer_setting(struct manylight_renderer *renderer,
                                                  const char *name, char *text, size_t text_size) {
     struct door door;
-    struct setting setting;
-    const struct settings *settings = &renderer->renderer.desc.settings;
+    struct call call = {.of = renderer, .text = name, .room = text, .room_size = text_size};
     door_enter(&door);
-    bool ok = check_exists(renderer) && settings_find(settings, name, &setting);
-    if (ok)
-        setting_format(&setting, settings, text, text_size);
-    return door_leave(&door, ok, MANYLIGHT_BAD_SETTING);
+    return door_leave(&door, device_do(renderer->device, read_setting, &call),
+                      MANYLIGHT_BAD_SETTING);
 }
 
 /* --- drawing ---------------------------------------------------------------------------------- */

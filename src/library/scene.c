@@ -23,6 +23,7 @@ struct manylight_scene {
     struct stage stage;    /* at time 0 */
     bool is_lent;          /* its triangles are */
     char *light;           /* as it was opened; NULL: all */
+    struct manylight_scene_info info;
 };
 
 /* --- opening ---------------------------------------------------------------------------------- */
@@ -72,6 +73,31 @@ static bool read_scene(struct manylight_scene *scene, const struct manylight_sce
     return ok;
 }
 
+static void take_vector(float to[3], const float from[3]) {
+    memcpy(to, from, 3 * sizeof *to);
+}
+
+static double duration_of(const struct scene *scene) {
+    double most = 0;
+    for (int i = 0; i < scene->playing_count; i++)
+        most = fmax(most, (double)scene->clips[scene->playing[i]].duration);
+    return most;
+}
+
+static void describe(struct manylight_scene *scene) {
+    const struct scene *from = &scene->stage.scene;
+    const struct geometry *geometry = &scene->stage.geometry;
+    struct manylight_scene_info *info = &scene->info;
+    *info = (struct manylight_scene_info){.triangle_count = (int)geometry_triangle_count(geometry),
+                                          .material_count = from->material_count,
+                                          .light_count = emitter_node_count(from),
+                                          .camera_count = camera_node_count(from),
+                                          .radius = geometry->radius,
+                                          .duration = duration_of(from)};
+    take_vector(info->center, geometry->center);
+    memcpy(info->origin, from->origin, sizeof info->origin);
+}
+
 static bool open_scene(const struct manylight_scene_desc *given, struct manylight_scene **out) {
     struct manylight_scene_desc desc;
     struct read_rules rules;
@@ -89,6 +115,7 @@ static bool open_scene(const struct manylight_scene_desc *given, struct manyligh
         free(scene);
         return false;
     }
+    describe(scene);
     atomic_init(&scene->users, 1);
     pthread_mutex_init(&scene->mutex, NULL);
     *out = scene;
@@ -168,10 +195,6 @@ void loan_return(struct loan *loan) {
 }
 
 /* --- cameras ---------------------------------------------------------------------------------- */
-
-static void take_vector(float to[3], const float from[3]) {
-    memcpy(to, from, 3 * sizeof *to);
-}
 
 static bool is_zero(const float vector[3]) {
     return vector[0] == 0 && vector[1] == 0 && vector[2] == 0;
@@ -277,34 +300,11 @@ enum manylight_status manylight_scene_camera(const struct manylight_scene *scene
 
 /* --- facts ------------------------------------------------------------------------------------ */
 
-static double duration_of(const struct scene *scene) {
-    double most = 0;
-    for (int i = 0; i < scene->playing_count; i++)
-        most = fmax(most, (double)scene->clips[scene->playing[i]].duration);
-    return most;
-}
-
-static bool give_info(const struct manylight_scene *from, struct manylight_scene_info *out) {
-    struct loan loan;
-    if (!loan_take(&loan, from))
-        return false;
-    const struct scene *scene = &loan.stage.scene;
-    const struct geometry *geometry = &loan.stage.geometry;
-    struct manylight_scene_info info = {.triangle_count = (int)geometry_triangle_count(geometry),
-                                        .material_count = scene->material_count,
-                                        .light_count = emitter_node_count(scene),
-                                        .camera_count = camera_node_count(scene),
-                                        .radius = geometry->radius,
-                                        .duration = duration_of(scene)};
-    take_vector(info.center, geometry->center);
-    memcpy(info.origin, scene->origin, sizeof info.origin);
-    loan_return(&loan);
-    return desc_give(out, &info, sizeof info, "manylight_scene_info");
-}
-
 enum manylight_status manylight_scene_info(const struct manylight_scene *scene,
                                            struct manylight_scene_info *info) {
     struct door door;
     door_enter(&door);
-    return door_leave(&door, give_info(scene, info), MANYLIGHT_FAILED);
+    return door_leave(&door,
+                      desc_give(info, &scene->info, sizeof scene->info, "manylight_scene_info"),
+                      MANYLIGHT_BAD_ARGUMENT);
 }

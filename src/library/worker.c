@@ -1,4 +1,4 @@
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700
 #include "library/worker.h"
 
 #include "base/error.h"
@@ -49,10 +49,13 @@ static void *live(void *argument) {
     return NULL;
 }
 
-/* Signals of the process are for threads that know of them. */
+/* Signals of the process are for threads that know of them; faults and profilers are the thread's own. */
 static int start_without_signals(struct worker *worker) {
+    static const int own[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPROF};
     sigset_t all, before;
     sigfillset(&all);
+    for (size_t i = 0; i < sizeof own / sizeof *own; i++)
+        sigdelset(&all, own[i]);
     pthread_sigmask(SIG_SETMASK, &all, &before);
     int failed = pthread_create(&worker->thread, NULL, live, worker);
     pthread_sigmask(SIG_SETMASK, &before, NULL);

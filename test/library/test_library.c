@@ -23,6 +23,7 @@ static const struct row {
     const char *scene, *arguments;
     struct manylight_renderer_desc desc;
     struct manylight_view view;
+    const char *environment;
 } rows[] = {
     {BOX, "", {0}, {0}},
     {"scenes/moving-spot.glb", "--time 1.5", {0}, {.time = 1.5}},
@@ -36,6 +37,11 @@ static const struct row {
      {.direct = "hard", .quality = "high"},
      {0}},
     {"scenes/three-lights.glb", "--light 1 --first-pass 3", {.first_pass = 3}, {.light = "1"}},
+    {BOX,
+     "--environment scenes/day.hdr --background none",
+     {.hide_environment = 1},
+     {0},
+     "scenes/day.hdr"},
 };
 
 static void test_same_bits_as_program(void **state) {
@@ -52,8 +58,10 @@ static void test_same_bits_as_program(void **state) {
         expect(0, line);
         /* Lights of a view are those of the scene, as --light names them. */
         struct manylight_scene *scene;
-        const struct manylight_scene_desc desc = {
-            .size = sizeof desc, .path = row.scene, .light = row.view.light};
+        const struct manylight_scene_desc desc = {.size = sizeof desc,
+                                                  .path = row.scene,
+                                                  .light = row.view.light,
+                                                  .environment = row.environment};
         check_call("scene", manylight_scene_open(&desc, &scene));
         struct manylight_image *image = draw_once(device, scene, &row.desc, &row.view);
         check_same_as_file(image, scratch("program.exr"));
