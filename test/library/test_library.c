@@ -9,6 +9,7 @@
 #include "scene/open.h"
 
 #include <fenv.h>
+#include <locale.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -20,28 +21,33 @@
 /* --- the program's bits ----------------------------------------------------------------------- */
 
 static const struct row {
-    const char *scene, *arguments;
+    const char *scene, *arguments, *environment;
     struct manylight_renderer_desc desc;
     struct manylight_view view;
-    const char *environment;
 } rows[] = {
-    {BOX, "", {0}, {0}},
-    {"scenes/moving-spot.glb", "--time 1.5", {0}, {.time = 1.5}},
-    {BOX, "--quality draft --passes 2", {.quality = "draft", .passes = 2}, {0}},
+    {BOX, "", NULL, {0}, {0}},
+    {"scenes/moving-spot.glb", "--time 1.5", NULL, {0}, {.time = 1.5}},
+    {BOX, "--quality draft --passes 2", NULL, {.quality = "draft", .passes = 2}, {0}},
     {BOX,
      "--technique row-column --set vpls=512 --camera 'eye=0,1,3'",
+     NULL,
      {.technique = "row-column", .settings = "vpls=512"},
      {.camera = "eye=0,1,3"}},
     {"scenes/gloss.glb",
      "--direct hard --quality high",
+     NULL,
      {.direct = "hard", .quality = "high"},
      {0}},
-    {"scenes/three-lights.glb", "--light 1 --first-pass 3", {.first_pass = 3}, {.light = "1"}},
+    {"scenes/three-lights.glb",
+     "--light 1 --first-pass 3",
+     NULL,
+     {.first_pass = 3},
+     {.light = "1"}},
     {BOX,
      "--environment scenes/day.hdr --background none",
+     "scenes/day.hdr",
      {.hide_environment = 1},
-     {0},
-     "scenes/day.hdr"},
+     {0}},
 };
 
 static void test_same_bits_as_program(void **state) {
@@ -303,6 +309,31 @@ static void test_rounding_mode(void **state) {
     manylight_scene_free(scene);
 }
 
+/* Nor does a locale that writes 1,5: the texts of callers are those of the command line. */
+static void test_locale(void **state) {
+    (void)state;
+    char folder[1024];
+    need_command("command -v localedef && test -e /usr/share/i18n/locales/de_DE");
+    expect(0, "mkdir -p @ && localedef -i de_DE -f UTF-8 @/de_DE.UTF-8 || test -d @/de_DE.UTF-8");
+    in_scratch(folder, sizeof folder, "@");
+    struct manylight_device *device = open_device();
+    struct manylight_scene *scene = open_scene(BOX);
+    const struct manylight_renderer_desc desc = {.settings = "exposure=1.5 clustered.vals=20"};
+    const struct manylight_view view = {.size = sizeof view, .camera = "0 eye=0,1.25,3.5"};
+    struct manylight_image *expected = draw_once(device, scene, &desc, &view);
+    setenv("LOCPATH", folder, 1);
+    assert_non_null(setlocale(LC_ALL, "de_DE.UTF-8"));
+    struct manylight_image *image = draw_once(device, scene, &desc, &view);
+    assert_string_equal(localeconv()->decimal_point, ",");
+    setlocale(LC_ALL, "C");
+    unsetenv("LOCPATH");
+    assert_true(same_images(image, expected));
+    manylight_image_free(image);
+    manylight_image_free(expected);
+    manylight_scene_free(scene);
+    manylight_device_free(device);
+}
+
 /* --- what is told ----------------------------------------------------------------------------- */
 
 struct told {
@@ -511,6 +542,7 @@ int main(void) {
         cmocka_unit_test(test_devices_and_threads),
         cmocka_unit_test(test_errors_are_of_threads),
         cmocka_unit_test(test_rounding_mode),
+        cmocka_unit_test(test_locale),
         cmocka_unit_test(test_log),
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_reference_cancelled),
