@@ -54,8 +54,11 @@ PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa
 PKG := cglm $(if $(filter small,$(PICTURES)),OpenEXR,OpenImageIO) $(if $(VIEWER),imgui glfw3)
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
-C_FLAGS = -std=c11 -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
-CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
+# One set of objects serves the program and libmanylight.so. The bundle's tests use a library that shows all symbols.
+VISIBILITY ?= hidden
+LIBRARY_FLAGS := -fPIC -fvisibility=$(VISIBILITY)
+C_FLAGS = -std=c11 $(LIBRARY_FLAGS) -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
+CXX_FLAGS = -std=c++17 $(LIBRARY_FLAGS) $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
 PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
@@ -181,7 +184,7 @@ demo: deps
 clean:
 	rm -rf build manylight scenes/*.glb scenes/*.hdr scenes/failures
 
-include mk/install.mk mk/test.mk
+include mk/library.mk mk/install.mk mk/test.mk
 
 # --- benchmark ------------------------------------------------------------------------------------
 

@@ -5,6 +5,7 @@
 
 static enum log_level current_level = LOG_NORMAL;
 static _Thread_local bool is_silent;
+static _Thread_local const struct log_sink *sink;
 static log_listener *listening;
 static void *listening_context;
 static _Atomic bool has_line;
@@ -21,6 +22,14 @@ void log_tell_of_thread(bool tells) {
     is_silent = !tells;
 }
 
+void log_set_sink(const struct log_sink *new_sink) {
+    sink = new_sink;
+}
+
+const struct log_sink *log_get_sink(void) {
+    return sink;
+}
+
 void log_set_listener(log_listener *listener, void *context) {
     listening = listener;
     listening_context = context;
@@ -34,6 +43,12 @@ void log_show_line(const char *line) {
     has_line = line;
 }
 
+static void pour(enum log_kind kind, const char *format, va_list args) {
+    char message[2048];
+    vsnprintf(message, sizeof message, format, args);
+    sink->tell(sink, kind, message);
+}
+
 static void print(const char *label, const char *format, va_list args) {
     log_show_line(NULL);
     fprintf(stderr, "manylight: %s", label);
@@ -42,16 +57,19 @@ static void print(const char *label, const char *format, va_list args) {
 }
 
 void log_detail(const char *format, ...) {
-    if (is_silent || current_level < LOG_VERBOSE)
-        return;
     va_list args;
+    if (is_silent || (!sink && current_level < LOG_VERBOSE))
+        return;
     va_start(args, format);
-    print("", format, args);
+    if (sink)
+        pour(LOG_IS_DETAIL, format, args);
+    else
+        print("", format, args);
     va_end(args);
 }
 
 static void tell(bool is_warning, const char *format, va_list args) {
-    if (!listening)
+    if (!listening || sink)
         return;
     char message[512];
     vsnprintf(message, sizeof message, format, args);
@@ -63,7 +81,9 @@ void log_note(const char *format, ...) {
     if (is_silent)
         return;
     va_start(args, format);
-    if (current_level >= LOG_NORMAL)
+    if (sink)
+        pour(LOG_IS_NOTE, format, args);
+    else if (current_level >= LOG_NORMAL)
         print("note: ", format, args);
     va_end(args);
     va_start(args, format);
@@ -76,7 +96,10 @@ void log_warning(const char *format, ...) {
     if (is_silent)
         return;
     va_start(args, format);
-    print("warning: ", format, args);
+    if (sink)
+        pour(LOG_IS_WARNING, format, args);
+    else
+        print("warning: ", format, args);
     va_end(args);
     va_start(args, format);
     tell(true, format, args);

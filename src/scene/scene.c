@@ -21,8 +21,12 @@ static bool check_worlds(const struct scene *scene) {
 }
 
 bool scene_load(struct scene *scene, const char *path) {
+    return scene_load_bytes(scene, path, NULL);
+}
+
+bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes) {
     *scene = (struct scene){0};
-    bool ok = gltf_load(scene, path);
+    bool ok = gltf_load(scene, path, bytes);
     if (ok)
         emissive_add_lights(scene);
     if (ok && check_worlds(scene))

@@ -208,6 +208,10 @@ struct scene {
 /* Reads what a .gltf or .glb file holds; scene/open.h makes it ready to be shown. Error: names file, object and reason; the scene is then zeroed. */
 bool scene_load(struct scene *scene, const char *path);
 
+/* The same of bytes in memory: path only tells the folder of files that they name; a name without a folder has none. */
+struct file_bytes;
+bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes);
+
 /* Accepts zeroed and half-built scenes. */
 void scene_free(struct scene *scene);
 

@@ -114,7 +114,7 @@ bool unpack_views(Loader &loader);
 bool unpack_primitives(Loader &loader);
 
 /* parse.cpp: reads and parses the file and the buffers it names. */
-bool parse(Loader &loader, const char *path);
+bool parse(Loader &loader, const char *path, const struct file_bytes *given);
 
 /* buffers.cpp: reads the file that a URI names, with or without percent signs. */
 bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
