@@ -184,7 +184,7 @@ demo: deps
 clean:
 	rm -rf build manylight scenes/*.glb scenes/*.hdr scenes/failures
 
-include mk/library.mk mk/install.mk mk/test.mk
+include mk/library.mk mk/install.mk mk/test.mk mk/python.mk mk/deb.mk
 
 # --- benchmark ------------------------------------------------------------------------------------
 

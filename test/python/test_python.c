@@ -1,0 +1,70 @@
+/* The Python module: pictures of the program's bits, refusals in its words, threads, the notebook and the wheel. */
+#define _XOPEN_SOURCE 700
+#include "command_support.h"
+
+#include <stdio.h>
+
+/* Sets PYTHON to one that has what the module needs: the first of the path, or the system's. */
+#define FIND_PYTHON                                                                                \
+    "for PYTHON in python3 /usr/bin/python3 false; do $PYTHON -c 'import numpy, cffi, os, "        \
+    "sysconfig; os.stat(sysconfig.get_path(\"include\") + \"/Python.h\")' 2>/dev/null && break;"   \
+    " done; "
+#define BUILD "${MANYLIGHT_BUILD:-build}"
+
+static bool has_python;
+
+/* Builds the module for the library that is there. */
+static int build_module(void **state) {
+    (void)state;
+    has_python = run_line(FIND_PYTHON "test $PYTHON != false") == 0;
+    return !has_python || run_line(FIND_PYTHON "make -s python PYTHON=$PYTHON BUILD=" BUILD
+                                               " -o " BUILD "/libmanylight.so.0") == 0
+               ? 0
+               : -1;
+}
+
+static void need_python(void) {
+    if (has_python)
+        return;
+    printf("    skipped: python3-dev, python3-cffi or python3-numpy is not here\n");
+    skip();
+}
+
+/* Runs a script of test/python with the module in the build folder. */
+static void run_script(const char *script) {
+    char line[1000];
+    need_python();
+    snprintf(line, sizeof line, FIND_PYTHON "PYTHONPATH=" BUILD "/python $PYTHON test/python/%s",
+             script);
+    expect(0, line);
+}
+
+static void test_bits(void **state) {
+    (void)state;
+    run_script("check_bits.py % @");
+}
+
+static void test_refusals(void **state) {
+    (void)state;
+    run_script("check_refusals.py % @");
+}
+
+static void test_life(void **state) {
+    (void)state;
+    run_script("check_life.py");
+}
+
+static void test_notebook(void **state) {
+    (void)state;
+    run_script("run_notebook.py examples/python.ipynb");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_bits),
+        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_life),
+        cmocka_unit_test(test_notebook),
+    };
+    return cmocka_run_group_tests(tests, build_module, NULL);
+}
