@@ -1,15 +1,16 @@
 # The Python module, importable from $(BUILD)/python. `pip install .` packs the same files (meson.build).
 #
-# PYTHON_LIBRARY=own puts libmanylight.so.0 beside the module, where it finds it; system: the machine has it.
+# PYTHON_LIBRARY=own puts the library beside the module, which finds it there; system: the machine has it.
 
 PYTHON ?= python3
 PYTHON_LIBRARY ?= own
-comma := ,
 MODULE := $(BUILD)/python/manylight
 MODULE_FILES := $(patsubst python/%,$(BUILD)/python/%,$(wildcard python/manylight/*.py python/manylight/py.typed))
+MODULE_LIBRARY := $(if $(filter own,$(PYTHON_LIBRARY)),$(MODULE)/$(SHARED_NAME))
+PYTHON_INCLUDE = $(shell $(PYTHON) -c 'import sysconfig; print(sysconfig.get_path("include"))')
 # The interface of Python 3.9 alone, which later versions have too.
-MODULE_FLAGS = -std=c11 -fPIC -Isrc/library -isystem "$$($(PYTHON) -c 'import sysconfig; print(sysconfig.get_path("include"))')" \
-    -DPy_LIMITED_API=0x03090000 $(CFLAGS)
+MODULE_FLAGS = -std=c11 -fPIC -Isrc/library -isystem $(PYTHON_INCLUDE) -DPy_LIMITED_API=0x03090000 $(CFLAGS)
+ORIGIN := -Wl,-rpath,'$$ORIGIN'
 
 .PHONY: python
 python: $(MODULE_FILES) $(MODULE)/_cffi.abi3.so
@@ -23,13 +24,13 @@ $(BUILD)/python/_cffi.c: python/make_cffi.py src/library/manylight.h
 	$(say) GEN $@
 	$(Q)$(PYTHON) $^ $@ >/dev/null
 
-OWN_LIBRARY := $(if $(filter own,$(PYTHON_LIBRARY)),$(MODULE)/libmanylight.so.0)
-$(MODULE)/_cffi.abi3.so: $(BUILD)/python/_cffi.c $(OWN_LIBRARY)
+$(MODULE)/_cffi.abi3.so: $(BUILD)/python/_cffi.c $(MODULE_LIBRARY)
 	@mkdir -p $(@D)
 	$(say) CC $@
-	$(Q)$(CC) $(MODULE_FLAGS) -shared -o $@ $< $(LDFLAGS) $(if $(OWN_LIBRARY),-Wl$(comma)-rpath$(comma)'$$ORIGIN') \
-	    -L$(BUILD) -l:libmanylight.so.0
+	$(Q)$(CC) $(MODULE_FLAGS) -shared -o $@ $< $(LDFLAGS) $(if $(MODULE_LIBRARY),$(ORIGIN)) -L$(SHARED_FOLDER) -lmanylight
 
-$(MODULE)/libmanylight.so.0: $(SHARED_LIBRARY)
+$(MODULE)/$(SHARED_NAME): $(SHARED)
 	@mkdir -p $(@D)
 	@cp $< $@
+
+$(BUILD)/test/test_python: | $(SHARED)

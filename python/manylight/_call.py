@@ -33,14 +33,25 @@ class Work:
         self.handle = ffi.new_handle(self)
 
 
+_reporting = threading.local()
+
+
+def is_reporting() -> bool:
+    """Whether this thread is in a progress function, where the library refuses calls of the device at work."""
+    return getattr(_reporting, "now", False)
+
+
 @ffi.def_extern(error=1)
 def manylight_python_progress(user, done, note) -> int:
     work = ffi.from_handle(user)
     if work.error is None and work.progress is not None:
+        _reporting.now = True
         try:
             work.progress(done, text_of(note))
         except BaseException as error:  # It comes out of the call that made the work.
             work.error = error
+        finally:
+            _reporting.now = False
     return int(work.error is not None)
 
 

@@ -1,13 +1,14 @@
 """Devices and renderers."""
 from __future__ import annotations
 
+import contextlib
 import os
 import threading
-from typing import Any, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Tuple, Union
+from typing import Any, ContextManager, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Tuple, Union
 
 import numpy as np
 
-from ._call import Descriptor, Progress, Work, call, encode, made, run
+from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, run
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
 from ._image import Layers, layer_names, to_layers
@@ -54,6 +55,11 @@ class Renderer:
             raise ArgumentError("the renderer is closed")
         return self._handle
 
+    def _alone(self) -> ContextManager:
+        """Keeps other threads from drawing between a frame and its reading. A progress function does not wait for the
+        frame that it reports: the library refuses its calls."""
+        return contextlib.nullcontext() if is_reporting() else self._lock
+
     def render(self, *, layers: Optional[Iterable[str]] = None, camera: AnyCamera = None,
                light: Optional[str] = None, time: float = 0, progress: Optional[Progress] = None) -> Layers:
         """Draws a frame at a time (s) and returns its layers, as `Device.render`."""
@@ -67,7 +73,7 @@ class Renderer:
             self._shape = (lib.manylight_image_height(image), lib.manylight_image_width(image))
             return to_layers(image, wanted)
 
-        with self._lock:
+        with self._alone():
             return run(work, draw)
 
     def display(self, layer: Optional[str] = None) -> np.ndarray:
@@ -75,7 +81,7 @@ class Renderer:
         "direct" or "indirect"; None: "beauty"."""
         renderer = self._open()
         name = ffi.NULL if layer is None else ffi.new("char[]", encode(layer))
-        with self._lock:
+        with self._alone():
             array = np.empty((*self._shape, 4), np.uint8)
             pixels = ffi.from_buffer("uint8_t[]", array, require_writable=True)
             call(lib.manylight_read_display, renderer, name, pixels, array.nbytes)

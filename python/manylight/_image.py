@@ -2,7 +2,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Dict, Iterable, List, Mapping, Optional
+from typing import Any, Dict, Iterable, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
 
 Layers = Dict[str, np.ndarray]
+Picture = Union[Mapping[str, np.ndarray], np.ndarray]
 
 
 def layer_of(channel: str) -> str:
@@ -56,7 +57,7 @@ def channels_of(layer: str, count: int) -> List[str]:
     return [f"{layer}.{letter}" for letter in letters] or [layer]
 
 
-def to_image(layers: "Mapping[str, np.ndarray] | np.ndarray") -> Any:
+def to_image(layers: Picture) -> Any:
     """An image of the library from a dict of arrays, or from an array: its beauty."""
     if not isinstance(layers, Mapping):
         layers = {"beauty": layers}
@@ -85,34 +86,41 @@ def read(path: "str | os.PathLike[str]", layers: Optional[Iterable[str]] = None)
     return to_layers(made("image", lib.manylight_image_read, encode(path)), layers)
 
 
-def write(path: "str | os.PathLike[str]", layers: "Mapping[str, np.ndarray] | np.ndarray") -> None:
+def write(path: "str | os.PathLike[str]", layers: Picture) -> None:
     """Writes all layers (EXR), or red, green and blue of "beauty" (PFM, HDR). The file appears when it is whole."""
     call(lib.manylight_image_write, to_image(layers), encode(path))
 
 
-def compare(test: "Mapping[str, np.ndarray] | np.ndarray", reference: "Mapping[str, np.ndarray] | np.ndarray", *,
-            layer: Optional[str] = None, reference_layer: Optional[str] = None, metric: Optional[str] = None,
-            pixels_per_degree: float = 0, threads: int = 0, error_map: bool = False) -> Any:
+def _compare(test: Picture, reference: Picture, options: Dict[str, Any], with_map: bool) -> Tuple[float, Any]:
+    first, second = to_image(test), to_image(reference)
+    desc, value = Descriptor("compare_desc", **options), ffi.new("double *")
+    errors, pixels = None, ffi.NULL
+    if with_map:
+        errors = np.empty((lib.manylight_image_height(first), lib.manylight_image_width(first)), np.float32)
+        pixels = ffi.from_buffer("float[]", errors, require_writable=True)
+    call(lib.manylight_compare, first, second, desc.pointer, value, pixels)
+    return value[0], errors
+
+
+def compare(test: Picture, reference: Picture, *, layer: Optional[str] = None,
+            reference_layer: Optional[str] = None, metric: Optional[str] = None, pixels_per_degree: float = 0,
+            threads: int = 0) -> float:
     """The error of a picture against a reference, as `manylight compare` prints it.
 
     Parameters
     ----------
-    test, reference : dicts of layers as `Device.render` and `reference` return them, or one array (height, width, 3)
+    test, reference : dicts of layers as `Device.render` and `reference` return them, or an array (height, width, 3)
     layer : layer to compare, for example "indirect"; None: "beauty"
     reference_layer : the reference's layer; None: the same
     metric : a name of `manylight.metrics()`; None: "relative-rmse"
     pixels_per_degree : resolution of the display for FLIP; 0: 67.0206
     threads : number of threads; 0: all cores. The result does not depend on it.
-    error_map : also return the error of each pixel
-
-    Returns the error (float), or with `error_map` the error and a float32 array (height, width).
     """
-    first, second = to_image(test), to_image(reference)
-    desc = Descriptor("compare_desc", layer=layer, reference_layer=reference_layer, metric=metric,
-                      pixels_per_degree=pixels_per_degree, threads=threads)
-    value, errors, pixels = ffi.new("double *"), None, ffi.NULL
-    if error_map:
-        errors = np.empty((lib.manylight_image_height(first), lib.manylight_image_width(first)), np.float32)
-        pixels = ffi.from_buffer("float[]", errors, require_writable=True)
-    call(lib.manylight_compare, first, second, desc.pointer, value, pixels)
-    return (value[0], errors) if error_map else value[0]
+    options = dict(layer=layer, reference_layer=reference_layer, metric=metric,
+                   pixels_per_degree=pixels_per_degree, threads=threads)
+    return _compare(test, reference, options, False)[0]
+
+
+def error_map(test: Picture, reference: Picture, **options: Any) -> Tuple[float, np.ndarray]:
+    """The error as of `compare`, with the same parameters, and the error of each pixel: float32 (height, width)."""
+    return _compare(test, reference, options, True)

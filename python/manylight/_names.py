@@ -4,6 +4,8 @@ from __future__ import annotations
 import itertools
 from typing import Any, Callable, Dict, List, Mapping, NamedTuple, Optional
 
+import numpy as np
+
 from ._call import Descriptor
 from ._cffi import ffi, lib
 from ._errors import text_of
@@ -78,7 +80,7 @@ def setting_name(keyword: str, known: List[str]) -> str:
 
 
 def _value(value: Any) -> str:
-    if isinstance(value, bool):
+    if isinstance(value, (bool, np.bool_)):
         return "on" if value else "off"
     return repr(float(value)) if isinstance(value, float) else str(value)
 

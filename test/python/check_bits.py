@@ -73,7 +73,7 @@ def check_reference():
 
 def check_metric(layers, reference):
     """RMSE and its map against numpy in doubles."""
-    value, errors = manylight.compare(layers, reference, layer="indirect", metric="rmse", error_map=True)
+    value, errors = manylight.error_map(layers, reference, layer="indirect", metric="rmse")
     difference = layers["indirect"].astype(float) - reference["indirect"]
     expected = np.sqrt(np.mean(difference**2))
     print(f"    RMSE {value:.6g}, by numpy {expected:.6g}")

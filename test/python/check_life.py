@@ -93,6 +93,11 @@ def check_progress(device):
             raise AssertionError("not stopped")
         except KeyError as error:
             assert error.args == ("enough",)
+        try:
+            renderer.render(progress=lambda done, note: renderer.render())
+            raise AssertionError("not refused")
+        except manylight.ArgumentError as error:
+            print(f"    {error}")
         assert renderer.render()["beauty"].tobytes() == first["beauty"].tobytes()
 
 

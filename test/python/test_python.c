@@ -3,6 +3,8 @@
 #include "command_support.h"
 
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 /* Sets PYTHON to one that has what the module needs: the first of the path, or the system's. */
 #define FIND_PYTHON                                                                                \
@@ -18,7 +20,7 @@ static int build_module(void **state) {
     (void)state;
     has_python = run_line(FIND_PYTHON "test $PYTHON != false") == 0;
     return !has_python || run_line(FIND_PYTHON "make -s python PYTHON=$PYTHON BUILD=" BUILD
-                                               " -o " BUILD "/libmanylight.so.0") == 0
+                                               " -o " BUILD "/lib/libmanylight.so.0.1") == 0
                ? 0
                : -1;
 }
@@ -30,13 +32,16 @@ static void need_python(void) {
     skip();
 }
 
-/* Runs a script of test/python with the module in the build folder. */
-static void run_script(const char *script) {
+/* Runs a script of test/python with the module of a folder. */
+static void run_script_of(const char *folder, const char *script) {
     char line[1000];
     need_python();
-    snprintf(line, sizeof line, FIND_PYTHON "PYTHONPATH=" BUILD "/python $PYTHON test/python/%s",
-             script);
+    snprintf(line, sizeof line, FIND_PYTHON "PYTHONPATH=%s $PYTHON test/python/%s", folder, script);
     expect(0, line);
+}
+
+static void run_script(const char *script) {
+    run_script_of(BUILD "/python", script);
 }
 
 static void test_bits(void **state) {
@@ -59,12 +64,25 @@ static void test_notebook(void **state) {
     run_script("run_notebook.py examples/python.ipynb");
 }
 
+/* pip's wheel is for any later Python, carries the library and makes the same bits, from wherever it lies. */
+static void test_wheel(void **state) {
+    (void)state;
+    need_python();
+    need_command("/usr/bin/python3 -c 'import mesonpy, pip'");
+    expect(0, "rm -rf @/wheel @/site && BUILD=" BUILD " /usr/bin/python3 -m pip wheel -q -w @/wheel"
+              " --no-deps --no-build-isolation . && /usr/bin/python3 -m zipfile -e @/wheel/*.whl"
+              " @/site && ls @/wheel @/site/manylight && git status --short");
+    expect_text("-abi3-linux_");
+    expect_text("libmanylight.so.0\n");
+    assert_null(strstr(output, ".mesonpy"));
+    run_script_of("@/site", "check_bits.py % @");
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bits),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_life),
-        cmocka_unit_test(test_notebook),
+        cmocka_unit_test(test_bits),  cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_life),  cmocka_unit_test(test_notebook),
+        cmocka_unit_test(test_wheel),
     };
-    return cmocka_run_group_tests(tests, build_module, NULL);
+    return run_some_tests(tests, 4, build_module, NULL);
 }
