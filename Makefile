@@ -153,7 +153,7 @@ $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -c -o $@ $<
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
 
 # --- scenes ---------------------------------------------------------------------------------------
 

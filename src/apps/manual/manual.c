@@ -57,19 +57,23 @@ static void read_command(void *user, const char *name, const struct arguments *r
         shells[i]->command(manual->completions[i].stream, &command);
 }
 
+static void read_modes(const struct subcommand *bench) {
+    for (const struct bench_mode *const *mode = bench_modes; *mode; mode++) {
+        char name[] = "bench", mode_name[32], *words[] = {name, mode_name, NULL};
+        snprintf(mode_name, sizeof mode_name, "%s", (*mode)->name);
+        bench->run(2, words);
+    }
+}
+
 /* The subcommands give their tables away as they would parse them. */
 static void read_tables(struct manual *manual, const struct subcommand *subcommand) {
-    char name[32], mode_name[32], *words[] = {name, mode_name, NULL};
+    char name[32], *words[] = {name, NULL};
     snprintf(name, sizeof name, "%s", subcommand->name);
     arguments_set_reader(read_command, manual);
-    if (subcommand->run != app_bench)
+    if (subcommand->run == app_bench)
+        read_modes(subcommand);
+    else
         subcommand->run(1, words);
-    for (const struct bench_mode *const *mode = bench_modes;
-         subcommand->run == app_bench && *mode; mode++) {
-        snprintf(mode_name, sizeof mode_name, "%s", (*mode)->name);
-        words[1] = mode_name;
-        subcommand->run(2, words);
-    }
     arguments_set_reader(NULL, NULL);
 }
 

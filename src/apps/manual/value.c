@@ -69,10 +69,9 @@ static int layer_length(const struct word *channel) {
 
 /* Of pictures of this program: all that comes before a channel's last dot. */
 static void list_layers(struct text *words) {
-    static const char channels[] =
-        CHANNELS_OF_PATH_TRACER " " CHANNELS_OF_SEEN " " CHANNELS_OF_SPECULAR " " CHANNELS_OF_AO
-                                " " CHANNELS_OF_AIRLIGHT " " CHANNELS_OF_CAUSTIC
-                                " " CHANNELS_OF_VOLUME " bound.R nodes.R";
+    static const char channels[] = CHANNELS_OF_PATH_TRACER
+        " " CHANNELS_OF_SEEN " " CHANNELS_OF_SPECULAR " " CHANNELS_OF_AO " " CHANNELS_OF_AIRLIGHT
+        " " CHANNELS_OF_CAUSTIC " " CHANNELS_OF_VOLUME " bound.R nodes.R";
     add_whole(words, "beauty");
     for (struct word channel = {.at = channels}; word_next(&channel);) {
         int length = layer_length(&channel);
@@ -85,9 +84,8 @@ static const struct {
     const char *option;
     void (*list)(struct text *words);
 } lists[] = {
-    {"technique", list_techniques}, {"direct", list_direct},
-    {"variant", list_variants},     {"metric", list_metrics},
-    {"layer", list_layers},         {"reference-layer", list_layers},
+    {"technique", list_techniques}, {"direct", list_direct}, {"variant", list_variants},
+    {"metric", list_metrics},       {"layer", list_layers},  {"reference-layer", list_layers},
 };
 
 static bool list_by_name(const struct option *option, struct text *words) {
