@@ -53,8 +53,8 @@ def counted_during(work):
 
 def check_gil(device):
     """A thread counts during a reference and during a render, on whichever thread they are called."""
-    for name, work in (("reference", lambda: manylight.reference(BOX, SIZE, samples=16)),
-                       ("render", lambda: device.render(BOX, (200, 200), passes=4))):
+    for name, work in (("reference", lambda: manylight.reference(BOX, SIZE, samples=64)),
+                       ("render", lambda: device.render(BOX, (100, 100), passes=3))):
         count, seconds = counted_during(work)
         print(f"    counted to {count} during a {name} of {seconds:.2f} s")
         assert count > 1000
@@ -67,14 +67,14 @@ def check_threads(device):
     with manylight.Device(allow_software=True) as other:
         def body(own):
             scene = manylight.Scene(BOX)
-            found.extend(own.render(scene, SIZE)["beauty"].tobytes() for _ in range(2))
+            found.append(own.render(scene, SIZE)["beauty"].tobytes())
 
         threads = [threading.Thread(target=body, args=(own,)) for own in (device, other) * 2]
         for thread in threads:
             thread.start()
         for thread in threads:
             thread.join()
-    assert found == [expected] * 8
+    assert found == [expected] * 4
 
 
 def check_progress(device):
@@ -128,14 +128,20 @@ def check_growth(device):
         except manylight.SceneError:
             pass
 
-    for _ in range(5):
+    for _ in range(3):
         work()
     before = resident()
-    for _ in range(20):
+    for _ in range(8):
         work()
-    grown = (resident() - before) / 20
+    grown = (resident() - before) / 8
     print(f"    {grown / 1e3:.1f} kB grown per round")
     assert grown < 200e3
+
+
+def has_sanitizer():
+    """AddressSanitizer keeps freed memory for a while."""
+    with open("/proc/self/maps", encoding="utf-8") as maps:
+        return "libasan" in maps.read()
 
 
 def main():
@@ -145,7 +151,8 @@ def main():
         check_gil(device)
         check_threads(device)
         check_progress(device)
-        check_growth(device)
+        if not has_sanitizer():
+            check_growth(device)
     check_interrupt()
     # A device that nobody closes does not disturb the end.
     globals()["left"] = manylight.Device(allow_software=True)

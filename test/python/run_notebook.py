@@ -1,17 +1,27 @@
-"""run_notebook.py NOTEBOOK: runs the cells of code in their order, by nbconvert where it is, else as one program."""
+"""run_notebook.py NOTEBOOK: runs the cells of code in their order as one program; in a long run by nbconvert, if it is
+here."""
+import importlib.util
 import json
+import os
 import subprocess
 import sys
 
-try:
-    import ipykernel  # noqa: F401
-    import nbconvert  # noqa: F401
-except ImportError:
-    with open(sys.argv[1], encoding="utf-8") as file:
+
+def run_cells(notebook):
+    """As a program, in the working folder."""
+    with open(notebook, encoding="utf-8") as file:
         cells = json.load(file)["cells"]
     code = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
-    exec(compile(code, sys.argv[1], "exec"), {})
-    print("    ran without nbconvert")
-else:
-    subprocess.run([sys.executable, "-m", "nbconvert", "--to", "markdown", "--execute", "--stdout",
-                    "--ExecutePreprocessor.cwd=.", sys.argv[1]], check=True)
+    exec(compile(code, notebook, "exec"), {})
+
+
+def convert(notebook):
+    """By Jupyter, whose working folder is that of its input."""
+    with open(notebook, "rb") as file:
+        subprocess.run([sys.executable, "-m", "nbconvert", "--to", "markdown", "--execute", "--stdin", "--stdout"],
+                       stdin=file, check=True)
+
+
+run_cells(sys.argv[1])
+if os.environ.get("MANYLIGHT_LONG") and all(map(importlib.util.find_spec, ("nbconvert", "ipykernel"))):
+    convert(sys.argv[1])
