@@ -11,7 +11,7 @@ import numpy as np
 from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, run
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
-from ._image import Layers, layer_names, to_layers
+from ._image import Layers, layer_names, listed, to_layers
 from ._names import settings_text
 from ._parts import Camera
 from ._scene import Scene, scene_of, view_of
@@ -63,8 +63,7 @@ class Renderer:
     def render(self, *, layers: Optional[Iterable[str]] = None, camera: AnyCamera = None,
                light: Optional[str] = None, time: float = 0, progress: Optional[Progress] = None) -> Layers:
         """Draws a frame at a time (s) and returns its layers, as `Device.render`."""
-        renderer, work = self._open(), Work(progress)
-        wanted = None if layers is None else [layers] if isinstance(layers, str) else list(layers)
+        renderer, work, wanted = self._open(), Work(progress), listed(layers)
         view = view_of(work, camera, light, time)
 
         def draw() -> Layers:
@@ -178,7 +177,7 @@ class Device:
         camera : name, number, text as of `manylight render --camera`, or a `Camera`; None: the first
         light : as `manylight render --light`
         time : of the animation, seconds
-        progress : called with the fraction done and a note after each pass; an exception from it stops the work
+        progress : called with the fraction done and a note after each of several passes; its exception stops the work
         technique, direct, quality, passes, first_pass, hide_environment : as the options of `manylight render`
         settings : dict of further settings by their names, for example {"gather.interleave": 4}
         Other keyword arguments are settings, with `_` for `.` and `-`: `gather_interleave=4`, `vpls=4096`.
@@ -207,14 +206,14 @@ class Device:
         if not fps > 0:
             raise ArgumentError(f"fps: {fps} is not above 0")
         numbers = range(int(opened.info.duration * fps) + 1) if frames is None else frames
-        wanted = None if layers is None or isinstance(layers, str) else list(layers)
+        wanted = listed(layers)
         size_camera = None if isinstance(camera, Camera) else camera
         renderer = self.renderer(opened, size, camera=size_camera, **settings)
 
         def draw() -> Iterator[Layers]:
             with renderer:
                 for number in numbers:
-                    yield renderer.render(layers=layers if wanted is None else wanted, camera=camera, light=light,
-                                          time=time + number / fps, progress=progress)
+                    yield renderer.render(layers=wanted, camera=camera, light=light, time=time + number / fps,
+                                          progress=progress)
 
         return draw()

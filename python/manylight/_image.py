@@ -41,9 +41,15 @@ def read_layer(image: Any, layer: str) -> np.ndarray:
     return array
 
 
-def to_layers(image: Any, layers: Optional[Iterable[str]] = None) -> Layers:
+def listed(layers: "str | Iterable[str] | None") -> Optional[List[str]]:
+    """Names of layers, of which one may stand alone; None: all."""
+    return None if layers is None else [layers] if isinstance(layers, str) else list(layers)
+
+
+def to_layers(image: Any, layers: "str | Iterable[str] | None" = None) -> Layers:
     """Some layers of an image, or all."""
-    wanted = layer_names(image) if layers is None else layers
+    wanted = listed(layers)
+    wanted = layer_names(image) if wanted is None else wanted
     return {layer: read_layer(image, layer) for layer in wanted}
 
 

@@ -47,7 +47,7 @@ def check_settings(device):
     first = check_render(device, options, gather_interleave=4, vpls=256, technique="clustered")
     second = device.render(BOX, SIZE, settings={"gather.interleave": "4", "lights.vpls": 256})
     assert all(first[layer].tobytes() == second[layer].tobytes() for layer in first)
-    default = device.render(BOX, SIZE, layers=["indirect"])
+    default = device.render(BOX, SIZE, layers="indirect")
     assert list(default) == ["indirect"] and default["indirect"].tobytes() != first["indirect"].tobytes()
 
 
