@@ -1,7 +1,7 @@
 /* Picks the subcommand. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/subcommands.h"
 #include "base/error.h"
 #include "base/file/output_file.h"
 
@@ -13,35 +13,6 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-
-#ifdef MANYLIGHT_NO_VIEWER
-static int refuse_view(int argc, char **argv) {
-    (void)argc, (void)argv;
-    fprintf(stderr, "manylight: view: this build has no viewer; render writes pictures\n");
-    return 1;
-}
-#define VIEW refuse_view
-#else
-#define VIEW app_view
-#endif
-
-static const struct subcommand {
-    const char *name, *help;
-    int (*run)(int argc, char **argv);
-} subcommands[] = {
-    {"average", "joins pictures of different passes", app_average},
-    {"bench", "measures times, errors and memory", app_bench},
-    {"compare", "measures the error between two pictures", app_compare},
-    {"export", "writes a scene for other renderers: a pack, Mitsuba 3, pbrt-v4", app_export},
-    {"info", "describes a scene, or the renderer of this machine", app_info},
-    {"render", "renders pictures without a window", app_render},
-    {"report", "writes a page on a scene: each technique's time, error and picture", app_report},
-    {"score", "scores a folder of pictures against references, and names their faults", app_score},
-    {"tune", "measures the cost of the choices of --max-error and --budget", app_tune},
-    {"view", "shows a scene in a window", VIEW},
-    {"reference", "path-traces a scene on the CPU", app_reference},
-    {NULL, NULL, NULL},
-};
 
 static void print_help(FILE *out) {
     fprintf(out, "usage: manylight SUBCOMMAND ...\n\n"
@@ -85,9 +56,9 @@ static int run(int argc, char **argv) {
         printf("manylight %s (%s)\n", MANYLIGHT_VERSION, MANYLIGHT_COMMIT);
         return 0;
     }
-    for (const struct subcommand *s = subcommands; s->name; s++)
-        if (strcmp(argv[1], s->name) == 0)
-            return s->run(argc - 1, argv + 1);
+    const struct subcommand *named = subcommand_find(argv[1]);
+    if (named)
+        return named->run(argc - 1, argv + 1);
     fprintf(stderr, "manylight: unknown subcommand '%s' (manylight --help lists them)\n", argv[1]);
     return 2;
 }

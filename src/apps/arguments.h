@@ -47,6 +47,12 @@ struct arguments {
 bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
                      const char **positional, int *positional_count, int *status);
 
+/* In place of each subcommand's run, until it is NULL again: gets the arguments, with the common options in the table,
+ * and defaults as values. */
+typedef void arguments_reader(void *user, const char *name, const struct arguments *arguments,
+                              const struct option *table, const void *values);
+void arguments_set_reader(arguments_reader *reader, void *user);
+
 /* --help, --help-all or -h. */
 bool arguments_is_help(const char *argument);
 

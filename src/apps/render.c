@@ -9,6 +9,7 @@
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "apps/stats.h"
+#include "apps/videos.h"
 
 #include "base/clock.h"
 #include "base/error.h"
@@ -33,7 +34,8 @@ struct values {
     struct context_desc context;
     struct technique_values technique;
     struct stage_desc stage;
-    struct text_list outputs;
+    struct text_list outputs; /* pictures */
+    struct videos videos;
     int size[2];
     int layer;
     const char *format, *background, *frames, *glsl, *aov;
@@ -48,7 +50,8 @@ struct values {
 
 static const struct option options[] = {
     {"output", 'o', OPTION_LIST, offsetof(struct values, outputs), .value_name = "FILE",
-     .help = "picture to write, in the format of its extension; repeatable"},
+     .help = "picture to write, in the format of its extension; or, with --frames, a video (.mp4,\n"
+             ".mov, .mkv, .webm) through ffmpeg; repeatable"},
     FORMAT_OPTION(struct values, format),
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 0, 1, 16384, .help = SIZE_HELP},
     {"quality", 0, OPTION_CHOICE, offsetof(struct values, quality), QUALITY_NORMAL,
@@ -165,13 +168,40 @@ static bool has_mean(const struct values *values) {
     return values->passes > 1 || values->first_pass > 0 || (values->passes_given && !values->aov);
 }
 
+static bool check_videos(const struct values *values) {
+    const struct text_list *paths = &values->videos.paths;
+    for (int i = 0; i < paths->count; i++) {
+        if (!values->frames)
+            return error_set("%s: a video needs --frames A..B", paths->items[i]);
+        if (frame_name_is_numbered(paths->items[i]))
+            return error_set("%s: '#' stands for the number of a frame, and a video has all frames",
+                             paths->items[i]);
+        if (values->skip_existing)
+            return error_set("%s: a video is made of all frames, and --skip-existing leaves some "
+                             "out",
+                             paths->items[i]);
+    }
+    return true;
+}
+
+/* Videos show the background as pictures of 8 bits do. */
+static bool check_background(const struct values *values, const struct background *background) {
+    bool has_video = values->videos.paths.count > 0;
+    if (has_video && background->kind == BACKGROUND_NONE)
+        return error_set("--background none: %s cannot be transparent",
+                         values->videos.paths.items[0]);
+    return (has_video && background->kind == BACKGROUND_COLOUR) ||
+           background_check(background, values->outputs.items, values->outputs.count);
+}
+
 static bool check_outputs(const struct values *values, int frame_count) {
     bool is_float, any_float = false;
     if (values->aov && has_mean(values))
         return error_set("aov: outputs of a technique are of one pass, and not of a mean");
-    if (values->outputs.count == 0)
+    if (values->outputs.count + values->videos.paths.count == 0)
         return error_set("no output: -o FILE");
-    if (!outputs_use_format(values->outputs.items, values->outputs.count, values->format))
+    if (!check_videos(values) ||
+        !outputs_use_format(values->outputs.items, values->outputs.count, values->format))
         return false;
     for (int i = 0; i < values->outputs.count; i++) {
         if (!check_name(values, values->outputs.items[i], frame_count, &is_float))
@@ -232,6 +262,19 @@ static bool write_output(const struct values *values, struct renderer *renderer,
     return ok;
 }
 
+/* The frame in each video. */
+static bool write_videos(struct values *values, struct renderer *renderer) {
+    struct bitmap bitmap;
+    if (values->videos.begun == 0)
+        return true;
+    renderer_compose(renderer, values->layer);
+    if (!renderer_read_display(renderer, &bitmap))
+        return false;
+    bool ok = videos_add(&values->videos, &bitmap);
+    bitmap_free(&bitmap);
+    return ok;
+}
+
 /* Says which files are there but must be rendered again. */
 static bool is_there(const struct values *values, struct renderer *renderer, const char *path) {
     (void)values;
@@ -273,6 +316,10 @@ static void add_passes(const struct values *values, struct renderer *renderer, s
     }
 }
 
+static bool write_outputs(struct values *values, struct renderer *renderer, int frame) {
+    return each_output(values, renderer, frame, write_output) && write_videos(values, renderer);
+}
+
 static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
                          struct work *work, int frame) {
     double time = (double)values->stage.time + frame / (double)values->fps;
@@ -280,12 +327,12 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
         return false;
     if (values->budget > 0)
         return in_time_render(&values->in_time, renderer, stage, time) &&
-               each_output(values, renderer, frame, write_output);
+               write_outputs(values, renderer, frame);
     if (has_mean(values))
         add_passes(values, renderer, work, frame);
     else
         renderer_render(renderer);
-    return each_output(values, renderer, frame, write_output);
+    return write_outputs(values, renderer, frame);
 }
 
 /* After the first picture. */
@@ -349,7 +396,10 @@ static bool render(struct values *values, const struct frames *frames,
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))
         return false;
-    bool ok = aov_check(&renderer, values->aov) && render_frames(values, frames, &renderer, stage);
+    bool ok = aov_check(&renderer, values->aov) &&
+              videos_begin(&values->videos, desc->width, desc->height, (double)values->fps) &&
+              render_frames(values, frames, &renderer, stage);
+    ok = videos_end(&values->videos, ok) && ok;
     if (ok && values->stats) {
         FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
         renderer_render(&renderer); /* the first frame also compiled */
@@ -411,7 +461,8 @@ static bool render_scene(struct values *values, const struct frames *frames,
     struct context *context;
     at_0.time = 0;
     double start = clock_ms();
-    if (!each_output(values, NULL, frames->numbers[0], check_file) || !stage_init(&stage, &at_0))
+    if (!each_output(values, NULL, frames->numbers[0], check_file) ||
+        !videos_check(&values->videos) || !stage_init(&stage, &at_0))
         return false;
     phase_add(PHASE_SCENE, start);
     desc->scene = &stage.scene;
@@ -454,6 +505,7 @@ static bool resolve(struct values *values, const struct frames *frames,
     struct quality_choice choice = quality_named((enum quality)values->quality);
     if (!check_choice(values))
         return false;
+    videos_take(&values->videos, &values->outputs);
     values->passes_given = values->passes > 0;
     if (values->passes == 0 && values->max_error == 0)
         values->passes = choice.passes;
@@ -462,7 +514,7 @@ static bool resolve(struct values *values, const struct frames *frames,
     values->in_time.texts = &named->settings;
     return check_outputs(values, frames->count) &&
            background_parse(&desc->background, values->background) &&
-           background_check(&desc->background, values->outputs.items, values->outputs.count) &&
+           check_background(values, &desc->background) &&
            technique_values_resolve(named, &desc->technique, &desc->direct, &desc->settings) &&
            quality_settings(&choice, desc->technique, named->settings.items, named->settings.count,
                             &desc->settings);

@@ -15,12 +15,10 @@
 #include <string.h>
 #include <unistd.h>
 
-static const struct bench_mode *const modes[] = {
+const struct bench_mode *const bench_modes[] = {
     &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves, &bench_passes,
-    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_chart,
+    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_chart,  NULL,
 };
-
-enum { MODES = sizeof modes / sizeof *modes };
 
 const char *const bench_variants[] = {"paper", "fast", NULL};
 static const char *const defaults_alone[] = {":", NULL};
@@ -205,16 +203,16 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
 static void print_help(FILE *out) {
     fprintf(out, "usage: manylight bench MODE [SCENE ...] [OPTION ...]\n\n"
                  "Measures times and errors of frames.\n\n");
-    for (int i = 0; i < MODES; i++)
-        fprintf(out, "  %-10s %.*s\n", modes[i]->name, (int)strcspn(modes[i]->help, "\n"),
-                modes[i]->help);
+    for (const struct bench_mode *const *mode = bench_modes; *mode; mode++)
+        fprintf(out, "  %-10s %.*s\n", (*mode)->name, (int)strcspn((*mode)->help, "\n"),
+                (*mode)->help);
     fprintf(out, "\nmanylight bench MODE --help lists a mode's options.\n");
 }
 
 int app_bench(int argc, char **argv) {
-    for (int i = 0; argc > 1 && i < MODES; i++)
-        if (strcmp(argv[1], modes[i]->name) == 0)
-            return run_mode(modes[i], argc - 1, argv + 1);
+    for (const struct bench_mode *const *mode = bench_modes; argc > 1 && *mode; mode++)
+        if (strcmp(argv[1], (*mode)->name) == 0)
+            return run_mode(*mode, argc - 1, argv + 1);
     if (argc > 1 && arguments_is_help(argv[1])) {
         print_help(stdout);
         return STATUS_OK;
