@@ -1,7 +1,10 @@
 #include "base/log.h"
 
+#include "base/events.h"
+
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 static enum log_level current_level = LOG_NORMAL;
 static _Thread_local bool is_silent;
@@ -34,9 +37,20 @@ void log_show_line(const char *line) {
     has_line = line;
 }
 
-static void print(const char *label, const char *format, va_list args) {
+static void send(const char *event, const char *format, va_list args) {
+    char message[4096];
+    vsnprintf(message, sizeof message, format, args);
+    event_tell(event, message);
+}
+
+static void print(const char *event, const char *format, va_list args) {
+    if (events_are_json()) {
+        send(event, format, args);
+        return;
+    }
     log_show_line(NULL);
-    fprintf(stderr, "manylight: %s", label);
+    bool is_detail = strcmp(event, "detail") == 0;
+    fprintf(stderr, "manylight: %s%s", is_detail ? "" : event, is_detail ? "" : ": ");
     vfprintf(stderr, format, args);
     fputc('\n', stderr);
 }
@@ -46,7 +60,7 @@ void log_detail(const char *format, ...) {
         return;
     va_list args;
     va_start(args, format);
-    print("", format, args);
+    print("detail", format, args);
     va_end(args);
 }
 
@@ -64,7 +78,7 @@ void log_note(const char *format, ...) {
         return;
     va_start(args, format);
     if (current_level >= LOG_NORMAL)
-        print("note: ", format, args);
+        print("note", format, args);
     va_end(args);
     va_start(args, format);
     tell(false, format, args);
@@ -76,7 +90,7 @@ void log_warning(const char *format, ...) {
     if (is_silent)
         return;
     va_start(args, format);
-    print("warning: ", format, args);
+    print("warning", format, args);
     va_end(args);
     va_start(args, format);
     tell(true, format, args);
