@@ -2,7 +2,9 @@
 #define _POSIX_C_SOURCE 200809L
 #include "apps/arguments.h"
 #include "apps/subcommands.h"
+#include "base/clock.h"
 #include "base/error.h"
+#include "base/events.h"
 #include "base/file/output_file.h"
 
 #include "version.h"
@@ -13,6 +15,8 @@
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
+
+static double start_ms;
 
 static void print_help(FILE *out) {
     fprintf(out, "usage: manylight SUBCOMMAND ...\n\n"
@@ -35,11 +39,26 @@ static void guard_streams(void) {
         setvbuf(stdout, page, _IOFBF, sizeof page);
 }
 
+/* The last event. */
+static void tell_end(void) {
+    struct event event;
+    event_begin(&event, "done");
+    event_add_number(&event, "done", 1);
+    event_add_number(&event, "seconds", (clock_ms() - start_ms) / 1e3);
+    event_send(&event);
+}
+
 /* Results that stdout did not take were not told. */
 static int close_stdout(int status) {
-    if (output_file_close_stdout() || status != 0)
+    bool ok = output_file_close_stdout();
+    if (ok && status == 0 && events_are_json())
+        tell_end();
+    if (ok || status != 0)
         return status;
-    fprintf(stderr, "manylight: %s\n", error_get());
+    if (events_are_json())
+        event_tell("error", error_get());
+    else
+        fprintf(stderr, "manylight: %s\n", error_get());
     return 1;
 }
 
@@ -64,6 +83,7 @@ static int run(int argc, char **argv) {
 }
 
 int main(int argc, char **argv) {
+    start_ms = clock_ms();
     guard_streams();
     return close_stdout(run(argc, argv));
 }

@@ -27,6 +27,7 @@ enum status { STATUS_OK, STATUS_FAILED, STATUS_USAGE };
 struct common_values {
     bool help, help_all, quiet, verbose;
     float max_memory; /* GiB; 0 = no limit of its own */
+    int progress;     /* an index of progress_names */
     bool strict;      /* this and root: of scene/read_rules.h */
     const char *root;
 };
@@ -36,7 +37,8 @@ struct arguments {
     const char *summary;          /* a line or more, without the last line feed */
     const struct option *options; /* its own rows, without the common ones */
     int min_positional, max_positional;
-    bool opens_scenes; /* has --strict and --root, too */
+    bool opens_scenes;   /* has --strict and --root, too */
+    bool shows_progress; /* has --progress, too */
     /* The end of --help and --help-all, which may depend on other options; NULL = nothing. */
     void (*print_more)(FILE *out, const void *values);
 };

@@ -121,6 +121,7 @@ static const struct arguments arguments = {
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,
+    .shows_progress = true,
     .min_positional = 1,
     .max_positional = 1,
 };
@@ -196,7 +197,7 @@ static bool trace_light(const struct values *values, const struct stage *stage,
                                            .user = &progress};
     if (values->light_paths == 0)
         return true;
-    progress_start(&progress);
+    progress_start(&progress, "light paths");
     bool ok = picture_trace_light(stage, &desc, image, &result);
     double seconds = progress_end(&progress);
     if (ok && !result.has_smooth)
@@ -223,7 +224,7 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
     desc.progress = show;
     desc.user = &progress;
-    progress_start(&progress);
+    progress_start(&progress, "paths");
     bool ok = picture_trace_paths(stage, &desc, image, &reached);
     double seconds = progress_end(&progress);
     if (ok && reached.samples == 1)
@@ -261,7 +262,7 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
     if (!context)
         return false;
     desc->stage = stage;
-    progress_start(&progress);
+    progress_start(&progress, "vpls");
     bool ok = picture_trace(desc, cut ? &cuts : NULL, compensation.rays ? &compensation : NULL,
                             &progress, image);
     double seconds = progress_end(&progress);
@@ -337,6 +338,8 @@ int app_reference(int argc, char **argv) {
         (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
                                             : trace_vpls(&values, &stage, &desc, &image)) &&
         image_write(&image, values.output);
+    if (ok)
+        progress_tell_file(&(struct progress){.task = "picture"}, values.output);
     image_free(&image);
     stage_free(&stage);
     return ok ? STATUS_OK : arguments_fail(argv[0]);

@@ -43,9 +43,10 @@ struct values {
     bool passes_given; /* by --passes, and not by a quality */
     float max_error, budget, fps;
     bool skip_existing, stats, shipped_costs;
-    struct costs costs;     /* of this machine, where something is chosen by them */
-    struct in_time in_time; /* where budget */
-    char *choice;           /* which quality was chosen, and why */
+    struct costs costs;        /* of this machine, where something is chosen by them */
+    struct in_time in_time;    /* where budget */
+    struct progress *progress; /* of the frames */
+    char *choice;              /* which quality was chosen, and why */
 };
 
 static const struct option options[] = {
@@ -142,6 +143,7 @@ static const struct arguments arguments = {
         "SCENE - is standard input; -o - is standard output, in the format of --format.",
     .options = options,
     .opens_scenes = true,
+    .shows_progress = true,
     .min_positional = 1,
     .max_positional = 1,
     .print_more = print_more,
@@ -259,6 +261,8 @@ static bool write_output(const struct values *values, struct renderer *renderer,
         ok = transparent ? bitmap_write_alpha(&bitmap, path) : bitmap_write(&bitmap, path);
         bitmap_free(&bitmap);
     }
+    if (ok)
+        progress_tell_file(values->progress, path);
     return ok;
 }
 
@@ -297,8 +301,8 @@ struct work {
 };
 
 /* Also of the frame at hand a share. */
-static void show_work(struct work *work, double share, const char *note) {
-    progress_show(&work->progress, (work->done + share) / (work->count - work->skipped), note);
+static double share_done(const struct work *work, double share) {
+    return (work->done + share) / (work->count - work->skipped);
 }
 
 /* Waits for each pass: a GPU would take hundreds at once, and they are not done then. */
@@ -312,7 +316,8 @@ static void add_passes(const struct values *values, struct renderer *renderer, s
             snprintf(note, sizeof note, "frame %d, ", frame);
         size_t used = strlen(note);
         snprintf(note + used, sizeof note - used, "pass %d of %d", i + 1, values->passes);
-        show_work(work, (i + 1.) / values->passes, note);
+        work->progress.pass = i + 1;
+        progress_show(&work->progress, share_done(work, (i + 1.) / values->passes), note);
     }
 }
 
@@ -347,7 +352,10 @@ static bool render_frames(struct values *values, const struct frames *frames,
                           struct renderer *renderer, struct stage *stage) {
     struct work work = {.count = frames->count};
     bool ok = true;
-    progress_start(&work.progress);
+    progress_start(&work.progress, "frames");
+    work.progress.frame_count = frames->count;
+    work.progress.pass_count = has_mean(values) ? values->passes : 0;
+    values->progress = &work.progress;
     for (int i = 0; ok && i < frames->count; i++) {
         int frame = frames->numbers[i];
         if (interrupt_came()) {
@@ -360,15 +368,19 @@ static bool render_frames(struct values *values, const struct frames *frames,
             work.skipped++;
             continue;
         }
+        work.progress.frame = frame;
+        work.progress.pass = 0;
         double start = clock_ms();
         ok = render_frame(values, renderer, stage, &work, frame) || error_prefix("frame %d", frame);
         if (work.done++ == 0)
             tell_start(start);
         char note[32];
         snprintf(note, sizeof note, "frame %d", frame);
-        show_work(&work, 0, note);
+        if (ok)
+            progress_show_step(&work.progress, share_done(&work, 0), note);
     }
     double seconds = progress_end(&work.progress);
+    values->progress = NULL;
     if (ok && frames->count > 1)
         log_note("%d frames in %.1f s, %d were there", work.done, seconds, work.skipped);
     return ok;
@@ -400,6 +412,8 @@ static bool render(struct values *values, const struct frames *frames,
               videos_begin(&values->videos, desc->width, desc->height, (double)values->fps) &&
               render_frames(values, frames, &renderer, stage);
     ok = videos_end(&values->videos, ok) && ok;
+    for (int i = 0; ok && i < values->videos.paths.count; i++)
+        progress_tell_file(&(struct progress){.task = "frames"}, values->videos.paths.items[i]);
     if (ok && values->stats) {
         FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
         renderer_render(&renderer); /* the first frame also compiled */

@@ -1,7 +1,10 @@
 #include "base/log.h"
 
+#include "base/events.h"
+
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 static enum log_level current_level = LOG_NORMAL;
 static _Thread_local bool is_silent;
@@ -43,15 +46,21 @@ void log_show_line(const char *line) {
     has_line = line;
 }
 
-static void pour(enum log_kind kind, const char *format, va_list args) {
-    char message[2048];
-    vsnprintf(message, sizeof message, format, args);
-    sink->tell(sink, kind, message);
-}
-
-static void print(const char *label, const char *format, va_list args) {
+/* To the thread's sink, or as an event, or as a line for people. */
+static void print(enum log_kind kind, const char *format, va_list args) {
+    static const char *const names[] = {"detail", "note", "warning"};
+    if (sink || events_are_json()) {
+        char message[4096];
+        vsnprintf(message, sizeof message, format, args);
+        if (sink)
+            sink->tell(sink, kind, message);
+        else
+            event_tell(names[kind], message);
+        return;
+    }
     log_show_line(NULL);
-    fprintf(stderr, "manylight: %s", label);
+    fprintf(stderr, "manylight: %s%s", kind == LOG_IS_DETAIL ? "" : names[kind],
+            kind == LOG_IS_DETAIL ? "" : ": ");
     vfprintf(stderr, format, args);
     fputc('\n', stderr);
 }
@@ -61,10 +70,7 @@ void log_detail(const char *format, ...) {
     if (is_silent || (!sink && current_level < LOG_VERBOSE))
         return;
     va_start(args, format);
-    if (sink)
-        pour(LOG_IS_DETAIL, format, args);
-    else
-        print("", format, args);
+    print(LOG_IS_DETAIL, format, args);
     va_end(args);
 }
 
@@ -81,10 +87,8 @@ void log_note(const char *format, ...) {
     if (is_silent)
         return;
     va_start(args, format);
-    if (sink)
-        pour(LOG_IS_NOTE, format, args);
-    else if (current_level >= LOG_NORMAL)
-        print("note: ", format, args);
+    if (sink || current_level >= LOG_NORMAL)
+        print(LOG_IS_NOTE, format, args);
     va_end(args);
     va_start(args, format);
     tell(false, format, args);
@@ -96,10 +100,7 @@ void log_warning(const char *format, ...) {
     if (is_silent)
         return;
     va_start(args, format);
-    if (sink)
-        pour(LOG_IS_WARNING, format, args);
-    else
-        print("warning: ", format, args);
+    print(LOG_IS_WARNING, format, args);
     va_end(args);
     va_start(args, format);
     tell(true, format, args);

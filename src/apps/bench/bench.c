@@ -186,6 +186,7 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
                                 .options = table,
                                 .max_positional = argc,
                                 .opens_scenes = mode->measure != NULL,
+                                .shows_progress = mode->measure != NULL,
                                 .print_more = has_option(mode, "variant") ? print_variants : NULL},
             &bench.values, argc, argv, bench.arguments, &bench.argument_count, &status)) {
         if (!check(&bench, mode))
