@@ -65,6 +65,7 @@ bool bench_time(struct bench *bench, const struct measure_list *subjects,
                 enum reference_kind kind) {
     return timing_measure(&bench->results, subjects,
                           &(struct timing_desc){bench->values.warm_up, bench->values.frames,
+                                                bench->values.whole_frames,
                                                 bench_reference(bench, kind)});
 }
 
@@ -88,6 +89,8 @@ static const struct option options[] = {
     {"warm-up", 0, OPTION_INT, VALUE(warm_up), 0, 0, 100000,
      .help = "number of frames before the measured\n"
              "ones; 0: 1 on software OpenGL, else 10"},
+    {"whole-frames", 0, OPTION_FLAG, VALUE(whole_frames),
+     .help = "time whole frames alone, not their passes: half the frames"},
     {"passes", 0, OPTION_INT, VALUE(passes), 256, 1, 65536,
      .help = "largest number of passes; also measures each power of two below"},
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = reference_names,

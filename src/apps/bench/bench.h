@@ -17,7 +17,7 @@ struct bench_values {
     const char *csv, *cache, *output, *reference_file;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer, tables, estimates, restart;
+    bool tracer, tables, estimates, restart, whole_frames;
     struct stage_desc stage; /* without a path */
 };
 

@@ -116,7 +116,7 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
 }
 
 static bool finish(struct bench *bench) {
-    for (int i = 0; i < bench->results.subject_count; i++)
+    for (int i = 0; i < bench->results.subject_count && !bench->values.whole_frames; i++)
         print_times(&bench->results, i);
     return true;
 }
@@ -125,7 +125,7 @@ const struct bench_mode bench_times = {
     .name = "times",
     .help = "time of each pass of a frame, as in the paper's Tables 1 and 2\n"
             "Without SCENE: the paper's four scenes, from scenes/ here or the installed ones.",
-    .options = "size variant set frames warm-up light environment" BENCH_CONTEXT,
+    .options = "size variant set frames warm-up whole-frames light environment" BENCH_CONTEXT,
     .variants = bench_variants,
     .measure = measure,
     .finish = finish,
