@@ -110,6 +110,19 @@ static void test_times_of_whole_frames(void **state) {
     free(text);
 }
 
+/* The first frame is the picture of render, whatever comes after it. */
+static void test_picture_of_times(void **state) {
+    (void)state;
+    expect(0, "% render scenes/cornell-box.glb --size 24x16 --technique clustered --set path=high"
+              " -q -o @/rendered.exr");
+    expect(0, "% bench times scenes/cornell-box.glb --size 24x16 --variant high --frames 1"
+              " --warm-up 3 --whole-frames --picture @/timed.exr -q");
+    expect(0, "cmp @/rendered.exr @/timed.exr");
+    expect(1, "% bench times scenes/cornell-box.glb --picture @/none.exr -q");
+    expect_text("--picture is of one SCENE and one --variant");
+    expect(1, "test -e @/none.exr");
+}
+
 /* A frame by some of the lights alone takes no passes of the others. */
 static void test_times_by_light(void **state) {
     (void)state;
@@ -481,6 +494,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_times),
         cmocka_unit_test(test_times_of_whole_frames),
+        cmocka_unit_test(test_picture_of_times),
         cmocka_unit_test(test_times_by_light),
         cmocka_unit_test(test_sweep_and_cache),
         cmocka_unit_test(test_ambient_occlusion),

@@ -150,15 +150,6 @@ static void test_changed_inputs(void **state) {
     expect(0,
            FEW "--variant few:technique=unshadowed,vpls=32 --entry @/entry -o @/mixed --dry-run");
     expect_text("stale: 1\nfailed: 0\nok: 1");
-    /* A row without times needs no picture. */
-    expect(0, "rm @/mixed/times/*24x24.few*");
-    expect(0,
-           FEW "--variant few:technique=unshadowed,vpls=64 --entry @/entry -o @/mixed --dry-run");
-    expect_text("untimed: 1\nmissing: 0\nstale: 0\nfailed: 0\nok: 1");
-    expect(0, FEW "--variant few:technique=unshadowed,vpls=64 --entry @/entry -o @/mixed");
-    assert_int_equal(count_text(output, "24x24 few"), 0);
-    expect_text("cornell-box 24x24 times\n");
-    expect_count("mixed/times.json", "\"frames\": 1,", 2);
     expect(0, "@/draw scenes/cornell-box.glb 24x24 @/entry/cornell-box.24x24.exr");
     expect(0,
            FEW "--variant few:technique=unshadowed,vpls=64 --entry @/entry -o @/mixed --dry-run");

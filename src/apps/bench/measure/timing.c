@@ -4,6 +4,7 @@
 #include "apps/bench/measure/baseline.h"
 #include "apps/bench/measure/shares.h"
 #include "base/clock.h"
+#include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "gl/memory.h"
@@ -36,6 +37,7 @@ struct group {
     struct run runs[TIMING_GROUP];
     int count, frames, warm_up;
     bool whole_frames;
+    const char *picture;
 };
 
 static float *row_of(const struct run *run, int row) {
@@ -144,6 +146,13 @@ static bool add_errors(struct results *results, struct run *run,
     return ok;
 }
 
+static bool write_picture(struct renderer *renderer, const char *path) {
+    struct image frame = {0};
+    bool ok = renderer_read_layers(renderer, &frame) && image_write(&frame, path);
+    image_free(&frame);
+    return ok;
+}
+
 /* Adds what its rounds will take, by its last frame. */
 static bool join(struct group *group, const struct measure_desc *desc, double *ms) {
     struct run *run = &group->runs[group->count++];
@@ -155,6 +164,8 @@ static bool join(struct group *group, const struct measure_desc *desc, double *m
         start = clock_ms();
         renderer_render(&run->renderer);
         gl.Finish();
+        if (frame == 0 && group->picture && !write_picture(&run->renderer, group->picture))
+            return false;
     }
     *ms += (clock_ms() - start) * (!group->whole_frames + burst()) * group->frames;
     return true;
@@ -192,6 +203,7 @@ static int measure_group(struct results *results, int first, const struct measur
                    : gl.software   ? 1
                                    : 10,
         .whole_frames = timing->whole_frames,
+        .picture = timing->picture,
     };
     bool ok = gather(&group, descs, count);
     if (ok)
