@@ -9,6 +9,7 @@
 static void name_after(struct stage *stage, const char *path) {
     const char *slash = strrchr(path, '/');
     const char *file = slash ? slash + 1 : path;
+    file += strspn(file, ".");
     snprintf(stage->name, sizeof stage->name, "%.*s", (int)strcspn(file, "."), file);
 }
 

@@ -21,7 +21,7 @@ struct stage_desc {
 };
 
 struct stage {
-    char name[SCENE_NAME_SIZE]; /* the file's, without folder and extension */
+    char name[SCENE_NAME_SIZE]; /* the file's, without folder, leading dots and extension */
     struct scene scene;
     struct geometry geometry;
     struct camera camera;

@@ -173,6 +173,8 @@ static void test_refusals(void **state) {
     expect(2, RUN "--size 24 -o @/nothing");
     expect_text("--size 24: it is no WxH");
     expect(2, RUN "--part 2/2 -o @/nothing");
+    expect(2, RUN "--jobs 0 -o @/nothing");
+    expect_text("--jobs 0: it is no number from 1 on");
     expect(2, RUN "--renderer =x -o @/nothing");
     expect_text("it is no NAME=COMMAND");
     expect(2, RUN "--speed -o @/nothing");

@@ -63,6 +63,7 @@ bool bench_time(struct bench *bench, const struct measure_list *subjects,
                 enum reference_kind kind) {
     return timing_measure(&bench->results, subjects,
                           &(struct timing_desc){bench->values.warm_up, bench->values.frames,
+                                                bench->values.whole_frames, bench->values.picture,
                                                 bench_reference(bench, kind)});
 }
 
@@ -86,6 +87,11 @@ static const struct option options[] = {
     {"warm-up", 0, OPTION_INT, VALUE(warm_up), 0, 0, 100000,
      .help = "number of frames before the measured\n"
              "ones; 0: 1 on software OpenGL, else 10"},
+    {"whole-frames", 0, OPTION_FLAG, VALUE(whole_frames),
+     .help = "time whole frames alone, not their passes: half the frames"},
+    {"picture", 0, OPTION_TEXT, VALUE(picture), .value_name = "FILE.exr",
+     .help =
+         "write the first frame, the picture of manylight render; of one SCENE and one --variant"},
     {"passes", 0, OPTION_INT, VALUE(passes), 256, 1, 65536,
      .help = "largest number of passes; also measures each power of two below"},
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = reference_names,

@@ -14,10 +14,10 @@ struct bench_values {
     struct common_values common;
     struct context_desc context;
     struct text_list variants, settings, axes;
-    const char *csv, *cache, *output, *reference_file;
+    const char *csv, *cache, *output, *reference_file, *picture;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer, tables, estimates, restart;
+    bool tracer, tables, estimates, restart, whole_frames;
     struct stage_desc stage; /* without a path */
 };
 
