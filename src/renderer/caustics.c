@@ -46,7 +46,12 @@ bool renderer_init_caustics(struct renderer *renderer, bool medium) {
                                                        .chains = own.chains,
                                                        .surface = own.surface != CAUSTICS_OFF,
                                                        .points = own.surface == CAUSTICS_POINTS,
-                                                       .volume = own.volume,
+                                                       .volume =
+                                                           own.volume != VOLUME_CAUSTICS_OFF,
+                                                       .published =
+                                                           own.volume == VOLUME_CAUSTICS_PAPER,
+                                                       .step = own.step,
+                                                       .kernel = own.kernel,
                                                        .medium = medium,
                                                        .scene = desc->scene,
                                                        .geometry = desc->geometry,
