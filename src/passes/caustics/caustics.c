@@ -24,7 +24,9 @@ static bool init_programs(struct caustics_pass *pass) {
         .vertex = "caustics/splat.vert", .fragment = "caustics/patch.frag", .defines = "SPLATS"};
     bool ok = program_init(
         &pass->ray_program,
-        &(struct program_desc){.screen = {"caustics/light_rays.frag"}, .defines = medium});
+        &(struct program_desc){
+            .screen = {"caustics/light_rays.frag"},
+            .defines = light_defines(pass->desc.medium, pass->desc.scene->slide_count > 0)});
     if (ok && pass->desc.surface)
         ok = program_init(&pass->cell_program,
                           &(struct program_desc){.screen = {"caustics/ray_cells.frag"},
@@ -221,6 +223,8 @@ static void trace(const struct caustics_pass *pass, const struct frame *frame, i
                   int side) {
     struct pass_state state = state_of(pass, frame, "light rays", pass->ray_program);
     smooth_surfaces_add(&pass->surfaces, &state);
+    if (frame->scene->slides.id)
+        pass_add_texture(&state, UNIT_SLIDES, frame->scene->slides.id);
     pass_add_texture(&state, UNIT_BVH, pass->tree->texels);
     timer_begin(frame->timers, state.name);
     draw_rays(&state, pass, side, pass->ray_framebuffer);
