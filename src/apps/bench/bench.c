@@ -16,8 +16,8 @@
 #include <unistd.h>
 
 static const struct bench_mode *const modes[] = {
-    &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves, &bench_passes,
-    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_chart,
+    &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves,   &bench_passes,
+    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, &bench_chart,
 };
 
 enum { MODES = sizeof modes / sizeof *modes };
