@@ -34,7 +34,11 @@ struct caustics_params {
     vec2 size;   /* of the picture, pixels */
     int chains;  /* of each texel, one above another */
     BOOL points_only;
+    float line_weight; /* of published lines, 1/m */
+    float line_step;   /* of a pixel's ray, metres */
+    float line_reach;  /* of the Gaussian around a step, metres */
+    int unused;
 };
-PASS_BLOCK(caustics_params, 96)
+PASS_BLOCK(caustics_params, 112)
 
 #endif

@@ -7,6 +7,7 @@
 #include "scene/gltf/gltf.h"
 #include "scene/lights/emissive.h"
 #include "scene/lights/environment.h"
+#include "scene/lights/slide.h"
 #include "scene/mesh/primitive.h"
 #include "scene/node.h"
 
@@ -64,6 +65,9 @@ void scene_free(struct scene *scene) {
     for (int i = 0; i < scene->file_count; i++)
         free(scene->files[i]);
     free(scene->files);
+    for (int i = 0; i < scene->slide_count; i++)
+        slide_free(&scene->slides[i]);
+    free(scene->slides);
     environment_free(scene->environment);
     free(scene->path);
     free(scene->skins);

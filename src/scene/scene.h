@@ -119,6 +119,7 @@ struct scene_light {
     float range;        /* where its light ends, m; infinite: nowhere */
     float size[2];      /* as struct emitter has it */
     enum light_scaling scaling;
+    int slide;      /* of the scene's, one more than its number; 0 = none */
     int lamp;       /* of emissive surfaces that it is; 0 = none */
     bool stands_in; /* it is what they are like from afar, with others */
 };
@@ -186,12 +187,14 @@ struct scene {
     struct material *materials;
     struct scene_texture *textures;
     struct scene_light *lights;
+    struct slide *slides; /* scene/lights/slide.h */
     struct emissive_surface *surfaces;
     struct scene_camera *cameras;
     struct skin *skins;
     struct metaballs *metaballs;
     struct clip *clips;
     int node_count, mesh_count, material_count, texture_count, light_count, camera_count;
+    int slide_count;
     int surface_count;
     char **files; /* beside path: the buffers and pictures that it names */
     int skin_count, metaballs_count, clip_count, file_count;

@@ -441,8 +441,9 @@ static void test_vpl_raytraced(void **state) {
 
 static void test_help(void **state) {
     (void)state;
-    static const char *const modes[] = {"times",    "sweep",    "scaling", "budget", "curves",
-                                        "temporal", "failures", "direct",  "chart",  "quality"};
+    static const char *const modes[] = {"times",    "sweep",    "scaling",  "budget",
+                                        "curves",   "temporal", "failures", "direct",
+                                        "caustics", "chart",    "quality"};
     check_runs("--help");
     enum { MODES = sizeof modes / sizeof *modes };
     for (int i = 0; i < MODES; i++)

@@ -67,7 +67,8 @@ struct bench_mode {
 };
 
 extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_budget, bench_curves,
-    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_chart;
+    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics,
+    bench_chart;
 
 /* Ends with NULL. */
 extern const struct bench_mode *const bench_modes[];

@@ -14,6 +14,7 @@ extern "C" {
 #include "base/memory.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/file.h"
+#include "scene/lights/slide.h"
 #include "scene/material.h"
 #include "scene/mesh/primitive.h"
 #include "scene/read_rules.h"
@@ -163,6 +164,12 @@ bool load_texture(Loader &loader, int index, bool linear, int &out);
 
 /* The picture of a texture, or -1. */
 int texture_source(const tinygltf::Texture &texture);
+
+/* A picture that nothing can replace. Error: names the image. */
+bool load_image(Loader &loader, int image, struct bitmap &bitmap);
+
+/* slide.cpp: the picture that a light's extras name; room for one is there. */
+bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_light &light);
 
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);

@@ -127,6 +127,16 @@ static float arriving(const struct direct_lights *lights, const struct emitter *
     return factor > 0 && !is_hidden(lights, element, to_light, distance) ? factor : 0;
 }
 
+/* Intensity towards the element, but for the cone. */
+static vec3s intensity_to(const struct emitter *light, const struct element *element) {
+    vec3s intensity = {{light->intensity[0], light->intensity[1], light->intensity[2]}}, slide;
+    const vec3s at = {{light->position[0], light->position[1], light->position[2]}};
+    if (!light->slide)
+        return intensity;
+    emitter_slide(light, glms_vec3_normalize(glms_vec3_sub(element->position, at)).raw, slide.raw);
+    return glms_vec3_mul(intensity, slide);
+}
+
 static void light_some(void *context, size_t run) {
     const struct lighting *lighting = context;
     int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
@@ -141,8 +151,9 @@ static void light_some(void *context, size_t run) {
             const struct emitter *light = &lighting->lights->items[l];
             if (lighting->lights->lamps_by_links && light->lamp > 0)
                 continue;
-            float factor = arriving(lighting->lights, light, &lighting->elements->items[i]);
-            glm_vec3_muladds((float *)light->intensity, factor, sum.raw);
+            const struct element *element = &lighting->elements->items[i];
+            float factor = arriving(lighting->lights, light, element);
+            sum = glms_vec3_muladds(intensity_to(light, element), factor, sum);
         }
         glm_vec3_copy(sum.raw, lighting->light->direct[i]);
     }
