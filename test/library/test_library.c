@@ -231,7 +231,7 @@ static void *draw_alone(void *user) {
     const struct manylight_view view = {.size = sizeof view, .time = party->time};
     const struct manylight_renderer_desc desc = {.size = sizeof desc, .width = 48, .height = 40};
     struct manylight_renderer *renderer;
-    for (int i = 0; i < 3; i++) {
+    for (int i = 0; i < (is_long_run() ? 4 : 1); i++) {
         if (manylight_renderer_create(party->device, party->scene, &desc, &renderer))
             return NULL;
         if (!manylight_render(renderer, &view)) {
