@@ -1,4 +1,4 @@
-# manylight: make | demo | test | test-long | deps | install | uninstall | clean
+# manylight: make | lib | demo | test | test-long | deps | install | uninstall | clean
 #
 # mk/test.mk has the targets of tests, checks and the bundle; bench/Makefile those of the benchmark.
 #

@@ -145,7 +145,7 @@ static void test_refused_change(void **state) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
-    struct manylight_image *before, *after;
+    struct manylight_image *before, *after, *none;
     struct manylight_renderer_desc desc = {.size = sizeof desc, .settings = "vpls=never"};
     check_call("render", manylight_render(renderer, NULL));
     check_call("read", manylight_read(renderer, NULL, &before));
@@ -153,9 +153,11 @@ static void test_refused_change(void **state) {
     check_call("render", manylight_render(renderer, NULL));
     check_call("read", manylight_read(renderer, NULL, &after));
     assert_true(same_images(before, after));
-    check_failed(manylight_read(renderer, "velvet", &after), MANYLIGHT_BAD_ARGUMENT,
+    check_failed(manylight_read(renderer, "velvet", &none), MANYLIGHT_BAD_ARGUMENT,
                  "no layer 'velvet' to add");
+    assert_null(none);
     manylight_image_free(before);
+    manylight_image_free(after);
     manylight_renderer_free(renderer);
     manylight_scene_free(scene);
     manylight_device_free(device);
