@@ -1,9 +1,9 @@
-// k-means by one workgroup, all iterations in one dispatch: a step waits for the step before, and a launch costs more than
-// a step. First it seeds the VALs, where it is told to.
+// k-means by one workgroup, all iterations in one dispatch: a step waits for the step before, and a launch costs
+// more than a step. First it seeds the VALs, where it is told to.
 //
-// An iteration has two parts. Each invocation finds the nearest VAL of a VPL, for as many VPLs as there is room for; and
-// each invocation adds one row of one VAL's sums. Sums are added in the order of VPLs, so that they do not depend on
-// the chip. The second part divides [Dong 2009 §6].
+// An iteration has two parts. Each invocation finds the nearest VAL of a VPL, for as many VPLs as there is room
+// for; then each invocation adds one row of one VAL's sums. Sums are added in the order of VPLs, so that they do not
+// depend on the chip. The second part divides [Dong 2009 §6].
 #include "shared/cluster.h"
 
 layout(local_size_x = CLUSTER_GROUP) in;
@@ -99,8 +99,8 @@ void add_all() {
     }
 }
 
-// Sums become means. An empty cluster keeps its centre, or begins again from its seed [Prutkin 2012 §4]; a mean normal of
-// zero keeps the old one.
+// Sums become means. An empty cluster keeps its centre, or begins again from its seed [Prutkin 2012 §4]; a mean
+// normal of zero keeps the old one.
 void divide(int k) {
     vec4 position = imageLoad(val_sums, ivec2(k, 0)), normal = imageLoad(val_sums, ivec2(k, 1));
     float count = position.w, strength = length(normal.xyz);
