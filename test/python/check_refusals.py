@@ -71,7 +71,7 @@ def check_devices():
 
 
 def check_memory(device):
-    """A picture that no machine holds."""
+    """A picture that no machine holds: seconds go by until memory is short."""
     size = (16384, 16384)
     expected = words("render", BOX, "-o", os.path.join(FOLDER, "x.exr"), "--size", f"{size[0]}x{size[1]}")
     refuse(manylight.OutOfMemory, expected, lambda: device.render(BOX, size))
@@ -91,7 +91,8 @@ def main():
     with manylight.Device(allow_software=True) as device:
         check_scenes(device)
         check_settings(device)
-        check_memory(device)
+        if os.environ.get("MANYLIGHT_LONG"):
+            check_memory(device)
     check_devices()
     check_own()
 
