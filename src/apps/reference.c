@@ -1,5 +1,6 @@
 /* manylight reference: the path-traced reference; or what the GPU's VPLs would make of it if their
  * visibility were exact. */
+#include "apps/about.h"
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
@@ -336,8 +337,15 @@ int app_reference(int argc, char **argv) {
     choose_size(&values, &desc, &stage);
     bool ok =
         (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
-                                            : trace_vpls(&values, &stage, &desc, &image)) &&
-        image_write(&image, values.output);
+                                            : trace_vpls(&values, &stage, &desc, &image));
+    if (ok)
+        about_add(&image, &(struct about){.scene = values.stage.path,
+                                          .camera = values.stage.camera,
+                                          .technique = reference_techniques[values.technique],
+                                          .placed = &stage.camera,
+                                          .settings = &desc.settings,
+                                          .time = (double)values.stage.time});
+    ok = ok && image_write(&image, values.output);
     if (ok)
         progress_tell_file(&(struct progress){.task = "picture"}, values.output);
     image_free(&image);

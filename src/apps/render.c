@@ -1,5 +1,6 @@
 /* manylight render: pictures offscreen. */
 #define _POSIX_C_SOURCE 200809L
+#include "apps/about.h"
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
@@ -227,6 +228,10 @@ static bool each_output(const struct values *values, struct renderer *renderer, 
     return ok;
 }
 
+static double frame_time(const struct values *values, int frame) {
+    return (double)values->stage.time + frame / (double)values->fps;
+}
+
 static bool check_file(const struct values *values, struct renderer *renderer, const char *path) {
     (void)values, (void)renderer;
     return output_file_check(path, NULL, 0);
@@ -236,6 +241,13 @@ static bool read_image(const struct values *values, struct renderer *renderer,
                        struct image *image) {
     if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
         return false;
+    const struct about about = {.scene = values->stage.path,
+                                .camera = values->stage.camera,
+                                .technique = renderer->technique->name,
+                                .placed = &renderer->desc.camera,
+                                .settings = &renderer->desc.settings,
+                                .time = frame_time(values, values->progress->frame)};
+    about_add(image, &about);
     if (has_mean(values)) {
         image->passes =
             mem_printf("%d..%d", values->first_pass, values->first_pass + values->passes - 1);
@@ -327,7 +339,7 @@ static bool write_outputs(struct values *values, struct renderer *renderer, int 
 
 static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
                          struct work *work, int frame) {
-    double time = (double)values->stage.time + frame / (double)values->fps;
+    double time = frame_time(values, frame);
     if (!stage_pose(stage, time) || !stage_show(stage, renderer))
         return false;
     if (values->budget > 0)
