@@ -75,12 +75,12 @@ function print_scenes(device, size,    i, noise) {
                 told(least(scenes[i], size, device, "cpu", .1)) told(least(scenes[i], size, device, "cpu", .25)) " |"
     }
 }
-# Pictures without a layer of indirect light, as other renderers draw them.
+# Other renderers have no settings; most have no layer of indirect light.
 function print_others(device, size,    i, j, row, n) {
     for (i = 1; i <= scene_count; i++)
         for (j = 1; j <= method_count; j++) {
             row = row_of[scenes[i], size, methods[j], device]
-            if (!row || text[row, "status"] != "ok" || value[row, "indirect-relative-rmse"] != "")
+            if (!row || text[row, "status"] != "ok" || text[row, "settings"] != "")
                 continue
             if (!n++) {
                 print "\n| scene | other renderer | beauty, % | bias, % | FLIP | ms |"
@@ -90,12 +90,13 @@ function print_others(device, size,    i, j, row, n) {
                 shown(value[row, "relative-bias"], 2, 100) " | " shown(value[row, "hdr-flip"], 2) " | " whole(value[row, "ms"]) " |"
         }
 }
-function print_failures(    i, n) {
+function print_failures(    i, n, head) {
     for (i = 1; i <= rows; i++)
         if (text[i, "status"] != "ok") {
             if (!n++)
                 print "\n## Failed cases\n"
-            print "- " text[i, "scene"] " " text[i, "size"] " " text[i, "method"] ": `" text[i, "error"] "`"
+            head = "- " text[i, "scene"] " " text[i, "size"] " " text[i, "method"] ":"
+            print head (length(head text[i, "error"]) > 117 ? "\n  `" : " `") text[i, "error"] "`"
         }
 }
 END {
@@ -105,7 +106,8 @@ END {
     print "a frame. `make table` writes it. [Benchmarking](../docs/dev/benchmarking.md#the-table) tells how, and how to enter"
     print "another renderer.\n"
     print "- Errors: relative RMSE of indirect light and of the picture; FLIP; absolute bias of indirect light. Medians of scenes."
-    print "- The picture has direct light too: edges of spots' cones and shadows, not antialiased, lead its error in small pictures."
+    print "- The picture has direct light too. Edges of spots' cones and shadows, not antialiased, lead its error in small"
+    print "  pictures."
     print "- Times: medians of frames; of other renderers their own. On software OpenGL two scenes are measured at once, so that"
     print "  the clock tells little: compare CPU times."
     print "- Noise: standard error of the reference over its mean. It is part of each error: subtract it as squares."
