@@ -82,7 +82,8 @@ static void test_resume(void **state) {
     expect_text("cornell-box 24x24 copy\n4 rows, 2 failed");
     expect(0, "cmp @/one/results.json @/two/results.json");
     expect(1, RUN SIZES COPY MORE "-o @/two");
-    expect_text("cornell-box 24x24 none\ncornell-box 32x24 none\n4 rows");
+    assert_int_equal(count_text(output, " none\n"), 2); /* in either order */
+    expect_text("4 rows");
     /* Rows of another commit are measured again, unless only missing rows are wanted. */
     expect(0, "sed -i 's/\"commit\": \"[^\"]*\"/\"commit\": \"other\"/' @/two/cases/*32x24.copy*");
     expect(1, RUN SIZES COPY MORE "-o @/two --missing-only");
