@@ -142,8 +142,8 @@ END {
     print_head()
     print "<h1>Error against time</h1>"
     print "<p>Methods of indirect light against a path-traced reference with as many bounces. Relative RMSE of indirect light and of the picture (beauty), FLIP, bias of the mean; the noise of the reference is part of each error. Times are medians of frames.</p>"
-    printf "<p>Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d. Commit %s. <a href=\"results.json\">Results</a>, <a href=\"times.json\">times</a>, <a href=\"jeri.json\">list of pictures</a>.</p>\n",
-        scene_count, method_count, rows, failed, faulty, escaped(text[1, "commit"])
+    printf "<p>Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; %s. <a href=\"results.json\">Results</a>, <a href=\"times.json\">times</a>, <a href=\"jeri.json\">list of pictures</a>.</p>\n",
+        scene_count, method_count, rows, failed, faulty, escaped(commits_shown())
     print "<nav>"
     for (i = 1; i <= scene_count; i++)
         printf "<a href=\"#%s\">%s</a>\n", anchor(scenes[i]), escaped(scenes[i])
