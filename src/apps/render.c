@@ -22,6 +22,7 @@
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "quality/quality.h"
+#include "scene/caustics.h"
 #include "shared/composite.h"
 
 #include <stdlib.h>
@@ -414,6 +415,8 @@ static bool render_scene(struct values *values, const struct frames *frames,
     if (!each_output(values, NULL, frames->numbers[0], check_file) || !stage_init(&stage, &at_0))
         return false;
     phase_add(PHASE_SCENE, start);
+    if (!caustics_shown(&stage.scene, &desc->settings))
+        caustics_note_opaque(&stage.scene);
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
     desc->camera = stage.camera;
