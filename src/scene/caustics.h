@@ -9,10 +9,10 @@ enum caustics_surface { CAUSTICS_OFF, CAUSTICS_PATCHES, CAUSTICS_POINTS };
 enum caustics_volume { VOLUME_CAUSTICS_OFF, VOLUME_CAUSTICS_LINES, VOLUME_CAUSTICS_PAPER };
 
 struct caustics_settings {
-    int surface; /* enum caustics_surface */
-    int volume;  /* enum caustics_volume */
-    int size;    /* rays a side of a light's view */
-    int chains;  /* of each ray through glass */
+    int surface;  /* enum caustics_surface */
+    int volume;   /* enum caustics_volume */
+    int size;     /* rays a side of a light's view */
+    int chains;   /* of each ray through glass */
     float step;   /* as published: between steps of a pixel's ray, metres */
     float kernel; /* as published: the Gaussian's support over the step */
 };
