@@ -44,11 +44,11 @@ struct light {
     int shape;           /* LIGHT_SHAPE_... */
     float width, height; /* struct emitter's size */
     float extent;        /* area of the shape, m2; of a cap solid angle, sr */
-    int first_map;       /* of its own maps: one, or six of a point light (visibility/light_map.glsl) */
-    float map_unit;      /* what a depth of 1 means there, metres */
-    float range_inverse2; /* 1 / m2; 0 = its light ends nowhere */
-    int slide;            /* layer of the slides; -1 = none */
-    float slide_scale;    /* emitter_slide_scale */
+    int first_map;  /* of its own maps: one, or six of a point light (visibility/light_map.glsl) */
+    float map_unit; /* what a depth of 1 means there, metres */
+    float range_inverse2;            /* 1 / m2; 0 = its light ends nowhere */
+    int slide;                       /* layer of the slides; -1 = none */
+    float slide_scale;               /* emitter_slide_scale */
     float slide_width, slide_height; /* texels */
 };
 STD140_SIZE(light, 16 * LIGHT_ROWS)

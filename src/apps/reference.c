@@ -17,6 +17,7 @@
 #include "quality/picture.h"
 #include "reference/channels.h"
 #include "renderer/stage.h"
+#include "scene/caustics.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "shared/composite.h"
@@ -220,6 +221,8 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     struct progress progress;
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
+    if (!desc.smooth)
+        caustics_note_opaque(&stage->scene);
     if (ao_is_auto(values))
         desc.ao_distance = volume_ao_distance(settings, &stage->geometry);
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);

@@ -24,6 +24,7 @@
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "quality/quality.h"
+#include "scene/caustics.h"
 #include "shared/composite.h"
 
 #include <stdlib.h>
@@ -491,6 +492,8 @@ static bool render_scene(struct values *values, const struct frames *frames,
         !videos_check(&values->videos) || !stage_init(&stage, &at_0))
         return false;
     phase_add(PHASE_SCENE, start);
+    if (!caustics_shown(&stage.scene, &desc->settings))
+        caustics_note_opaque(&stage.scene);
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
     desc->camera = stage.camera;

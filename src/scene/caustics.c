@@ -1,5 +1,6 @@
 #include "scene/caustics.h"
 
+#include "base/log.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 
@@ -48,4 +49,14 @@ bool caustics_shown(const struct scene *scene, const struct settings *settings) 
                 SMOOTH_NONE)
                 return true;
     return false;
+}
+
+void caustics_note_opaque(const struct scene *scene) {
+    bool has_glass = false;
+    for (int i = 0; i < scene->material_count; i++)
+        has_glass |= scene->materials[i].transmission > 0;
+    if (has_glass)
+        log_note("%s: shown without: transmission (caustics.surface=patches and reference --smooth "
+                 "show it)",
+                 scene->path);
 }

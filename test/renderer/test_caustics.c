@@ -1,6 +1,8 @@
 /* Caustics: exact answers of mirrors and slabs, relations that hold of any picture, and what is hard or refused. */
 #include "smooth_stage.h"
 
+#include "command_support.h"
+
 #include <cglm/cglm.h>
 #include <math.h>
 #include <string.h>
@@ -449,6 +451,26 @@ static void test_open(void **state) {
     stage_free(&stage);
 }
 
+/* Glass that caustics do not show is told, and no other. */
+static void test_note(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/gem.glb", "scenes/cornell-box.glb"};
+    for (int i = 0; i < 2; i++) {
+        char command[512], output[4096];
+        for (int shown = 0; shown < 2; shown++) {
+            snprintf(command, sizeof command,
+                     "%s render %s --size 16x16 --technique unshadowed --set vpls=64,rsm-size=64%s"
+                     " -o %s 2>&1",
+                     binary_path(), scenes[i], shown ? ",caustics.surface=patches" : "",
+                     scratch("note.png"));
+            check_ok(command, run_command(command, output, sizeof output) == 0);
+            printf("    %s", output);
+            assert_int_equal(strstr(output, "shown without: transmission") != NULL,
+                             i == 0 && !shown);
+        }
+    }
+}
+
 static void test_refused(void **state) {
     (void)state;
     struct settings settings;
@@ -469,7 +491,7 @@ int main(void) {
         cmocka_unit_test(test_halves),      cmocka_unit_test(test_out_of_view),
         cmocka_unit_test(test_follow),      cmocka_unit_test(test_passes),
         cmocka_unit_test(test_hard),        cmocka_unit_test(test_open),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_refused),     cmocka_unit_test(test_note),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -70,8 +70,7 @@ static void place(struct emitter *emitter, const struct scene *scene,
                                 .range = isfinite(source->range) ? source->range : 0,
                                 .lamp = source->lamp,
                                 .stands_in = source->stands_in,
-                                .slide =
-                                    source->slide ? &scene->slides[source->slide - 1] : NULL};
+                                .slide = source->slide ? &scene->slides[source->slide - 1] : NULL};
     memcpy(emitter->intensity, source->intensity, sizeof emitter->intensity);
     memcpy(emitter->position, &world[12], sizeof emitter->position);
     set_size(emitter, source, world);
