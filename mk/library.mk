@@ -10,7 +10,9 @@ SHARED_FOLDER := $(BUILD)/lib
 SHARED_NAME := libmanylight.so.$(ABI)
 SHARED := $(SHARED_FOLDER)/libmanylight.so.$(VERSION)
 SHARED_MAP := src/library/manylight.map
-SHARED_OBJECTS := $(filter-out $(BUILD)/src/apps/% $(BUILD)/src/viewer/% $(BUILD)/chart_embedded.o,$(OBJECTS))
+# Videos start ffmpeg and ignore SIGPIPE, which is the process's.
+SHARED_OBJECTS := $(filter-out $(BUILD)/src/apps/% $(BUILD)/src/viewer/% $(BUILD)/chart_embedded.o \
+    $(BUILD)/src/base/file/video_file.o,$(OBJECTS))
 SHARED_LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs OpenImageIO 2>/dev/null)) \
     -lembree3 -ldraco -lmeshoptimizer -ldl -lpthread -lm
 

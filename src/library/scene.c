@@ -19,7 +19,7 @@
 
 struct manylight_scene {
     atomic_int users;
-    pthread_mutex_t mutex; /* of is_lent */
+    pthread_mutex_t mutex; /* of is_lent and the stage's triangles */
     struct stage stage;    /* at time 0 */
     bool is_lent;          /* its triangles are */
     char *light;           /* as it was opened; NULL: all */
@@ -154,21 +154,27 @@ void manylight_scene_free(struct manylight_scene *scene) {
     door_leave(&door, true, MANYLIGHT_OK);
 }
 
-static bool set_lent(struct manylight_scene *scene, bool lent) {
+/* The scene's stage, with its triangles unless another user has them. */
+static struct loan lend(struct manylight_scene *scene) {
     pthread_mutex_lock(&scene->mutex);
-    bool before = scene->is_lent;
-    scene->is_lent = lent;
+    struct loan loan = {.from = scene, .stage = scene->stage, .has_original = !scene->is_lent};
+    scene->is_lent = true;
     pthread_mutex_unlock(&scene->mutex);
-    return before;
+    return loan;
+}
+
+static void take_back(struct manylight_scene *scene, const struct geometry *geometry) {
+    pthread_mutex_lock(&scene->mutex);
+    scene->stage.geometry = *geometry;
+    scene->is_lent = false;
+    pthread_mutex_unlock(&scene->mutex);
 }
 
 bool loan_take(struct loan *loan, const struct manylight_scene *scene) {
-    struct manylight_scene *from = scene_hold(scene);
-    *loan =
-        (struct loan){.from = from, .stage = from->stage, .has_original = !set_lent(from, true)};
+    *loan = lend(scene_hold(scene));
     struct stage *stage = &loan->stage;
     stage->emitters = (struct emitters){0};
-    stage->light_text = from->light;
+    stage->light_text = loan->from->light;
     stage->camera_text = NULL;
     if (!loan->has_original)
         stage->geometry = (struct geometry){0};
@@ -185,8 +191,7 @@ void loan_return(struct loan *loan) {
         return;
     emitters_free(&loan->stage.emitters);
     if (loan->has_original) {
-        loan->from->stage.geometry = loan->stage.geometry;
-        set_lent(loan->from, false);
+        take_back(loan->from, &loan->stage.geometry);
     } else {
         geometry_free(&loan->stage.geometry);
     }
