@@ -1,6 +1,5 @@
 /* manylight reference: the path-traced reference; or what the GPU's VPLs would make of it if their
  * visibility were exact. */
-#include "apps/about.h"
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
@@ -16,6 +15,7 @@
 #include "metrics/quantile.h"
 #include "quality/picture.h"
 #include "reference/channels.h"
+#include "renderer/about.h"
 #include "renderer/stage.h"
 #include "scene/caustics.h"
 #include "scene/material.h"

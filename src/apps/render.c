@@ -1,6 +1,5 @@
 /* manylight render: pictures offscreen. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/about.h"
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
@@ -24,6 +23,7 @@
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "quality/quality.h"
+#include "renderer/about.h"
 #include "scene/caustics.h"
 #include "shared/composite.h"
 

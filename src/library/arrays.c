@@ -7,6 +7,7 @@
 #include "library/door.h"
 
 #include <cglm/cglm.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -89,6 +90,13 @@ static bool refuse(const char *noun, size_t i, const char *reason) {
     return door_blame(MANYLIGHT_BAD_SCENE);
 }
 
+static bool is_finite(const float *values, int count) {
+    for (int i = 0; i < count; i++)
+        if (!isfinite(values[i]))
+            return false;
+    return true;
+}
+
 static bool check_mesh(const struct manylight_mesh *mesh, size_t i) {
     const size_t most = (size_t)1 << 31;
     if (!mesh->positions)
@@ -159,6 +167,9 @@ static bool add_material(struct glb *glb, const struct manylight_scene_desc *des
     struct manylight_material material;
     if (!desc_take_element(&material, sizeof material, desc->materials, i, "manylight_material"))
         return false;
+    if (!is_finite(material.base_color, 4) || !is_finite(&material.metalness, 1) ||
+        !is_finite(&material.roughness, 1) || !is_finite(material.emission, 3))
+        return refuse("material", i, "a number is not finite");
     float roughness = material.roughness == 0                ? 1
                       : material.roughness == MANYLIGHT_ZERO ? 0
                                                              : material.roughness;
@@ -189,8 +200,8 @@ static void add_node(struct glb *glb, const float eye[3], const float right[3], 
     glb->node_count++;
 }
 
-/* An orthonormal frame of a direction and of what shall be up; 0: chosen. */
-static void make_frame(const float direction[3], const float wanted[3], vec3 right, vec3 up,
+/* An orthonormal frame of a direction and of what shall be up; 0: chosen. False: up is along the direction. */
+static bool make_frame(const float direction[3], const float wanted[3], vec3 right, vec3 up,
                        vec3 forward) {
     vec3 above;
     glm_vec3_normalize_to((float *)direction, forward);
@@ -199,6 +210,7 @@ static void make_frame(const float direction[3], const float wanted[3], vec3 rig
         above[fabsf(forward[1]) > .999F ? 2 : 1] = 1;
     glm_vec3_crossn(forward, above, right);
     glm_vec3_cross(right, forward, up);
+    return !is_zero(right, 3);
 }
 
 /* Extents as the extras and the extension of files have them. */
@@ -246,6 +258,13 @@ static void print_light(struct text *to, const struct manylight_light *light) {
     text_print(to, "}");
 }
 
+static bool light_is_finite(const struct manylight_light *light) {
+    return is_finite(light->position, 3) && is_finite(light->direction, 3) &&
+           is_finite(light->up, 3) && is_finite(light->intensity, 3) &&
+           is_finite(light->extent, 2) && is_finite(&light->inner_angle, 1) &&
+           is_finite(&light->outer_angle, 1);
+}
+
 static bool add_light(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
     struct manylight_light light;
     char carries[96];
@@ -254,10 +273,13 @@ static bool add_light(struct glb *glb, const struct manylight_scene_desc *desc, 
         return false;
     if ((unsigned)light.type > MANYLIGHT_AREA)
         return refuse("light", i, "its type is none of enum manylight_light_type");
+    if (!light_is_finite(&light))
+        return refuse("light", i, "a number is not finite");
     bool is_area = light.type == MANYLIGHT_AREA;
     if (is_zero(light.direction, 3))
         light.direction[1] = -1;
-    make_frame(light.direction, light.up, right, up, forward);
+    if (!make_frame(light.direction, light.up, right, up, forward))
+        return refuse("light", i, "up is along direction");
     print_light(is_area ? &glb->areas : &glb->lights, &light);
     snprintf(carries, sizeof carries, "\"extensions\":{\"%s\":{\"light\":%d}}",
              is_area ? "EXT_lights_area" : "KHR_lights_punctual",
@@ -266,19 +288,30 @@ static bool add_light(struct glb *glb, const struct manylight_scene_desc *desc, 
     return true;
 }
 
+static bool camera_is_good(const struct manylight_camera *camera) {
+    return is_finite(camera->eye, 3) && is_finite(camera->forward, 3) && is_finite(camera->up, 3) &&
+           is_finite(camera->right, 3) && is_finite(&camera->fov_y, 1) &&
+           is_finite(&camera->y_extent, 1) && is_finite(&camera->near_plane, 1) &&
+           is_finite(&camera->far_plane, 1) && camera->near_plane >= 0 && camera->far_plane >= 0;
+}
+
 static bool add_camera(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
     struct manylight_camera camera;
     char carries[32];
     vec3 right, up, forward;
     if (!desc_take_element(&camera, sizeof camera, desc->cameras, i, "manylight_camera"))
         return false;
+    if (!camera_is_good(&camera))
+        return refuse("camera", i, "a number is not finite, or a plane is behind the eye");
     if (is_zero(camera.forward, 3))
         camera.forward[2] = -1;
-    make_frame(camera.forward, camera.up, right, up, forward);
+    bool has_frame = make_frame(camera.forward, camera.up, right, up, forward);
     if (!is_zero(camera.right, 3)) {
         glm_vec3_copy(camera.right, right);
         glm_vec3_copy(camera.up, up);
         glm_vec3_copy(camera.forward, forward);
+    } else if (!has_frame) {
+        return refuse("camera", i, "up is along forward");
     }
     struct text *to = &glb->cameras;
     bool orthographic = camera.fov_y == 0 && camera.y_extent != 0;
@@ -358,9 +391,13 @@ static bool pack(struct glb *glb, struct file_bytes *bytes) {
 
 typedef bool add_one(struct glb *glb, const struct manylight_scene_desc *desc, size_t i);
 
-static bool add_all(struct glb *glb, const struct manylight_scene_desc *desc, size_t count,
-                    add_one *add) {
+static bool add_all(struct glb *glb, const struct manylight_scene_desc *desc, const void *array,
+                    size_t count, add_one *add) {
     bool ok = true;
+    if (count > 0 && !array) {
+        error_set("manylight_scene_desc: a list of %zu parts is NULL", count);
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    }
     for (size_t i = 0; ok && i < count; i++)
         ok = add(glb, desc, i);
     return ok;
@@ -385,10 +422,11 @@ bool arrays_to_glb(const struct manylight_scene_desc *desc, struct file_bytes *b
                             &glb.areas,     &glb.cameras,   &glb.bytes};
     if (desc->material_count == 0) /* that of files without any is a metal */
         text_print(&glb.materials, "{\"pbrMetallicRoughness\":{\"metallicFactor\":0}}");
-    bool ok = check_memory(desc) && add_all(&glb, desc, desc->material_count, add_material) &&
-              add_all(&glb, desc, desc->mesh_count, add_mesh) &&
-              add_all(&glb, desc, desc->light_count, add_light) &&
-              add_all(&glb, desc, desc->camera_count, add_camera) && pack(&glb, bytes);
+    bool ok = check_memory(desc) && 
+              add_all(&glb, desc, desc->materials, desc->material_count, add_material) &&
+              add_all(&glb, desc, desc->meshes, desc->mesh_count, add_mesh) &&
+              add_all(&glb, desc, desc->lights, desc->light_count, add_light) &&
+              add_all(&glb, desc, desc->cameras, desc->camera_count, add_camera) && pack(&glb, bytes);
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         free(lists[i]->data);
     return ok;

@@ -149,11 +149,24 @@ static bool refuse_layer(const struct image *image, const char *layer) {
     return door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
+/* R before G, X before Y, A last; other letters before them. */
+static long rank_of(const char *name) {
+    static const char order[] = "XYZRGBA";
+    const char *found = strchr(order, name[strlen(name) - 1]);
+    return found ? found - order : -1;
+}
+
 static int find_layer(const struct image *image, const char *layer, int found[LAYER_CHANNELS_MAX]) {
     int count = 0;
-    for (int i = 0; i < image->channel_count && count < LAYER_CHANNELS_MAX; i++)
-        if (is_of_layer(image->names[i], layer))
-            found[count++] = i;
+    for (int i = 0; i < image->channel_count && count < LAYER_CHANNELS_MAX; i++) {
+        int at = count;
+        if (!is_of_layer(image->names[i], layer))
+            continue;
+        for (; at > 0 && rank_of(image->names[found[at - 1]]) > rank_of(image->names[i]); at--)
+            found[at] = found[at - 1];
+        found[at] = i;
+        count++;
+    }
     return count;
 }
 

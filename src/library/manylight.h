@@ -302,7 +302,7 @@ struct manylight_view {
 };
 
 /* Draws a frame, or the mean of its passes. view may be NULL. The same view gives the same bits, whatever came before.
- * After a failure but MANYLIGHT_CANCELLED there is no frame. */
+ * After a failure there is no frame. */
 MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *renderer,
                                                      const struct manylight_view *view);
 
@@ -366,7 +366,7 @@ MANYLIGHT_API enum manylight_status manylight_image_create(int width, int height
 MANYLIGHT_API enum manylight_status manylight_image_read(const char *path,
                                                          struct manylight_image **image);
 
-/* Writes all layers (EXR), or R G B (PFM, HDR). */
+/* Writes all layers (EXR), or R G B (PFM, HDR). An EXR of a renderer or a reference has the attributes of the program. */
 MANYLIGHT_API enum manylight_status manylight_image_write(const struct manylight_image *image,
                                                           const char *path);
 MANYLIGHT_API void manylight_image_free(struct manylight_image *image);

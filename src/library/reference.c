@@ -5,6 +5,7 @@
 #include "library/image.h"
 #include "library/scene.h"
 #include "quality/picture.h"
+#include "renderer/about.h"
 #include "renderer/settings.h"
 #include "scene/material.h"
 #include "scene/medium.h"
@@ -132,6 +133,18 @@ static bool trace(struct tracing *tracing, struct loan *loan, struct image *imag
     return desc->light_paths == 0 || picture_trace_light(&loan->stage, &light, image, &result);
 }
 
+/* As apps/reference.c tells them. */
+static void tell_facts(const struct tracing *tracing, const struct loan *loan,
+                       struct image *image) {
+    const struct manylight_view *view = &tracing->view;
+    about_add(image, &(struct about){.scene = loan->stage.scene.path,
+                                     .camera = view->placed ? "placed" : view->camera,
+                                     .technique = "path",
+                                     .placed = &loan->stage.camera,
+                                     .settings = &tracing->settings,
+                                     .time = view->time});
+}
+
 static bool reference(const struct manylight_scene *scene,
                       const struct manylight_reference_desc *given, struct manylight_image **out) {
     struct tracing tracing = {.cancelled = false};
@@ -142,10 +155,12 @@ static bool reference(const struct manylight_scene *scene,
         !check(&tracing) || !assign(&tracing) || !loan_take(&loan, scene))
         return false;
     bool ok = trace(&tracing, &loan, &image);
-    if (ok)
+    if (ok) {
+        tell_facts(&tracing, &loan, &image);
         *out = image_wrap(&image);
-    else
+    } else {
         image_free(&image);
+    }
     if (!ok && tracing.cancelled)
         door_blame(MANYLIGHT_CANCELLED);
     loan_return(&loan);

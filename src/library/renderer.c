@@ -10,6 +10,7 @@
 #include "library/image.h"
 #include "library/scene.h"
 #include "quality/quality.h"
+#include "renderer/about.h"
 #include "shared/composite.h"
 
 #include <stdio.h>
@@ -27,6 +28,8 @@ struct manylight_renderer {
     struct loan loan;
     struct renderer renderer;
     struct drawing drawing;
+    char *camera; /* of the frame, as text; NULL: the first */
+    double time;
     bool exists;    /* the renderer; false after a failure that it does not outlive */
     bool has_frame; /* that can be read */
 };
@@ -101,7 +104,7 @@ struct call {
     struct manylight_renderer *of;
     const struct renderer_desc *desc;
     const struct manylight_renderer_desc *given;
-    const struct manylight_view *view;
+    const struct manylight_view *given_view, *view;
     const char *text;
     char *room;
     size_t room_size;
@@ -157,11 +160,16 @@ void manylight_renderer_free(struct manylight_renderer *renderer) {
     if (!renderer)
         return;
     door_enter(&door);
-    device_do(renderer->device, free_renderer, &(struct call){.of = renderer});
-    loan_return(&renderer->loan);
-    device_release(renderer->device);
-    free(renderer);
-    door_leave(&door, true, MANYLIGHT_OK);
+    bool ok = device_do(renderer->device, free_renderer, &(struct call){.of = renderer});
+    /* A callback of the renderer at work must not pull it away. */
+    bool at_work = !ok && door_blamed() == MANYLIGHT_BAD_ARGUMENT;
+    if (!at_work) {
+        loan_return(&renderer->loan);
+        device_release(renderer->device);
+        free(renderer->camera);
+        free(renderer);
+    }
+    door_leave(&door, !at_work, MANYLIGHT_BAD_ARGUMENT);
 }
 
 static bool check_exists(const struct manylight_renderer *renderer) {
@@ -196,10 +204,17 @@ enum manylight_status manylight_renderer_change(struct manylight_renderer *rende
     return door_leave(&door, ok, MANYLIGHT_FAILED);
 }
 
+static bool refuse_null(const char *name) {
+    error_set("%s is NULL", name);
+    return door_blame(MANYLIGHT_BAD_ARGUMENT);
+}
+
 static bool read_setting(void *user) {
     struct call *call = user;
     struct setting setting;
     const struct settings *settings = &call->of->renderer.desc.settings;
+    if (!call->text)
+        return refuse_null("name");
     if (!check_exists(call->of) || !settings_find(settings, call->text, &setting))
         return false;
     setting_format(&setting, settings, call->room, call->room_size);
@@ -235,10 +250,8 @@ static bool add_passes(struct call *call) {
 }
 
 /* After a pose that fails its triangles must not be drawn; after an update that fails, the renderer neither. */
-static bool draw(void *user) {
-    struct call *call = user;
+static bool draw(struct call *call) {
     struct manylight_renderer *renderer = call->of;
-    renderer->has_frame = false;
     if (!check_exists(renderer) || !loan_pose(&renderer->loan, call->view))
         return false;
     if (!stage_show(&renderer->loan.stage, &renderer->renderer)) {
@@ -251,26 +264,48 @@ static bool draw(void *user) {
     } else {
         renderer_render(&renderer->renderer);
     }
-    return renderer->has_frame = true;
+    return true;
 }
 
-static bool render(struct manylight_renderer *renderer, const struct manylight_view *given) {
+/* What files tell of the frame. The camera's text is the caller's. */
+static void keep_facts(struct manylight_renderer *renderer, const struct manylight_view *view) {
+    const char *camera = view->placed ? "placed" : view->camera;
+    free(renderer->camera);
+    renderer->camera = camera ? mem_strdup(camera) : NULL;
+    renderer->time = view->time;
+}
+
+static bool render(void *user) {
+    struct call *call = user;
     struct manylight_view view;
-    return desc_take(&view, sizeof view, given, "manylight_view") &&
-           device_do(renderer->device, draw, &(struct call){.of = renderer, .view = &view});
+    call->of->has_frame = false;
+    if (!desc_take(&view, sizeof view, call->given_view, "manylight_view"))
+        return false;
+    call->view = &view;
+    if (!draw(call))
+        return false;
+    keep_facts(call->of, &view);
+    return call->of->has_frame = true;
 }
 
 enum manylight_status manylight_render(struct manylight_renderer *renderer,
                                        const struct manylight_view *view) {
     struct door door;
     door_enter(&door);
-    return door_leave(&door, render(renderer, view), MANYLIGHT_FAILED);
+    struct call call = {.of = renderer, .given_view = view};
+    return door_leave(&door, device_do(renderer->device, render, &call), MANYLIGHT_FAILED);
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */
 
-static void tell_passes(const struct manylight_renderer *renderer, struct image *image) {
+static void tell_facts(const struct manylight_renderer *renderer, struct image *image) {
     const struct drawing *drawing = &renderer->drawing;
+    about_add(image, &(struct about){.scene = renderer->loan.stage.scene.path,
+                                     .camera = renderer->camera,
+                                     .technique = renderer->renderer.technique->name,
+                                     .placed = &renderer->renderer.desc.camera,
+                                     .settings = &renderer->renderer.desc.settings,
+                                     .time = renderer->time});
     if (!drawing->is_mean)
         return;
     image->passes =
@@ -295,7 +330,7 @@ static bool read_layers(void *user) {
         image_free(&call->image);
         return false;
     }
-    tell_passes(call->of, &call->image);
+    tell_facts(call->of, &call->image);
     return true;
 }
 
@@ -382,6 +417,8 @@ enum manylight_status manylight_display_texture(struct manylight_renderer *rende
 
 static bool read_time(void *user) {
     struct call *call = user;
+    if (!call->text)
+        return refuse_null("path");
     if (!check_frame(call->of))
         return false;
     timers_flush(&call->of->renderer.timers);

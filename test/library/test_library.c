@@ -378,6 +378,7 @@ static int step(void *user, double done, const char *note) {
     struct steps *steps = user;
     steps->count++;
     steps->nested = manylight_render(steps->renderer, NULL);
+    manylight_renderer_free(steps->renderer); /* refused, too */
     assert_true(done > steps->done && *note);
     steps->done = done;
     return steps->count == steps->last;
@@ -474,6 +475,14 @@ static void test_compare(void **state) {
     desc.metric = "rmse-of-nothing";
     check_failed(manylight_compare(test, reference, &desc, &value, NULL), MANYLIGHT_BAD_ARGUMENT,
                  "no metric is called 'rmse-of-nothing'");
+    /* A layer's channels come in the order of their letters. */
+    float floats[4];
+    check_call("names", manylight_image_create(1, 1, "B G x.Z x.Y A R", a, &none));
+    check_call("beauty", manylight_image_layer(none, NULL, floats, 4, NULL));
+    assert_memory_equal(floats, ((const float[]){6, 2, 1, 5}), sizeof floats);
+    check_call("x", manylight_image_layer(none, "x", floats, 2, NULL));
+    assert_memory_equal(floats, ((const float[]){4, 3}), 2 * sizeof *floats);
+    manylight_image_free(none);
     check_failed(manylight_image_create(0, 1, "R", a, &none), MANYLIGHT_BAD_ARGUMENT,
                  "image: a side");
     manylight_image_free(test);

@@ -77,6 +77,43 @@ static void test_broken_arrays(void **state) {
                  "manylight_mesh: its size is 0");
 }
 
+/* A part of each kind that no file could hold. */
+static void test_broken_parts(void **state) {
+    (void)state;
+    struct manylight_scene *scene;
+    const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
+    const struct manylight_mesh mesh = {
+        .size = sizeof mesh, .positions = positions, .vertex_count = 3};
+    struct manylight_material material = {.size = sizeof material, .emission = {0, INFINITY}};
+    struct manylight_light light = {.size = sizeof light, .intensity = {NAN}};
+    struct manylight_camera camera = {
+        .size = sizeof camera, .forward = {0, 1, 0}, .up = {0, 2, 0}};
+    struct manylight_scene_desc desc = {
+        .size = sizeof desc, .meshes = &mesh, .mesh_count = 1, .light_count = 2};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_ARGUMENT,
+                 "a list of 2 parts is NULL");
+    desc.light_count = 0;
+    desc.materials = &material;
+    desc.material_count = 1;
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "material 0: a number is not finite");
+    material.emission[1] = 0;
+    desc.lights = &light;
+    desc.light_count = 1;
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "light 0: a number is not finite");
+    light = (struct manylight_light){.size = sizeof light, .up = {0, 1, 0}};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "light 0: up is along direction");
+    desc.light_count = 0;
+    desc.cameras = &camera;
+    desc.camera_count = 1;
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "camera 0: up is along forward");
+    camera = (struct manylight_camera){.size = sizeof camera, .near_plane = -1};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "camera 0: a number");
+}
+
 static void test_scene_descriptors(void **state) {
     (void)state;
     struct manylight_scene *scene;
@@ -170,6 +207,8 @@ static void test_views(void **state) {
     struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
     struct manylight_view view = {.size = sizeof view, .camera = "9"};
     struct manylight_camera camera = {.size = sizeof camera, .eye = {NAN}};
+    struct manylight_image *image;
+    char text[16];
     check_words(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
                 "% render " BOX " -o @/x.exr --camera 9");
     view = (struct manylight_view){.size = sizeof view, .light = "sun"};
@@ -184,6 +223,11 @@ static void test_views(void **state) {
     check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
                  "camera: up is along forward");
     check_call("render", manylight_render(renderer, NULL));
+    view = (struct manylight_view){.size = 0};
+    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT, "its size is 0");
+    check_failed(manylight_read(renderer, NULL, &image), MANYLIGHT_BAD_ARGUMENT, "no frame");
+    check_failed(manylight_renderer_setting(renderer, NULL, text, sizeof text),
+                 MANYLIGHT_BAD_ARGUMENT, "name is NULL");
     manylight_renderer_free(renderer);
     manylight_scene_free(scene);
     manylight_device_free(device);
@@ -276,6 +320,7 @@ static void test_reference(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_broken_scenes),     cmocka_unit_test(test_broken_arrays),
+        cmocka_unit_test(test_broken_parts),
         cmocka_unit_test(test_scene_descriptors), cmocka_unit_test(test_settings),
         cmocka_unit_test(test_refused_change),    cmocka_unit_test(test_views),
         cmocka_unit_test(test_devices),           cmocka_unit_test(test_software_not_allowed),

@@ -1,6 +1,6 @@
 #include "library_support.h"
 
-#include "base/file/image_file.h"
+#include "base/file/file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -73,6 +73,16 @@ bool same_images(const struct manylight_image *a, const struct manylight_image *
            memcmp(manylight_image_pixels(a), manylight_image_pixels(b), count * sizeof(float)) == 0;
 }
 
+static bool same_files(const char *a, const char *b) {
+    struct file_bytes of_a, of_b;
+    check_ok(a, file_read(&of_a, a));
+    check_ok(b, file_read(&of_b, b));
+    bool same = of_a.size == of_b.size && memcmp(of_a.data, of_b.data, of_a.size) == 0;
+    free(of_a.data);
+    free(of_b.data);
+    return same;
+}
+
 void check_same_as_file(struct manylight_image *image, const char *path) {
     struct manylight_image *own, *theirs;
     check_call("write", manylight_image_write(image, scratch("own.exr")));
@@ -81,6 +91,8 @@ void check_same_as_file(struct manylight_image *image, const char *path) {
     printf("    %d channels of %dx%d\n", manylight_image_channel_count(own),
            manylight_image_width(own), manylight_image_height(own));
     assert_true(same_images(own, theirs));
+    /* The attributes of the header, too. */
+    assert_true(same_files(scratch("own.exr"), path));
     manylight_image_free(own);
     manylight_image_free(theirs);
 }

@@ -1,4 +1,4 @@
-#include "apps/about.h"
+#include "renderer/about.h"
 
 #include "base/text.h"
 #include "renderer/settings.h"

@@ -1,8 +1,8 @@
 /* What an EXR file tells of its making, as attributes that other programs read: software, comments, chromaticities,
  * worldToCamera and worldToNDC have the names and meanings of OpenEXR's standard attributes. Others begin with
  * "manylight:". Nothing depends on the day or the machine, so that the same picture is the same file. */
-#ifndef APPS_ABOUT_H
-#define APPS_ABOUT_H
+#ifndef RENDERER_ABOUT_H
+#define RENDERER_ABOUT_H
 
 #include "base/image.h"
 #include "base/settings.h"
