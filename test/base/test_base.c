@@ -490,6 +490,35 @@ static void test_json(void **state) {
     free(text);
 }
 
+/* Characters of one to four bytes stay; bytes that are none are replaced: the sharpest cases of RFC 3629. */
+static void test_json_utf8(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *json;
+    } rows[] = {
+        {"\x7f\xc3\xa4\xe2\x82\xac\xf0\x9f\x92\xa1",
+         "\"\x7f\xc3\xa4\xe2\x82\xac\xf0\x9f\x92\xa1\""},
+        {"a\xff"
+         "b",
+         "\"a\\ufffdb\""},
+        {"\xc3", "\"\\ufffd\""},
+        {"\xe2\x82", "\"\\ufffd\\ufffd\""},
+        {"\xc0\x80", "\"\\ufffd\\ufffd\""},
+        {"\xc3\"", "\"\\ufffd\\\"\""},
+        {"\xed\xa0\x80", "\"\\ufffd\\ufffd\\ufffd\""},
+        {"\xf4\x90\x80\x80", "\"\\ufffd\\ufffd\\ufffd\\ufffd\""},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *text = NULL;
+        size_t size;
+        FILE *out = open_memstream(&text, &size);
+        json_print_text(out, rows[i].text);
+        fclose(out);
+        assert_string_equal(text, rows[i].json);
+        free(text);
+    }
+}
+
 /* A variable, else the home, else neither; and the folders on the way to a file, one of which is a file. */
 static void test_folders(void **state) {
     (void)state;
@@ -568,6 +597,7 @@ int main(void) {
         cmocka_unit_test(test_sha256),
         cmocka_unit_test(test_line_is_cleared),
         cmocka_unit_test(test_json),
+        cmocka_unit_test(test_json_utf8),
         cmocka_unit_test(test_folders),
         cmocka_unit_test(test_error_prefix),
         cmocka_unit_test(test_halton),
