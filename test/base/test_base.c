@@ -9,7 +9,6 @@
 #include "base/file/image_file.h"
 #include "base/halton.h"
 #include "base/image.h"
-#include "base/json.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/names.h"
@@ -477,48 +476,6 @@ static void test_progress(void **state) {
     free(text);
 }
 
-static void test_json(void **state) {
-    (void)state;
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    json_print_text(out, "a\"b\\c\nd");
-    json_print_number(out, .1);
-    json_print_number(out, INFINITY);
-    fclose(out);
-    assert_string_equal(text, "\"a\\\"b\\\\c\\u000ad\"0.1null");
-    free(text);
-}
-
-/* Characters of one to four bytes stay; bytes that are none are replaced: the sharpest cases of RFC 3629. */
-static void test_json_utf8(void **state) {
-    (void)state;
-    static const struct {
-        const char *text, *json;
-    } rows[] = {
-        {"\x7f\xc3\xa4\xe2\x82\xac\xf0\x9f\x92\xa1",
-         "\"\x7f\xc3\xa4\xe2\x82\xac\xf0\x9f\x92\xa1\""},
-        {"a\xff"
-         "b",
-         "\"a\\ufffdb\""},
-        {"\xc3", "\"\\ufffd\""},
-        {"\xe2\x82", "\"\\ufffd\\ufffd\""},
-        {"\xc0\x80", "\"\\ufffd\\ufffd\""},
-        {"\xc3\"", "\"\\ufffd\\\"\""},
-        {"\xed\xa0\x80", "\"\\ufffd\\ufffd\\ufffd\""},
-        {"\xf4\x90\x80\x80", "\"\\ufffd\\ufffd\\ufffd\\ufffd\""},
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char *text = NULL;
-        size_t size;
-        FILE *out = open_memstream(&text, &size);
-        json_print_text(out, rows[i].text);
-        fclose(out);
-        assert_string_equal(text, rows[i].json);
-        free(text);
-    }
-}
-
 /* A variable, else the home, else neither; and the folders on the way to a file, one of which is a file. */
 static void test_folders(void **state) {
     (void)state;
@@ -596,8 +553,6 @@ int main(void) {
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_sha256),
         cmocka_unit_test(test_line_is_cleared),
-        cmocka_unit_test(test_json),
-        cmocka_unit_test(test_json_utf8),
         cmocka_unit_test(test_folders),
         cmocka_unit_test(test_error_prefix),
         cmocka_unit_test(test_halton),
