@@ -2,6 +2,7 @@
 #include "apps/limited.h"
 
 #include "base/error.h"
+#include "base/events.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
 #include "base/text.h"
@@ -116,10 +117,11 @@ static _Noreturn void be_parent(const char *subcommand, double gib, int from) {
         end_by(WTERMSIG(status));
     int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
     if (code != 0 && !relay.has_error) {
-        fprintf(
-            stderr,
-            "manylight %s: --max-memory %g: too little memory for the work and the OpenGL driver\n",
-            subcommand, gib);
+        char *text = mem_printf("manylight %s: --max-memory %g: too little memory for the work and "
+                                "the OpenGL driver",
+                                subcommand, gib);
+        event_tell_last(text);
+        free(text);
         code = 1; /* some libraries end the process by other numbers */
     } else if (relay.held.length) {
         output_file_put(STDERR_FILENO, relay.held.data, relay.held.length);

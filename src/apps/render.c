@@ -182,7 +182,7 @@ static bool check_videos(const struct values *values) {
                              paths->items[i]);
         if (values->skip_existing)
             return error_set("%s: a video is made of all frames, and --skip-existing leaves some "
-                             "out",
+                             "out; write numbered pictures: -o frame.####.png",
                              paths->items[i]);
     }
     return true;
@@ -372,9 +372,9 @@ static bool render_frames(struct values *values, const struct frames *frames,
     for (int i = 0; ok && i < frames->count; i++) {
         int frame = frames->numbers[i];
         if (interrupt_came()) {
-            ok = error_set("stopped before frame %d: %d rendered, %d were there, %d are left "
-                           "(--skip-existing)",
-                           frame, work.done, work.skipped, frames->count - i);
+            ok = error_set("stopped before frame %d: %d rendered, %d were there, %d are left%s",
+                           frame, work.done, work.skipped, frames->count - i,
+                           values->videos.begun ? "; there is no video" : " (--skip-existing)");
             break;
         }
         if (values->skip_existing && each_output(values, renderer, frame, is_there)) {

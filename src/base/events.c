@@ -60,3 +60,7 @@ void event_tell(const char *name, const char *text) {
     event_add_text(&event, "text", text);
     event_send(&event);
 }
+
+void event_tell_last(const char *text) {
+    fprintf(stderr, json ? "{\"event\": \"error\", \"text\": \"%s\"}\n" : "%s\n", text);
+}

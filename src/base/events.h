@@ -32,4 +32,7 @@ void event_send(struct event *event);
 /* An event that has a text alone. */
 void event_tell(const char *name, const char *text);
 
+/* An error without memory, as an event or as a line for people. The text needs no escapes. */
+void event_tell_last(const char *text);
+
 #endif

@@ -4,7 +4,7 @@
 
 #include <stdio.h>
 
-/* In quotes, escaped. */
+/* In quotes, escaped; U+FFFD for each byte that is not UTF-8. */
 void json_print_text(FILE *out, const char *text);
 
 /* With the digits that tell a float from its neighbours; JSON knows no NaN and no infinity, so

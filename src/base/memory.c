@@ -2,6 +2,7 @@
 #include "base/memory.h"
 
 #include "base/error.h"
+#include "base/events.h"
 
 #include <inttypes.h>
 #ifdef __GLIBC__
@@ -91,7 +92,9 @@ double mem_most_resident(void) {
 static void *checked(void *pointer, size_t count, size_t size) {
     if (pointer)
         return pointer;
-    fprintf(stderr, "manylight: out of memory (%zu x %zu bytes)\n", count, size);
+    char text[96];
+    snprintf(text, sizeof text, "manylight: out of memory (%zu x %zu bytes)", count, size);
+    event_tell_last(text);
     _exit(1); /* other threads may be at work, so nothing is torn down */
 }
 

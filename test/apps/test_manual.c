@@ -169,6 +169,25 @@ static void test_groff(void **state) {
     assert_string_equal(output, "");
 }
 
+/* Characters of commands are shown as they are typed: roff has hyphens, quotes, hats and tildes of its own. A hyphen at
+ * the end of a line divides a word. */
+static void test_characters(void **state) {
+    (void)state;
+    need_command("command -v groff");
+    expect(0, "for page in @/manual/*.1; do groff -man -Tutf8 -P-cbou $page; done >@/pages");
+    expect(1, "grep -e '‐.' -e '‘' -e '’' -e 'ˆ' -e '˜' @/pages");
+    expect(0, "grep -F -e '~/.cache' @/pages && grep -F -e ')^2' @/pages");
+    expect(0, "grep -F -c -e \"the paper's\" @/pages");
+}
+
+/* Titles of modes do not run into the next sentence. */
+static void test_titles(void **state) {
+    (void)state;
+    char *page = read_page("bench");
+    expect_in(page, "Tables 1 and 2\n.PP\nWithout SCENE");
+    free(page);
+}
+
 static void test_mandoc(void **state) {
     (void)state;
     need_command("command -v mandoc");
@@ -212,6 +231,17 @@ static void test_bash(void **state) {
     assert_string_equal(output, "row-column\n");
     expect(0, "test/apps/complete.bash @/manual 'manylight render --set clustered.visibility-b'");
     assert_string_equal(output, "clustered.visibility-block=\n");
+    expect(0,
+           "rm -rf @/odd && mkdir @/odd && touch '@/odd/a scene.glb' '@/odd/b*.glb' @/odd/bc.glb");
+    expect(0, "test/apps/complete.bash @/manual 'manylight render @/odd/a\\ sc'");
+    expect_text("odd/a scene.glb\n");
+    expect(0, "test/apps/complete.bash @/manual 'manylight render @/odd/b\\*'");
+    assert_null(strstr(output, "bc.glb")); /* readline is to complete it */
+    expect(0, "test/apps/complete.bash @/manual 'manylight render @/odd/b'");
+    expect_text("odd/b*.glb\n");
+    assert_int_equal(count_text(output, "\n"), 2);
+    expect(0, "test/apps/complete.bash @/manual 'manylight render \"@/odd/a sc'");
+    assert_string_equal(output, "\n"); /* left to bash */
     expect(0, "test/apps/complete.bash @/manual 'manylight render --glsl sc'");
     assert_string_equal(output, "scenes\n");
 }
@@ -256,10 +286,11 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_options), cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_groff),   cmocka_unit_test(test_mandoc),
-        cmocka_unit_test(test_bash),    cmocka_unit_test(test_fish),
-        cmocka_unit_test(test_zsh),     cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_options),    cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_groff),      cmocka_unit_test(test_mandoc),
+        cmocka_unit_test(test_characters), cmocka_unit_test(test_titles),
+        cmocka_unit_test(test_bash),       cmocka_unit_test(test_fish),
+        cmocka_unit_test(test_zsh),        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, write_manual, free_manual);
 }

@@ -18,6 +18,15 @@ static void test_render(void **state) {
     expect_text("progress=3 ");
 }
 
+/* A name that is no UTF-8, with a quote, a backslash and a line feed. */
+static void test_odd_name(void **state) {
+    (void)state;
+    expect(0, "% render scenes/cornell-box.glb -o \"$(printf '@/odd\\377\\303\"\\\\\\n.png')\" "
+              "--size 16x16 --quality draft --progress json" CHECKED);
+    expect_text("file=1 ");
+    expect_text("done=1 odd\xef\xbf\xbd\xef\xbf\xbd\"\\\n.png");
+}
+
 /* Also after -q, of which notes are silent. */
 static void test_passes(void **state) {
     (void)state;
@@ -61,15 +70,20 @@ static void test_errors(void **state) {
     expect(1, "% render @/none.glb -o @/a.png --progress json --max-memory 4 2>@/events");
     expect(0, "test/apps/check_progress.py <@/events");
     expect_text("error=1");
+    expect(1, "% render scenes/cornell-box.glb -o @/a.png --size 16384x16384 --progress json "
+              "--max-memory 0.05 2>@/events");
+    expect(0, "test/apps/check_progress.py <@/events");
+    expect_text("error=1");
     expect(2, "% render scenes/cornell-box.glb -o @/a.png --progress loud");
     expect_text("progress: 'loud' is not one of text, json");
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_render), cmocka_unit_test(test_passes),
-        cmocka_unit_test(test_video),  cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_bench),  cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_render),   cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_video),    cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_bench),    cmocka_unit_test(test_errors),
+        cmocka_unit_test(test_odd_name),
     };
     return cmocka_run_group_tests_name("progress json", tests, need_python, NULL);
 }

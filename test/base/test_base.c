@@ -9,7 +9,6 @@
 #include "base/file/image_file.h"
 #include "base/halton.h"
 #include "base/image.h"
-#include "base/json.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/names.h"
@@ -477,19 +476,6 @@ static void test_progress(void **state) {
     free(text);
 }
 
-static void test_json(void **state) {
-    (void)state;
-    char *text = NULL;
-    size_t size;
-    FILE *out = open_memstream(&text, &size);
-    json_print_text(out, "a\"b\\c\nd");
-    json_print_number(out, .1);
-    json_print_number(out, INFINITY);
-    fclose(out);
-    assert_string_equal(text, "\"a\\\"b\\\\c\\u000ad\"0.1null");
-    free(text);
-}
-
 /* A variable, else the home, else neither; and the folders on the way to a file, one of which is a file. */
 static void test_folders(void **state) {
     (void)state;
@@ -567,7 +553,6 @@ int main(void) {
         cmocka_unit_test(test_progress),
         cmocka_unit_test(test_sha256),
         cmocka_unit_test(test_line_is_cleared),
-        cmocka_unit_test(test_json),
         cmocka_unit_test(test_folders),
         cmocka_unit_test(test_error_prefix),
         cmocka_unit_test(test_halton),

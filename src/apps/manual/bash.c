@@ -18,16 +18,20 @@ const char *shell_function_name(const struct command *command) {
 
 /* --- what all commands use -------------------------------------------------------------------- */
 
-/* The words are split anew: bash splits KEY=VALUE at "=", and puts only what follows it in place. */
+/* The words are split anew: bash splits KEY=VALUE at "=", and puts only what follows it in place. Without -r, read takes
+ * "a\\ b" as one word. File names in quotes are left to bash. */
 static const char helpers[] =
     "_manylight_words() {\n"
     "    COMPREPLY=($(compgen -W \"$1\" -- \"$cur\"))\n"
     "    [[ $COMP_WORDBREAKS == *=* ]] || COMPREPLY=(\"${COMPREPLY[@]/#/$head}\")\n"
     "}\n\n"
     "_manylight_files() {\n"
-    "    local IFS=$'\\n'\n"
+    "    if [[ $line == *[\\\"\\']* ]]; then\n"
+    "        compopt -o default 2>/dev/null\n"
+    "        return\n"
+    "    fi\n"
     "    compopt -o filenames 2>/dev/null\n"
-    "    COMPREPLY=($(compgen \"${1:--f}\" -- \"$cur\"))\n"
+    "    mapfile -t COMPREPLY < <(compgen \"${1:--f}\" -- \"$cur\")\n"
     "}\n\n";
 
 static void put_case(FILE *out, const char *name, const char *words) {
@@ -90,8 +94,8 @@ static void write_command(FILE *out, const struct command *command) {
 static const char dispatch[] =
     "    local line=${COMP_LINE:0:COMP_POINT} cur previous head= function\n"
     "    local -a words\n"
-    "    read -ra words <<<\"$line\"\n"
-    "    [[ $line == *[[:space:]] ]] && words+=(\"\")\n"
+    "    read -a words <<<\"$line\"\n"
+    "    [[ $line == *[[:space:]] && $line != *\\\\[[:space:]] ]] && words+=(\"\")\n"
     "    COMPREPLY=()\n"
     "    cur=${words[${#words[@]} - 1]} previous=${words[${#words[@]} - 2]}\n"
     "    if [[ $cur == --*=* ]]; then\n"

@@ -11,14 +11,22 @@
 
 /* --- text ------------------------------------------------------------------------------------- */
 
-/* Hyphens that a user types are "\-". The number of bytes. */
+/* The escape of a character that roff would set as another, or NULL. */
+static const char *escape_of(char c) {
+    static const char *const rows[] = {"-\\-", "\\\\e", "'\\(aq", "`\\(ga", "^\\(ha", "~\\(ti"};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        if (rows[i][0] == c)
+            return rows[i] + 1;
+    return NULL;
+}
+
+/* Characters that a user types, as they are. The number of bytes. */
 static int put_word(FILE *out, const char *word, int length) {
-    int bytes = length;
-    for (int i = 0; i < length; i++)
-        if (strchr("\\-", word[i]))
-            bytes += fprintf(out, word[i] == '-' ? "\\-" : "\\e") - 1;
-        else
-            fputc(word[i], out);
+    int bytes = 0;
+    for (int i = 0; i < length; i++) {
+        const char *escape = escape_of(word[i]);
+        bytes += escape ? fprintf(out, "%s", escape) : fprintf(out, "%c", word[i]);
+    }
     return bytes;
 }
 
@@ -203,6 +211,18 @@ static void put_more(FILE *out, const struct command *command) {
     output_text_free(&more);
 }
 
+/* The first line of a mode is a title, without a full stop. */
+static void put_summary(FILE *out, const struct command *command) {
+    const char *summary = command->arguments->summary;
+    size_t title = strchr(command->name, ' ') ? strcspn(summary, "\n") : 0;
+    if (summary[title] == '\n') {
+        put_filled(out, summary, (int)title);
+        fprintf(out, ".PP\n");
+        title++;
+    }
+    put_paragraphs(out, summary + (summary[title] ? title : 0));
+}
+
 void man_page_write_command(FILE *out, const struct command *command) {
     const struct arguments *arguments = command->arguments;
     bool has_settings = option_find(command->table, "set"),
@@ -217,7 +237,7 @@ void man_page_write_command(FILE *out, const struct command *command) {
     put(out, arguments->synopsis);
     fputc('\n', out);
     put_heading(out, command, "DESCRIPTION");
-    put_paragraphs(out, arguments->summary);
+    put_summary(out, command);
     if (!strchr(command->name, ' '))
         put_heading(out, command, "OPTIONS");
     for (const struct option *o = command->table; o->name; o++)

@@ -2,6 +2,7 @@
 #include "base/file/output_file.h"
 
 #include "base/error.h"
+#include "base/events.h"
 #include "base/memory.h"
 
 #include <dirent.h>
@@ -418,7 +419,7 @@ void output_text_init(struct output_text *text) {
     *text = (struct output_text){0};
     text->stream = open_memstream(&text->data, &text->size);
     if (!text->stream) {
-        fprintf(stderr, "manylight: out of memory\n");
+        event_tell_last("manylight: out of memory");
         _exit(1); /* as base/memory.h does */
     }
 }

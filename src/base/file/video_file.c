@@ -68,17 +68,18 @@ static int spawn(struct video_file *video, char *const *arguments, int from) {
     return reason;
 }
 
-/* Frames are sRGB of full range. The video's colours are those of BT.709, and say so: players else guess. */
+/* Frames are sRGB of full range. The video's colours are those of BT.709, and say so: players else guess. Without -xerror
+ * ffmpeg ends well although the disk is full. */
 static bool start(struct video_file *video, double fps, int from) {
     static char filter[] = "scale=out_color_matrix=bt709:out_range=limited,format=yuv420p";
     char size[32], rate[32], output[32], container[16];
     snprintf(size, sizeof size, "%dx%d", video->width + video->width % 2,
              video->height + video->height % 2);
-    snprintf(rate, sizeof rate, "%.9g", fps);
+    snprintf(rate, sizeof rate, "%.7g", fps); /* 29.97, though a float is 29.9699993 */
     snprintf(output, sizeof output, "/proc/self/fd/%d", PART_FILE);
     snprintf(container, sizeof container, "%s", find_container(video->path)->name);
     char *arguments[] = {"ffmpeg",       "-loglevel",  "error",
-                         "-nostats",     "-y",         "-f",
+                         "-xerror",      "-y",         "-f",
                          "rawvideo",     "-pix_fmt",   "rgb0",
                          "-s",           size,         "-r",
                          rate,           "-i",         "pipe:0",
@@ -99,6 +100,8 @@ static bool tell_end(const struct video_file *video, int status) {
     if (WIFSIGNALED(status))
         return error_set("%s: ffmpeg was ended by signal %d (%s)", video->path, WTERMSIG(status),
                          strsignal(WTERMSIG(status)));
+    if (WEXITSTATUS(status) == 0)
+        return error_set("%s: ffmpeg ended before the last frame", video->path);
     return error_set("%s: ffmpeg failed with exit status %d", video->path, WEXITSTATUS(status));
 }
 

@@ -1,0 +1,59 @@
+/* Values as JSON text: escapes, numbers, and bytes that are not UTF-8. */
+#define _POSIX_C_SOURCE 200809L
+#include "support.h"
+
+#include "base/json.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static void test_values(void **state) {
+    (void)state;
+    char *text = NULL;
+    size_t size;
+    FILE *out = open_memstream(&text, &size);
+    json_print_text(out, "a\"b\\c\nd");
+    json_print_number(out, .1);
+    json_print_number(out, INFINITY);
+    fclose(out);
+    assert_string_equal(text, "\"a\\\"b\\\\c\\u000ad\"0.1null");
+    free(text);
+}
+
+/* Characters of one to four bytes stay; bytes that are none are replaced: the sharpest cases of RFC 3629. */
+static void test_utf8(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *json;
+    } rows[] = {
+        {"\x7f\xc3\xa4\xe2\x82\xac\xf0\x9f\x92\xa1",
+         "\"\x7f\xc3\xa4\xe2\x82\xac\xf0\x9f\x92\xa1\""},
+        {"a\xff"
+         "b",
+         "\"a\\ufffdb\""},
+        {"\xc3", "\"\\ufffd\""},
+        {"\xe2\x82", "\"\\ufffd\\ufffd\""},
+        {"\xc0\x80", "\"\\ufffd\\ufffd\""},
+        {"\xc3\"", "\"\\ufffd\\\"\""},
+        {"\xed\xa0\x80", "\"\\ufffd\\ufffd\\ufffd\""},
+        {"\xf4\x90\x80\x80", "\"\\ufffd\\ufffd\\ufffd\\ufffd\""},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char *text = NULL;
+        size_t size;
+        FILE *out = open_memstream(&text, &size);
+        json_print_text(out, rows[i].text);
+        fclose(out);
+        assert_string_equal(text, rows[i].json);
+        free(text);
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_values),
+        cmocka_unit_test(test_utf8),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
