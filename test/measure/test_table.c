@@ -174,6 +174,38 @@ static void test_ended_run(void **state) {
                "[ -s @/pid ] && ! kill -0 $(cat @/pid) && [ -z \"$(ls -A @/ended/cases)\" ]");
 }
 
+/* Names stay whole in all files. A case that is named twice is measured once. */
+static void test_odd_names(void **state) {
+    (void)state;
+    need_file("bench/table/run");
+    expect(0, "cp scenes/cornell-box.glb '@/a \"b\" c\\d.glb'");
+    expect(0, "bench/table/run --frames 0 --spp 4 --device test --scene '@/a \"b\" c\\d.glb' "
+              "--scene '@/a \"b\" c\\d.glb' " SIZES "--size 24x24 --jobs 2 --variant none "
+              "--renderer 'my copy=@/draw' -o '@/odd names'");
+    assert_int_equal(count_text(output, "c\\d 24x24 my copy\n"), 1);
+    expect_text("2 rows, 0 failed");
+    need_command("python3 -c 1");
+    expect(0, "cd '@/odd names' && for f in *.json cases/* times/* entries/*/*.json; do "
+              "python3 -m json.tool \"$f\" >/dev/null || exit 1; done");
+    expect(0, "grep -cF 'a \\\"b\\\" c\\\\d.24x24.exr' '@/odd names/entries/my-copy/method.json'");
+    expect(0, "python3 test/measure/check_jeri.py '@/odd names'");
+    expect_text("4 pictures");
+}
+
+/* Two cases must not write one file. */
+static void test_names_taken(void **state) {
+    (void)state;
+    need_file("bench/table/run");
+    expect(0, "cp scenes/cornell-box.glb @/cornell-box.glb");
+    expect(2, RUN "--scene @/cornell-box.glb -o @/nothing");
+    expect_text("its rows would be those of scenes/cornell-box.glb");
+    expect(2, RUN "--variant high --variant high:vals=9 -o @/nothing");
+    expect_text("--variant high:vals=9: its rows would be those of high");
+    expect(2, RUN "--variant none --renderer 'a b=x' --renderer a-b=y -o @/nothing");
+    expect_text("--renderer a-b=y: its rows would be those of a b=x");
+    expect(1, "test -e @/nothing");
+}
+
 static void test_refusals(void **state) {
     (void)state;
     need_file("bench/table/run");
@@ -219,6 +251,8 @@ int main(void) {
         cmocka_unit_test(test_entry_and_variant),
         cmocka_unit_test(test_changed_inputs),
         cmocka_unit_test(test_ended_run),
+        cmocka_unit_test(test_odd_names),
+        cmocka_unit_test(test_names_taken),
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_slurm_array),
     };
