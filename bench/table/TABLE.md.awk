@@ -71,7 +71,7 @@ function print_scenes(device, size,    i, noise) {
     for (i = 1; i <= scene_count; i++) {
         noise = noise_of(scenes[i], size, device)
         if (noise != "")
-            print "| " scenes[i] " | " shown(noise, 2, 100) told(least(scenes[i], size, device, "indirect-relative-rmse", 1e30)) \
+            print "| `" scenes[i] "` | " shown(noise, 2, 100) told(least(scenes[i], size, device, "indirect-relative-rmse", 1e30)) \
                 told(least(scenes[i], size, device, "cpu", .1)) told(least(scenes[i], size, device, "cpu", .25)) " |"
     }
 }
@@ -86,7 +86,7 @@ function print_others(device, size,    i, j, row, n) {
                 print "\n| scene | other renderer | beauty, % | bias, % | FLIP | ms |"
                 print "|---|---|---|---|---|---|"
             }
-            print "| " scenes[i] " | " methods[j] " | " shown(value[row, "relative-rmse"], 3, 100) " | " \
+            print "| `" scenes[i] "` | " methods[j] " | " shown(value[row, "relative-rmse"], 3, 100) " | " \
                 shown(value[row, "relative-bias"], 2, 100) " | " shown(value[row, "hdr-flip"], 2) " | " whole(value[row, "ms"]) " |"
         }
 }
@@ -95,7 +95,7 @@ function print_failures(    i, n, head) {
         if (text[i, "status"] != "ok") {
             if (!n++)
                 print "\n## Failed cases\n"
-            head = "- " text[i, "scene"] " " text[i, "size"] " " text[i, "method"] ":"
+            head = "- `" text[i, "scene"] "` " text[i, "size"] " " text[i, "method"] ":"
             print head (length(head text[i, "error"]) > 117 ? "\n  `" : " `") text[i, "error"] "`"
         }
 }

@@ -191,14 +191,6 @@ static struct visibility_inputs maps_of(const struct val_set *set) {
     };
 }
 
-/* Where the last means are changes from frame to frame. */
-static void find_centers(struct vals *vals) {
-    const struct val_targets *centers = cluster_pass_centers(&vals->first.cluster);
-    vals->output.positions = &centers->position;
-    vals->output.normals = &centers->normal;
-    vals->output.fluxes = &centers->flux;
-}
-
 static bool is_by_importance(const struct settings *settings) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
     const struct lights_settings *lights =
@@ -228,12 +220,15 @@ bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow
     if (!init_set(&vals->first, desc, &first) ||
         (lights->bounces > 1 && !init_set(&vals->later, desc, &later)))
         return false;
+    const struct val_targets *centers = cluster_pass_centers(&vals->first.cluster);
     vals->output = (struct val_output){
+        .positions = &centers->position,
+        .normals = &centers->normal,
+        .fluxes = &centers->flux,
         .extremes = &vals->first.cluster.extremes,
         .visibility = &vals->first.visibility,
         .maps = maps_of(&vals->first),
     };
-    find_centers(vals);
     return true;
 }
 
@@ -275,7 +270,6 @@ void vals_render(struct vals *vals, struct many_lights *lights, const struct fra
     render_set(&vals->first, frame, gbuffer, &lights->vpls);
     if (lights->bounces > 1)
         render_set(&vals->later, frame, gbuffer, &lights->bounce.vpls);
-    find_centers(vals);
 }
 
 struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,

@@ -45,7 +45,7 @@ static void test_failed_case_is_a_row(void **state) {
     expect_count("one/results.json", "\"scene\": ", 4);
     expect_count("one/results.json", "\"status\": \"failed\", \"error\": \"too bad\"", 2);
     expect_count("one/results.json", "\"relative-rmse\": ", 2);
-    expect_count("one/TABLE.md", "cornell-box 24x24 none: `too bad`", 1);
+    expect_count("one/TABLE.md", "- `cornell-box` 24x24 none: `too bad`", 1);
     expect_count("one/index.html", "failed: too bad", 2);
     expect_count("one/jeri.json", "entries/copy/cornell-box.", 2);
     expect_count("one/badge.json", "4 rows, 2 failed", 1);

@@ -508,6 +508,32 @@ static void test_opposed(void **state) {
     close_clustering(&c);
 }
 
+/* Lights and sums of more clusters than the workgroup has invocations: light i is of cluster i % MANY. */
+static void test_many(void **state) {
+    (void)state;
+    enum { MANY = CLUSTER_GROUP / 2, LIGHTS = 5 * MANY + 3 };
+    struct cluster_desc desc = squares;
+    struct cluster_pass pass;
+    struct vpl_buffer vpls;
+    static struct vpl lights[LIGHTS];
+    static float found[MANY][4], expected[MANY];
+    desc.vpl_count = LIGHTS;
+    desc.val_count = MANY;
+    for (int i = 0; i < LIGHTS; i++) {
+        lights[i] = (struct vpl){{(float)(i % MANY)}, 0, {0, 0, 1}, 1, {(float)(i + 1)}, 1};
+        expected[i % MANY] += (float)(i + 1);
+    }
+    check_ok("passes", vpl_buffer_init(&vpls, "points", LIGHTS) && cluster_pass_init(&pass, &desc));
+    framebuffer_clear_color(vpls.sums_framebuffer, 0, pairs);
+    buffer_write(&vpls.buffer, 0, sizeof lights, lights);
+    cluster_pass_render(&pass, &frame, &vpls);
+    gl.GetTextureImage(pass.vals.flux.id, 0, GL_RGBA, GL_FLOAT, sizeof found, found);
+    for (int k = 0; k < MANY; k++)
+        assert_true(found[k][0] == expected[k]);
+    cluster_pass_free(&pass);
+    vpl_buffer_free(&vpls);
+}
+
 /* --- allocation ------------------------------------------------------------------------------------ */
 
 static struct gl_api real;
@@ -559,7 +585,7 @@ static void test_memory(void **state) {
     gl.GetError = real.GetError;
     cluster_pass_free(&pass);
     printf("    allocations, each failed once: %d\n", allocations);
-    assert_true(allocations >= 3 + 1 + 1 + 2 + 1);
+    assert_true(allocations >= 3 + 1 + 1 + 1 + 2 + 1);
 }
 
 int main(void) {
@@ -567,7 +593,8 @@ int main(void) {
         cmocka_unit_test(test_lengths), cmocka_unit_test(test_squares),
         cmocka_unit_test(test_weights), cmocka_unit_test(test_lost),
         cmocka_unit_test(test_others),  cmocka_unit_test(test_views),
-        cmocka_unit_test(test_opposed), cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_opposed), cmocka_unit_test(test_many),
+        cmocka_unit_test(test_memory),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -152,7 +152,8 @@ static void iterate(const struct cluster_pass *pass, const struct frame *frame, 
     write_params(pass, frame, seeds, iterations);
     pass_set_state(&state);
     pass_dispatch(1, 1, 1);
-    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    /* Passes fetch the VALs; inspect/ copies them. */
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
 
 const struct val_targets *cluster_pass_centers(const struct cluster_pass *pass) {
