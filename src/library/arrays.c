@@ -422,11 +422,12 @@ bool arrays_to_glb(const struct manylight_scene_desc *desc, struct file_bytes *b
                             &glb.areas,     &glb.cameras,   &glb.bytes};
     if (desc->material_count == 0) /* that of files without any is a metal */
         text_print(&glb.materials, "{\"pbrMetallicRoughness\":{\"metallicFactor\":0}}");
-    bool ok = check_memory(desc) && 
+    bool ok = check_memory(desc) &&
               add_all(&glb, desc, desc->materials, desc->material_count, add_material) &&
               add_all(&glb, desc, desc->meshes, desc->mesh_count, add_mesh) &&
               add_all(&glb, desc, desc->lights, desc->light_count, add_light) &&
-              add_all(&glb, desc, desc->cameras, desc->camera_count, add_camera) && pack(&glb, bytes);
+              add_all(&glb, desc, desc->cameras, desc->camera_count, add_camera) &&
+              pack(&glb, bytes);
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
         free(lists[i]->data);
     return ok;

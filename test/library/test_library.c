@@ -54,7 +54,7 @@ static void test_same_bits_as_program(void **state) {
     (void)state;
     struct manylight_device *device = open_device();
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        if (!is_tried_here(i, 3))
+        if (!is_tried_here(i, 4))
             continue;
         struct row row = rows[i];
         char line[512];
@@ -528,7 +528,7 @@ static void cycle(void) {
 /* Memory of the driver settles within some cycles. */
 static void test_cycles(void **state) {
     (void)state;
-    int cycles = is_long_run() ? 100 : 10, settling = is_long_run() ? 20 : 4;
+    int cycles = is_long_run() ? 100 : 6, settling = is_long_run() ? 20 : 3;
     int objects = gpu_memory_object_count();
     double before = 0;
     for (int i = 0; i < cycles; i++) {

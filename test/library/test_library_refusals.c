@@ -86,8 +86,7 @@ static void test_broken_parts(void **state) {
         .size = sizeof mesh, .positions = positions, .vertex_count = 3};
     struct manylight_material material = {.size = sizeof material, .emission = {0, INFINITY}};
     struct manylight_light light = {.size = sizeof light, .intensity = {NAN}};
-    struct manylight_camera camera = {
-        .size = sizeof camera, .forward = {0, 1, 0}, .up = {0, 2, 0}};
+    struct manylight_camera camera = {.size = sizeof camera, .forward = {0, 1, 0}, .up = {0, 2, 0}};
     struct manylight_scene_desc desc = {
         .size = sizeof desc, .meshes = &mesh, .mesh_count = 1, .light_count = 2};
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_ARGUMENT,
@@ -319,12 +318,17 @@ static void test_reference(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_broken_scenes),     cmocka_unit_test(test_broken_arrays),
+        cmocka_unit_test(test_broken_scenes),
+        cmocka_unit_test(test_broken_arrays),
         cmocka_unit_test(test_broken_parts),
-        cmocka_unit_test(test_scene_descriptors), cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_refused_change),    cmocka_unit_test(test_views),
-        cmocka_unit_test(test_devices),           cmocka_unit_test(test_software_not_allowed),
-        cmocka_unit_test(test_too_much_memory),   cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_scene_descriptors),
+        cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_refused_change),
+        cmocka_unit_test(test_views),
+        cmocka_unit_test(test_devices),
+        cmocka_unit_test(test_software_not_allowed),
+        cmocka_unit_test(test_too_much_memory),
+        cmocka_unit_test(test_reference),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

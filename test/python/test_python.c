@@ -90,5 +90,5 @@ int main(void) {
         cmocka_unit_test(test_life),  cmocka_unit_test(test_notebook),
         cmocka_unit_test(test_wheel),
     };
-    return run_some_tests(tests, 4, build_module, NULL);
+    return run_some_tests(tests, 3, build_module, NULL);
 }
