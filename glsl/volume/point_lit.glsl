@@ -32,7 +32,8 @@ vec3 point_irradiance_at(vec3 position, vec3 normal) {
         vec3 direction = l.type == LIGHT_TYPE_DIRECTIONAL ? l.direction : from_light * inversesqrt(distance2);
         float share = point_irradiance(l, normal, direction, distance2) * light_in_range(l, distance2);
         if (share > 0.0)
-            sum += l.radiance * (share * point_seen(light_view_at(light_view_index(l, direction)), position, normal));
+            sum += l.radiance * light_slide(l, direction) *
+                   (share * point_seen(light_view_at(light_view_index(l, direction)), position, normal));
     }
     return sum * (3.1415927 * params.irradiance_scale);
 }

@@ -172,7 +172,8 @@ bool volume_light_init(struct volume_light *light, const struct volume_light_des
     double area = volume_points_area(desc->geometry, &box);
     if (check(desc, &volume, area) && volume_init(&light->volume, &volume) &&
         init_points(light, desc, &box, area) &&
-        inject_pass_init(&light->inject, &light->volume, light->settings.reprojection) &&
+        inject_pass_init(&light->inject, &light->volume, light->settings.reprojection,
+                         desc->scene->slide_count > 0) &&
         distance_pass_init(&light->distance, &light->volume) &&
         march_pass_init(&light->march, &light->volume) &&
         (!volume.bounces || reflect_pass_init(&light->reflect, &light->volume)) &&

@@ -182,6 +182,21 @@ static void test_notes_are_in_the_files(void **state) {
     expect_text("the medium is left out");
 }
 
+/* A spot of a file whose picture colours its light. */
+static void test_slide_is_noted(void **state) {
+    (void)state;
+    static const char *const formats[] = {"pack", "mitsuba", "pbrt"};
+    need_command("python3 -c 1");
+    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb");
+    for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
+        char line[128];
+        snprintf(line, sizeof line, "%% export @/slide.glb -o @/slide-%s --format %s", formats[f],
+                 formats[f]);
+        expect(0, line);
+        assert_int_equal(count_text(output, "light 0: its slide is left out"), 1);
+    }
+}
+
 /* All XML is well-formed, and all files that it names are there. */
 static void test_xml_is_well_formed(void **state) {
     (void)state;
@@ -341,6 +356,7 @@ int main(void) {
         cmocka_unit_test(test_checker_sees_changes),
         cmocka_unit_test(test_environment_lies_right),
         cmocka_unit_test(test_notes_are_in_the_files),
+        cmocka_unit_test(test_slide_is_noted),
         cmocka_unit_test(test_xml_is_well_formed),
         cmocka_unit_test(test_odd_names),
         cmocka_unit_test(test_dots),

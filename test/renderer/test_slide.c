@@ -17,23 +17,27 @@ enum { CHART = 64 }; /* pixels a side */
 static const unsigned char corners[2][2][3] = {{{255, 0, 0}, {0, 255, 0}},
                                                {{0, 0, 255}, {255, 255, 0}}};
 
-/* A square of a colour in each corner; or white. */
-static void set_slide(struct stage *stage, bool is_white) {
-    unsigned char rgba[CHART * CHART * 4];
-    struct bitmap bitmap = {.width = CHART, .height = CHART, .rgba = rgba};
+static void set_slide_of(struct stage *stage, const struct bitmap *bitmap) {
     struct scene *scene = &stage->scene;
-    for (int i = 0; i < CHART * CHART; i++)
-        for (int c = 0; c < 4; c++)
-            rgba[4 * i + c] = is_white || c == 3
-                                  ? 255
-                                  : corners[i / CHART / (CHART / 2)][i % CHART / (CHART / 2)][c];
     for (int i = 0; i < scene->slide_count; i++)
         slide_free(&scene->slides[i]);
     free(scene->slides);
     scene->slides = mem_alloc(1, sizeof *scene->slides);
     scene->slide_count = 1;
-    slide_init(scene->slides, 0, &bitmap);
+    slide_init(scene->slides, 0, bitmap);
     stage->emitters.items[0].slide = scene->slides;
+}
+
+/* A square of a colour in each corner; or white. */
+static void set_slide(struct stage *stage, bool is_white) {
+    unsigned char rgba[CHART * CHART * 4];
+    struct bitmap bitmap = {.width = CHART, .height = CHART, .rgba = rgba};
+    for (int i = 0; i < CHART * CHART; i++)
+        for (int c = 0; c < 4; c++)
+            rgba[4 * i + c] = is_white || c == 3
+                                  ? 255
+                                  : corners[i / CHART / (CHART / 2)][i % CHART / (CHART / 2)][c];
+    set_slide_of(stage, &bitmap);
 }
 
 /* A floor that the whole cone falls onto, from above, turned. */
@@ -200,6 +204,32 @@ static void test_caustic(void **state) {
     stage_free(&without);
 }
 
+/* A slide of one colour leaves out the light of the others: with all techniques and direct methods. */
+static void check_magenta(const struct stage *stage, const char *technique,
+                          const struct direct_method *direct) {
+    struct renderer_desc desc = desc_of(stage, technique, CHEAP "samples=1", 24, 24);
+    desc.direct = direct;
+    struct image image = render_layers(&desc);
+    printf("    %s, %s\n", technique, direct ? direct->name : "default");
+    check_near("direct, green", channel_mean(&image, "direct.G"), 0, 0);
+    check_near("indirect, green", channel_mean(&image, "indirect.G"), 0, 0);
+    assert_true(channel_mean(&image, "direct.R") > 0 && channel_mean(&image, "indirect.R") > 0);
+    image_free(&image);
+}
+
+static void test_everywhere(void **state) {
+    (void)state;
+    unsigned char magenta[4] = {255, 0, 255, 255};
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    set_slide_of(&stage, &(struct bitmap){.width = 1, .height = 1, .rgba = magenta});
+    for (const struct technique *const *t = techniques; *t; t++)
+        check_magenta(&stage, (*t)->name, NULL);
+    for (const struct direct_method *const *d = direct_methods; *d; d++)
+        check_magenta(&stage, "unshadowed", *d);
+    stage_free(&stage);
+}
+
 /* --- files ------------------------------------------------------------------------------------ */
 
 /* A light with these extras, and textures of a picture of two pixels, red and green, and of none. */
@@ -268,9 +298,10 @@ static void test_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_chart),  cmocka_unit_test(test_white),
-        cmocka_unit_test(test_traced), cmocka_unit_test(test_caustic),
-        cmocka_unit_test(test_file),   cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_chart),      cmocka_unit_test(test_white),
+        cmocka_unit_test(test_traced),     cmocka_unit_test(test_caustic),
+        cmocka_unit_test(test_everywhere), cmocka_unit_test(test_file),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

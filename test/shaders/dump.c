@@ -4,7 +4,9 @@
 #include "null_driver.h"
 
 #include "base/error.h"
+#include "base/image.h"
 #include "base/log.h"
+#include "base/memory.h"
 #include "direct/direct.h"
 #include "gl/context/context.h"
 #include "gl/screen.h"
@@ -13,6 +15,7 @@
 #include "inspect/probe.h"
 #include "inspect/screen.h"
 #include "renderer/stage.h"
+#include "scene/lights/slide.h"
 #include "scene/material.h"
 #include "viewer/picture/reference.h"
 
@@ -184,8 +187,7 @@ static void make_direct(struct renderer *renderer, const struct direct_method *d
     make_progressive(renderer, desc);
 }
 
-static void begin(struct renderer *renderer, struct stage *stage, const struct stage_desc *opened) {
-    check(stage_init(stage, opened), opened->path);
+static void init(struct renderer *renderer, const struct stage *stage) {
     struct renderer_desc desc = {.width = SIZE,
                                  .height = SIZE,
                                  .scene = &stage->scene,
@@ -193,7 +195,12 @@ static void begin(struct renderer *renderer, struct stage *stage, const struct s
                                  .emitters = stage->emitters,
                                  .camera = stage->camera};
     init_settings(&desc.settings);
-    check(renderer_init(renderer, &desc), opened->path);
+    check(renderer_init(renderer, &desc), stage->scene.path);
+}
+
+static void begin(struct renderer *renderer, struct stage *stage, const struct stage_desc *opened) {
+    check(stage_init(stage, opened), opened->path);
+    init(renderer, stage);
 }
 
 static void make_scene(const char *path, bool thorough) {
@@ -204,6 +211,25 @@ static void make_scene(const char *path, bool thorough) {
         make_technique(&renderer, *t, thorough);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         make_direct(&renderer, *d, thorough);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* Spots may have slides: of one white texel. */
+static void make_with_slides(const char *path) {
+    unsigned char white[4] = {255, 255, 255, 255};
+    struct stage stage;
+    struct renderer renderer;
+    check(stage_init(&stage, &(struct stage_desc){.path = path}), path);
+    stage.scene.slides = mem_alloc(1, sizeof *stage.scene.slides);
+    stage.scene.slide_count = 1;
+    slide_init(stage.scene.slides, 0, &(struct bitmap){.width = 1, .height = 1, .rgba = white});
+    stage.emitters.items[0].slide = stage.scene.slides;
+    init(&renderer, &stage);
+    for (const struct technique *const *t = techniques; *t; t++)
+        make_technique(&renderer, *t, false);
+    for (const struct direct_method *const *d = direct_methods; *d; d++)
+        make_direct(&renderer, *d, false);
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -234,6 +260,9 @@ int main(int argc, char **argv) {
         make_scene(argv[i], false);
         make_under_sky(argv[i]);
     }
+    make_with_slides(argv[argc - 1]);
+    screen_set_way(SCREEN_FRAGMENT);
+    make_with_slides(argv[argc - 1]);
     show_window();
     context_free(context);
     printf("%d shaders\n", null_driver_count());

@@ -9,10 +9,12 @@
 
 #include <stdlib.h>
 
-static bool init_program(GLuint *program, const char *vertex, const struct volume *volume) {
+static bool init_program(GLuint *program, const char *vertex, const struct volume *volume,
+                         bool slides) {
     bool lit = volume->desc.channels == VOLUME_RADIANCE;
     char *own = volume_defines(volume);
-    char *defines = mem_printf("%s;POINT_LIGHT volume/point_%s.glsl", own, lit ? "lit" : "unlit");
+    char *defines = mem_printf("%s%s;POINT_LIGHT volume/point_%s.glsl",
+                               light_defines(false, lit && slides), own, lit ? "lit" : "unlit");
     bool ok = program_init(program, &(struct program_desc){.vertex = vertex,
                                                            .fragment = "volume/inject.frag",
                                                            .defines = defines});
@@ -21,10 +23,12 @@ static bool init_program(GLuint *program, const char *vertex, const struct volum
     return ok;
 }
 
-bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, bool reprojects) {
+bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, bool reprojects,
+                      bool slides) {
     *pass = (struct inject_pass){0};
-    bool ok = init_program(&pass->program, "volume/inject.vert", volume) &&
-              (!reprojects || init_program(&pass->pixel_program, "volume/reproject.vert", volume));
+    bool ok = init_program(&pass->program, "volume/inject.vert", volume, slides) &&
+              (!reprojects ||
+               init_program(&pass->pixel_program, "volume/reproject.vert", volume, slides));
     if (!ok)
         inject_pass_free(pass);
     return ok;
@@ -62,6 +66,7 @@ static struct pass_state adding(const char *name, GLuint program, const struct f
     if (!shadow_maps)
         return state;
     pass_add_block(&state, BLOCK_LIGHTS, frame->lights);
+    frame_add_light(frame, &state);
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         bool has = shadow_maps[kind].id;
         pass_add_texture(&state, UNIT_VOLUME_SHADOWS + (GLuint)kind,

@@ -16,8 +16,9 @@ struct inject_pass {
     GLuint pixel_program; /* of reprojection; 0: none */
 };
 
-/* For volumes like that one. Error: shader. */
-bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, bool reprojects);
+/* For volumes like that one; slides: lights may have some. Error: shader. */
+bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, bool reprojects,
+                      bool slides);
 void inject_pass_free(struct inject_pass *pass);
 
 /* What points are lit through: maps of the frame's lights; NULL for volumes of visibility. */
