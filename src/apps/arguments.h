@@ -4,7 +4,7 @@
  *     struct values { struct common_values common; int size[2]; };
  *
  *     int app_render(int argc, char **argv) {
- *         struct values values;
+ *         struct values values = {0};
  *         const char *scene;
  *         int status, count;
  *         if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))

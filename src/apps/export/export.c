@@ -103,7 +103,7 @@ static bool export_stage(const struct values *values, const struct stage *stage)
 }
 
 int app_export(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     struct stage stage;
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))

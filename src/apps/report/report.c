@@ -204,7 +204,7 @@ static bool make_report(struct stage *stage, const struct values *values, const 
 }
 
 int app_report(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     struct stage stage;
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))
