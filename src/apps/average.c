@@ -171,7 +171,7 @@ static bool write_mean(struct mean *mean, const char *path) {
 }
 
 int app_average(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     const char *paths[PICTURES_MAX];
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, paths, &count, &status))

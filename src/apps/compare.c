@@ -301,7 +301,7 @@ static int compare(const struct values *values, struct report *report, struct pi
 }
 
 int app_compare(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     const char *paths[2];
     int path_count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, paths, &path_count, &status))

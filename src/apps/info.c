@@ -86,7 +86,7 @@ static const struct arguments arguments = {
 };
 
 int app_info(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     const char *scene;
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))

@@ -82,6 +82,7 @@ static void test_signal(void **state) {
     char *arguments[] = {"sh", "-c", command, NULL};
     pid_t process;
     int status;
+    remove(scratch("limited.0001.png")); /* of a run before */
     assert_int_equal(posix_spawn(&process, "/bin/sh", NULL, NULL, arguments, environ), 0);
     for (int i = 0; i < 3000 && access(scratch("limited.0001.png"), F_OK) != 0; i++)
         nanosleep(&(struct timespec){0, 20000000}, NULL);

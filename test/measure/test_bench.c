@@ -117,6 +117,7 @@ static void test_picture_of_times(void **state) {
               " -q -o @/rendered.exr");
     expect(0, "% bench times scenes/cornell-box.glb --size 24x16 --variant high --frames 1"
               " --warm-up 3 --whole-frames --picture @/timed.exr -q");
+    /* Their headers differ: that of render tells its making. */
     static const char *const layers[] = {"beauty", "indirect", "direct", "albedo", "normal"};
     for (size_t i = 0; i < sizeof layers / sizeof *layers; i++) {
         char line[256];

@@ -353,7 +353,7 @@ static bool score_entry(struct score *score, const struct values *values) {
 }
 
 int app_score(int argc, char **argv) {
-    struct values values;
+    struct values values = {0};
     const char *folders[2];
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, folders, &count, &status))
