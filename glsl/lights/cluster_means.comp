@@ -1,5 +1,5 @@
 // k-means by one workgroup, all iterations in one dispatch: a step waits for the step before, and a launch costs
-// more than a step. First it seeds the VALs, where it is told to.
+// more than a step. First it seeds the VALs, where it is told to. Many VPLs or iterations take several dispatches.
 //
 // An iteration has two parts. Each invocation finds the nearest VAL of a VPL, for as many VPLs as there is room
 // for; then each invocation adds one row of one VAL's sums. Sums are added in the order of VPLs, so that they do not
@@ -89,8 +89,13 @@ void add_taken(int row, int k, bool first) {
     imageStore(val_sums, ivec2(k, row), sum);
 }
 
+// After the last VPL of the dispatch.
+int vpls_end() {
+    return min(params.first_vpl + CLUSTER_GROUPS_MAX(params.val_count) * CLUSTER_GROUP, params.vpl_count);
+}
+
 void add_all() {
-    for (int first = 0; first < params.vpl_count; first += CLUSTER_GROUP) {
+    for (int first = params.first_vpl; first < vpls_end(); first += CLUSTER_GROUP) {
         take_vpl(first + local());
         wait_for_all();
         for (int i = local(); i < 3 * params.val_count; i += CLUSTER_GROUP)
@@ -120,7 +125,7 @@ void main() {
     wait_for_all();
     for (int i = 0; i < params.iterations; i++) {
         add_all();
-        for (int k = local(); k < params.val_count; k += CLUSTER_GROUP)
+        for (int k = local(); vpls_end() == params.vpl_count && k < params.val_count; k += CLUSTER_GROUP)
             divide(k);
         wait_for_all();
     }

@@ -15,6 +15,12 @@
 /* Invocations of its workgroup: the VPLs of so many fit the 32 KiB that GL promises for shared memory. */
 #define CLUSTER_GROUP 512
 
+/* llvmpipe ends all loops of an invocation after 65535 steps in sum, so a dispatch takes so many groups of VPLs at most.
+ * Half of the steps are left for the search of seeds. */
+#define CLUSTER_STEPS_MAX 32768
+#define CLUSTER_STEPS(vals) ((vals) + (3 * (vals) + CLUSTER_GROUP - 1) / CLUSTER_GROUP * CLUSTER_GROUP)
+#define CLUSTER_GROUPS_MAX(vals) (CLUSTER_STEPS_MAX / CLUSTER_STEPS(vals))
+
 /* The criterion, METRIC: lengths and angles [Dong 2009 §5.1], or squares of them and of hues, with means
  * weighted by flux [Prutkin 2012, eq. 1]. */
 #define CLUSTER_METRIC_LENGTHS 0
@@ -34,7 +40,7 @@ struct cluster_params {
     float weight_flux; /* of squares: w_Phi */
     BOOL seeds;        /* all VALs begin with their seeds */
     int iterations;
-    float unused;
+    int first_vpl; /* of a part of an iteration, else 0 */
 };
 PASS_BLOCK(cluster_params, 64)
 

@@ -508,10 +508,10 @@ static void test_opposed(void **state) {
     close_clustering(&c);
 }
 
-/* Lights and sums of more clusters than the workgroup has invocations: light i is of cluster i % MANY. */
+/* More lights than a dispatch takes, more sums than invocations; light i is of cluster i % MANY. */
 static void test_many(void **state) {
     (void)state;
-    enum { MANY = CLUSTER_GROUP / 2, LIGHTS = 5 * MANY + 3 };
+    enum { MANY = CLUSTER_GROUP / 2, LIGHTS = 60 * CLUSTER_GROUP + 3 };
     struct cluster_desc desc = squares;
     struct cluster_pass pass;
     struct vpl_buffer vpls;

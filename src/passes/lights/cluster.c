@@ -92,8 +92,14 @@ void cluster_pass_free(struct cluster_pass *pass) {
     *pass = (struct cluster_pass){0};
 }
 
-static void write_params(const struct cluster_pass *pass, const struct frame *frame, bool seeds,
-                         int iterations) {
+/* What a dispatch of k-means does: iterations, or a part of one. */
+struct steps {
+    bool seeds;
+    int iterations, first_vpl;
+};
+
+static void write_params(const struct cluster_pass *pass, const struct frame *frame,
+                         const struct steps *steps) {
     const struct cluster_desc *desc = &pass->desc;
     bool squares = desc->metric == CLUSTER_METRIC_SQUARES;
     struct cluster_params params = {
@@ -104,8 +110,9 @@ static void write_params(const struct cluster_pass *pass, const struct frame *fr
         .vpl_count = desc->vpl_count,
         .near_clip = desc->near_clip,
         .reseed = desc->start == CLUSTER_START_RESEED,
-        .seeds = seeds,
-        .iterations = iterations,
+        .seeds = steps->seeds,
+        .iterations = steps->iterations,
+        .first_vpl = steps->first_vpl,
     };
     memcpy(params.bounds_min, frame->geometry->bounds_min, sizeof frame->geometry->bounds_min);
     memcpy(params.bounds_max, frame->geometry->bounds_max, sizeof frame->geometry->bounds_max);
@@ -128,9 +135,8 @@ static struct pass_state state_of(const struct cluster_pass *pass, GLuint progra
     };
 }
 
-/* So many iterations of k-means, from the seeds or from the means of before. */
-static void iterate(const struct cluster_pass *pass, const struct frame *frame, bool seeds,
-                    int iterations) {
+static void take_steps(const struct cluster_pass *pass, const struct frame *frame,
+                       const struct steps *steps) {
     const struct cluster_desc *desc = &pass->desc;
     struct pass_state state = {
         .name = "clustering",
@@ -149,9 +155,26 @@ static void iterate(const struct cluster_pass *pass, const struct frame *frame, 
         pass_add_texture(&state, UNIT_VPL_VALUES, desc->weights->values.id);
         pass_add_texture(&state, UNIT_VPL_VALUE_SUM, desc->weights->sum.id);
     }
-    write_params(pass, frame, seeds, iterations);
+    write_params(pass, frame, steps);
     pass_set_state(&state);
     pass_dispatch(1, 1, 1);
+}
+
+/* So many iterations of k-means, from the seeds or from the means of before: as many in a dispatch as it may take. */
+static void iterate(const struct cluster_pass *pass, const struct frame *frame, bool seeds,
+                    int iterations) {
+    const int vpls = pass->desc.vpl_count, groups = (vpls + CLUSTER_GROUP - 1) / CLUSTER_GROUP;
+    const int most = CLUSTER_GROUPS_MAX(pass->desc.val_count);
+    const int whole = groups < most ? most / groups : 1;
+    struct steps steps = {.seeds = seeds};
+    for (int done = 0; done == 0 || done < iterations; done += whole) {
+        steps.iterations = whole < iterations - done ? whole : iterations - done;
+        for (int first = 0; first < vpls; first += most * CLUSTER_GROUP) {
+            steps.first_vpl = first;
+            take_steps(pass, frame, &steps);
+            steps.seeds = false;
+        }
+    }
     /* Passes fetch the VALs; inspect/ copies them. */
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
 }
