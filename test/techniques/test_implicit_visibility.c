@@ -18,11 +18,12 @@ static void open_radiosity(struct radiosity *radiosity, struct shape *shape, dou
                            int most, const struct links_desc *desc, bool two_sided) {
     open_shape(&radiosity->stage, shape, albedo, two_sided, at(0, 0, 0));
     const struct geometry *geometry = &radiosity->stage.geometry;
-    elements_init(&radiosity->elements, &(struct elements_desc){&radiosity->stage.scene, geometry,
-                                                                MATERIALS_DIFFUSE, false, most});
+    elements_init(&radiosity->elements,
+                  &(struct elements_desc){&radiosity->stage.scene, geometry, MATERIALS_DIFFUSE,
+                                          false, most, desc->cover == LINKS_COVER_FACETS});
     tree_init(&radiosity->tree, &radiosity->elements, .3F * geometry->radius);
     links_init(&radiosity->links, desc, radiosity->elements.count);
-    element_light_init(&radiosity->light, &radiosity->tree);
+    element_light_init(&radiosity->light, &radiosity->elements, &radiosity->tree);
 }
 
 static void close_radiosity(struct radiosity *radiosity) {
@@ -34,9 +35,12 @@ static void close_radiosity(struct radiosity *radiosity) {
 }
 
 static void set_radiance(struct radiosity *radiosity, float (*of)(const struct element *element)) {
-    for (int i = 0; i < radiosity->elements.count; i++)
-        for (int c = 0; c < 3; c++)
-            radiosity->light.radiance[i][c] = of(&radiosity->elements.items[i]);
+    const struct elements *elements = &radiosity->elements;
+    for (int i = 0; i < radiosity->tree.leaf_count; i++)
+        for (int c = 0; c < 3; c++) {
+            uint32_t at = radiosity->tree.of_facets ? elements->facets[i].elements[0] : (uint32_t)i;
+            radiosity->light.radiance[i][c] = of(&elements->items[at]);
+        }
     tree_pull_up_values(&radiosity->tree, radiosity->light.radiance);
 }
 
@@ -114,7 +118,7 @@ struct share {
 /* Where all nodes shine alike each leaf gets the light of its filled bins, exactly. */
 static struct share share_of(struct radiosity *radiosity) {
     struct share share = {.least = 1};
-    links_make(&radiosity->links, &radiosity->tree, NULL);
+    links_make(&radiosity->links, &radiosity->elements, &radiosity->tree, NULL);
     set_radiance(radiosity, one);
     for (int i = 0; i < radiosity->elements.count; i++) {
         double filled = (double)radiosity->links.filled[i] - (double)radiosity->links.buried[i];
@@ -200,14 +204,15 @@ static float left_square(const struct element *element) {
 }
 
 /* Two unit squares face each other, 1 apart: form factor .19982. */
-static double squares_factor(int side, int most) {
+static double squares_factor(int side, int most, enum links_cover cover) {
     struct radiosity radiosity;
     struct shape *shape = new_shape();
     double sum = 0, area = 0;
     add_rectangle(shape, at(-.5F, -.5F, -.5F), at(0, 1, 0), at(0, 0, 1));
     add_rectangle(shape, at(.5F, -.5F, -.5F), at(0, 0, 1), at(0, 1, 0));
-    open_radiosity(&radiosity, shape, .5, most, &(struct links_desc){.side = side}, false);
-    links_make(&radiosity.links, &radiosity.tree, NULL);
+    open_radiosity(&radiosity, shape, .5, most, &(struct links_desc){.side = side, .cover = cover},
+                   false);
+    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, NULL);
     set_radiance(&radiosity, left_square);
     for (int i = 0; i < radiosity.elements.count; i++) {
         const struct element *element = &radiosity.elements.items[i];
@@ -224,8 +229,24 @@ static double squares_factor(int side, int most) {
 
 static void test_squares(void **state) {
     (void)state;
-    check_near("form factor", squares_factor(12, 800), .19982, .012);
-    check_near("form factor", squares_factor(24, 3000), .19982, .005);
+    check_near("form factor", squares_factor(12, 800, LINKS_COVER_DISK), .19982, .012);
+    check_near("form factor", squares_factor(24, 3000, LINKS_COVER_DISK), .19982, .005);
+}
+
+/* Triangles that hide by themselves: the same answers, and each triangle is a leaf whose thirds are of elements. */
+static void test_facets(void **state) {
+    (void)state;
+    struct links_desc desc = {.side = 12, .cover = LINKS_COVER_FACETS};
+    struct radiosity radiosity;
+    double area = 0;
+    check_at_most("leak of facets", 1 - check_sphere(&desc, 1500, false), .01);
+    check_near("form factor", squares_factor(12, 800, LINKS_COVER_FACETS), .19982, .012);
+    open_radiosity(&radiosity, sphere(), .5, 700, &desc, true);
+    for (int i = 0; i < radiosity.elements.facet_count; i++)
+        area += (double)radiosity.elements.facets[i].area;
+    check_near("area of facets", area / area_of(&radiosity.elements), 1, 1e-5);
+    check_near("leaves", radiosity.tree.leaf_count, radiosity.elements.facet_count, 0);
+    close_radiosity(&radiosity);
 }
 
 /* All bins of a convex body are open. */
@@ -238,7 +259,7 @@ static void test_convex(void **state) {
     for (size_t b = 0; b < sizeof sky / sizeof *sky; b++)
         sky[b][0] = sky[b][1] = sky[b][2] = 1;
     open_radiosity(&radiosity, shape, .5, 800, &(struct links_desc){.side = 8}, false);
-    links_make(&radiosity.links, &radiosity.tree, (const float(*)[3])sky);
+    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, (const float(*)[3])sky);
     double least = INFINITY, most = 0, filled = 0;
     for (int i = 0; i < radiosity.elements.count; i++) {
         least = fmin(least, (double)radiosity.links.sky[i][0]);
@@ -264,7 +285,7 @@ static void test_furnace(void **state) {
     open_radiosity(&radiosity, sphere(), albedo, 1000, &(struct links_desc){.side = 8}, false);
     const struct geometry *geometry = &radiosity.stage.geometry;
     element_light_casters(&casters, &radiosity.stage.scene, geometry);
-    links_make(&radiosity.links, &radiosity.tree, NULL);
+    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, NULL);
     element_light_direct(
         &radiosity.light, &radiosity.elements,
         &(struct direct_lights){&light, 1, false, &casters, geometry_clearance(geometry)},
@@ -327,7 +348,7 @@ static void test_lamps(void **state) {
         element->emission = glms_vec3_fill(half_shines(element));
     }
     element_light_emit(&radiosity.light, &radiosity.elements, &radiosity.tree);
-    links_make(&radiosity.links, &radiosity.tree, NULL);
+    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, NULL);
     links_sort_lamps(&radiosity.links, (const float(*)[4])radiosity.light.emission);
     element_light_direct(&radiosity.light, &radiosity.elements,
                          &(struct direct_lights){.lamps_by_links = true}, &radiosity.links);
@@ -368,7 +389,7 @@ static double *room_light(int threads, bool reversed, int *count, double *mean) 
     struct radiosity radiosity;
     open_radiosity(&radiosity, room(reversed), .5, 900,
                    &(struct links_desc){.side = 8, .threads = threads}, false);
-    links_make(&radiosity.links, &radiosity.tree, NULL);
+    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, NULL);
     set_radiance(&radiosity, by_height);
     double *light = mem_alloc((size_t)radiosity.elements.count, sizeof *light), area = 0;
     double least = INFINITY, most = 0;
@@ -529,13 +550,14 @@ static void test_near_window(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),   cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_squares), cmocka_unit_test(test_convex),
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_order),   cmocka_unit_test(test_start),
-        cmocka_unit_test(test_sun),     cmocka_unit_test(test_turned_sky),
-        cmocka_unit_test(test_memory),  cmocka_unit_test(test_near_window),
-        cmocka_unit_test(test_pairs),   cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_areas),       cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_squares),     cmocka_unit_test(test_facets),
+        cmocka_unit_test(test_convex),      cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_picture),     cmocka_unit_test(test_order),
+        cmocka_unit_test(test_start),       cmocka_unit_test(test_sun),
+        cmocka_unit_test(test_turned_sky),  cmocka_unit_test(test_memory),
+        cmocka_unit_test(test_near_window), cmocka_unit_test(test_pairs),
+        cmocka_unit_test(test_lamps),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -111,6 +111,17 @@ bool bins_window_of(const struct bins *bins, int face, const float center[3],
     return true;
 }
 
+bool bins_window_between(const struct bins *bins, const float low[2], const float high[2],
+                         struct bins_window *window) {
+    for (int c = 0; c < 2; c++) {
+        if (low[c] > 1 || high[c] < -1)
+            return false;
+        window->first[c] = cell_of(bins, low[c]);
+        window->end[c] = cell_of(bins, high[c]) + 1;
+    }
+    return true;
+}
+
 float bin_cosine(const struct bin *bin, vec3s normal) {
     float sum = 0, part;
     for (int p = 0; p < BIN_PARTS; p++) {

@@ -45,6 +45,10 @@ struct bins_window {
 bool bins_window_of(const struct bins *bins, int face, const float center[3],
                     const float extents[3], struct bins_window *window);
 
+/* Between two places of a face: coordinates at distance 1. False: none. */
+bool bins_window_between(const struct bins *bins, const float low[2], const float high[2],
+                         struct bins_window *window);
+
 /* max(cosine to the normal, 0) over a bin, sr: by its quarters. */
 float bin_cosine(const struct bin *bin, vec3s normal);
 

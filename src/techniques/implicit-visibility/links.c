@@ -23,10 +23,13 @@ enum { STACK_MAX = 256, LEAVES_TOGETHER = 8 };
 
 struct walk {
     const struct links *links;
+    const struct elements *elements;
     const struct tree *tree;
-    const struct tree_node *leaf;
-    uint32_t own;
-    mat3s turn; /* from the world to the leaf's bins */
+    const struct element *element; /* the receiver */
+    vec3s origin;                  /* of its rays */
+    float near;                    /* partners nearer than this are its own surface, m */
+    uint32_t own;                  /* its number */
+    mat3s turn;                    /* from the world to the leaf's bins */
     float distances[BINS_MAX];
     uint32_t nodes[BINS_MAX]; /* with PARTNER_BACK; PARTNER_NONE: empty */
 };
@@ -99,16 +102,96 @@ static void offer_disk(struct walk *walk, uint32_t j, vec3s path, bool small) {
         offer_windows(walk, &disk);
 }
 
+/* --- facets ----------------------------------------------------------------------------------- */
+
+/* From the receiver, in its bins. */
+struct triangle {
+    uint32_t node;
+    vec3s corners[3];
+    vec3s across[3]; /* of the planes through the receiver and an edge */
+    vec3s normal;
+    float along; /* corner . normal */
+    bool front;
+};
+
+static void offer_bin_of_triangle(struct walk *walk, const struct triangle *triangle, int b) {
+    vec3s ray = walk->links->bins.directions[b];
+    float sign = triangle->along < 0 ? -1 : 1;
+    for (int e = 0; e < 3; e++)
+        if (!(sign * glms_vec3_dot(ray, triangle->across[e]) >= 0))
+            return;
+    float distance = triangle->along / glms_vec3_dot(ray, triangle->normal);
+    if (distance > 0 && distance < walk->distances[b])
+        offer(walk, b, triangle->node, triangle->front, distance);
+}
+
+/* Bins of a face that a triangle may cover, of what of it lies before the face's plane of depth 0. */
+static bool window_of_triangle(const struct bins *bins, int face, const vec3s corners[3],
+                               struct bins_window *window) {
+    const int axis = face / 2;
+    const float sign = face % 2 ? -1 : 1;
+    float low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, largest = 0;
+    for (int v = 0; v < 3; v++)
+        largest = fmaxf(largest, sign * corners[v].raw[axis]);
+    const float nearest = 1e-4F * largest;
+    if (!(largest > 0))
+        return false;
+    for (int v = 0; v < 3; v++) {
+        vec3s from = corners[v], to = corners[(v + 1) % 3];
+        float depths[2] = {sign * from.raw[axis], sign * to.raw[axis]};
+        float cut = (nearest - depths[0]) / (depths[1] - depths[0]);
+        bool crosses = (depths[0] < nearest) != (depths[1] < nearest);
+        for (int end = 0; end < 1 + crosses; end++) {
+            vec3s at = end ? glms_vec3_lerp(from, to, cut) : from;
+            float depth = end ? nearest : depths[0];
+            if (depth < nearest)
+                continue;
+            for (int c = 0; c < 2; c++) {
+                float place = at.raw[(axis + 1 + c) % 3] / depth;
+                low[c] = fminf(low[c], place);
+                high[c] = fmaxf(high[c], place);
+            }
+        }
+    }
+    return bins_window_between(bins, low, high, window);
+}
+
+static void offer_facet(struct walk *walk, uint32_t j) {
+    const struct facet *facet = &walk->elements->facets[j];
+    if (memcmp(facet->corners, walk->element->corners, sizeof facet->corners) == 0)
+        return;
+    struct triangle triangle = {.node = j};
+    for (int v = 0; v < 3; v++)
+        triangle.corners[v] =
+            glms_mat3_mulv(walk->turn, glms_vec3_sub(facet->places[v], walk->origin));
+    const vec3s *corners = triangle.corners;
+    for (int e = 0; e < 3; e++)
+        triangle.across[e] = glms_vec3_cross(corners[e], corners[(e + 1) % 3]);
+    triangle.normal = glms_vec3_cross(glms_vec3_sub(corners[1], corners[0]),
+                                      glms_vec3_sub(corners[2], corners[0]));
+    triangle.along = glms_vec3_dot(corners[0], triangle.normal);
+    triangle.front = (triangle.along < 0) == (facet->side > 0);
+    struct bins_window window;
+    const int side = walk->links->bins.side;
+    for (int face = 0; face < 6; face++)
+        if (window_of_triangle(&walk->links->bins, face, corners, &window))
+            for (int row = window.first[1]; row < window.end[1]; row++)
+                for (int column = window.first[0]; column < window.end[0]; column++)
+                    offer_bin_of_triangle(walk, &triangle, (face * side + row) * side + column);
+}
+
 /* turned: the path, in the leaf's bins. */
 static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s turned,
                        float distance) {
     const struct tree_node *node = &walk->tree->nodes[j];
     const struct bins *bins = &walk->links->bins;
     float facing = -glm_vec3_dot((float *)node->normal, (float *)path) / distance;
-    bool above = glm_vec3_dot((float *)walk->leaf->normal, (float *)path) > 0;
+    bool above = glm_vec3_dot((float *)walk->element->normal.raw, (float *)path) > 0;
     float solid_angle = node->area * fabsf(facing) / (distance * distance);
     bool small = solid_angle < disk_share * bins_solid_angle(bins, turned.raw, distance);
-    if (walk->links->desc.cover == LINKS_COVER_CENTER) {
+    if (walk->tree->of_facets && j < (uint32_t)walk->tree->leaf_count) {
+        offer_facet(walk, j);
+    } else if (walk->links->desc.cover == LINKS_COVER_CENTER) {
         if (above)
             offer(walk, bins_find(bins, turned.raw), j, facing > 0, distance);
     } else if (
@@ -120,17 +203,16 @@ static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s
 /* All nodes that reach above the leaf's horizon. */
 static void walk_tree(struct walk *walk) {
     const struct tree *tree = walk->tree;
-    const struct tree_node *leaf = walk->leaf;
-    const float near2 = glm_pow2(PARTNER_LEAST_DISTANCE * leaf->radius);
+    const float near2 = glm_pow2(walk->near);
     uint32_t stack[STACK_MAX] = {(uint32_t)tree->count - 1};
     for (int size = 1; size > 0;) {
         uint32_t j = stack[--size];
         const struct tree_node *node = &tree->nodes[j];
         float path[3];
         for (int c = 0; c < 3; c++)
-            path[c] = node->position[c] - leaf->position[c];
-        float height = glm_vec3_dot(path, (float *)leaf->normal);
-        if (j == walk->own || height < -node->radius)
+            path[c] = node->position[c] - walk->origin.raw[c];
+        float height = glm_vec3_dot(path, (float *)walk->element->normal.raw);
+        if ((j == walk->own && !tree->of_facets) || height < -node->radius)
             continue;
         float distance2 = glm_vec3_norm2(path), distance = sqrtf(distance2);
         vec3s turned = glms_mat3_mulv(walk->turn, (vec3s){{path[0], path[1], path[2]}});
@@ -165,11 +247,11 @@ static uint32_t close_leak(const struct walk *walk, int b) {
 
 /* [Dong 2011 eq. 4.5] */
 static float element_weight(const struct walk *walk, uint32_t j) {
-    const struct tree_node *node = &walk->tree->nodes[j], *leaf = walk->leaf;
+    const struct tree_node *node = &walk->tree->nodes[j];
     vec3 path;
-    glm_vec3_sub((float *)node->position, (float *)leaf->position, path);
+    glm_vec3_sub((float *)node->position, (float *)walk->element->position.raw, path);
     float distance2 = glm_vec3_norm2(path);
-    float here = glm_vec3_dot(path, (float *)leaf->normal);
+    float here = glm_vec3_dot(path, (float *)walk->element->normal.raw);
     float there = -glm_vec3_dot(path, (float *)node->normal);
     return fmaxf(here, 0) * fmaxf(there, 0) * node->area / (distance2 * distance2);
 }
@@ -190,8 +272,7 @@ static void add_sky(const struct walk *walk, int b, float weight, const float (*
 
 /* In the leaf's bins. */
 static vec3s normal_of(const struct walk *walk) {
-    const float *normal = walk->leaf->normal;
-    return glms_mat3_mulv(walk->turn, (vec3s){{normal[0], normal[1], normal[2]}});
+    return glms_mat3_mulv(walk->turn, walk->element->normal);
 }
 
 static void take_links(const struct walk *walk, struct links *links, const float (*sky)[3]) {
@@ -243,6 +324,7 @@ static mat3s turn_of(uint32_t number) {
 
 struct making {
     struct links *links;
+    const struct elements *elements;
     const struct tree *tree;
     const struct pairs *pairs; /* NULL: each leaf walks */
     const float (*sky)[3];
@@ -262,12 +344,20 @@ static void find_partners(struct walk *walk, const struct pairs *pairs) {
     walk_tree(walk);
 }
 
-static void start_walk(struct walk *walk, const struct links *links, const struct tree *tree,
-                       int leaf) {
+static void start_walk(struct walk *walk, const struct links *links,
+                       const struct elements *elements, const struct tree *tree, int leaf) {
+    const struct element *element = &elements->items[leaf];
     walk->links = links;
+    walk->elements = elements;
     walk->tree = tree;
     walk->own = (uint32_t)leaf;
-    walk->leaf = &tree->nodes[leaf];
+    walk->element = element;
+    walk->origin = element->position;
+    walk->near = PARTNER_LEAST_DISTANCE * sqrtf(element->area / GLM_PIf);
+    if (tree->of_facets) {
+        walk->origin = glms_vec3_muladds(element->normal, elements->clearance, element->position);
+        walk->near = 0;
+    }
     walk->turn = links->desc.turned ? turn_of((uint32_t)leaf) : glms_mat3_identity();
 }
 
@@ -275,18 +365,19 @@ static void make_some(void *context, size_t run) {
     const struct making *making = context;
     struct walk *walk = mem_alloc(1, sizeof *walk);
     int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
-    for (int i = first; i < end && i < making->tree->leaf_count; i++) {
-        start_walk(walk, making->links, making->tree, i);
+    for (int i = first; i < end && i < making->elements->count; i++) {
+        start_walk(walk, making->links, making->elements, making->tree, i);
         find_partners(walk, making->pairs);
         take_links(walk, making->links, making->sky);
     }
     free(walk);
 }
 
-void links_make(struct links *links, const struct tree *tree, const float (*sky)[3]) {
+void links_make(struct links *links, const struct elements *elements, const struct tree *tree,
+                const float (*sky)[3]) {
     struct pairs pairs = {0};
-    struct making making = {links, tree, links->desc.pairs ? &pairs : NULL, sky};
-    size_t runs = ((size_t)tree->leaf_count + LEAVES_TOGETHER - 1) / LEAVES_TOGETHER;
+    struct making making = {links, elements, tree, links->desc.pairs ? &pairs : NULL, sky};
+    size_t runs = ((size_t)elements->count + LEAVES_TOGETHER - 1) / LEAVES_TOGETHER;
     if (links->desc.pairs)
         pairs_make(&pairs, tree, &links->bins);
     links->linked = pairs.linked;
@@ -294,11 +385,11 @@ void links_make(struct links *links, const struct tree *tree, const float (*sky)
     pairs_free(&pairs);
 }
 
-vec3s links_partners(const struct links *links, const struct tree *tree, int leaf,
-                     uint32_t *partners) {
+vec3s links_partners(const struct links *links, const struct elements *elements,
+                     const struct tree *tree, int leaf, uint32_t *partners) {
     struct walk *walk = mem_alloc(1, sizeof *walk);
     struct pairs pairs = {0};
-    start_walk(walk, links, tree, leaf);
+    start_walk(walk, links, elements, tree, leaf);
     if (links->desc.pairs)
         pairs_make(&pairs, tree, &links->bins);
     find_partners(walk, links->desc.pairs ? &pairs : NULL);
