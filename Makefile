@@ -1,4 +1,4 @@
-# manylight: make | demo | test | test-long | deps | install | uninstall | clean
+# manylight: make | lib | demo | test | test-long | deps | install | uninstall | clean
 #
 # mk/test.mk has the targets of tests, checks and the bundle; bench/Makefile those of the benchmark.
 #
@@ -15,7 +15,9 @@ WERROR ?= -Werror
 # The binary of the default build lies at the top; other builds keep theirs in their folder.
 BINARY ?= manylight
 
+# The date stands in man pages.
 VERSION := 0.1
+DATE := 2026-11-27
 COMMIT := $(shell git describe --always --dirty 2>/dev/null || echo unknown)
 
 # The commands are shown by make V=1.
@@ -49,13 +51,16 @@ SCENES := $(BUILD)/scenes/made
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
 PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6 \
     libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev libcglm-dev \
-    libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev libx11-dev gnuplot-nox xvfb xdotool
+    libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev libx11-dev gnuplot-nox xvfb xdotool python3-dev python3-cffi python3-numpy
 
 PKG := cglm $(if $(filter small,$(PICTURES)),OpenEXR,OpenImageIO) $(if $(VIEWER),imgui glfw3)
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
-C_FLAGS = -std=c11 -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
-CXX_FLAGS = -std=c++17 $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
+# One set of objects serves the program and libmanylight.so. The bundle's tests use a library that shows all symbols.
+VISIBILITY ?= hidden
+LIBRARY_FLAGS := -fPIC -fvisibility=$(VISIBILITY)
+C_FLAGS = -std=c11 $(LIBRARY_FLAGS) -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
+CXX_FLAGS = -std=c++17 $(LIBRARY_FLAGS) $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
 PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
@@ -100,8 +105,8 @@ keep = @cmp -s $@ $@.new && rm $@.new || mv $@.new $@
 
 $(BUILD)/include/version.h: FORCE
 	@mkdir -p $(@D)
-	@printf '#define MANYLIGHT_VERSION "%s"\n#define MANYLIGHT_COMMIT "%s"\n' \
-	    $(VERSION) $(COMMIT) > $@.new
+	@printf '#define MANYLIGHT_VERSION "%s"\n#define MANYLIGHT_DATE "%s"\n#define MANYLIGHT_COMMIT "%s"\n' \
+	    $(VERSION) $(DATE) $(COMMIT) > $@.new
 	$(keep)
 
 $(BUILD)/include/sources.h: FORCE
@@ -151,7 +156,7 @@ $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -c -o $@ $<
 
--include $(shell find $(BUILD) -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
 
 # --- scenes ---------------------------------------------------------------------------------------
 
@@ -181,7 +186,7 @@ demo: deps
 clean:
 	rm -rf build manylight scenes/*.glb scenes/*.hdr scenes/failures
 
-include mk/install.mk mk/test.mk
+include mk/library.mk mk/install.mk mk/test.mk mk/python.mk mk/deb.mk
 
 # --- benchmark ------------------------------------------------------------------------------------
 

@@ -33,6 +33,9 @@ $(SHADER_DUMP): $(patsubst %.c,$(BUILD)/%.o,$(wildcard test/shaders/*.c)) $(LIBR
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
+# The library is tested in the test programs, and as others get it.
+$(BUILD)/test/test_library_installed: | $(SHARED) $(FINDERS)
+
 # What makes calls of the program fail, for test_faults.
 FAULTS := $(BUILD)/test/faults.so
 $(BUILD)/test/test_faults: | $(FAULTS)
@@ -85,9 +88,9 @@ BUNDLE_BUILD := build/bundle-parts
 
 bundle:
 	@test/install-packages $(BUNDLE_PACKAGES)
-	@$(MAKE) --no-print-directory bundle-parts PICTURES=small VIEWER= BUILD=$(BUNDLE_BUILD) \
+	@$(MAKE) --no-print-directory bundle-parts PICTURES=small VIEWER= VISIBILITY=default BUILD=$(BUNDLE_BUILD) \
 	    BINARY=$(BUNDLE_BUILD)/manylight SCENE_FOLDER=$(BUNDLE_BUILD)/scenes/all \
-	    TEST_LIBRARY=$(BUNDLE_BUILD)/libmanylight.so CFLAGS="$(CFLAGS) -fPIC -fno-semantic-interposition"
+	    TEST_LIBRARY=$(BUNDLE_BUILD)/libmanylight.so CFLAGS="$(CFLAGS) -fno-semantic-interposition"
 	@bundle/pack $(BUNDLE_BUILD) $(BUNDLE)
 
 bundle-parts: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight

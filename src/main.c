@@ -1,8 +1,10 @@
 /* Picks the subcommand. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/subcommands.h"
+#include "base/clock.h"
 #include "base/error.h"
+#include "base/events.h"
 #include "base/file/output_file.h"
 
 #include "version.h"
@@ -14,34 +16,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#ifdef MANYLIGHT_NO_VIEWER
-static int refuse_view(int argc, char **argv) {
-    (void)argc, (void)argv;
-    fprintf(stderr, "manylight: view: this build has no viewer; render writes pictures\n");
-    return 1;
-}
-#define VIEW refuse_view
-#else
-#define VIEW app_view
-#endif
-
-static const struct subcommand {
-    const char *name, *help;
-    int (*run)(int argc, char **argv);
-} subcommands[] = {
-    {"average", "joins pictures of different passes", app_average},
-    {"bench", "measures times, errors and memory", app_bench},
-    {"compare", "measures the error between two pictures", app_compare},
-    {"export", "writes a scene for other renderers: a pack, Mitsuba 3, pbrt-v4", app_export},
-    {"info", "describes a scene, or the renderer of this machine", app_info},
-    {"render", "renders pictures without a window", app_render},
-    {"report", "writes a page on a scene: each technique's time, error and picture", app_report},
-    {"score", "scores a folder of pictures against references, and names their faults", app_score},
-    {"tune", "measures the cost of the choices of --max-error and --budget", app_tune},
-    {"view", "shows a scene in a window", VIEW},
-    {"reference", "path-traces a scene on the CPU", app_reference},
-    {NULL, NULL, NULL},
-};
+static double start_ms;
 
 static void print_help(FILE *out) {
     fprintf(out, "usage: manylight SUBCOMMAND ...\n\n"
@@ -64,11 +39,26 @@ static void guard_streams(void) {
         setvbuf(stdout, page, _IOFBF, sizeof page);
 }
 
+/* The last event. */
+static void tell_end(void) {
+    struct event event;
+    event_begin(&event, "done");
+    event_add_number(&event, "done", 1);
+    event_add_number(&event, "seconds", (clock_ms() - start_ms) / 1e3);
+    event_send(&event);
+}
+
 /* Results that stdout did not take were not told. */
 static int close_stdout(int status) {
-    if (output_file_close_stdout() || status != 0)
+    bool ok = output_file_close_stdout();
+    if (ok && status == 0 && events_are_json())
+        tell_end();
+    if (ok || status != 0)
         return status;
-    fprintf(stderr, "manylight: %s\n", error_get());
+    if (events_are_json())
+        event_tell("error", error_get());
+    else
+        fprintf(stderr, "manylight: %s\n", error_get());
     return 1;
 }
 
@@ -85,14 +75,15 @@ static int run(int argc, char **argv) {
         printf("manylight %s (%s)\n", MANYLIGHT_VERSION, MANYLIGHT_COMMIT);
         return 0;
     }
-    for (const struct subcommand *s = subcommands; s->name; s++)
-        if (strcmp(argv[1], s->name) == 0)
-            return s->run(argc - 1, argv + 1);
+    const struct subcommand *named = subcommand_find(argv[1]);
+    if (named)
+        return named->run(argc - 1, argv + 1);
     fprintf(stderr, "manylight: unknown subcommand '%s' (manylight --help lists them)\n", argv[1]);
     return 2;
 }
 
 int main(int argc, char **argv) {
+    start_ms = clock_ms();
     guard_streams();
     return close_stdout(run(argc, argv));
 }

@@ -55,7 +55,17 @@ function noise_of(scene, size, device,    i, row) {
 function told(row) {
     return row ? " | " text[row, "method"] " | " shown(value[row, "indirect-relative-rmse"], 3, 100) " | " whole(value[row, "cpu"]) : " | | |"
 }
+# Whether a method has a layer of indirect light.
+function has_indirect(device, size,    i, list) {
+    for (i = 1; i <= method_count; i++)
+        if (cells(list, "indirect-relative-rmse", device, size, methods[i]))
+            return 1
+    return 0
+}
 function print_scenes(device, size,    i, noise) {
+    if (!has_indirect(device, size))
+        return
+    print ""
     print "| scene | noise, % | least error | % | CPU ms | fastest within 10 % | % | CPU ms | fastest within 25 % | % | CPU ms |"
     print "|---|---|---|---|---|---|---|---|---|---|---|"
     for (i = 1; i <= scene_count; i++) {
@@ -65,12 +75,28 @@ function print_scenes(device, size,    i, noise) {
                 told(least(scenes[i], size, device, "cpu", .1)) told(least(scenes[i], size, device, "cpu", .25)) " |"
     }
 }
-function print_failures(    i, n) {
+# Other renderers have no settings; most have no layer of indirect light.
+function print_others(device, size,    i, j, row, n) {
+    for (i = 1; i <= scene_count; i++)
+        for (j = 1; j <= method_count; j++) {
+            row = row_of[scenes[i], size, methods[j], device]
+            if (!row || text[row, "status"] != "ok" || text[row, "settings"] != "")
+                continue
+            if (!n++) {
+                print "\n| scene | other renderer | beauty, % | bias, % | FLIP | ms |"
+                print "|---|---|---|---|---|---|"
+            }
+            print "| " scenes[i] " | " methods[j] " | " shown(value[row, "relative-rmse"], 3, 100) " | " \
+                shown(value[row, "relative-bias"], 2, 100) " | " shown(value[row, "hdr-flip"], 2) " | " whole(value[row, "ms"]) " |"
+        }
+}
+function print_failures(    i, n, head) {
     for (i = 1; i <= rows; i++)
         if (text[i, "status"] != "ok") {
             if (!n++)
                 print "\n## Failed cases\n"
-            print "- " text[i, "scene"] " " text[i, "size"] " " text[i, "method"] ": `" text[i, "error"] "`"
+            head = "- " text[i, "scene"] " " text[i, "size"] " " text[i, "method"] ":"
+            print head (length(head text[i, "error"]) > 117 ? "\n  `" : " `") text[i, "error"] "`"
         }
 }
 END {
@@ -80,17 +106,19 @@ END {
     print "a frame. `make table` writes it. [Benchmarking](../docs/dev/benchmarking.md#the-table) tells how, and how to enter"
     print "another renderer.\n"
     print "- Errors: relative RMSE of indirect light and of the picture; FLIP; absolute bias of indirect light. Medians of scenes."
-    print "- The picture has direct light too: edges of spots' cones and shadows, not antialiased, lead its error in small pictures."
-    print "- Times: medians of frames. On software OpenGL they depend on other work, CPU times less."
+    print "- The picture has direct light too. Edges of spots' cones and shadows, not antialiased, lead its error in small"
+    print "  pictures."
+    print "- Times: medians of frames; of other renderers their own. On software OpenGL two scenes are measured at once, so that"
+    print "  the clock tells little: compare CPU times."
     print "- Noise: standard error of the reference over its mean. It is part of each error: subtract it as squares."
-    printf "- Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; commit %s.\n", scene_count, method_count,
-        rows, failed, faulty, text[1, "commit"]
+    printf "- Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; %s.\n", scene_count, method_count,
+        rows, failed, faulty, commits_shown()
     for (i = 1; i <= device_count; i++)
         for (j = 1; j <= size_count; j++) {
             printf "\n## %s, %s\n\n", sizes[j], devices[i]
             print_methods(devices[i], sizes[j])
-            print ""
             print_scenes(devices[i], sizes[j])
+            print_others(devices[i], sizes[j])
         }
     print_failures()
 }

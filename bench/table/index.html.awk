@@ -23,12 +23,12 @@ function x_of(number) { return 64 + 500 * (log_of(number) - log_of(x_low)) / (lo
 function y_of(number) { return 330 - 310 * (log_of(number) - log_of(y_low)) / (log_of(y_high) - log_of(y_low)) }
 function print_axes(    mark) {
     for (mark = x_low; mark <= x_high * 1.001; mark = mark_after(mark))
-        printf "<path class=\"grid\" d=\"M%.1f 20V330\"/><text class=\"tick\" x=\"%.1f\" y=\"348\" text-anchor=\"middle\">%.4g</text>\n",
+        printf "<path class=\"grid\" d=\"M%.1f 20V330\"/><text class=\"tick\" x=\"%.1f\" y=\"350\" text-anchor=\"middle\">%.6g</text>\n",
             x_of(mark), x_of(mark), mark
     for (mark = y_low; mark <= y_high * 1.001; mark = mark_after(mark))
-        printf "<path class=\"grid\" d=\"M64 %.1fH564\"/><text class=\"tick\" x=\"58\" y=\"%.1f\" text-anchor=\"end\">%.4g</text>\n",
+        printf "<path class=\"grid\" d=\"M64 %.1fH564\"/><text class=\"tick\" x=\"58\" y=\"%.1f\" text-anchor=\"end\">%.6g</text>\n",
             y_of(mark), y_of(mark) + 4, mark
-    print "<text x=\"314\" y=\"370\" text-anchor=\"middle\">CPU ms of a frame</text>"
+    print "<text x=\"314\" y=\"372\" text-anchor=\"middle\">CPU ms of a frame</text>"
     print "<text transform=\"translate(16 175) rotate(-90)\" text-anchor=\"middle\">relative RMSE of indirect light, %</text>"
 }
 # Names stand in a column on the right, none over another.
@@ -51,11 +51,13 @@ function print_points(count,    i, j, row, y, low, label) {
     }
     for (i = 1; i <= count; i++) {
         row = points[i]
-        printf "<g class=\"point\"><path d=\"M%.1f %.1fL574 %.1f\"/><circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\"><title>%s: %.4g ms, %.4g %%</title></circle><text x=\"578\" y=\"%.1f\">%s</text></g>\n",
+        printf "<g class=\"point\"><path d=\"M%.1f %.1fL574 %.1f\"/><circle cx=\"%.1f\" cy=\"%.1f\" r=\"5\"><title>%s: %s ms, %.4g %%</title></circle><text x=\"578\" y=\"%.1f\">%s</text></g>\n",
             x_of(time_of(row)), y_of(error_of(row)), label[i], x_of(time_of(row)), y_of(error_of(row)),
-            escaped(text[row, "method"]), time_of(row), error_of(row), label[i] + 4, escaped(text[row, "method"])
+            escaped(text[row, "method"]), whole(time_of(row)), error_of(row), label[i] + 4, escaped(short_name(text[row, "method"]))
     }
 }
+# As much of a name as stands beside the chart; the whole is in the point's title and in the table.
+function short_name(name) { return length(name) > 24 ? substr(name, 1, 21) "..." : name }
 function time_of(row) { return (value[row, "cpu"] != "" ? value[row, "cpu"] : value[row, "ms"]) + 0 }
 function error_of(row) { return 100 * value[row, "indirect-relative-rmse"] }
 function print_chart(list, count, name,    i, row, shown_count) {
@@ -140,8 +142,8 @@ END {
     print_head()
     print "<h1>Error against time</h1>"
     print "<p>Methods of indirect light against a path-traced reference with as many bounces. Relative RMSE of indirect light and of the picture (beauty), FLIP, bias of the mean; the noise of the reference is part of each error. Times are medians of frames.</p>"
-    printf "<p>Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d. Commit %s. <a href=\"results.json\">Results</a>, <a href=\"times.json\">times</a>, <a href=\"jeri.json\">list of pictures</a>.</p>\n",
-        scene_count, method_count, rows, failed, faulty, escaped(text[1, "commit"])
+    printf "<p>Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; %s. <a href=\"results.json\">Results</a>, <a href=\"times.json\">times</a>, <a href=\"jeri.json\">list of pictures</a>.</p>\n",
+        scene_count, method_count, rows, failed, faulty, escaped(commits_shown())
     print "<nav>"
     for (i = 1; i <= scene_count; i++)
         printf "<a href=\"#%s\">%s</a>\n", anchor(scenes[i]), escaped(scenes[i])

@@ -1,5 +1,5 @@
 # All pictures for the JERI viewer: a tab for each scene and size, with the reference and the methods. Paths are relative
-# to the folder.
+# to the folder. JERI finds a tab by its title, so no other method may have the reference's.
 function quoted(text) {
     gsub(/\\/, "\\\\", text)
     gsub(/"/, "\\\"", text)
@@ -30,7 +30,7 @@ END {
             if (list == "")
                 continue
             printf "%s\n {\"title\": %s, \"children\": [%s%s]}", tab++ ? "," : "", quoted(scenes[i] " " sizes[j]),
-                image("reference", "references/" scenes[i] "." sizes[j] ".exr"), list
+                image("path-traced reference", "references/" scenes[i] "." sizes[j] ".exr"), list
         }
     print "\n]}"
 }

@@ -45,6 +45,11 @@ function list_once(list, count, item,    i) {
 function key_of(line) {
     return field(line, "scene") SUBSEP field(line, "size") SUBSEP field(line, "method") SUBSEP field(line, "device")
 }
+function commits_shown(    i, all) {
+    for (i = 1; i <= commit_count; i++)
+        all = all (i > 1 ? ", " : "") commits[i]
+    return (commit_count > 1 ? "commits " : "commit ") all
+}
 # Sorts a list of numbers; few, so by insertion.
 function sort_numbers(list, count,    i, j, item) {
     for (i = 2; i <= count; i++) {
@@ -114,4 +119,5 @@ NR == FNR {
     size_count = list_once(sizes, size_count, text[rows, "size"])
     method_count = list_once(methods, method_count, text[rows, "method"])
     device_count = list_once(devices, device_count, text[rows, "device"])
+    commit_count = list_once(commits, commit_count, text[rows, "commit"])
 }

@@ -1,6 +1,6 @@
 // Rays in a medium, as lines of the camera's picture. A line's weight is what makes a ray of flux a beam as wide as a pixel:
 // length / (depth of one end * depth of the other * pixels that it is long * area of a pixel at depth 1); the depth of a
-// place on it then cancels out.
+// place on it then cancels out. Published lines all have one weight [Dong 2011, eq. 8.3].
 #include "lib/camera.glsl"
 #include "lib/light.glsl"
 #include "lib/random.glsl"
@@ -57,7 +57,11 @@ void main() {
     }
     vec2 pixel = 2.0 * vec2(length(camera.right), length(camera.up)) / params.size;
     float depths = camera.orthographic ? 1.0 : a.w * b.w / dot(camera.forward, camera.forward);
+#ifdef PUBLISHED
+    line_flux = flux * params.line_weight / chance;
+#else
     line_flux = flux * metres / (chance * depths * pixels * pixel.x * pixel.y);
+#endif
     line_direction = normalize(way);
     line_way = length(way) * (is_end ? part.y : part.x);
     line_place = from + (is_end ? part.y : part.x) * way;

@@ -20,19 +20,20 @@ test_sums sums_of_cell(ivec2 cell, int val) {
     return test_sums(texelFetch(sums, ivec3(cell, val), 0), texelFetch(squares, ivec3(cell, val), 0).rg);
 }
 
-void sums_add(inout test_sums sum, int val) {
-    for (int i = 0; i < CORRECTION_SIDE * CORRECTION_SIDE; i++) {
-        test_sums cell = sums_of_cell(ivec2(i % CORRECTION_SIDE, i / CORRECTION_SIDE), val);
-        sum.light += cell.light;
-        sum.squares += cell.squares;
-    }
+void sums_add(inout test_sums sum, test_sums more) {
+    sum.light += more.light;
+    sum.squares += more.squares;
 }
+
+// Of all light, less than this is nothing: rounding alone would tell which part of nothing is missing.
+const float NOTHING = 1e-4;
 
 // Of a part of the light; `whole`: the correction of that which it is a part of.
 float correction_of(float all, float found, float due, float square, float whole) {
-    float expected = found * (1.0 - abs(whole)) + all * max(whole, 0.0), off = due - expected;
+    float stopped = max(all - found, NOTHING * all), passed = max(found, NOTHING * all);
+    float whole_more = whole * (whole > 0.0 ? stopped : passed), off = due - found - whole_more;
     float sure = max(1.0 - CHANCE * square / max(off * off, 1e-30), 0.0);
-    float more = expected + sure * off - found, part = more > 0.0 ? all - found : found;
+    float more = whole_more + sure * off, part = more > 0.0 ? stopped : passed;
     return clamp(more / max(part, 1e-30), -1.0, 1.0);
 }
 

@@ -17,10 +17,10 @@ light light_at(int i) {
     vec4 a = light_rows[row], b = light_rows[row + 1], c = light_rows[row + 2];
     vec4 d = light_rows[row + 3], e = light_rows[row + 4], f = light_rows[row + 5];
     vec4 g = light_rows[row + 6];
-    vec4 h = light_rows[row + 7];
+    vec4 h = light_rows[row + 7], slide = light_rows[row + 8];
     return light(a.xyz, a.w, b.xyz, floatBitsToInt(b.w), c.xyz, floatBitsToInt(c.w), d.xyz, d.w, e.xyz,
                  e.w, f.xyz, f.w, floatBitsToInt(g.x), floatBitsToInt(g.y), g.z, g.w, h.x,
-                 floatBitsToInt(h.y), h.z, h.w);
+                 floatBitsToInt(h.y), h.z, h.w, floatBitsToInt(slide.x), slide.y, slide.z, slide.w);
 }
 
 // A program may say which kinds of maps the lights have, by its define MAP_KINDS: 1 << LIGHT_MAP_... of each.
@@ -48,10 +48,40 @@ float light_cone(light l, float cos_angle) {
     return t * t;
 }
 
+// What a spot's picture lets pass of light in a unit direction; scene/lights/slide.c has the same.
+#ifdef HAS_SLIDES
+layout(binding = UNIT_SLIDES) uniform sampler2DArray slides;
+
+vec3 slide_texel(light l, vec2 place) {
+    vec2 last = vec2(l.slide_width, l.slide_height) - 1.0;
+    return texelFetch(slides, ivec3(ivec2(clamp(place, vec2(0.0), last)), l.slide), 0).rgb;
+}
+
+vec3 light_slide(light l, vec3 direction) {
+    float ahead = dot(direction, l.direction);
+    if (l.slide < 0 || ahead <= 0.0)
+        return vec3(1.0);
+    vec2 aside = vec2(dot(direction, l.right), -dot(direction, l.up)) * (l.slide_scale / ahead);
+    vec2 place = (0.5 + 0.5 * aside) * vec2(l.slide_width, l.slide_height) - 0.5;
+    vec2 corner = floor(place), part = place - corner;
+    vec3 above = mix(slide_texel(l, corner), slide_texel(l, corner + vec2(1.0, 0.0)), part.x);
+    vec3 below = mix(slide_texel(l, corner + vec2(0.0, 1.0)), slide_texel(l, corner + vec2(1.0)), part.x);
+    return mix(above, below, part.y);
+}
+#else
+vec3 light_slide(light l, vec3 direction) {
+    return vec3(1.0);
+}
+#endif
+
 // Intensity in a unit direction, W/sr; not of a directional light.
 vec3 light_intensity(light l, vec3 direction) {
     bool even = l.type == LIGHT_TYPE_POINT;
-    return l.intensity * (even ? 1.0 : light_cone(l, dot(direction, l.direction)));
+    vec3 intensity = l.intensity * (even ? 1.0 : light_cone(l, dot(direction, l.direction)));
+#ifdef HAS_SLIDES
+    intensity *= light_slide(l, direction);
+#endif
+    return intensity;
 }
 
 // What is left of its light at that squared distance, by KHR_lights_punctual.

@@ -1,6 +1,8 @@
 // Each VPL lands on its VAL's pixel with its place in the plane perpendicular to the mean normal, both
 // signs, so that MAX blending finds the bounding rectangle in one draw [Dong 2009 §6].
 #include "lib/tangent.glsl"
+#include "shared/cluster.h"
+#include "lights/val_texels.glsl"
 #include "lights/val_distance.glsl"
 #include "lib/vpl_input.glsl"
 

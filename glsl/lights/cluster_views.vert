@@ -8,6 +8,8 @@
 #include "visibility/map_range.glsl"
 #include "visibility/map_view_output.glsl"
 #include "lib/tangent.glsl"
+#include "shared/cluster.h"
+#include "lights/val_texels.glsl"
 #include "lights/val_distance.glsl"
 #include "lib/vpl_texels.glsl" // with their VALs' numbers
 

@@ -1,16 +1,11 @@
 // The clustering criterion, of lengths [Dong 2009 §5.1] or of squares [Prutkin 2012, eq. 1]:
 //     d = w_x |x - c| + w_alpha angle(n, m)
 //     d = w_d |x - c|^2 + w_n (1 - n m) + w_Phi |Phi / |Phi| - Phi_c / |Phi_c||^2
-// Distances are taken over the spread of the VPLs, so that neither units nor what no light reaches count.
+// Distances are taken over the spread of the VPLs, so that neither units nor what no light reaches count. The including
+// file has val_position, val_normal and val_flux of a number (lights/val_texels.glsl).
 #include "shared/cluster.h"
 #include "shared/vpl.h"
 #include "lib/vpl_sums.glsl"
-
-layout(binding = UNIT_VAL_POSITION) uniform sampler2D val_positions; // xyz, count
-layout(binding = UNIT_VAL_NORMAL) uniform sampler2D val_normals;
-#if METRIC == CLUSTER_METRIC_SQUARES
-layout(binding = UNIT_VAL_FLUX) uniform sampler2D val_fluxes;
-#endif
 
 // 1/m.
 float position_weight() {
@@ -18,10 +13,9 @@ float position_weight() {
 }
 
 float val_distance(float weight_position, vpl v, int k) {
-    ivec2 texel = ivec2(k, 0);
-    vec3 center = texelFetch(val_positions, texel, 0).xyz, mean = texelFetch(val_normals, texel, 0).xyz;
+    vec3 center = val_position(k), mean = val_normal(k);
 #if METRIC == CLUSTER_METRIC_SQUARES
-    vec3 flux = texelFetch(val_fluxes, texel, 0).rgb;
+    vec3 flux = val_flux(k);
     vec3 apart = weight_position * (v.position - center);
     vec3 hues_apart = v.flux / max(length(v.flux), 1e-30) - flux / max(length(flux), 1e-30);
     return dot(apart, apart) + params.weight_normal * (1.0 - dot(v.normal, mean)) +

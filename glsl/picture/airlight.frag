@@ -150,6 +150,9 @@ vec4 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
 #endif
         vec2 before = medium_segment(position, -direction, r);
         vec3 passes = exp(-medium.extinction * (s - entered + max(before.y - before.x, 0.0)));
+#ifdef HAS_SLIDES
+        passes *= light_slide(l, direction);
+#endif
         sum += lit ? passes * from_lamp : vec3(0.0);
         unshadowed += passes * strength;
         at = vec2(at.x * turn.x - at.y * turn.y, at.x * turn.y + at.y * turn.x);

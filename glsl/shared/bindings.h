@@ -84,6 +84,7 @@
 #define UNIT_ADAPTIVE_PIXELS 45
 #define UNIT_LIST_TEXELS 46
 #define UNIT_VPL_DENSITY 47
+#define UNIT_SLIDES 48 /* of spots */
 #define UNIT_OWN 64
 
 /* Attributes of the scene's vertices. UV is of a material's first mapping, the others of the further ones. */
@@ -114,9 +115,6 @@
 #define TARGET_BASIS_Z_COS 2
 #define TARGET_BASIS_Z_SIN 3
 #define TARGET_BASIS_Z 4
-#define TARGET_VAL_POSITION 0 /* likewise of sums over a VAL's VPLs */
-#define TARGET_VAL_NORMAL 1
-#define TARGET_VAL_FLUX 2
 #define TARGET_CORRECTION_SUM 0
 #define TARGET_CORRECTION_SQUARE 1
 #define TARGET_SUM_SQUARES 0

@@ -10,9 +10,10 @@
 #define UNIT_PATCHES (UNIT_SMOOTH_END + 3) /* two: flux of each triangle of a cell */
 #define UNIT_SPLATS (UNIT_SMOOTH_END + 5)
 
-#define TARGET_RAY_LEAVE 0 /* where a ray leaves the last smooth surface; w: the normal at its end, packed */
-#define TARGET_RAY_END 1   /* where it ends; w: RAY_... */
-#define TARGET_RAY_FLUX 2  /* W that leave; w: length of the way before, metres */
+#define TARGET_RAY_LEAVE                                                                           \
+    0 /* where a ray leaves the last smooth surface; w: the normal at its end, packed */
+#define TARGET_RAY_END 1  /* where it ends; w: RAY_... */
+#define TARGET_RAY_FLUX 2 /* W that leave; w: length of the way before, metres */
 
 #define RAY_NONE 0.0
 #define RAY_ESCAPES 1.0 /* meets nothing: the end is the medium's */
@@ -25,16 +26,20 @@ struct caustics_params {
     vec3 right;
     float measure; /* of a texel: sr or m2 */
     vec3 up;
-    int side; /* texels */
+    int side;   /* texels */
     vec3 start; /* of a sun: the middle of the disk */
     BOOL is_disk;
-    vec2 shift; /* of the rays within their texels */
+    vec2 shift;  /* of the rays within their texels */
     float reach; /* surfaces are one so near, metres */
     float far;   /* where rays end without a medium, metres */
     vec2 size;   /* of the picture, pixels */
     int chains;  /* of each texel, one above another */
     BOOL points_only;
+    float line_weight; /* of published lines, 1/m */
+    float line_step;   /* of a pixel's ray, metres */
+    float line_reach;  /* of the Gaussian around a step, metres */
+    int unused;
 };
-PASS_BLOCK(caustics_params, 96)
+PASS_BLOCK(caustics_params, 112)
 
 #endif

@@ -4,10 +4,16 @@
 
 #include "shared/types.h"
 
-#define UNIT_SUM_POSITION (UNIT_OWN + 0)
-#define UNIT_SUM_NORMAL (UNIT_OWN + 1)
-#define UNIT_SUM_FLUX (UNIT_OWN + 2)
-#define UNIT_SEEDS (UNIT_OWN + 3)
+#define UNIT_SEEDS (UNIT_OWN + 0)
+
+/* Images of lights/cluster_means.comp, which has no others. */
+#define IMAGE_VAL_POSITION 0
+#define IMAGE_VAL_NORMAL 1
+#define IMAGE_VAL_FLUX 2
+#define IMAGE_VAL_SUMS 3
+
+/* Invocations of its workgroup: the VPLs of so many fit the 32 KiB that GL promises for shared memory. */
+#define CLUSTER_GROUP 512
 
 /* The criterion, METRIC: lengths and angles [Dong 2009 §5.1], or squares of them and of hues, with means
  * weighted by flux [Prutkin 2012, eq. 1]. */
@@ -26,7 +32,9 @@ struct cluster_params {
     vec3 bounds_max;
     BOOL reseed;       /* empty clusters begin again */
     float weight_flux; /* of squares: w_Phi */
-    float unused0, unused1, unused2;
+    BOOL seeds;        /* all VALs begin with their seeds */
+    int iterations;
+    float unused;
 };
 PASS_BLOCK(cluster_params, 64)
 

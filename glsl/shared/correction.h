@@ -7,6 +7,8 @@
 #define UNIT_CORRECTION_TESTS (UNIT_OWN + 0)
 #define UNIT_CORRECTION_SUMS (UNIT_OWN + 1)
 #define UNIT_CORRECTION_SQUARES (UNIT_OWN + 2)
+#define UNIT_CORRECTION_VAL_SUMS (UNIT_OWN + 3)
+#define UNIT_CORRECTION_VAL_SQUARES (UNIT_OWN + 4)
 
 #define CORRECTION_SIDE 8      /* cells of the picture, along either side */
 #define CORRECTION_TOGETHER 16 /* VPLs, of which one is tested for all */

@@ -7,7 +7,7 @@
 #include "shared/view.h"
 
 #define LIGHTS_MAX 64
-#define LIGHT_VIEWS_MAX 384 /* six of each light: the block then has 62 KiB */
+#define LIGHT_VIEWS_MAX 384 /* six of each light: the block then has 63 KiB */
 
 /* Kinds of views, and of arrays of maps. The single views come first. */
 #define LIGHT_MAP_SINGLE 0
@@ -25,7 +25,7 @@
 #define LIGHT_SHAPE_SPHERE 3
 #define LIGHT_SHAPE_CAP 4
 
-#define LIGHT_ROWS 8
+#define LIGHT_ROWS 9
 
 struct light {
     vec3 intensity; /* W/sr, of a directional light W/m2 */
@@ -44,9 +44,12 @@ struct light {
     int shape;           /* LIGHT_SHAPE_... */
     float width, height; /* struct emitter's size */
     float extent;        /* area of the shape, m2; of a cap solid angle, sr */
-    int first_map;       /* of its own maps: one, or six of a point light (visibility/light_map.glsl) */
-    float map_unit;      /* what a depth of 1 means there, metres */
-    float range_inverse2; /* 1 / m2; 0 = its light ends nowhere */
+    int first_map;  /* of its own maps: one, or six of a point light (visibility/light_map.glsl) */
+    float map_unit; /* what a depth of 1 means there, metres */
+    float range_inverse2;            /* 1 / m2; 0 = its light ends nowhere */
+    int slide;                       /* layer of the slides; -1 = none */
+    float slide_scale;               /* emitter_slide_scale */
+    float slide_width, slide_height; /* texels */
 };
 STD140_SIZE(light, 16 * LIGHT_ROWS)
 

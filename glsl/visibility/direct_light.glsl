@@ -49,6 +49,9 @@ void main() {
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
 #endif
     vec3 passes = medium_passes_light(s.position, direction, l.type != LIGHT_TYPE_DIRECTIONAL, distance2);
+#ifdef HAS_SLIDES
+    passes *= light_slide(l, direction);
+#endif
     direct.rgb *= passes;
 #ifdef HAS_SPECULAR
     specular.rgb *= passes;

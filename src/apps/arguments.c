@@ -3,6 +3,7 @@
 #include "apps/limited.h"
 
 #include "base/error.h"
+#include "base/events.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "scene/read_rules.h"
@@ -36,6 +37,19 @@ static const struct option scene_options[] = {
     {NULL},
 };
 
+static const char *const progress_names[] = {"text", "json", NULL};
+
+static const struct option progress_options[] = {
+    {"progress", 0, OPTION_CHOICE, offsetof(struct common_values, progress),
+     .choices = progress_names,
+     .help = "form of progress, notes and errors on standard error;\n"
+             "json: an object a line, for other programs",
+     .rare = true},
+    {NULL},
+};
+
+enum { TABLES = 4 };
+
 static size_t row_count(const struct option *table) {
     size_t count = 0;
     while (table[count].name)
@@ -44,8 +58,9 @@ static size_t row_count(const struct option *table) {
 }
 
 static const struct option *tables_of(const struct arguments *arguments, int n) {
-    const struct option *const tables[] = {
-        arguments->options, arguments->opens_scenes ? scene_options : NULL, common_options};
+    const struct option *const tables[TABLES] = {
+        arguments->options, arguments->opens_scenes ? scene_options : NULL,
+        arguments->shows_progress ? progress_options : NULL, common_options};
     return tables[n];
 }
 
@@ -53,7 +68,7 @@ static const struct option *tables_of(const struct arguments *arguments, int n) 
 static struct option *join_tables(const struct arguments *arguments) {
     size_t count = 0;
     struct option *table = mem_alloc(1, sizeof *table);
-    for (int n = 0; n < 3; n++) {
+    for (int n = 0; n < TABLES; n++) {
         const struct option *rows = tables_of(arguments, n);
         size_t more = rows ? row_count(rows) : 0;
         table = mem_resize(table, count + more + 1, sizeof *table);
@@ -92,6 +107,8 @@ static void print_help(const struct arguments *arguments, const struct option *t
 
 static bool apply(int argc, char **argv, const struct arguments *arguments,
                   const struct common_values *common) {
+    if (arguments->shows_progress && common->progress == 1)
+        events_choose_json();
     if (common->quiet)
         log_set_level(LOG_QUIET);
     else if (common->verbose)
@@ -102,6 +119,14 @@ static bool apply(int argc, char **argv, const struct arguments *arguments,
            error_prefix("--max-memory");
 }
 
+static arguments_reader *reading;
+static void *reading_user;
+
+void arguments_set_reader(arguments_reader *reader, void *user) {
+    reading = reader;
+    reading_user = user;
+}
+
 bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
                      const char **positional, int *positional_count, int *status) {
     for (int i = 0; i < arguments->max_positional; i++)
@@ -109,7 +134,10 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     struct option *table = join_tables(arguments);
     options_set_defaults(table, values);
     bool go_on = false;
-    if (asks_for_help(argc, argv, values)) {
+    if (reading) {
+        reading(reading_user, argv[0], arguments, table, values);
+        *status = STATUS_OK;
+    } else if (asks_for_help(argc, argv, values)) {
         options_parse_arguments(table, values, argc, argv, positional, arguments->max_positional,
                                 positional_count);
         print_help(arguments, table, argv[0], values);
@@ -131,8 +159,13 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
 
 int arguments_fail(const char *name) {
     /* Libraries do not always say that it was memory. */
-    fprintf(stderr, "manylight %s: %s%s\n", name, error_get(),
-            mem_is_limited() ? " (--max-memory bounds its memory)" : "");
+    char *text = mem_printf("manylight %s: %s%s", name, error_get(),
+                            mem_is_limited() ? " (--max-memory bounds its memory)" : "");
+    if (events_are_json())
+        event_tell("error", text);
+    else
+        fprintf(stderr, "%s\n", text);
+    free(text);
     return STATUS_FAILED;
 }
 

@@ -27,6 +27,7 @@ enum status { STATUS_OK, STATUS_FAILED, STATUS_USAGE };
 struct common_values {
     bool help, help_all, quiet, verbose;
     float max_memory; /* GiB; 0 = no limit of its own */
+    int progress;     /* an index of progress_names */
     bool strict;      /* this and root: of scene/read_rules.h */
     const char *root;
 };
@@ -36,7 +37,8 @@ struct arguments {
     const char *summary;          /* a line or more, without the last line feed */
     const struct option *options; /* its own rows, without the common ones */
     int min_positional, max_positional;
-    bool opens_scenes; /* has --strict and --root, too */
+    bool opens_scenes;   /* has --strict and --root, too */
+    bool shows_progress; /* has --progress, too */
     /* The end of --help and --help-all, which may depend on other options; NULL = nothing. */
     void (*print_more)(FILE *out, const void *values);
 };
@@ -46,6 +48,12 @@ struct arguments {
  * over and returns *status, after --help has been printed or a usage error. */
 bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
                      const char **positional, int *positional_count, int *status);
+
+/* In place of each subcommand's run, until it is NULL again: gets the arguments, with the common options in the table,
+ * and defaults as values. */
+typedef void arguments_reader(void *user, const char *name, const struct arguments *arguments,
+                              const struct option *table, const void *values);
+void arguments_set_reader(arguments_reader *reader, void *user);
 
 /* --help, --help-all or -h. */
 bool arguments_is_help(const char *argument);

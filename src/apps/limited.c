@@ -34,14 +34,15 @@ static bool begins(const struct text *text, const char *with) {
 /* "manylight render: ..." of arguments_fail, or the last words of base/memory.h. */
 static bool is_error(const struct relay *relay, const struct text *line) {
     size_t name = strlen("manylight ");
-    return begins(line, "manylight: out of memory") || begins(line, "manylight: cannot write") ||
+    return begins(line, "{\"event\": \"error\"") || begins(line, "manylight: out of memory") ||
+           begins(line, "manylight: cannot write") ||
            (begins(line, "manylight ") && line->length > name + strlen(relay->subcommand) &&
             memcmp(line->data + name, relay->subcommand, strlen(relay->subcommand)) == 0);
 }
 
 static void pass_line(struct relay *relay) {
     struct text *line = &relay->line;
-    if (begins(line, "manylight")) {
+    if (begins(line, "manylight") || begins(line, "{\"event\": ")) {
         relay->has_error |= is_error(relay, line);
         output_file_put(STDERR_FILENO, line->data, line->length);
     } else if (relay->held.length + line->length < HELD_MOST) {

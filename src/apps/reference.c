@@ -1,5 +1,6 @@
 /* manylight reference: the path-traced reference; or what the GPU's VPLs would make of it if their
  * visibility were exact. */
+#include "apps/about.h"
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
@@ -16,6 +17,7 @@
 #include "quality/picture.h"
 #include "reference/channels.h"
 #include "renderer/stage.h"
+#include "scene/caustics.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "shared/composite.h"
@@ -121,6 +123,7 @@ static const struct arguments arguments = {
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,
+    .shows_progress = true,
     .min_positional = 1,
     .max_positional = 1,
 };
@@ -196,7 +199,7 @@ static bool trace_light(const struct values *values, const struct stage *stage,
                                            .user = &progress};
     if (values->light_paths == 0)
         return true;
-    progress_start(&progress);
+    progress_start(&progress, "light paths");
     bool ok = picture_trace_light(stage, &desc, image, &result);
     double seconds = progress_end(&progress);
     if (ok && !result.has_smooth)
@@ -218,12 +221,14 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     struct progress progress;
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
+    if (!desc.smooth)
+        caustics_note_opaque(&stage->scene);
     if (ao_is_auto(values))
         desc.ao_distance = volume_ao_distance(settings, &stage->geometry);
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
     desc.progress = show;
     desc.user = &progress;
-    progress_start(&progress);
+    progress_start(&progress, "paths");
     bool ok = picture_trace_paths(stage, &desc, image, &reached);
     double seconds = progress_end(&progress);
     if (ok && reached.samples == 1)
@@ -261,7 +266,7 @@ static bool trace_vpls(const struct values *values, const struct stage *stage,
     if (!context)
         return false;
     desc->stage = stage;
-    progress_start(&progress);
+    progress_start(&progress, "vpls");
     bool ok = picture_trace(desc, cut ? &cuts : NULL, compensation.rays ? &compensation : NULL,
                             &progress, image);
     double seconds = progress_end(&progress);
@@ -335,8 +340,17 @@ int app_reference(int argc, char **argv) {
     choose_size(&values, &desc, &stage);
     bool ok =
         (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
-                                            : trace_vpls(&values, &stage, &desc, &image)) &&
-        image_write(&image, values.output);
+                                            : trace_vpls(&values, &stage, &desc, &image));
+    if (ok)
+        about_add(&image, &(struct about){.scene = values.stage.path,
+                                          .camera = values.stage.camera,
+                                          .technique = reference_techniques[values.technique],
+                                          .placed = &stage.camera,
+                                          .settings = &desc.settings,
+                                          .time = (double)values.stage.time});
+    ok = ok && image_write(&image, values.output);
+    if (ok)
+        progress_tell_file(&(struct progress){.task = "picture"}, values.output);
     image_free(&image);
     stage_free(&stage);
     return ok ? STATUS_OK : arguments_fail(argv[0]);

@@ -1,5 +1,6 @@
 /* manylight render: pictures offscreen. */
 #define _POSIX_C_SOURCE 200809L
+#include "apps/about.h"
 #include "apps/apps.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
@@ -9,6 +10,7 @@
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "apps/stats.h"
+#include "apps/videos.h"
 
 #include "base/clock.h"
 #include "base/error.h"
@@ -22,6 +24,7 @@
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "quality/quality.h"
+#include "scene/caustics.h"
 #include "shared/composite.h"
 
 #include <stdlib.h>
@@ -33,7 +36,8 @@ struct values {
     struct context_desc context;
     struct technique_values technique;
     struct stage_desc stage;
-    struct text_list outputs;
+    struct text_list outputs; /* pictures */
+    struct videos videos;
     int size[2];
     int layer;
     const char *format, *background, *frames, *glsl, *aov;
@@ -41,14 +45,16 @@ struct values {
     bool passes_given; /* by --passes, and not by a quality */
     float max_error, budget, fps;
     bool skip_existing, stats, shipped_costs;
-    struct costs costs;     /* of this machine, where something is chosen by them */
-    struct in_time in_time; /* where budget */
-    char *choice;           /* which quality was chosen, and why */
+    struct costs costs;        /* of this machine, where something is chosen by them */
+    struct in_time in_time;    /* where budget */
+    struct progress *progress; /* of the frames */
+    char *choice;              /* which quality was chosen, and why */
 };
 
 static const struct option options[] = {
     {"output", 'o', OPTION_LIST, offsetof(struct values, outputs), .value_name = "FILE",
-     .help = "picture to write, in the format of its extension; repeatable"},
+     .help = "picture to write, in the format of its extension; or, with --frames, a video (.mp4,\n"
+             ".mov, .mkv, .webm) through ffmpeg; repeatable"},
     FORMAT_OPTION(struct values, format),
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 0, 1, 16384, .help = SIZE_HELP},
     {"quality", 0, OPTION_CHOICE, offsetof(struct values, quality), QUALITY_NORMAL,
@@ -139,6 +145,7 @@ static const struct arguments arguments = {
         "SCENE - is standard input; -o - is standard output, in the format of --format.",
     .options = options,
     .opens_scenes = true,
+    .shows_progress = true,
     .min_positional = 1,
     .max_positional = 1,
     .print_more = print_more,
@@ -165,13 +172,40 @@ static bool has_mean(const struct values *values) {
     return values->passes > 1 || values->first_pass > 0 || (values->passes_given && !values->aov);
 }
 
+static bool check_videos(const struct values *values) {
+    const struct text_list *paths = &values->videos.paths;
+    for (int i = 0; i < paths->count; i++) {
+        if (!values->frames)
+            return error_set("%s: a video needs --frames A..B", paths->items[i]);
+        if (frame_name_is_numbered(paths->items[i]))
+            return error_set("%s: '#' stands for the number of a frame, and a video has all frames",
+                             paths->items[i]);
+        if (values->skip_existing)
+            return error_set("%s: a video is made of all frames, and --skip-existing leaves some "
+                             "out",
+                             paths->items[i]);
+    }
+    return true;
+}
+
+/* Videos show the background as pictures of 8 bits do. */
+static bool check_background(const struct values *values, const struct background *background) {
+    bool has_video = values->videos.paths.count > 0;
+    if (has_video && background->kind == BACKGROUND_NONE)
+        return error_set("--background none: %s cannot be transparent",
+                         values->videos.paths.items[0]);
+    return (has_video && background->kind == BACKGROUND_COLOUR) ||
+           background_check(background, values->outputs.items, values->outputs.count);
+}
+
 static bool check_outputs(const struct values *values, int frame_count) {
     bool is_float, any_float = false;
     if (values->aov && has_mean(values))
         return error_set("aov: outputs of a technique are of one pass, and not of a mean");
-    if (values->outputs.count == 0)
+    if (values->outputs.count + values->videos.paths.count == 0)
         return error_set("no output: -o FILE");
-    if (!outputs_use_format(values->outputs.items, values->outputs.count, values->format))
+    if (!check_videos(values) ||
+        !outputs_use_format(values->outputs.items, values->outputs.count, values->format))
         return false;
     for (int i = 0; i < values->outputs.count; i++) {
         if (!check_name(values, values->outputs.items[i], frame_count, &is_float))
@@ -195,6 +229,10 @@ static bool each_output(const struct values *values, struct renderer *renderer, 
     return ok;
 }
 
+static double frame_time(const struct values *values, int frame) {
+    return (double)values->stage.time + frame / (double)values->fps;
+}
+
 static bool check_file(const struct values *values, struct renderer *renderer, const char *path) {
     (void)values, (void)renderer;
     return output_file_check(path, NULL, 0);
@@ -204,6 +242,13 @@ static bool read_image(const struct values *values, struct renderer *renderer,
                        struct image *image) {
     if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
         return false;
+    const struct about about = {.scene = values->stage.path,
+                                .camera = values->stage.camera,
+                                .technique = renderer->technique->name,
+                                .placed = &renderer->desc.camera,
+                                .settings = &renderer->desc.settings,
+                                .time = frame_time(values, values->progress->frame)};
+    about_add(image, &about);
     if (has_mean(values)) {
         image->passes =
             mem_printf("%d..%d", values->first_pass, values->first_pass + values->passes - 1);
@@ -229,6 +274,21 @@ static bool write_output(const struct values *values, struct renderer *renderer,
         ok = transparent ? bitmap_write_alpha(&bitmap, path) : bitmap_write(&bitmap, path);
         bitmap_free(&bitmap);
     }
+    if (ok)
+        progress_tell_file(values->progress, path);
+    return ok;
+}
+
+/* The frame in each video. */
+static bool write_videos(struct values *values, struct renderer *renderer) {
+    struct bitmap bitmap;
+    if (values->videos.begun == 0)
+        return true;
+    renderer_compose(renderer, values->layer);
+    if (!renderer_read_display(renderer, &bitmap))
+        return false;
+    bool ok = videos_add(&values->videos, &bitmap);
+    bitmap_free(&bitmap);
     return ok;
 }
 
@@ -254,8 +314,8 @@ struct work {
 };
 
 /* Also of the frame at hand a share. */
-static void show_work(struct work *work, double share, const char *note) {
-    progress_show(&work->progress, (work->done + share) / (work->count - work->skipped), note);
+static double share_done(const struct work *work, double share) {
+    return (work->done + share) / (work->count - work->skipped);
 }
 
 /* Waits for each pass: a GPU would take hundreds at once, and they are not done then. */
@@ -269,23 +329,28 @@ static void add_passes(const struct values *values, struct renderer *renderer, s
             snprintf(note, sizeof note, "frame %d, ", frame);
         size_t used = strlen(note);
         snprintf(note + used, sizeof note - used, "pass %d of %d", i + 1, values->passes);
-        show_work(work, (i + 1.) / values->passes, note);
+        work->progress.pass = i + 1;
+        progress_show(&work->progress, share_done(work, (i + 1.) / values->passes), note);
     }
+}
+
+static bool write_outputs(struct values *values, struct renderer *renderer, int frame) {
+    return each_output(values, renderer, frame, write_output) && write_videos(values, renderer);
 }
 
 static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
                          struct work *work, int frame) {
-    double time = (double)values->stage.time + frame / (double)values->fps;
+    double time = frame_time(values, frame);
     if (!stage_pose(stage, time) || !stage_show(stage, renderer))
         return false;
     if (values->budget > 0)
         return in_time_render(&values->in_time, renderer, stage, time) &&
-               each_output(values, renderer, frame, write_output);
+               write_outputs(values, renderer, frame);
     if (has_mean(values))
         add_passes(values, renderer, work, frame);
     else
         renderer_render(renderer);
-    return each_output(values, renderer, frame, write_output);
+    return write_outputs(values, renderer, frame);
 }
 
 /* After the first picture. */
@@ -300,7 +365,10 @@ static bool render_frames(struct values *values, const struct frames *frames,
                           struct renderer *renderer, struct stage *stage) {
     struct work work = {.count = frames->count};
     bool ok = true;
-    progress_start(&work.progress);
+    progress_start(&work.progress, "frames");
+    work.progress.frame_count = frames->count;
+    work.progress.pass_count = has_mean(values) ? values->passes : 0;
+    values->progress = &work.progress;
     for (int i = 0; ok && i < frames->count; i++) {
         int frame = frames->numbers[i];
         if (interrupt_came()) {
@@ -313,15 +381,19 @@ static bool render_frames(struct values *values, const struct frames *frames,
             work.skipped++;
             continue;
         }
+        work.progress.frame = frame;
+        work.progress.pass = 0;
         double start = clock_ms();
         ok = render_frame(values, renderer, stage, &work, frame) || error_prefix("frame %d", frame);
         if (work.done++ == 0)
             tell_start(start);
         char note[32];
         snprintf(note, sizeof note, "frame %d", frame);
-        show_work(&work, 0, note);
+        if (ok)
+            progress_show_step(&work.progress, share_done(&work, 0), note);
     }
     double seconds = progress_end(&work.progress);
+    values->progress = NULL;
     if (ok && frames->count > 1)
         log_note("%d frames in %.1f s, %d were there", work.done, seconds, work.skipped);
     return ok;
@@ -349,7 +421,12 @@ static bool render(struct values *values, const struct frames *frames,
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))
         return false;
-    bool ok = aov_check(&renderer, values->aov) && render_frames(values, frames, &renderer, stage);
+    bool ok = aov_check(&renderer, values->aov) &&
+              videos_begin(&values->videos, desc->width, desc->height, (double)values->fps) &&
+              render_frames(values, frames, &renderer, stage);
+    ok = videos_end(&values->videos, ok) && ok;
+    for (int i = 0; ok && i < values->videos.paths.count; i++)
+        progress_tell_file(&(struct progress){.task = "frames"}, values->videos.paths.items[i]);
     if (ok && values->stats) {
         FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
         renderer_render(&renderer); /* the first frame also compiled */
@@ -411,9 +488,12 @@ static bool render_scene(struct values *values, const struct frames *frames,
     struct context *context;
     at_0.time = 0;
     double start = clock_ms();
-    if (!each_output(values, NULL, frames->numbers[0], check_file) || !stage_init(&stage, &at_0))
+    if (!each_output(values, NULL, frames->numbers[0], check_file) ||
+        !videos_check(&values->videos) || !stage_init(&stage, &at_0))
         return false;
     phase_add(PHASE_SCENE, start);
+    if (!caustics_shown(&stage.scene, &desc->settings))
+        caustics_note_opaque(&stage.scene);
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
     desc->camera = stage.camera;
@@ -454,6 +534,7 @@ static bool resolve(struct values *values, const struct frames *frames,
     struct quality_choice choice = quality_named((enum quality)values->quality);
     if (!check_choice(values))
         return false;
+    videos_take(&values->videos, &values->outputs);
     values->passes_given = values->passes > 0;
     if (values->passes == 0 && values->max_error == 0)
         values->passes = choice.passes;
@@ -462,7 +543,7 @@ static bool resolve(struct values *values, const struct frames *frames,
     values->in_time.texts = &named->settings;
     return check_outputs(values, frames->count) &&
            background_parse(&desc->background, values->background) &&
-           background_check(&desc->background, values->outputs.items, values->outputs.count) &&
+           check_background(values, &desc->background) &&
            technique_values_resolve(named, &desc->technique, &desc->direct, &desc->settings) &&
            quality_settings(&choice, desc->technique, named->settings.items, named->settings.count,
                             &desc->settings);

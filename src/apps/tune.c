@@ -54,6 +54,7 @@ static const struct arguments arguments = {
         "and atrium; of several scenes the mean of ratios counts. Keep the machine idle meanwhile.",
     .options = options,
     .opens_scenes = true,
+    .shows_progress = true,
     .max_positional = SCENES_MAX,
 };
 
@@ -109,7 +110,7 @@ static bool time_all(const struct values *values, const char *const *scenes, int
                      struct costs *costs) {
     struct work work = {.count = count * costs->count};
     bool ok = true;
-    progress_start(&work.progress);
+    progress_start(&work.progress, "choices");
     for (int i = 0; ok && i < count; i++)
         ok = time_scene(values, scenes[i], costs, &work);
     progress_end(&work.progress);

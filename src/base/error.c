@@ -7,15 +7,29 @@
 enum { MESSAGE_SIZE = 2048 };
 
 static _Thread_local char message[MESSAGE_SIZE];
+static _Thread_local enum error_kind kind;
+
+/* The arguments may point into the old message, so the new one is composed beside it. */
+static void set(enum error_kind new_kind, const char *format, va_list args) {
+    char composed[MESSAGE_SIZE];
+    vsnprintf(composed, sizeof composed, format, args);
+    memcpy(message, composed, sizeof message);
+    kind = new_kind;
+}
 
 bool error_set(const char *format, ...) {
-    /* The arguments may point into the old message, so the new one is composed beside it. */
-    char composed[MESSAGE_SIZE];
     va_list args;
     va_start(args, format);
-    vsnprintf(composed, sizeof composed, format, args);
+    set(ERROR_OF_WORLD, format, args);
     va_end(args);
-    memcpy(message, composed, sizeof message);
+    return false;
+}
+
+bool error_set_memory(const char *format, ...) {
+    va_list args;
+    va_start(args, format);
+    set(ERROR_OF_MEMORY, format, args);
+    va_end(args);
     return false;
 }
 
@@ -33,4 +47,8 @@ bool error_prefix(const char *format, ...) {
 
 const char *error_get(void) {
     return message;
+}
+
+enum error_kind error_get_kind(void) {
+    return kind;
 }

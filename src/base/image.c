@@ -71,7 +71,30 @@ void image_add_channels(struct image *image, const char *channel_names) {
     grow_pixels(image, old_count);
 }
 
+static struct image_attribute *add_attribute(struct image *image, const char *name,
+                                             enum image_attribute_kind kind) {
+    size_t count = (size_t)++image->attribute_count;
+    image->attributes = mem_resize(image->attributes, count, sizeof *image->attributes);
+    struct image_attribute *attribute = image->attributes + count - 1;
+    *attribute = (struct image_attribute){.name = name, .kind = kind};
+    return attribute;
+}
+
+void image_add_text(struct image *image, const char *name, const char *text) {
+    add_attribute(image, name, IMAGE_TEXT)->text = mem_strdup(text);
+}
+
+void image_add_numbers(struct image *image, const char *name, enum image_attribute_kind kind,
+                       const float *numbers) {
+    static const size_t counts[] = {
+        [IMAGE_NUMBER] = 1, [IMAGE_CHROMATICITIES] = 8, [IMAGE_MATRIX] = 16};
+    memcpy(add_attribute(image, name, kind)->numbers, numbers, counts[kind] * sizeof *numbers);
+}
+
 void image_free(struct image *image) {
+    for (int i = 0; i < image->attribute_count; i++)
+        free(image->attributes[i].text);
+    free(image->attributes);
     for (int i = 0; i < image->channel_count; i++)
         free(image->names[i]);
     free(image->names);

@@ -13,6 +13,21 @@ struct image_window {
     int x, y, width, height;
 };
 
+/* What a file tells beside its pixels. Only EXR files get them, and image_read leaves them out. */
+enum image_attribute_kind {
+    IMAGE_TEXT,
+    IMAGE_NUMBER,
+    IMAGE_CHROMATICITIES, /* x and y of red, green, blue and white */
+    IMAGE_MATRIX,         /* four rows of four, for row vectors */
+};
+
+struct image_attribute {
+    const char *name; /* lives on */
+    enum image_attribute_kind kind;
+    char *text; /* of IMAGE_TEXT */
+    float numbers[16];
+};
+
 struct image {
     int width, height, channel_count;
     char **names;  /* channel_count of them */
@@ -23,6 +38,8 @@ struct image {
     char *
         *parts; /* part_count names, with which channels' names begin: of an EXR of several parts */
     int part_count;
+    struct image_attribute *attributes; /* attribute_count of them, to be written */
+    int attribute_count;
     /* Of a file: the whole picture, and where in it there are pixels. */
     struct image_window display, data;
 };
@@ -49,6 +66,11 @@ struct image image_copy(const struct image *image);
 
 /* More channels, of zeros, after those that are there. */
 void image_add_channels(struct image *image, const char *channel_names);
+
+/* Adds an attribute of a name that the image does not have. The text is copied. */
+void image_add_text(struct image *image, const char *name, const char *text);
+void image_add_numbers(struct image *image, const char *name, enum image_attribute_kind kind,
+                       const float *numbers);
 
 /* Accepts zeroed structs. */
 void image_free(struct image *image);

@@ -70,8 +70,9 @@ uint64_t mem_free_bytes(void) {
 
 bool mem_check(uint64_t bytes) {
     uint64_t there = mem_free_bytes();
-    return bytes <= there || error_set("%.2f GiB of memory are wanted, and %.2f GiB are free",
-                                       (double)bytes / gib, (double)there / gib);
+    return bytes <= there ||
+           error_set_memory("%.2f GiB of memory are wanted, and %.2f GiB are free",
+                            (double)bytes / gib, (double)there / gib);
 }
 
 static double status_mib(const char *word) {

@@ -292,7 +292,7 @@ bool options_parse_arguments(const struct option *table, void *values, int argc,
     return true;
 }
 
-static void describe_range(const struct option *o, char *text, size_t size) {
+void option_describe_range(const struct option *o, char *text, size_t size) {
     text[0] = '\0';
     size_t used = 0;
     switch (o->type) {
@@ -322,6 +322,11 @@ static void describe_range(const struct option *o, char *text, size_t size) {
     }
 }
 
+const char *option_value_word(const struct option *o) {
+    static const char *const words[] = {"", "N", "X", "NAME", "TEXT", "TEXT", "WxH"};
+    return o->value_name ? o->value_name : words[o->type];
+}
+
 /* What goes on in a new line stands below its beginning. */
 static void print_indented(FILE *out, const char *text) {
     for (; *text; text++)
@@ -332,15 +337,14 @@ static void print_indented(FILE *out, const char *text) {
 enum { HELP_WIDTH = 91 };
 
 void option_print_help(FILE *out, const struct option *o, const char *prefix, const char *with) {
-    static const char *const value_names[] = {"", "N", "X", "NAME", "TEXT", "TEXT", "WxH"};
     char left[96], range[512], letter[8] = "";
     if (o->letter)
         snprintf(letter, sizeof letter, "-%c, ", o->letter);
-    const char *value = o->value_name ? o->value_name : value_names[o->type];
+    const char *value = option_value_word(o);
     bool shown = *value && *prefix == '-';
     snprintf(left, sizeof left, "%s%s%s%s%s", letter, prefix, o->name, shown ? " " : "",
              shown ? value : "");
-    describe_range(o, range, sizeof range);
+    option_describe_range(o, range, sizeof range);
     fprintf(out, "  %-26s ", left);
     print_indented(out, o->help);
     if (*with) {

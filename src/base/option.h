@@ -76,6 +76,12 @@ bool option_equal(const struct option *option, const void *a, const void *b);
 bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
                              const char **positional, int max_positional, int *positional_count);
 
+/* "N", "WxH": the word for a value in help; "" of a flag. */
+const char *option_value_word(const struct option *option);
+
+/* " [DEFAULT; MINIMUM to MAXIMUM]" and alike, or "". */
+void option_describe_range(const struct option *option, char *text, size_t size);
+
 /* A line or two under the name with a prefix: "--" on a command line. with: further words after the help; or "". */
 void option_print_help(FILE *out, const struct option *option, const char *prefix,
                        const char *with);

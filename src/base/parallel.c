@@ -1,6 +1,8 @@
 #define _GNU_SOURCE /* sched_getaffinity */
 #include "base/parallel.h"
 
+#include "base/log.h"
+
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
@@ -12,6 +14,7 @@ struct loop {
     atomic_size_t next;
     void (*body)(void *context, size_t i);
     void *context;
+    const struct log_sink *sink; /* of the thread that calls parallel_for */
 };
 
 int parallel_core_count(void) {
@@ -24,13 +27,14 @@ int parallel_core_count(void) {
 
 static void *run(void *argument) {
     struct loop *loop = argument;
+    log_set_sink(loop->sink);
     for (size_t i; (i = atomic_fetch_add(&loop->next, 1)) < loop->count;)
         loop->body(loop->context, i);
     return NULL;
 }
 
 void parallel_for(size_t count, int threads, void (*body)(void *context, size_t i), void *context) {
-    struct loop loop = {.count = count, .body = body, .context = context};
+    struct loop loop = {.count = count, .body = body, .context = context, .sink = log_get_sink()};
     if (threads <= 0)
         threads = parallel_core_count();
     if (threads > MAX_THREADS)

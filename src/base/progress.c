@@ -2,27 +2,63 @@
 #include "base/progress.h"
 
 #include "base/clock.h"
+#include "base/events.h"
 #include "base/log.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <unistd.h>
 
 static const double seconds_between_lines = 0.2, seconds_between_notes = 30;
 
-void progress_start(struct progress *progress) {
+void progress_start(struct progress *progress, const char *task) {
+    *progress = (struct progress){.task = task};
     progress->shown = log_get_level() > LOG_QUIET;
     progress->rewritten = isatty(STDERR_FILENO);
     progress->start = progress->last = clock_ms() / 1e3;
 }
 
-void progress_show(struct progress *progress, double done, const char *note) {
-    double time = clock_ms() / 1e3, elapsed = time - progress->start;
-    double between = progress->rewritten ? seconds_between_lines : seconds_between_notes;
-    bool tells = done > 0 && (done < 1 || progress->rewritten);
-    if (!progress->shown || !tells || time - progress->last < between)
+/* --- events ----------------------------------------------------------------------------------- */
+
+static void add_place(struct event *event, const struct progress *progress) {
+    if (progress->frame_count > 0) {
+        event_add_number(event, "frame", progress->frame);
+        event_add_number(event, "frames", progress->frame_count);
+    }
+    if (progress->pass_count > 0) {
+        event_add_number(event, "pass", progress->pass);
+        event_add_number(event, "passes", progress->pass_count);
+    }
+}
+
+static void send(struct progress *progress, double done, const char *note, double time) {
+    struct event event;
+    double elapsed = time - progress->start;
+    event_begin(&event, "progress");
+    event_add_text(&event, "task", progress->task);
+    event_add_number(&event, "done", done);
+    add_place(&event, progress);
+    event_add_number(&event, "seconds", elapsed);
+    event_add_number(&event, "eta", done > 0 ? elapsed * (1 - done) / done : NAN);
+    event_add_text(&event, "note", note);
+    event_send(&event);
+}
+
+void progress_tell_file(struct progress *progress, const char *path) {
+    struct event event;
+    if (!events_are_json())
         return;
-    progress->last = time;
-    int left = (int)(elapsed * (1 - done) / done + 0.5);
+    event_begin(&event, "file");
+    event_add_text(&event, "task", progress->task);
+    add_place(&event, progress);
+    event_add_text(&event, "file", path);
+    event_send(&event);
+}
+
+/* --- text ------------------------------------------------------------------------------------- */
+
+static void show_text(struct progress *progress, double done, const char *note, double time) {
+    int left = (int)((time - progress->start) * (1 - done) / done + 0.5);
     char line[256];
     if (progress->rewritten) {
         snprintf(line, sizeof line, "%4.0f %%  %d:%02d left  %s", 100 * done, left / 60, left % 60,
@@ -34,8 +70,28 @@ void progress_show(struct progress *progress, double done, const char *note) {
     }
 }
 
+void progress_show(struct progress *progress, double done, const char *note) {
+    double time = clock_ms() / 1e3;
+    bool is_event = events_are_json();
+    double between =
+        is_event || progress->rewritten ? seconds_between_lines : seconds_between_notes;
+    bool tells = done > 0 && (done < 1 || progress->rewritten);
+    if (is_event ? time - progress->last >= between
+                 : progress->shown && tells && time - progress->last >= between) {
+        progress->last = time;
+        (is_event ? send : show_text)(progress, done, note, time);
+    }
+}
+
+void progress_show_step(struct progress *progress, double done, const char *note) {
+    if (events_are_json())
+        send(progress, done, note, clock_ms() / 1e3);
+    else
+        progress_show(progress, done, note);
+}
+
 void progress_show_work(struct progress *progress, double done, const char *note) {
-    if (done > 0)
+    if (done > 0 || events_are_json())
         progress_show(progress, done, note);
     else if (progress->shown && progress->rewritten)
         log_show_line(note);

@@ -17,6 +17,7 @@ struct direct_desc {
     const struct light_layout *lights;
     bool specular; /* the G-buffer has it */
     bool medium;   /* frames have one, which takes its share of the light */
+    bool slides;   /* lights may have some */
     /* For environment_direct alone (direct/environment.h): */
     struct caster_pool *casters;
     const struct direct_method *lamps;

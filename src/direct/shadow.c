@@ -32,6 +32,7 @@ bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
     light.height = desc->height;
     light.specular = desc->specular;
     light.medium = desc->medium;
+    light.slides = desc->slides;
     light.map_size = program->map_size ? program->map_size : size_of(desc);
     light.bias = receiver_bias;
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)

@@ -15,8 +15,8 @@ bool buffer_init(struct buffer *buffer, const char *label, size_t size, const vo
                               GL_DYNAMIC_STORAGE_BIT);
     if (!fits || gl.GetError() != GL_NO_ERROR) {
         buffer_free(buffer);
-        return error_set("buffer '%s': out of GPU memory (%.1f MiB)", label,
-                         (double)stored / (1 << 20));
+        return error_set_memory("buffer '%s': out of GPU memory (%.1f MiB)", label,
+                                (double)stored / (1 << 20));
     }
     buffer->size = stored;
     gpu_memory_add(label, (ptrdiff_t)stored);

@@ -272,6 +272,14 @@ void program_cache_free(struct program_cache *programs) {
     free(programs);
 }
 
+void program_cache_delete_programs(struct program_cache *programs) {
+    for (int i = 0; i < programs->count; i++) {
+        gl.DeleteProgram(programs->entries[i].program);
+        free(programs->entries[i].key);
+    }
+    programs->count = 0;
+}
+
 static struct cached *find(const char *key) {
     for (int i = 0; i < gl.programs->count; i++)
         if (strcmp(gl.programs->entries[i].key, key) == 0)

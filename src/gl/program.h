@@ -46,6 +46,9 @@ int program_use_count(void);
 struct program_cache *program_cache_create(void);
 void program_cache_free(struct program_cache *programs);
 
+/* Deletes those that the current context keeps, for a context that lives on. */
+void program_cache_delete_programs(struct program_cache *programs);
+
 /* Must outlive the use that contexts make of it. Freed: accepts NULL. */
 struct program_store *program_store_create(void);
 void program_store_free(struct program_store *store);

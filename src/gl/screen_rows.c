@@ -42,6 +42,11 @@ void screen_rows_free(struct screen_rows *rows) {
     free(rows);
 }
 
+void screen_rows_delete_buffer(struct screen_rows *rows) {
+    gl.DeleteBuffers(1, &rows->buffer);
+    rows->buffer = 0;
+}
+
 bool screen_rows_empty(void) {
     return gl.screen_rows->count == 0;
 }

@@ -19,6 +19,9 @@ struct screen_rectangle {
 struct screen_rows *screen_rows_create(GLuint buffer);
 void screen_rows_free(struct screen_rows *rows);
 
+/* For a context that lives on. */
+void screen_rows_delete_buffer(struct screen_rows *rows);
+
 /* The bytes that the buffer has room for. */
 extern const GLsizeiptr screen_rows_bytes;
 

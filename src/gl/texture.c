@@ -124,9 +124,9 @@ bool texture_init(struct texture *texture, const struct texture_desc *desc) {
         allocate(texture->id, &resolved);
     if (!fits || gl.GetError() != GL_NO_ERROR) {
         texture_free(texture);
-        return error_set("texture '%s': out of GPU memory (%dx%dx%d, %.1f MiB)", desc->label,
-                         resolved.width, resolved.height, resolved.depth * resolved.layers,
-                         (double)bytes / (1 << 20));
+        return error_set_memory("texture '%s': out of GPU memory (%dx%dx%d, %.1f MiB)", desc->label,
+                                resolved.width, resolved.height, resolved.depth * resolved.layers,
+                                (double)bytes / (1 << 20));
     }
     texture->bytes = bytes;
     gpu_memory_add(texture->label, (ptrdiff_t)bytes);

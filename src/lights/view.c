@@ -227,7 +227,14 @@ static struct light light_of(const struct emitter *emitter, const struct view *f
         .range_inverse2 = directional || emitter->range <= 0
                               ? 0
                               : fminf(1 / (emitter->range * emitter->range), 1e30f),
+        .slide = -1,
     };
+    if (emitter->slide && emitter->type == EMITTER_SPOT) {
+        light.slide = emitter->slide->layer;
+        light.slide_scale = emitter_slide_scale(emitter);
+        light.slide_width = (float)emitter->slide->width;
+        light.slide_height = (float)emitter->slide->height;
+    }
     for (int c = 0; c < 3; c++) {
         light.intensity[c] = emitter->intensity[c];
         light.position[c] = (directional ? first->origin : emitter->position)[c];

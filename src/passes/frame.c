@@ -6,6 +6,19 @@ float frame_turn(const struct frame *frame) {
     return (float)fmod(frame->pass * .6180339887498949, 1);
 }
 
+const char *light_defines(bool has_medium, bool has_slides) {
+    static const char *const defines[] = {"", "HAS_MEDIUM;", "HAS_SLIDES;",
+                                          "HAS_MEDIUM;HAS_SLIDES;"};
+    return defines[has_medium + 2 * has_slides];
+}
+
+void frame_add_light(const struct frame *frame, struct pass_state *state) {
+    if (frame->medium)
+        pass_add_block(state, BLOCK_MEDIUM, frame->medium);
+    if (frame->scene->slides.id)
+        pass_add_texture(state, UNIT_SLIDES, frame->scene->slides.id);
+}
+
 /* Rounding where culling and the driver clip, ndc. */
 static const float clip_margin = 1e-3F;
 

@@ -37,6 +37,12 @@ struct frame {
 /* From 0 to 1, 0 in the first pass: multiples of the golden ratio, for numbers of pixels that are others in each pass. */
 float frame_turn(const struct frame *frame);
 
+/* Defines of a program that evaluates lights, with a semicolon at the end: a medium, and slides of spots. */
+const char *light_defines(bool has_medium, bool has_slides);
+
+/* Adds what such a program reads of both. */
+void frame_add_light(const struct frame *frame, struct pass_state *state);
+
 /* Lets what is drawn by one of the programs end where the camera's range does (picture/camera_range.glsl). */
 void frame_cut_by_range(const struct frame *frame, struct pass_state *state);
 

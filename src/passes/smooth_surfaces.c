@@ -140,6 +140,13 @@ static void find_box(const struct smooth_surfaces *surfaces, const struct geomet
     }
 }
 
+void smooth_surfaces_middle(const struct smooth_surfaces *surfaces, const struct geometry *geometry,
+                            float middle[3]) {
+    vec3 box[2];
+    find_box(surfaces, geometry, box);
+    glm_vec3_center(box[0], box[1], middle);
+}
+
 static double angle_between(vec3 a, vec3 b) {
     vec3 across;
     glm_vec3_cross(a, b, across);

@@ -29,6 +29,10 @@ void smooth_surfaces_follow(struct smooth_surfaces *surfaces, const struct scene
 /* Adds what the shaders read. */
 void smooth_surfaces_add(const struct smooth_surfaces *surfaces, struct pass_state *state);
 
+/* The middle of their bounds; only where there are any. */
+void smooth_surfaces_middle(const struct smooth_surfaces *surfaces, const struct geometry *geometry,
+                            float middle[3]);
+
 /* Fits the view of `side` texels to the smooth surfaces, and to a spot's cone. False: the light does not reach them. */
 bool smooth_surfaces_fit(const struct smooth_surfaces *surfaces, const struct geometry *geometry,
                          const struct emitter *light, int side, struct caustics_params *params);

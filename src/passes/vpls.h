@@ -50,7 +50,6 @@ struct vpl_cuts {
 /* Of clusters of VPLs, M x 1 RGBA32F: position and count, normal, flux (W). */
 struct val_targets {
     struct texture position, normal, flux;
-    GLuint framebuffer;
 };
 
 /* The file of the define VPL_AREA, which tells the area of a VPL at a point: by an importance map, or by flux alone. */

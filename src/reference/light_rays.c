@@ -81,6 +81,7 @@ bool light_ray_start(const struct emission *emission, int n, vec2s place, vec2s 
         if (!aim_at(&ray->piece, aim, sample, ray))
             start_near(sample, ray);
         ray->origin = glms_vec3_muladds(ray->direction, clearance, vector_of(ray->piece.position));
+        ray->flux = glms_vec3_mul(ray->flux, emission_slide(&ray->piece, ray->direction));
     }
     return glms_vec3_max(ray->flux) > 0;
 }

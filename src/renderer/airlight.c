@@ -16,8 +16,8 @@ bool airlight_init(struct airlight *airlight, const struct airlight_part_desc *d
     if (buffer_init(&airlight->medium, "medium", sizeof(struct medium_params), NULL) &&
         shadow_map_pass_init(&airlight->maps,
                              &(struct shadow_map_desc){map_size(&desc->lights), desc->lights}) &&
-        airlight_pass_init(&airlight->pass,
-                           &(struct airlight_desc){desc->width, desc->height, desc->steps}))
+        airlight_pass_init(&airlight->pass, &(struct airlight_desc){desc->width, desc->height,
+                                                                    desc->steps, desc->slides}))
         return true;
     airlight_free(airlight);
     return false;

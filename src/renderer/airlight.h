@@ -8,6 +8,7 @@
 
 struct airlight_part_desc {
     int width, height, steps;
+    bool slides;                /* lights may have some */
     struct light_layout lights; /* light samples */
 };
 

@@ -39,18 +39,22 @@ bool renderer_init_caustics(struct renderer *renderer, bool medium) {
     struct caustics_settings own = shown(desc);
     return !renderer_has_caustics(desc) ||
            (init_glass(renderer, medium, own.chains) &&
-            caustics_pass_init(&renderer->caustics,
-                               &(struct caustics_desc){.width = desc->width,
-                                                       .height = desc->height,
-                                                       .size = own.size,
-                                                       .chains = own.chains,
-                                                       .surface = own.surface != CAUSTICS_OFF,
-                                                       .points = own.surface == CAUSTICS_POINTS,
-                                                       .volume = own.volume,
-                                                       .medium = medium,
-                                                       .scene = desc->scene,
-                                                       .geometry = desc->geometry,
-                                                       .casters = renderer->casters}));
+            caustics_pass_init(
+                &renderer->caustics,
+                &(struct caustics_desc){.width = desc->width,
+                                        .height = desc->height,
+                                        .size = own.size,
+                                        .chains = own.chains,
+                                        .surface = own.surface != CAUSTICS_OFF,
+                                        .points = own.surface == CAUSTICS_POINTS,
+                                        .volume = own.volume != VOLUME_CAUSTICS_OFF,
+                                        .published = own.volume == VOLUME_CAUSTICS_PAPER,
+                                        .step = own.step,
+                                        .kernel = own.kernel,
+                                        .medium = medium,
+                                        .scene = desc->scene,
+                                        .geometry = desc->geometry,
+                                        .casters = renderer->casters}));
 }
 
 bool renderer_resize_caustics(struct renderer *renderer, int width, int height) {

@@ -63,17 +63,19 @@ static bool init_antialias(struct renderer *renderer) {
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     renderer->direct = renderer->plan.sky.count > 0 ? &environment_direct : desc->direct;
-    return renderer->direct->init(&renderer->direct_state, &(struct direct_desc){
-                                                               .settings = &desc->settings,
-                                                               .width = desc->width,
-                                                               .height = desc->height,
-                                                               .lights = &renderer->plan.layout,
-                                                               .specular = has_specular(desc),
-                                                               .medium = has_medium(desc),
-                                                               .casters = renderer->casters,
-                                                               .lamps = desc->direct,
-                                                               .sky = &renderer->plan.sky,
-                                                           });
+    return renderer->direct->init(&renderer->direct_state,
+                                  &(struct direct_desc){
+                                      .settings = &desc->settings,
+                                      .width = desc->width,
+                                      .height = desc->height,
+                                      .lights = &renderer->plan.layout,
+                                      .specular = has_specular(desc),
+                                      .medium = has_medium(desc),
+                                      .slides = desc->scene->slide_count > 0,
+                                      .casters = renderer->casters,
+                                      .lamps = desc->direct,
+                                      .sky = &renderer->plan.sky,
+                                  });
 }
 
 static bool make_technique(const struct renderer *renderer, const struct technique *technique,
@@ -158,6 +160,7 @@ static bool init_airlight(struct renderer *renderer) {
                          &(struct airlight_part_desc){.width = desc->width,
                                                       .height = desc->height,
                                                       .steps = own->steps,
+                                                      .slides = desc->scene->slide_count > 0,
                                                       .lights = renderer->plan.sample_layout});
 }
 

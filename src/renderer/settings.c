@@ -22,7 +22,8 @@ static const struct option table[] = {
      EXPOSURE_MOST, .help = "exposure of the picture, EV; 1 more doubles the brightness"},
     {"samples", 0, OPTION_INT, offsetof(struct picture_settings, samples), 12, 1, 16,
      .help = "samples per pixel for antialiasing of edges, rounded\n"
-             "up to a multiple of 4; 1: the pixel centre alone"},
+             "up to a multiple of 4, or of 8 or 16 as the driver\n"
+             "has; 1: the pixel centre alone"},
     {"tone-map", 0, OPTION_CHOICE, offsetof(struct picture_settings, tone_map), TONE_MAP_CLAMP,
      .choices = tone_map_names,
      .help = "tone curve of bright light in PNG, JPEG\n"

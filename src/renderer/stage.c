@@ -9,6 +9,7 @@
 static void name_after(struct stage *stage, const char *path) {
     const char *slash = strrchr(path, '/');
     const char *file = slash ? slash + 1 : path;
+    file += strspn(file, ".");
     snprintf(stage->name, sizeof stage->name, "%.*s", (int)strcspn(file, "."), file);
 }
 
@@ -20,8 +21,10 @@ static bool place(struct stage *stage, double time) {
 bool stage_init(struct stage *stage, const struct stage_desc *desc) {
     *stage = (struct stage){.camera_text = desc->camera, .light_text = desc->light};
     name_after(stage, desc->path);
-    const struct scene_open_desc open = {
-        .light = desc->light, .clip = desc->clip, .environment = desc->environment};
+    const struct scene_open_desc open = {.bytes = desc->bytes,
+                                         .light = desc->light,
+                                         .clip = desc->clip,
+                                         .environment = desc->environment};
     if (scene_open(&stage->scene, &stage->geometry, desc->path, &open) &&
         stage_pose(stage, (double)desc->time))
         return true;

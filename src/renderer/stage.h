@@ -11,6 +11,8 @@
 
 struct stage_desc {
     const char *path;
+    const struct file_bytes
+        *bytes;                 /* in place of the file, as of scene_load_bytes; NULL = the file */
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all; must live
                                    on */
     const char *clip;           /* as scene/clips.h has it; NULL = the default */
@@ -19,7 +21,7 @@ struct stage_desc {
 };
 
 struct stage {
-    char name[SCENE_NAME_SIZE]; /* the file's, without folder and extension */
+    char name[SCENE_NAME_SIZE]; /* the file's, without folder, leading dots and extension */
     struct scene scene;
     struct geometry geometry;
     struct camera camera;

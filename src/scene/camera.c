@@ -84,3 +84,31 @@ bool camera_project(const struct camera *camera, const float point[3], float asp
     place[1] = .5F - .5F * glm_vec3_dot(to_point, (float *)camera->up) / half;
     return true;
 }
+
+void camera_world_to_camera(const struct camera *camera, float matrix[16]) {
+    const float *const axes[3] = {camera->right, camera->up, camera->forward};
+    for (int column = 0; column < 3; column++) {
+        for (int row = 0; row < 3; row++)
+            matrix[4 * row + column] = axes[column][row];
+        matrix[12 + column] = -glm_vec3_dot((float *)axes[column], (float *)camera->eye);
+    }
+    for (int row = 0; row < 4; row++)
+        matrix[4 * row + 3] = row == 3 ? 1 : 0;
+}
+
+/* A column is a plane: that of its coordinate times w. */
+void camera_world_to_ndc(const struct camera *camera, float aspect, float matrix[16]) {
+    float view[16], half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2),
+                    depth = camera->far > 0 ? 1 / (camera->far - camera->near) : 1;
+    if (!camera->orthographic && camera->far > 0)
+        depth *= camera->far;
+    camera_world_to_camera(camera, view);
+    for (int row = 0; row < 4; row++) {
+        const float *from = view + 4 * row;
+        float *to = matrix + 4 * row, w = camera->orthographic ? from[3] : from[2];
+        to[0] = .5F * (from[0] / (half * aspect) + w);
+        to[1] = .5F * (w - from[1] / half);
+        to[2] = depth * (from[2] - camera->near * from[3]);
+        to[3] = w;
+    }
+}

@@ -40,4 +40,10 @@ void camera_ray(const struct camera *camera, float x, float y, float aspect, flo
 bool camera_project(const struct camera *camera, const float point[3], float aspect,
                     float place[2]);
 
+/* The same for other programs, by the conventions of OpenEXR: row vectors times a matrix of four rows. Camera space has x
+ * right, y up and z forward. NDC are x from the left and y from the top in [0, 1], after the division by w; z is 0 at near
+ * and 1 at far, or without end the distance to near over the depth. */
+void camera_world_to_camera(const struct camera *camera, float matrix[16]);
+void camera_world_to_ndc(const struct camera *camera, float aspect, float matrix[16]);
+
 #endif

@@ -1,10 +1,11 @@
 #include "scene/caustics.h"
 
+#include "base/log.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 
 static const char *const surface_names[] = {"off", "patches", "points", NULL};
-static const char *const volume_names[] = {"off", "lines", NULL};
+static const char *const volume_names[] = {"off", "lines", "paper", NULL};
 
 static const struct option table[] = {
     {"surface", 0, OPTION_CHOICE, offsetof(struct caustics_settings, surface), CAUSTICS_OFF,
@@ -13,13 +14,19 @@ static const struct option table[] = {
              "each; glass shows the scene; off: glass is opaque"},
     {"medium", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
      .choices = volume_names,
-     .help = "caustics in a medium: light rays of glass and mirrors as lines"},
+     .help = "caustics in a medium: light rays of glass and mirrors as lines\n"
+             "of the right width, or as published, of constant weight"},
     {"size", 0, OPTION_INT, offsetof(struct caustics_settings, size), 256, 8, 2048,
      .help = "light rays per side of each light's view of glass and\n"
              "mirrors; raise for small objects or close views"},
     {"chains", 0, OPTION_INT, offsetof(struct caustics_settings, chains), 3, 1, 8,
      .help = "chains of a light ray and of a pixel at glass: reflected,\n"
              "straight through, reflected within once, twice, ..."},
+    {"step", 0, OPTION_FLOAT, offsetof(struct caustics_settings, step), .2, 1e-4, 1e4,
+     .help = "caustics.medium=paper: steps of a pixel's ray, metres"},
+    {"kernel", 0, OPTION_FLOAT, offsetof(struct caustics_settings, kernel), 1, .05, 2,
+     .help = "caustics.medium=paper: reach of the Gaussian that brings a line\n"
+             "to the steps, in steps; below 1: noise"},
     {NULL},
 };
 
@@ -42,4 +49,14 @@ bool caustics_shown(const struct scene *scene, const struct settings *settings) 
                 SMOOTH_NONE)
                 return true;
     return false;
+}
+
+void caustics_note_opaque(const struct scene *scene) {
+    bool has_glass = false;
+    for (int i = 0; i < scene->material_count; i++)
+        has_glass |= scene->materials[i].transmission > 0;
+    if (has_glass)
+        log_note("%s: shown without: transmission (caustics.surface=patches and reference --smooth "
+                 "show it)",
+                 scene->path);
 }

@@ -6,12 +6,15 @@
 #include "scene/scene.h"
 
 enum caustics_surface { CAUSTICS_OFF, CAUSTICS_PATCHES, CAUSTICS_POINTS };
+enum caustics_volume { VOLUME_CAUSTICS_OFF, VOLUME_CAUSTICS_LINES, VOLUME_CAUSTICS_PAPER };
 
 struct caustics_settings {
-    int surface; /* enum caustics_surface */
-    int volume;  /* 1: lines in a medium */
-    int size;    /* rays a side of a light's view */
-    int chains;  /* of each ray through glass */
+    int surface;  /* enum caustics_surface */
+    int volume;   /* enum caustics_volume */
+    int size;     /* rays a side of a light's view */
+    int chains;   /* of each ray through glass */
+    float step;   /* as published: between steps of a pixel's ray, metres */
+    float kernel; /* as published: the Gaussian's support over the step */
 };
 
 extern const struct settings_part caustics_part;
@@ -19,5 +22,8 @@ extern const struct settings_part caustics_part;
 /* Whether the settings ask for any, in a medium where there is one, materials are not all diffuse, and a mesh has a smooth
  * material. Such a surface then scatters no light. */
 bool caustics_shown(const struct scene *scene, const struct settings *settings);
+
+/* Notes that the scene's glass is opaque, where it has some. */
+void caustics_note_opaque(const struct scene *scene);
 
 #endif

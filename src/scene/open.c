@@ -49,7 +49,7 @@ static bool has_triangles(const struct scene *scene) {
 bool scene_open(struct scene *scene, struct geometry *geometry, const char *path,
                 const struct scene_open_desc *desc) {
     *geometry = (struct geometry){0};
-    if (scene_load(scene, path) && change(scene, desc)) {
+    if (scene_load_bytes(scene, path, desc ? desc->bytes : NULL) && change(scene, desc)) {
         bool is_empty = desc && desc->may_be_empty && !has_triangles(scene);
         if (is_empty || lay_out(scene, geometry, desc ? desc->light : NULL))
             return true;

@@ -8,10 +8,10 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static bool is_strict;
-static char *root_folder;
+static struct read_rules of_program;
+static _Thread_local const struct read_rules *of_thread;
 
-bool read_rules_set(bool strict, const char *root) {
+bool read_rules_init(struct read_rules *rules, bool strict, const char *root) {
     struct stat status;
     char *real = root ? realpath(root, NULL) : NULL;
     if (root && !real)
@@ -20,16 +20,31 @@ bool read_rules_set(bool strict, const char *root) {
         free(real);
         return error_set("%s: not a folder", root);
     }
-    is_strict = strict;
-    free(root_folder);
-    root_folder = real;
+    *rules = (struct read_rules){strict, real};
     return true;
 }
 
+bool read_rules_set(bool strict, const char *root) {
+    struct read_rules rules;
+    if (!read_rules_init(&rules, strict, root))
+        return false;
+    free(of_program.root);
+    of_program = rules;
+    return true;
+}
+
+void read_rules_use(const struct read_rules *rules) {
+    of_thread = rules;
+}
+
+static const struct read_rules *present(void) {
+    return of_thread ? of_thread : &of_program;
+}
+
 bool read_rules_are_strict(void) {
-    return is_strict;
+    return present()->strict;
 }
 
 const char *read_rules_root(void) {
-    return root_folder;
+    return present()->root;
 }

@@ -14,4 +14,12 @@ bool read_rules_are_strict(void);
 /* The root without links; NULL = each scene has its own. */
 const char *read_rules_root(void);
 
+/* Rules of a thread alone, in place of the program's: until the next call, with NULL. Error: as of read_rules_set. */
+struct read_rules {
+    bool strict;
+    char *root; /* without links; free() frees */
+};
+bool read_rules_init(struct read_rules *rules, bool strict, const char *root);
+void read_rules_use(const struct read_rules *rules);
+
 #endif

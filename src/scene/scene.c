@@ -7,6 +7,7 @@
 #include "scene/gltf/gltf.h"
 #include "scene/lights/emissive.h"
 #include "scene/lights/environment.h"
+#include "scene/lights/slide.h"
 #include "scene/mesh/primitive.h"
 #include "scene/node.h"
 
@@ -21,8 +22,12 @@ static bool check_worlds(const struct scene *scene) {
 }
 
 bool scene_load(struct scene *scene, const char *path) {
+    return scene_load_bytes(scene, path, NULL);
+}
+
+bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes) {
     *scene = (struct scene){0};
-    bool ok = gltf_load(scene, path);
+    bool ok = gltf_load(scene, path, bytes);
     if (ok)
         emissive_add_lights(scene);
     if (ok && check_worlds(scene))
@@ -60,6 +65,9 @@ void scene_free(struct scene *scene) {
     for (int i = 0; i < scene->file_count; i++)
         free(scene->files[i]);
     free(scene->files);
+    for (int i = 0; i < scene->slide_count; i++)
+        slide_free(&scene->slides[i]);
+    free(scene->slides);
     environment_free(scene->environment);
     free(scene->path);
     free(scene->skins);

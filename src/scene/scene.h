@@ -119,6 +119,7 @@ struct scene_light {
     float range;        /* where its light ends, m; infinite: nowhere */
     float size[2];      /* as struct emitter has it */
     enum light_scaling scaling;
+    int slide;      /* of the scene's, one more than its number; 0 = none */
     int lamp;       /* of emissive surfaces that it is; 0 = none */
     bool stands_in; /* it is what they are like from afar, with others */
 };
@@ -186,12 +187,14 @@ struct scene {
     struct material *materials;
     struct scene_texture *textures;
     struct scene_light *lights;
+    struct slide *slides; /* scene/lights/slide.h */
     struct emissive_surface *surfaces;
     struct scene_camera *cameras;
     struct skin *skins;
     struct metaballs *metaballs;
     struct clip *clips;
     int node_count, mesh_count, material_count, texture_count, light_count, camera_count;
+    int slide_count;
     int surface_count;
     char **files; /* beside path: the buffers and pictures that it names */
     int skin_count, metaballs_count, clip_count, file_count;
@@ -207,6 +210,10 @@ struct scene {
 
 /* Reads what a .gltf or .glb file holds; scene/open.h makes it ready to be shown. Error: names file, object and reason; the scene is then zeroed. */
 bool scene_load(struct scene *scene, const char *path);
+
+/* The same of bytes in memory: path only tells the folder of files that they name; a name without a folder has none. */
+struct file_bytes;
+bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes);
 
 /* Accepts zeroed and half-built scenes. */
 void scene_free(struct scene *scene);

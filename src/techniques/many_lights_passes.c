@@ -142,6 +142,7 @@ static bool init_specular_rays(struct many_lights *lights, const struct techniqu
                        !gather->map_per_vpl && gather->visibility.lookup != VISIBILITY_LOOKUP_NONE,
                    .visibility = gather->visibility,
                    .medium = lights->medium,
+                   .slides = lights->slides,
                    .lights = *desc->lights,
                });
 }
@@ -198,6 +199,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .casters = occlusion == NEAR_BY_RAYS ? desc->casters : NULL,
         .by_importance = many_lights_follow_camera(lights),
         .medium = lights->medium,
+        .slides = lights->slides,
         .rsm_size = rsm_size(desc),
         .lights = *desc->lights,
     };
@@ -309,8 +311,10 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     const float reach = own->facets ? near_reach_of_facets : near_reach;
-    *lights = (struct many_lights){
-        .settings = *desc->settings, .visibility = *visibility, .medium = desc->medium};
+    *lights = (struct many_lights){.settings = *desc->settings,
+                                   .visibility = *visibility,
+                                   .medium = desc->medium,
+                                   .slides = desc->scene->slide_count > 0};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
             &lights->geometry,
@@ -318,9 +322,9 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                     .has_mappings = materials_have_mappings(desc->scene),
                                     .facets = sends_as_facets(desc)}) &&
         init_importance(lights, desc) &&
-        vpl_pass_init(&lights->vpl,
-                      &(struct vpl_desc){own->vpls, own->seed, reach,
-                                         many_lights_follow_camera(lights), desc->medium}) &&
+        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach,
+                                                       many_lights_follow_camera(lights),
+                                                       lights->medium, lights->slides}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
         init_sized(lights, desc) && init_specular_rays(lights, desc) &&
         init_near_field(lights, desc))

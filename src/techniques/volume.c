@@ -61,9 +61,10 @@ static bool check_memory(const struct volume_desc *volume) {
     const double mebibyte = 1048576;
     double bytes = volume_bytes(volume);
     return bytes <= most_bytes ||
-           error_set("volume.size %d: up to %.0f MiB of GPU memory; at most %.0f MiB: take fewer "
-                     "voxels, for example 200",
-                     volume->size, bytes / mebibyte, most_bytes / mebibyte);
+           error_set_memory(
+               "volume.size %d: up to %.0f MiB of GPU memory; at most %.0f MiB: take fewer "
+               "voxels, for example 200",
+               volume->size, bytes / mebibyte, most_bytes / mebibyte);
 }
 
 /* box NULL: all of the scene. */

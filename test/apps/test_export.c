@@ -202,6 +202,37 @@ static void test_odd_names(void **state) {
               " python3 -c 'import xml.etree.ElementTree as e\ne.parse(\"@/odd/scene.xml\")'");
 }
 
+/* A name that begins with dots has a name without them. */
+static void test_dots(void **state) {
+    (void)state;
+    expect(0, "cp scenes/cornell-box.glb @/..glb && % export @/..glb -o @/dots --size 9x8 -q &&"
+              " grep -e '\"name\": ' -e '\"file\": ' @/dots/scene.json");
+    expect_text("\"name\": \"glb\"");
+    expect_text("\"file\": \"glb.9x8.exr\"");
+}
+
+/* Formats have one mode for both directions. Texture 4 is repeated across and mirrored down, outside of 0 to 1; texture 6
+ * is changed to be mirrored in one direction, which its coordinates never leave. */
+static void test_wrap_modes(void **state) {
+    (void)state;
+    expect(0,
+           "for f in mitsuba pbrt; do % export scenes/materials.glb -o @/wrap-$f --format $f 2>&1"
+           " | grep wraps || exit 1; done");
+    assert_int_equal(count_text(output, "note: texture 4: wraps down as it does across"), 2);
+    for (int down = 0; down < 2; down++) {
+        expect(0,
+               down ? "sed 's/\"wrapS\":33071,\"wrapT\":33071}]/\"wrapS\":33071,\"wrapT\":33648}]/'"
+                      " scenes/materials.glb > @/one.glb"
+                    : "sed 's/\"wrapS\":33071,\"wrapT\":33071}]/\"wrapS\":33648,\"wrapT\":33071}]/'"
+                      " scenes/materials.glb > @/one.glb");
+        expect(1, "cmp -s @/one.glb scenes/materials.glb");
+        expect(0, "rm -rf @/one; % export @/one.glb -o @/one --format mitsuba 2>&1 | grep wraps;"
+                  " grep -A2 'color-7.exr' @/one/scene.xml");
+        assert_int_equal(count_text(output, "wraps"), 1);
+        expect_text(down ? "\"clamp\"" : "\"mirror\"");
+    }
+}
+
 /* A signal while files are written leaves none of them. */
 static void test_interrupted(void **state) {
     (void)state;
@@ -312,6 +343,8 @@ int main(void) {
         cmocka_unit_test(test_notes_are_in_the_files),
         cmocka_unit_test(test_xml_is_well_formed),
         cmocka_unit_test(test_odd_names),
+        cmocka_unit_test(test_dots),
+        cmocka_unit_test(test_wrap_modes),
         cmocka_unit_test(test_interrupted),
         cmocka_unit_test(test_chosen_lights),
         cmocka_unit_test(test_refusals),

@@ -132,7 +132,7 @@ static void test_writers(void **state) {
         "--cache @/cache --csv @/sweep.csv",
         ">/dev/null");
     for (size_t i = 0; i < sizeof writers / sizeof *writers; i++) {
-        if (!is_tried_here(i, 3))
+        if (!is_tried_here(i, 4))
             continue;
         if (!knows_format("jpg") && (strstr(writers[i], ".jpg") || strstr(writers[i], ".tga")))
             continue;

@@ -2,6 +2,8 @@
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 
+#include "base/file/image_file.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -37,6 +39,55 @@ static void test_files(void **state) {
     expect(0, "cmp LICENSE @/dest/opt/here/share/doc/manylight/LICENSE");
     expect(0, "cd scenes && for s in *.glb *.hdr failures/*.glb; do"
               " cmp $s @/dest/opt/here/share/manylight/scenes/$s || exit; done");
+}
+
+/* Of manylight manual, and of desktop/. */
+static void test_shares(void **state) {
+    (void)state;
+    skip_other_builds();
+    expect(0, "cd @/dest/opt/here/share && ls man/man1/manylight.1 man/man1/manylight-render.1 "
+              "bash-completion/completions/manylight zsh/site-functions/_manylight "
+              "fish/vendor_completions.d/manylight.fish "
+              "icons/hicolor/scalable/apps/org.manylight.manylight.svg "
+              "applications/org.manylight.manylight.desktop");
+    expect(0, "cd @/dest/opt/here && ./bin/manylight --help | sed -n 's,^  \\([a-z]*\\) .*,\\1,p' |"
+              " while read c; do test -s share/man/man1/manylight-$c.1 || exit; done");
+}
+
+static void test_desktop_files(void **state) {
+    (void)state;
+    skip_other_builds();
+    need_command("command -v desktop-file-validate");
+    expect(0, "desktop-file-validate @/dest/opt/here/share/applications/*.desktop");
+    assert_string_equal(output, "");
+    need_command("command -v appstreamcli");
+    expect(0, "XDG_CACHE_HOME=@/cache appstreamcli validate --no-net "
+              "@/dest/opt/here/share/metainfo/*.xml");
+}
+
+/* The command of the file, with the names that a file manager puts in: a space in the scene's, no extension in the
+ * picture's. */
+static void test_thumbnailer(void **state) {
+    (void)state;
+    skip_other_builds();
+    static const int sizes[] = {128, 512};
+    for (size_t i = 0; i < 2; i++) {
+        char line[512];
+        int size[2] = {0};
+        if (!is_tried_here(i, 2))
+            continue;
+        snprintf(line, sizeof line,
+                 "cp scenes/cornell-box.glb '@/a scene.glb' && PATH=@/dest/opt/here/bin:$PATH && "
+                 "command=$(sed -n 's,^Exec=,,p' @/dest/opt/here/share/thumbnailers/*) && "
+                 "eval \"$(echo \"$command\" | sed \"s,%%i,'@/a scene.glb',;s,%%s,%d,;"
+                 "s,%%o,@/thumbnail,\")\"",
+                 sizes[i]);
+        expect(0, line);
+        assert_string_equal(output, "");
+        check_ok("thumbnail", image_size(scratch("thumbnail"), size));
+        check_near("width", size[0], sizes[i], 0);
+        check_near("height", size[1], sizes[i], 0);
+    }
 }
 
 /* From a folder that has no scenes: one of its four, which is none, is found in the installed tree. */
@@ -80,6 +131,9 @@ static void test_uninstall(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_files),
+        cmocka_unit_test(test_shares),
+        cmocka_unit_test(test_desktop_files),
+        cmocka_unit_test(test_thumbnailer),
         cmocka_unit_test(test_bench_finds_scenes),
         cmocka_unit_test(test_bench_prefers_working_folder),
         cmocka_unit_test(test_uninstall),

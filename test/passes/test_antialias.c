@@ -5,6 +5,7 @@
 
 #include "base/memory.h"
 #include "passes/frame.h"
+#include "passes/picture/antialias.h"
 
 #include <cglm/cglm.h>
 
@@ -265,11 +266,39 @@ static void test_edge_samples(void **state) {
     stage_free(&stage);
 }
 
+/* As few layers as can be: no other number of samples that a driver has in one gives fewer, or as many with fewer
+ * samples in all. */
+static void test_sample_layers(void **state) {
+    (void)state;
+    static const int sizes[] = {4, 8, 16};
+    for (int samples = 2; samples <= 16; samples++)
+        for (int most = 4; most <= 64; most++) {
+            struct sample_layers found = sample_layers(samples, most);
+            assert_true(found.samples_of_layer <= most);
+            assert_true(found.layers * found.samples_of_layer >= samples);
+            for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
+                int layers = (samples + sizes[i] - 1) / sizes[i];
+                if (sizes[i] <= most)
+                    assert_true(found.layers < layers ||
+                                (found.layers == layers && found.samples_of_layer <= sizes[i]));
+            }
+        }
+    const struct {
+        int most, layers, of_layer;
+    } rows[] = {{4, 3, 4}, {6, 3, 4}, {8, 2, 8}, {16, 1, 16}, {32, 1, 16}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct sample_layers found = sample_layers(12, rows[i].most);
+        printf("    12 samples, at most %2d a layer: %d of %d\n", rows[i].most, found.layers,
+               found.samples_of_layer);
+        assert_int_equal(found.layers, rows[i].layers);
+        assert_int_equal(found.samples_of_layer, rows[i].of_layer);
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coverage),
-        cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_layers),
+        cmocka_unit_test(test_coverage),     cmocka_unit_test(test_sample_layers),
+        cmocka_unit_test(test_slivers),      cmocka_unit_test(test_layers),
         cmocka_unit_test(test_edge_samples),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);

@@ -1,6 +1,8 @@
 /* Caustics: exact answers of mirrors and slabs, relations that hold of any picture, and what is hard or refused. */
 #include "smooth_stage.h"
 
+#include "command_support.h"
+
 #include <cglm/cglm.h>
 #include <math.h>
 #include <string.h>
@@ -108,6 +110,37 @@ static void test_no_refraction(void **state) {
     }
     stage_free(&with);
     stage_free(&without);
+}
+
+/* Published lines all have one weight. Across the view it is the square root of two times the right one, at the depth of
+ * the glass; steps and kernel keep the mean. */
+static void test_published(void **state) {
+    (void)state;
+    static const char *const settings[] = {"paper", "paper caustics.step=.02",
+                                           "paper caustics.step=.02 caustics.kernel=.25",
+                                           "paper caustics.kernel=2 caustics.step=.02"};
+    static const char lines[] = CHEAP "caustics.size=256 medium.steps=8 caustics.medium=";
+    struct stage stage;
+    open_slab(&stage, 1, .1F, .75F);
+    set_medium(&stage, .15F, .02F, .3F);
+    stage.camera = (struct camera){.eye = {0, -6, .5F},
+                                   .right = {1, 0, 0},
+                                   .up = {0, 0, 1},
+                                   .forward = {0, 1, 0},
+                                   .fov_y = .1F};
+    char text[256];
+    snprintf(text, sizeof text, "%slines", lines);
+    struct image right = draw(&stage, text);
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
+        snprintf(text, sizeof text, "%s%s", lines, settings[i]);
+        struct image drawn = draw(&stage, text);
+        printf("    %s\n", settings[i]);
+        check_near("published over lines", mean_of(&drawn, "volume") / mean_of(&right, "volume"),
+                   sqrt(2), .04);
+        image_free(&drawn);
+    }
+    image_free(&right);
+    stage_free(&stage);
 }
 
 /* Light from beside a wide mirror, just above it: the reflected light of directions that its corners do not bound. */
@@ -418,6 +451,26 @@ static void test_open(void **state) {
     stage_free(&stage);
 }
 
+/* Glass that caustics do not show is told, and no other. */
+static void test_note(void **state) {
+    (void)state;
+    static const char *const scenes[] = {"scenes/gem.glb", "scenes/cornell-box.glb"};
+    for (int i = 0; i < 2; i++) {
+        char command[512], output[4096];
+        for (int shown = 0; shown < 2; shown++) {
+            snprintf(command, sizeof command,
+                     "%s render %s --size 16x16 --technique unshadowed --set vpls=64,rsm-size=64%s"
+                     " -o %s 2>&1",
+                     binary_path(), scenes[i], shown ? ",caustics.surface=patches" : "",
+                     scratch("note.png"));
+            check_ok(command, run_command(command, output, sizeof output) == 0);
+            printf("    %s", output);
+            assert_int_equal(strstr(output, "shown without: transmission") != NULL,
+                             i == 0 && !shown);
+        }
+    }
+}
+
 static void test_refused(void **state) {
     (void)state;
     struct settings settings;
@@ -432,12 +485,13 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_mirror),      cmocka_unit_test(test_slab),
         cmocka_unit_test(test_energy),      cmocka_unit_test(test_no_refraction),
-        cmocka_unit_test(test_low_light),   cmocka_unit_test(test_behind),
-        cmocka_unit_test(test_lamp),        cmocka_unit_test(test_no_indirect),
-        cmocka_unit_test(test_more_rays),   cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_out_of_view), cmocka_unit_test(test_follow),
-        cmocka_unit_test(test_passes),      cmocka_unit_test(test_hard),
-        cmocka_unit_test(test_open),        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_published),   cmocka_unit_test(test_low_light),
+        cmocka_unit_test(test_behind),      cmocka_unit_test(test_lamp),
+        cmocka_unit_test(test_no_indirect), cmocka_unit_test(test_more_rays),
+        cmocka_unit_test(test_halves),      cmocka_unit_test(test_out_of_view),
+        cmocka_unit_test(test_follow),      cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_hard),        cmocka_unit_test(test_open),
+        cmocka_unit_test(test_refused),     cmocka_unit_test(test_note),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -114,6 +114,40 @@ static void test_slab(void **state) {
 }
 
 /* One interface, and a slab in a slab, each of whose interfaces has air on its other side: as the reference has it. */
+/* A wall of one side, seen from behind through glass, is black, as in the reference; one of two sides has the light below
+ * it. */
+static void test_wall_from_behind(void **state) {
+    (void)state;
+    struct stage stage;
+    char nodes[512];
+    int used = snprintf(nodes, sizeof nodes,
+                        "[" FLOOR_NODE ", {\"mesh\": 0, \"translation\": [-2, -2, 2.5],"
+                        " \"scale\": [4, 4, 1]}, ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 1);
+    used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
+    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, .8, 1);
+    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    open_nodes(&stage, nodes, .5F);
+    make_glass(&stage, 1);
+    look_up(&stage);
+    stage.emitters.items[0].position[2] = 1.5F;
+    emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
+    for (int two_sided = 0; two_sided < 2; two_sided++) {
+        stage.scene.materials[FLOOR].double_sided = two_sided;
+        struct image drawn = draw(&stage, SHOWN);
+        struct path_tracer_desc desc = {
+            .width = 16, .height = 16, .samples = 16, .smooth = true, .materials = MATERIALS_FULL};
+        struct image traced;
+        check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+        check_near(two_sided ? "two sides" : "one side", over_floor(&drawn, "R", 1), two_sided,
+                   .03);
+        check_near("traced", over_floor(&traced, "R", 1), two_sided, .03);
+        image_free(&drawn);
+        image_free(&traced);
+    }
+    stage_free(&stage);
+}
+
 static void test_open_and_nested(void **state) {
     (void)state;
     for (int nested = 0; nested < 2; nested++) {
@@ -266,10 +300,15 @@ static void test_diffuse(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mirror),    cmocka_unit_test(test_indirect),
-        cmocka_unit_test(test_slab),      cmocka_unit_test(test_open_and_nested),
-        cmocka_unit_test(test_traced),    cmocka_unit_test(test_medium),
-        cmocka_unit_test(test_all_kinds), cmocka_unit_test(test_diffuse),
+        cmocka_unit_test(test_mirror),
+        cmocka_unit_test(test_indirect),
+        cmocka_unit_test(test_slab),
+        cmocka_unit_test(test_wall_from_behind),
+        cmocka_unit_test(test_open_and_nested),
+        cmocka_unit_test(test_traced),
+        cmocka_unit_test(test_medium),
+        cmocka_unit_test(test_all_kinds),
+        cmocka_unit_test(test_diffuse),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

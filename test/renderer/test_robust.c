@@ -147,7 +147,7 @@ static void test_sizes(void **state) {
     open_view(&view, "scenes/cornell-box.glb");
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (size_t t = 0; techniques[t]; t++)
-            if (is_tried_here(i + t, 2))
+            if (is_tried_here(i + t, 4))
                 check_picture("", &view, techniques[t]->name,
                               "vpls=64 vals=8 map-size=64 interleave=8", sizes[i][0], sizes[i][1]);
     close_view(&view);

@@ -15,12 +15,11 @@
 #include <string.h>
 #include <unistd.h>
 
-static const struct bench_mode *const modes[] = {
-    &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves, &bench_passes,
-    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_chart,
+const struct bench_mode *const bench_modes[] = {
+    &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves,   &bench_passes,
+    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, &bench_chart,
+    NULL,
 };
-
-enum { MODES = sizeof modes / sizeof *modes };
 
 const char *const bench_variants[] = {"paper", "fast", NULL};
 static const char *const defaults_alone[] = {":", NULL};
@@ -65,6 +64,7 @@ bool bench_time(struct bench *bench, const struct measure_list *subjects,
                 enum reference_kind kind) {
     return timing_measure(&bench->results, subjects,
                           &(struct timing_desc){bench->values.warm_up, bench->values.frames,
+                                                bench->values.whole_frames, bench->values.picture,
                                                 bench_reference(bench, kind)});
 }
 
@@ -88,6 +88,11 @@ static const struct option options[] = {
     {"warm-up", 0, OPTION_INT, VALUE(warm_up), 0, 0, 100000,
      .help = "number of frames before the measured\n"
              "ones; 0: 1 on software OpenGL, else 10"},
+    {"whole-frames", 0, OPTION_FLAG, VALUE(whole_frames),
+     .help = "time whole frames alone, not their passes: half the frames"},
+    {"picture", 0, OPTION_TEXT, VALUE(picture), .value_name = "FILE.exr",
+     .help =
+         "write the first frame, the picture of manylight render; of one SCENE and one --variant"},
     {"passes", 0, OPTION_INT, VALUE(passes), 256, 1, 65536,
      .help = "largest number of passes; also measures each power of two below"},
     {"reference", 0, OPTION_CHOICE, VALUE(reference), .choices = reference_names,
@@ -188,6 +193,7 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
                                 .options = table,
                                 .max_positional = argc,
                                 .opens_scenes = mode->measure != NULL,
+                                .shows_progress = mode->measure != NULL,
                                 .print_more = has_option(mode, "variant") ? print_variants : NULL},
             &bench.values, argc, argv, bench.arguments, &bench.argument_count, &status)) {
         if (!check(&bench, mode))
@@ -205,16 +211,16 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
 static void print_help(FILE *out) {
     fprintf(out, "usage: manylight bench MODE [SCENE ...] [OPTION ...]\n\n"
                  "Measures times and errors of frames.\n\n");
-    for (int i = 0; i < MODES; i++)
-        fprintf(out, "  %-10s %.*s\n", modes[i]->name, (int)strcspn(modes[i]->help, "\n"),
-                modes[i]->help);
+    for (const struct bench_mode *const *mode = bench_modes; *mode; mode++)
+        fprintf(out, "  %-10s %.*s\n", (*mode)->name, (int)strcspn((*mode)->help, "\n"),
+                (*mode)->help);
     fprintf(out, "\nmanylight bench MODE --help lists a mode's options.\n");
 }
 
 int app_bench(int argc, char **argv) {
-    for (int i = 0; argc > 1 && i < MODES; i++)
-        if (strcmp(argv[1], modes[i]->name) == 0)
-            return run_mode(modes[i], argc - 1, argv + 1);
+    for (const struct bench_mode *const *mode = bench_modes; argc > 1 && *mode; mode++)
+        if (strcmp(argv[1], (*mode)->name) == 0)
+            return run_mode(*mode, argc - 1, argv + 1);
     if (argc > 1 && arguments_is_help(argv[1])) {
         print_help(stdout);
         return STATUS_OK;

@@ -14,10 +14,10 @@ struct bench_values {
     struct common_values common;
     struct context_desc context;
     struct text_list variants, settings, axes;
-    const char *csv, *cache, *output, *reference_file;
+    const char *csv, *cache, *output, *reference_file, *picture;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer, tables, estimates, restart;
+    bool tracer, tables, estimates, restart, whole_frames;
     struct stage_desc stage; /* without a path */
 };
 
@@ -67,7 +67,11 @@ struct bench_mode {
 };
 
 extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_budget, bench_curves,
-    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_chart;
+    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics,
+    bench_chart;
+
+/* Ends with NULL. */
+extern const struct bench_mode *const bench_modes[];
 
 /* The options of modes that use OpenGL. */
 #define BENCH_CONTEXT " csv restart context device screen-passes gl-debug"

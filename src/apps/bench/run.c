@@ -67,7 +67,8 @@ static void hear(void *user, bool resumed) {
 }
 
 /* What makes no other rows, or shows in them. */
-static const char not_identity[] = "csv restart cache output gl-debug quiet verbose max-memory";
+static const char not_identity[] =
+    "csv restart cache output gl-debug quiet verbose max-memory progress";
 
 static bool is_identity(const struct option *option) {
     for (struct word word = {.at = not_identity}; word_next(&word);)
@@ -192,7 +193,7 @@ static bool measure_all(struct bench *bench) {
     bench->results.listener = hear;
     bench->results.work_listener = show_work;
     bench->results.user = bench;
-    progress_start(&bench->work.progress);
+    progress_start(&bench->work.progress, "subjects");
     for (int i = 0; ok && mode->measure && i < bench->argument_count; i++)
         ok = measure_scene(bench, i);
     ok = ok && (!mode->finish || mode->finish(bench));

@@ -2,6 +2,8 @@
  * ours. */
 #include "apps/bench/bench.h"
 
+#include "base/error.h"
+
 #include <string.h>
 
 /* GeForce 8800 GTX, 800 x 800, N = 1024, M = 30 [Dong 2009, Table 1]. Our scenes stand for the
@@ -108,6 +110,8 @@ static void print_times(const struct results *results, int subject) {
 
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     int first = bench->results.subject_count;
+    if (bench->values.picture && (subjects->count != 1 || bench->argument_count != 1))
+        return error_set("--picture is of one SCENE and one --variant");
     bench_expect(bench, subjects->count);
     if (!bench_time(bench, subjects, REFERENCE_NONE))
         return false;
@@ -116,7 +120,7 @@ static bool measure(struct bench *bench, const struct measure_list *subjects) {
 }
 
 static bool finish(struct bench *bench) {
-    for (int i = 0; i < bench->results.subject_count; i++)
+    for (int i = 0; i < bench->results.subject_count && !bench->values.whole_frames; i++)
         print_times(&bench->results, i);
     return true;
 }
@@ -125,7 +129,8 @@ const struct bench_mode bench_times = {
     .name = "times",
     .help = "time of each pass of a frame, as in the paper's Tables 1 and 2\n"
             "Without SCENE: the paper's four scenes, from scenes/ here or the installed ones.",
-    .options = "size variant set frames warm-up light environment" BENCH_CONTEXT,
+    .options =
+        "size variant set frames warm-up whole-frames picture light environment" BENCH_CONTEXT,
     .variants = bench_variants,
     .measure = measure,
     .finish = finish,

@@ -85,6 +85,30 @@ int export_mapping(const struct export_target *target, const struct export_mesh 
     return mesh->shines && material->emission_texture >= 0 ? material->emission_mapping : -1;
 }
 
+/* Whether the mesh's coordinates on that axis, 0 or 1, lie within one copy of the texture. */
+static bool is_within_texture(const struct export_target *target, const struct export_mesh *mesh,
+                              int axis) {
+    const struct geometry *geometry = &target->stage->geometry;
+    int mapping = export_mapping(target, mesh);
+    for (uint32_t i = 0; i < 3 * mesh->count; i++) {
+        uint32_t vertex = geometry->indices[3 * (size_t)mesh->triangles[i / 3] + i % 3];
+        float at = geometry->uv[mapping][vertex][axis];
+        if (!(at >= 0 && at <= 1))
+            return false;
+    }
+    return true;
+}
+
+enum texture_wrap export_wrap(struct export_target *target, int n, int texture) {
+    const struct scene_texture *from = &target->stage->scene.textures[texture];
+    if (from->wrap_u == from->wrap_v || is_within_texture(target, &target->meshes[n], 1))
+        return from->wrap_u;
+    if (is_within_texture(target, &target->meshes[n], 0))
+        return from->wrap_v;
+    export_note(target, "texture %d: wraps down as it does across", texture);
+    return from->wrap_u;
+}
+
 /* --- PLY -------------------------------------------------------------------------------------- */
 
 struct ply {

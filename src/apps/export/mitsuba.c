@@ -83,16 +83,17 @@ static void print_camera(struct text *xml, const struct export_target *target) {
 
 /* --- materials -------------------------------------------------------------------------------- */
 
-static void print_texture(struct text *xml, const struct scene_texture *texture, const char *name,
-                          const char *file, bool is_data) {
+static void print_texture(struct export_target *target, struct text *xml, int n, int texture,
+                          const char *name, const char *file, bool is_data) {
     static const char *const wraps[] = {"repeat", "clamp", "mirror"};
+    bool is_nearest = target->stage->scene.textures[texture].nearest || is_data;
     text_print(xml,
                "<texture type=\"bitmap\" name=\"%s\">\n<string name=\"filename\" value=\"%s\"/>\n"
                "<string name=\"wrap_mode\" value=\"%s\"/>\n"
                "<string name=\"filter_type\" value=\"%s\"/>\n"
                "<boolean name=\"raw\" value=\"%s\"/>\n</texture>\n",
-               name, file, wraps[texture->wrap_u],
-               texture->nearest || is_data ? "nearest" : "bilinear", is_data ? "true" : "false");
+               name, file, wraps[export_wrap(target, n, texture)],
+               is_nearest ? "nearest" : "bilinear", is_data ? "true" : "false");
 }
 
 static bool print_color(struct export_target *target, struct text *xml, int n, const char *name) {
@@ -108,7 +109,7 @@ static bool print_color(struct export_target *target, struct text *xml, int n, c
         return true;
     }
     snprintf(file, sizeof file, "color-%d.exr", n);
-    print_texture(xml, &scene->textures[material->base_color_texture], name, file, false);
+    print_texture(target, xml, n, material->base_color_texture, name, file, false);
     return export_color_texture(target, material->base_color_texture, factor, file);
 }
 
@@ -141,7 +142,7 @@ static bool print_bsdf(struct export_target *target, struct text *xml, int n) {
     if (masked) {
         snprintf(file, sizeof file, "mask-%d.png", n);
         text_print(xml, "<bsdf type=\"mask\">\n");
-        print_texture(xml, &scene->textures[material->base_color_texture], "opacity", file, true);
+        print_texture(target, xml, n, material->base_color_texture, "opacity", file, true);
         ok = export_mask(target, material, file);
         export_note(target, "material %d (%s): its alpha mask is not interpolated",
                     target->meshes[n].material, material->name);
@@ -169,7 +170,7 @@ static bool print_emission(struct export_target *target, struct text *xml, int n
     text_print(xml, "<emitter type=\"area\">\n");
     if (textured) {
         vec3s factor = {{material->emission[0], material->emission[1], material->emission[2]}};
-        print_texture(xml, &scene->textures[material->emission_texture], "radiance", file, false);
+        print_texture(target, xml, n, material->emission_texture, "radiance", file, false);
         ok = export_color_texture(target, material->emission_texture, factor, file);
     } else
         print_rgb(xml, "radiance", emission.raw);

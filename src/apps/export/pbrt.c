@@ -57,14 +57,14 @@ static void print_head(struct text *out, const struct export_target *target) {
 static void print_texture(struct export_target *target, struct text *out, int n, int texture,
                           const char *kind, const char *name, const char *file) {
     static const char *const wraps[] = {"repeat", "clamp", "repeat"};
-    const struct scene_texture *from = &target->stage->scene.textures[texture];
-    if (from->wrap_u == TEXTURE_WRAP_MIRROR)
+    enum texture_wrap wrap = export_wrap(target, n, texture);
+    bool is_nearest = target->stage->scene.textures[texture].nearest || kind[0] == 'f';
+    if (wrap == TEXTURE_WRAP_MIRROR)
         export_note(target, "texture %d: is repeated, not mirrored", texture);
     text_print(out,
                "Texture \"%s-%d\" \"%s\" \"imagemap\" \"string filename\" [ \"%s\" ]\n"
                "  \"string wrap\" [ \"%s\" ] \"string filter\" [ \"%s\" ]\n",
-               name, n, kind, file, wraps[from->wrap_u],
-               from->nearest || kind[0] == 'f' ? "point" : "bilinear");
+               name, n, kind, file, wraps[wrap], is_nearest ? "point" : "bilinear");
 }
 
 /* The parameter of the material that is its colour. */

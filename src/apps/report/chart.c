@@ -57,7 +57,7 @@ static void print_axes(FILE *out, const struct chart *chart, const struct axis *
         fprintf(out,
                 "<path class=\"grid\" d=\"M%.1f %.1fV%.1f\"/><text class=\"tick\" x=\"%.1f\" "
                 "y=\"%.1f\" text-anchor=\"middle\">%g</text>\n",
-                x_of(x, at), top, height - bottom, x_of(x, at), height - bottom + 16, at);
+                x_of(x, at), top, height - bottom, x_of(x, at), height - bottom + 18, at);
     for (double at = y->from; at <= y->to * 1.001; at = step_after(at))
         fprintf(out,
                 "<path class=\"grid\" d=\"M%.1f %.1fH%.1f\"/><text class=\"tick\" x=\"%.1f\" "
@@ -104,8 +104,10 @@ static void print_points(FILE *out, const struct chart *chart, const struct axis
                 "cy=\"%.1f\" r=\"5\"><title>",
                 px, py, text_x - 3, labels[i].y, px, py);
         html_print_text(out, point->name);
-        fprintf(out, ": %.4g, %.4g</title></circle><text x=\"%.1f\" y=\"%.1f\">", point->x,
-                point->y, text_x, labels[i].y + 4);
+        fprintf(out, ": ");
+        html_print_number(out, point->x);
+        fprintf(out, ", %.4g</title></circle><text x=\"%.1f\" y=\"%.1f\">", point->y, text_x,
+                labels[i].y + 4);
         html_print_text(out, point->name);
         fprintf(out, "</text></g>\n");
     }

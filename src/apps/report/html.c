@@ -19,3 +19,7 @@ void html_print_text(FILE *out, const char *text) {
             fputc(*text, out);
         }
 }
+
+void html_print_number(FILE *out, double value) {
+    fprintf(out, value >= 1000 ? "%.0f" : "%.4g", value);
+}

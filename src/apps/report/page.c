@@ -22,7 +22,7 @@ static const char style[] =
     "max-width:72rem;padding:1rem 1.25rem 3rem}\n"
     "h1,h2{line-height:1.2}h2{margin-top:2.5rem}\n"
     ".wide{overflow-x:auto}table{border-collapse:collapse;font-variant-numeric:tabular-nums}\n"
-    "th,td{padding:.25rem .75rem;border-bottom:1px solid var(--line);text-align:right;"
+    "th,td{padding:.25rem .6rem;border-bottom:1px solid var(--line);text-align:right;"
     "white-space:nowrap}th:first-child,td:first-child{text-align:left}\n"
     ".soft,.tick,figcaption{color:var(--soft);fill:var(--soft)}\n"
     "svg{width:100%;height:auto;font:13px system-ui,sans-serif;fill:var(--text)}\n"
@@ -133,7 +133,13 @@ static void print_table_row(FILE *out, const struct report *report, int i) {
     const struct summary *clock = &results_find(&report->results, i, "clock", NULL)->figure;
     fprintf(out, "<tr><td>");
     html_print_text(out, subject_of(report, i)->desc.variant);
-    fprintf(out, "</td><td>%.4g</td><td>%.4g to %.4g</td>", clock->value, clock->p5, clock->p95);
+    const double times[] = {clock->value, clock->p5, clock->p95};
+    static const char *const before[] = {"</td><td>", "</td><td>", " to "};
+    for (int t = 0; t < 3; t++) {
+        fprintf(out, "%s", before[t]);
+        html_print_number(out, times[t]);
+    }
+    fprintf(out, "</td>");
     print_cell(out, "%.3g", value_of(report, i, "gpu-memory"));
     print_cell(out, "%.2f", value_of(report, i, "relative-rmse"));
     print_cell(out, "%+.2f", value_of(report, i, "relative-bias"));

@@ -200,6 +200,20 @@ extern "C" bool image_size(const char *path, int size[2]) try {
     return fail(path, error.what());
 }
 
+static void add_attributes(ImageSpec &spec, const struct image *image) {
+    for (int i = 0; i < image->attribute_count; i++) {
+        const struct image_attribute &attribute = image->attributes[i];
+        if (attribute.kind == IMAGE_TEXT)
+            spec.attribute(attribute.name, attribute.text);
+        else if (attribute.kind == IMAGE_NUMBER)
+            spec.attribute(attribute.name, attribute.numbers[0]);
+        else if (attribute.kind == IMAGE_CHROMATICITIES)
+            spec.attribute(attribute.name, TypeDesc(TypeDesc::FLOAT, 8), attribute.numbers);
+        else
+            spec.attribute(attribute.name, TypeMatrix, attribute.numbers);
+    }
+}
+
 extern "C" bool image_write(const struct image *image, const char *path) try {
     const format *format = find_format(path);
     if (!format)
@@ -217,6 +231,7 @@ extern "C" bool image_write(const struct image *image, const char *path) try {
         for (const std::string &name : spec.channelnames)
             spec.channelformats.push_back(half && is_colour(name) ? TypeDesc::HALF
                                                                   : TypeDesc::FLOAT);
+        add_attributes(spec, image);
         if (image->passes) {
             spec.attribute(passes_attribute, image->passes);
             spec.attribute(weight_attribute, float(image->weight));

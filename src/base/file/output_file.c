@@ -303,6 +303,40 @@ bool output_file_take(const char *part, const char *path) {
     return ok;
 }
 
+bool output_part_begin(struct output_part *part, const char *path) {
+    struct part made;
+    *part = (struct output_part){0};
+    if (!is_writable(path))
+        return false;
+    if (output_file_is_stdout(path) || is_special(path))
+        return error_set("cannot write %s: it is no regular file", path);
+    char *target = realpath(path, NULL);
+    part->path = target ? target : mem_strdup(path);
+    if (part_open(&made, part->path)) {
+        part->file = made.file;
+        part->name = made.name;
+        return true;
+    }
+    free(part->path);
+    part->path = NULL;
+    return fail(path);
+}
+
+bool output_part_end(struct output_part *part, bool ok) {
+    struct part made = {part->file, part->name};
+    if (!part->path)
+        return false;
+    bool filled = ok && sync_all(part->file) && keep_mode(part->file, part->path),
+         done = part_finish(&made, part->path, filled) && filled;
+    if (done)
+        sync_folder(part->path);
+    else if (ok)
+        fail(part->path);
+    free(part->path);
+    *part = (struct output_part){0};
+    return done;
+}
+
 /* --- journals --------------------------------------------------------------------------------- */
 
 /* File systems without locks do without. A file without a name is one that its last user has removed meanwhile. */

@@ -36,6 +36,19 @@ bool output_file_put(int file, const void *bytes, size_t size);
 /* What another program has written beside it is synced and takes the name; where it cannot, it is removed. */
 bool output_file_take(const char *part, const char *path);
 
+/* A file that another program fills, which gets its descriptor. It has no name where the file system knows such files.
+ * Zeroed: none. */
+struct output_part {
+    int file; /* to be read and written */
+    char *name, *path;
+};
+
+/* Error: names the path and the reason; it is no regular file. */
+bool output_part_begin(struct output_part *part, const char *path);
+
+/* The file takes the path, as output_file_write has it, or goes where ok is false. */
+bool output_part_end(struct output_part *part, bool ok);
+
 /* A file that grows by blocks, for long work that may end at any time. One process has it open. A crash may leave a
  * part of the last block, which the reader drops. Zeroed: none. */
 struct output_journal {

@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include "gl/context/context.h"
 
 #include "base/error.h"
@@ -13,6 +14,7 @@
 #include "gl/screen.h"
 #include "gl/screen_rows.h"
 
+#include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,9 +105,6 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     context->api.framebuffers = framebuffer_list_create();
     context->api.screen_rows = create_rows(&context->api);
     context->api.software = is_software((const char *)context->api.GetString(GL_RENDERER));
-    /* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
-    if (context->api.software)
-        mem_keep_freed();
     if (debug)
         samplers_watch(&context->api, &context->message_count);
     gl = context->api;
@@ -113,6 +112,12 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     if (debug)
         listen(context);
     return true;
+}
+
+/* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
+static void keep_freed(const struct context *context) {
+    if (context->api.software)
+        mem_keep_freed();
 }
 
 static struct context *try_candidate(const struct candidate *candidate, bool debug) {
@@ -136,13 +141,17 @@ static void add_reason(struct names *reasons) {
     names_add(reasons, "; ", error_get());
 }
 
+/* Platforms open their libraries once for all threads. */
 static void list_candidates(struct candidate_list *list, enum context_kind kind,
                             struct names *reasons) {
+    static pthread_mutex_t opening = PTHREAD_MUTEX_INITIALIZER;
     list->count = 0;
+    pthread_mutex_lock(&opening);
     if (kind != CONTEXT_OSMESA && !egl_platform.list(list))
         add_reason(reasons);
     if (kind != CONTEXT_EGL && !osmesa_platform.list(list))
         add_reason(reasons);
+    pthread_mutex_unlock(&opening);
 }
 
 /* Which candidates are tried. */
@@ -260,16 +269,20 @@ struct context *context_create(const struct context_desc *desc) {
         screen_set_way(desc->screen);
     if (!parse_wish(&wish, desc->device))
         return NULL;
+    /* Mesa complains on stderr of each device that is not its own; we report what failed. */
+    if (!desc->embedded)
+        setenv("EGL_LOG_LEVEL", "fatal", 0);
     list_candidates(&list, desc->kind, &reasons);
     struct context *context = try_list(&list, &wish, desc->debug, &reasons);
     if (!context) {
         context_make_current(before);
         error_set("no OpenGL 4.5 core context: %s", reasons.text);
-    }
+    } else if (!desc->embedded)
+        keep_freed(context);
     return context;
 }
 
-struct context *context_adopt(void *(*getproc)(const char *name), bool debug) {
+static struct context *adopt(void *(*getproc)(const char *name), bool debug) {
     struct context *context = mem_alloc(1, sizeof *context);
     snprintf(context->description, sizeof context->description, "window");
     if (load(context, getproc, debug))
@@ -277,6 +290,17 @@ struct context *context_adopt(void *(*getproc)(const char *name), bool debug) {
     context_free(context);
     error_prefix("window");
     return NULL;
+}
+
+struct context *context_adopt(void *(*getproc)(const char *name), bool debug) {
+    struct context *context = adopt(getproc, debug);
+    if (context)
+        keep_freed(context);
+    return context;
+}
+
+struct context *context_adopt_embedded(void *(*getproc)(const char *name)) {
+    return adopt(getproc, false);
 }
 
 /* --- being current --- */
@@ -290,19 +314,32 @@ static void release_current(void) {
     memset(&gl, 0, sizeof gl);
 }
 
-void context_make_current(struct context *context) {
+bool context_bind(struct context *context) {
     if (context == current)
-        return;
+        return true;
     release_current();
     if (!context)
-        return;
-    if (context->native.platform && !context->native.platform->bind(&context->native)) {
-        /* A context that was current before: only a driver that lost it refuses. */
-        log_warning("%s: %s", context->description, error_get());
-        abort();
-    }
+        return true;
+    if (context->native.platform && !context->native.platform->bind(&context->native))
+        return error_prefix("%s", context->description);
     current = context;
     gl = context->api;
+    return true;
+}
+
+void context_make_current(struct context *context) {
+    if (context_bind(context))
+        return;
+    /* A context that was current before: only a driver that lost it refuses. */
+    log_warning("%s", error_get());
+    abort();
+}
+
+void context_delete_objects(struct context *context) {
+    program_cache_delete_programs(context->api.programs);
+    screen_rows_delete_buffer(context->api.screen_rows);
+    gl.DeleteVertexArrays(1, &context->api.empty_vertex_array);
+    gl.DeleteFramebuffers(1, &context->api.empty_framebuffer);
 }
 
 void context_free(struct context *context) {
@@ -333,6 +370,10 @@ bool context_check(void) {
            error_set("OpenGL's context is lost: %s", status == GL_GUILTY_CONTEXT_RESET
                                                          ? "this program made the GPU hang"
                                                          : "the driver has reset the GPU");
+}
+
+bool context_is_software(const struct context *context) {
+    return context->api.software;
 }
 
 const char *context_description(const struct context *context) {

@@ -24,6 +24,8 @@ struct context_desc {
      * NULL = all in order. */
     const char *device;
     bool debug; /* a debug context: GL's messages are logged and counted */
+    bool
+        embedded; /* in a process of others, whose allocator and environment variables stay as they are */
     int screen; /* how screen passes run, of the whole process: an enum screen_way (gl/screen.h); 0 = as chosen */
 };
 
@@ -44,12 +46,23 @@ void context_free(struct context *context);
  * A window's context is bound by its owner, after this call. */
 void context_make_current(struct context *context);
 
+/* The same. Error: the driver refuses, and no context is current. */
+bool context_bind(struct context *context);
+
 /* Programs that one context has linked others may take from the store: fills = it is that one. */
 void context_set_store(struct context *context, struct program_store *store, bool fills);
 
 /* Makes a context object around one that is already current (a window's): fills `gl` through
  * getproc. */
 struct context *context_adopt(void *(*getproc)(const char *name), bool debug);
+
+/* The same in a process of others (embedded). Its objects are deleted by context_delete_objects while it is current, before
+ * context_free: the OpenGL context lives on. */
+struct context *context_adopt_embedded(void *(*getproc)(const char *name));
+void context_delete_objects(struct context *context);
+
+/* Whether it renders on the CPU. */
+bool context_is_software(const struct context *context);
 
 /* Error: the driver has lost the current context, as when it resets the GPU; what was read back since is
  * no picture. EGL tells it where the driver does; a window's context is not asked to, as GLFW has that only

@@ -1,5 +1,4 @@
 /* EGL without a window: on a device (EGL_EXT_platform_device) or surfaceless (Mesa's platform). */
-#define _POSIX_C_SOURCE 200809L /* setenv */
 #include "gl/context/platform.h"
 
 #include "base/error.h"
@@ -66,8 +65,6 @@ static bool find(const char *name, void *function) {
 static bool open_library(void) {
     if (egl.library)
         return true;
-    /* Mesa complains on stderr of each device that is not its own; we report what failed. */
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
     void *library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library)
         return error_set("cannot open libEGL.so.1");

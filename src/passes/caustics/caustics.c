@@ -7,6 +7,7 @@
 #include "passes/frame.h"
 #include "passes/targets.h"
 
+#include <cglm/cglm.h>
 #include <math.h>
 
 /* Surfaces that are nearer than this are one, over the scene's radius. */
@@ -16,13 +17,16 @@ static const float reach = .01F;
 
 static bool init_programs(struct caustics_pass *pass) {
     const char *medium = pass->desc.medium ? "HAS_MEDIUM" : NULL;
+    const char *line = pass->desc.published ? "HAS_MEDIUM;PUBLISHED" : medium;
     const struct program_desc patch = {.vertex = "caustics/patch.vert",
                                        .fragment = "caustics/patch.frag"};
     const struct program_desc splat = {
         .vertex = "caustics/splat.vert", .fragment = "caustics/patch.frag", .defines = "SPLATS"};
     bool ok = program_init(
         &pass->ray_program,
-        &(struct program_desc){.screen = {"caustics/light_rays.frag"}, .defines = medium});
+        &(struct program_desc){
+            .screen = {"caustics/light_rays.frag"},
+            .defines = light_defines(pass->desc.medium, pass->desc.scene->slide_count > 0)});
     if (ok && pass->desc.surface)
         ok = program_init(&pass->cell_program,
                           &(struct program_desc){.screen = {"caustics/ray_cells.frag"},
@@ -36,7 +40,7 @@ static bool init_programs(struct caustics_pass *pass) {
         ok = program_init(&pass->line_program,
                           &(struct program_desc){.vertex = "caustics/light_lines.vert",
                                                  .fragment = "caustics/light_lines.frag",
-                                                 .defines = medium});
+                                                 .defines = line});
     return ok;
 }
 
@@ -170,6 +174,21 @@ static float place_in_texel(uint32_t base, int pass) {
     return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
 }
 
+/* The thesis leaves its constant solid angle of light open [Dong 2011, eq. 8.3]. Here it conserves the flux of lines in all
+ * directions at the middle of glass and mirrors. Across the view a line has one over a pixel's width there, 1/m. A line of
+ * another direction covers less pixels: on average the square root of a half as many. */
+static float line_weight(const struct caustics_pass *pass, const struct frame *frame) {
+    const struct view *camera = frame->camera;
+    vec3 middle, from_eye;
+    smooth_surfaces_middle(&pass->surfaces, frame->geometry, middle);
+    glm_vec3_sub(middle, (float *)camera->origin, from_eye);
+    float ahead = glm_vec3_norm2((float *)camera->forward);
+    float depth = glm_vec3_dot(from_eye, (float *)camera->forward) / ahead;
+    float area = 4 * glm_vec3_norm((float *)camera->right) * glm_vec3_norm((float *)camera->up) /
+                 (float)(pass->desc.width * pass->desc.height);
+    return GLM_SQRT2f / (sqrtf(area) * (camera->orthographic ? 1 : fmaxf(depth, camera->near)));
+}
+
 static bool write_params(const struct caustics_pass *pass, const struct frame *frame, int light,
                          int *side) {
     struct caustics_params params = {
@@ -179,11 +198,15 @@ static bool write_params(const struct caustics_pass *pass, const struct frame *f
         .size = {(float)pass->desc.width, (float)pass->desc.height},
         .chains = pass->chains,
         .points_only = pass->desc.points,
+        .line_step = pass->desc.step,
+        .line_reach = pass->desc.step * pass->desc.kernel,
     };
     *side = side_of(pass, frame, light);
     if (!smooth_surfaces_fit(&pass->surfaces, frame->geometry, &frame->emitters->items[light],
                              *side, &params))
         return false;
+    if (pass->desc.published)
+        params.line_weight = line_weight(pass, frame);
     buffer_write(&pass->params, 0, sizeof params, &params);
     return true;
 }
@@ -200,6 +223,8 @@ static void trace(const struct caustics_pass *pass, const struct frame *frame, i
                   int side) {
     struct pass_state state = state_of(pass, frame, "light rays", pass->ray_program);
     smooth_surfaces_add(&pass->surfaces, &state);
+    if (frame->scene->slides.id)
+        pass_add_texture(&state, UNIT_SLIDES, frame->scene->slides.id);
     pass_add_texture(&state, UNIT_BVH, pass->tree->texels);
     timer_begin(frame->timers, state.name);
     draw_rays(&state, pass, side, pass->ray_framebuffer);

@@ -21,7 +21,9 @@ struct caustics_desc {
     int size;   /* rays a side of a light's view */
     int chains; /* where there is glass */
     bool surface, points, volume;
-    bool medium; /* frames have one; `volume` is nothing without */
+    bool published;     /* lines in the medium are as [Dong 2011] has them, with the next two */
+    float step, kernel; /* of a pixel's ray, metres; of the Gaussian's reach over the step */
+    bool medium;        /* frames have one; `volume` is nothing without */
     const struct scene *scene;
     const struct geometry *geometry;
     struct caster_pool *casters;

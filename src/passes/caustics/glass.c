@@ -10,6 +10,7 @@
 #include "shared/glass.h"
 
 #include <cglm/util.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -109,17 +110,21 @@ bool glass_pass_resize(struct glass_pass *pass, int width, int height) {
     return ok;
 }
 
+static bool init_program(struct glass_pass *pass) {
+    const struct glass_desc *desc = &pass->desc;
+    char defines[48];
+    snprintf(defines, sizeof defines, "%s%s",
+             light_defines(desc->medium, desc->scene->slide_count > 0),
+             desc->sky ? "HAS_SKY;" : "");
+    return program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
+                                                               .fragment = "caustics/glass.frag",
+                                                               .defines = defines});
+}
+
 bool glass_pass_init(struct glass_pass *pass, const struct glass_desc *desc) {
     *pass = (struct glass_pass){.desc = *desc};
     pass->glow = mem_alloc((size_t)desc->scene->material_count, sizeof *pass->glow);
-    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                            .fragment = "caustics/glass.frag",
-                                                            .defines = desc->medium && desc->sky
-                                                                           ? "HAS_MEDIUM;HAS_SKY"
-                                                                       : desc->medium ? "HAS_MEDIUM"
-                                                                       : desc->sky    ? "HAS_SKY"
-                                                                                      : NULL}) &&
-        init_screen(pass) && init_triangles(pass, desc->geometry) &&
+    if (init_program(pass) && init_screen(pass) && init_triangles(pass, desc->geometry) &&
         buffer_init(&pass->params, "parameters of glass", sizeof(struct glass_params), NULL))
         return true;
     glass_pass_free(pass);
@@ -176,8 +181,7 @@ void glass_pass_render(struct glass_pass *pass, const struct frame *frame,
     smooth_surfaces_add(inputs->surfaces, &state);
     if (pass->desc.sky)
         pass_add_texture(&state, UNIT_GLASS_SKY, frame->scene->sky.id);
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_light(frame, &state);
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);

@@ -40,6 +40,9 @@ static bool init_programs(struct correction_pass *pass) {
            program_init(
                &pass->sum_program,
                &(struct program_desc){.screen = {"gather/correction_sum.frag", .layers = true}}) &&
+           program_init(
+               &pass->val_program,
+               &(struct program_desc){.screen = {"gather/correction_val.frag", .layers = true}}) &&
            program_init(&pass->mean_program,
                         &(struct program_desc){.screen = {"gather/correction_mean.frag"}}) &&
            program_init(
@@ -50,32 +53,47 @@ static bool init_programs(struct correction_pass *pass) {
                                                .fragment = "gather/correct_blocks.frag"});
 }
 
+static bool init_sums(struct texture *sums, struct texture *squares, GLuint *framebuffer,
+                      const char *label, int side, int vals) {
+    struct texture_desc desc = {.label = label,
+                                .target = GL_TEXTURE_2D_ARRAY,
+                                .format = GL_RGBA32F,
+                                .width = side,
+                                .height = side,
+                                .layers = vals};
+    bool ok = texture_init(sums, &desc);
+    desc.format = GL_RG32F;
+    return ok && texture_init(squares, &desc) &&
+           framebuffer_init(
+               framebuffer,
+               &(struct framebuffer_desc){
+                   .label = label,
+                   .colors = {
+                       [TARGET_CORRECTION_SUM] = sums, [TARGET_CORRECTION_SQUARE] = squares}});
+}
+
 static bool init_targets(struct correction_pass *pass) {
+    const int vals = pass->desc.visibility.map_count;
     const struct texture_desc tests = {.label = "correction tests",
                                        .format = GL_RGBA32F,
                                        .width = cell_tests(&pass->desc),
                                        .height = CORRECTION_SIDE * CORRECTION_SIDE};
-    const struct texture_desc sums = {.label = "correction sums",
-                                      .target = GL_TEXTURE_2D_ARRAY,
-                                      .format = GL_RGBA32F,
-                                      .width = CORRECTION_SIDE,
-                                      .height = CORRECTION_SIDE,
-                                      .layers = pass->desc.visibility.map_count};
     const struct texture_desc mean = {
         .label = "mean correction", .format = GL_RG32F, .width = 1, .height = 1};
-    struct texture_desc squares = sums, corrections = sums;
-    squares.format = GL_RG32F;
-    corrections.label = "correction";
-    corrections.format = GL_RG16F;
-    corrections.filter = FILTER_LINEAR;
-    corrections.wrap_s = corrections.wrap_t = GL_CLAMP_TO_EDGE;
+    const struct texture_desc corrections = {.label = "correction",
+                                             .target = GL_TEXTURE_2D_ARRAY,
+                                             .format = GL_RG16F,
+                                             .width = CORRECTION_SIDE,
+                                             .height = CORRECTION_SIDE,
+                                             .layers = vals,
+                                             .filter = FILTER_LINEAR,
+                                             .wrap_s = GL_CLAMP_TO_EDGE,
+                                             .wrap_t = GL_CLAMP_TO_EDGE};
     return framebuffer_init_target(&pass->tests, &pass->test_framebuffer, &tests) &&
-           texture_init(&pass->sums, &sums) && texture_init(&pass->squares, &squares) &&
-           framebuffer_init(&pass->sum_framebuffer,
-                            &(struct framebuffer_desc){
-                                .label = sums.label,
-                                .colors = {[TARGET_CORRECTION_SUM] = &pass->sums,
-                                           [TARGET_CORRECTION_SQUARE] = &pass->squares}}) &&
+           init_sums(&pass->sums, &pass->squares, &pass->sum_framebuffer, "correction sums",
+                     CORRECTION_SIDE, vals) &&
+           init_sums(&pass->val_sums, &pass->val_squares, &pass->val_framebuffer,
+                     "correction sums of VALs", 1, vals) &&
            framebuffer_init_target(&pass->mean, &pass->mean_framebuffer, &mean) &&
            framebuffer_init_target(&pass->corrections, &pass->cell_framebuffer, &corrections);
 }
@@ -94,16 +112,20 @@ bool correction_pass_init(struct correction_pass *pass, const struct correction_
 void correction_pass_free(struct correction_pass *pass) {
     program_free(&pass->test_program);
     program_free(&pass->sum_program);
+    program_free(&pass->val_program);
     program_free(&pass->mean_program);
     program_free(&pass->cell_program);
     program_free(&pass->block_program);
     framebuffer_free(&pass->test_framebuffer);
     framebuffer_free(&pass->sum_framebuffer);
+    framebuffer_free(&pass->val_framebuffer);
     framebuffer_free(&pass->mean_framebuffer);
     framebuffer_free(&pass->cell_framebuffer);
     texture_free(&pass->tests);
     texture_free(&pass->sums);
     texture_free(&pass->squares);
+    texture_free(&pass->val_sums);
+    texture_free(&pass->val_squares);
     texture_free(&pass->mean);
     texture_free(&pass->corrections);
     buffer_free(&pass->params);
@@ -146,29 +168,40 @@ static void sum_tests(const struct correction_pass *pass) {
     pass_draw_fullscreen(pass->sums.desc.layers);
 }
 
-/* The state of a draw that reads the sums. */
-static struct pass_state over_sums(const struct correction_pass *pass, GLuint program,
-                                   GLuint framebuffer, const struct texture *target) {
+/* The state of a draw that reads sums. */
+static struct pass_state over_sums(GLuint program, GLuint framebuffer, const struct texture *target,
+                                   const struct texture *sums, const struct texture *squares) {
     return (struct pass_state){
         .name = "correction",
         .program = program,
         .framebuffer = framebuffer,
         .width = target->desc.width,
         .height = target->desc.height,
-        .textures = {{UNIT_CORRECTION_SUMS, pass->sums.id},
-                     {UNIT_CORRECTION_SQUARES, pass->squares.id}},
+        .textures = {{UNIT_CORRECTION_SUMS, sums->id}, {UNIT_CORRECTION_SQUARES, squares->id}},
     };
 }
 
-static void find_corrections(const struct correction_pass *pass) {
-    struct pass_state mean =
-        over_sums(pass, pass->mean_program, pass->mean_framebuffer, &pass->mean);
-    pass_set_state(&mean);
+static void sum_cells(const struct correction_pass *pass) {
+    struct pass_state state = over_sums(pass->val_program, pass->val_framebuffer, &pass->val_sums,
+                                        &pass->sums, &pass->squares);
+    pass_set_state(&state);
+    pass_draw_fullscreen(pass->val_sums.desc.layers);
+}
+
+static void find_mean(const struct correction_pass *pass) {
+    struct pass_state state = over_sums(pass->mean_program, pass->mean_framebuffer, &pass->mean,
+                                        &pass->val_sums, &pass->val_squares);
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
-    struct pass_state corrections =
-        over_sums(pass, pass->cell_program, pass->cell_framebuffer, &pass->corrections);
-    pass_add_texture(&corrections, UNIT_CORRECTION, pass->mean.id);
-    pass_set_state(&corrections);
+}
+
+static void find_corrections(const struct correction_pass *pass) {
+    struct pass_state state = over_sums(pass->cell_program, pass->cell_framebuffer,
+                                        &pass->corrections, &pass->sums, &pass->squares);
+    pass_add_texture(&state, UNIT_CORRECTION_VAL_SUMS, pass->val_sums.id);
+    pass_add_texture(&state, UNIT_CORRECTION_VAL_SQUARES, pass->val_squares.id);
+    pass_add_texture(&state, UNIT_CORRECTION, pass->mean.id);
+    pass_set_state(&state);
     pass_draw_fullscreen(pass->corrections.desc.layers);
 }
 
@@ -200,6 +233,8 @@ void correction_pass_render(const struct correction_pass *pass, const struct fra
     buffer_write(&pass->params, 0, sizeof params, &params);
     test(pass, frame, gbuffer, vpls, inputs, blocks);
     sum_tests(pass);
+    sum_cells(pass);
+    find_mean(pass);
     find_corrections(pass);
     if (blocks)
         correct_blocks(pass, gbuffer, blocks);

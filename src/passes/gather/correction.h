@@ -29,13 +29,14 @@ struct correction_desc {
 
 struct correction_pass {
     struct correction_desc desc;
-    GLuint test_program, sum_program, mean_program, cell_program, block_program;
-    struct texture tests;       /* RGBA32F: glsl/gather/correction_test.frag */
-    struct texture sums;        /* RGBA32F, CORRECTION_SIDE cells a side, a layer a VAL */
-    struct texture squares;     /* RG32F, likewise */
-    struct texture mean;        /* RG32F, one texel: corrections of all VALs together */
-    struct texture corrections; /* RG16F, likewise: glsl/gather/correction.glsl */
-    GLuint test_framebuffer, sum_framebuffer, mean_framebuffer, cell_framebuffer;
+    GLuint test_program, sum_program, val_program, mean_program, cell_program, block_program;
+    struct texture tests;                 /* RGBA32F: glsl/gather/correction_test.frag */
+    struct texture sums;                  /* RGBA32F, CORRECTION_SIDE cells a side, a layer a VAL */
+    struct texture squares;               /* RG32F, likewise */
+    struct texture val_sums, val_squares; /* the same of all cells, a texel a VAL */
+    struct texture mean;                  /* RG32F, one texel: corrections of all VALs together */
+    struct texture corrections;           /* RG16F, likewise: glsl/gather/correction.glsl */
+    GLuint test_framebuffer, sum_framebuffer, val_framebuffer, mean_framebuffer, cell_framebuffer;
     struct buffer params, lookup_params;
 };
 

@@ -41,7 +41,7 @@ static bool init_programs(struct near_field_pass *pass) {
                                         [NEAR_BY_VIEWS] = "near_by_views",
                                         [NEAR_BY_RAYS] = "near_by_rays"};
     char *of_light = mem_printf("%sLIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA %s",
-                                pass->desc.medium ? "HAS_MEDIUM;" : "", room, kinds,
+                                light_defines(pass->desc.medium, pass->desc.slides), room, kinds,
                                 pass->desc.facets, vpl_area_file(pass->desc.by_importance));
     static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
     bool by_rays = !pass->desc.adaptive && pass->desc.occlusion == NEAR_BY_RAYS;
@@ -136,8 +136,7 @@ void near_field_pass_render_lights(struct near_field_pass *pass, const struct fr
                    {BLOCK_VPL_SHARES, shares},
                    {BLOCK_PASS, &pass->params}},
     };
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_light(frame, &state);
     rsm_add(&state, rsm);
     if (pass->desc.by_importance)
         pass_add_texture(&state, UNIT_VPL_DENSITY, importance->densities.id);

@@ -34,6 +34,7 @@ struct near_field_desc {
     bool facets;                 /* the shadow map's normals are of triangles */
     bool by_importance;          /* VPLs are as dense as an importance map has it */
     bool medium;                 /* frames have one */
+    bool slides;                 /* lights may have some */
     int rsm_size;                /* as lights' settings have it */
     struct light_layout lights;
 };

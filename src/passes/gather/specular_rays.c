@@ -20,8 +20,8 @@ static bool init_program(struct specular_rays_pass *pass) {
     int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
     char *lookup = visibility_defines(&pass->desc.visibility);
     char *defines = mem_printf("%s%s;LIGHTS %d;MAP_KINDS %d;VAL_COUNT %d;VPL_AREA %s",
-                               pass->desc.medium ? "HAS_MEDIUM;" : "", lookup, room, kinds,
-                               pass->desc.has_maps ? pass->desc.visibility.map_count : 0,
+                               light_defines(pass->desc.medium, pass->desc.slides), lookup, room,
+                               kinds, pass->desc.has_maps ? pass->desc.visibility.map_count : 0,
                                vpl_area_file(pass->desc.by_importance));
     bool ok = program_init(
         &pass->program, &(struct program_desc){
@@ -95,8 +95,7 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
                    {BLOCK_PASS, &pass->params}},
     };
     int n = radiance->interleave;
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_light(frame, &state);
     rsm_add(&state, inputs->rsm);
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
         pass_add_texture(&state, UNIT_RSM_SPECULAR + kind,

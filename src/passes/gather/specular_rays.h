@@ -21,8 +21,8 @@ struct importance_map;
 struct specular_rays_desc {
     int rays;      /* of a pixel */
     bool has_maps; /* of VALs: the one nearest to what a ray meets says what else hides it */
-    struct visibility_desc visibility; /* where has_maps */
-    bool by_importance, medium;        /* as in struct near_field_desc */
+    struct visibility_desc visibility;  /* where has_maps */
+    bool by_importance, medium, slides; /* as in struct near_field_desc */
     struct light_layout lights;
 };
 

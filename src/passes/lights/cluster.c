@@ -12,27 +12,22 @@
 #include <stdio.h>
 #include <string.h>
 
+enum { VAL_ROWS = 3 }; /* of sums: position, normal, flux */
+
 static bool init_row(struct texture *texture, const char *label, int count) {
     return texture_init(
         texture, &(struct texture_desc){.label = label, .format = GL_RGBA32F, .width = count});
 }
 
-static bool init_targets(struct val_targets *targets, int count) {
-    return init_row(&targets->position, "VALs", count) &&
-           init_row(&targets->normal, "VALs", count) && init_row(&targets->flux, "VALs", count) &&
-           framebuffer_init(
-               &targets->framebuffer,
-               &(struct framebuffer_desc){.label = "VALs",
-                                          .colors = {[TARGET_VAL_POSITION] = &targets->position,
-                                                     [TARGET_VAL_NORMAL] = &targets->normal,
-                                                     [TARGET_VAL_FLUX] = &targets->flux}});
-}
-
-static void free_targets(struct val_targets *targets) {
-    framebuffer_free(&targets->framebuffer);
-    texture_free(&targets->position);
-    texture_free(&targets->normal);
-    texture_free(&targets->flux);
+static bool init_vals(struct cluster_pass *pass) {
+    const struct texture_desc sums = {.label = "sums of VALs",
+                                      .format = GL_RGBA32F,
+                                      .width = pass->desc.val_count,
+                                      .height = VAL_ROWS};
+    return init_row(&pass->vals.position, "VALs", pass->desc.val_count) &&
+           init_row(&pass->vals.normal, "VALs", pass->desc.val_count) &&
+           init_row(&pass->vals.flux, "VALs", pass->desc.val_count) &&
+           texture_init(&pass->sums, &sums);
 }
 
 static bool init_programs(struct cluster_pass *pass) {
@@ -43,10 +38,7 @@ static bool init_programs(struct cluster_pass *pass) {
         GLuint *program;
         struct program_desc desc;
     } rows[] = {
-        {&pass->seed_program, {.screen = {"lights/cluster_seed.frag"}}},
-        {&pass->scatter_program,
-         {.vertex = "lights/cluster_scatter.vert", .fragment = "lights/cluster_scatter.frag"}},
-        {&pass->divide_program, {.screen = {"lights/cluster_divide.frag"}}},
+        {&pass->means_program, {.compute = "lights/cluster_means.comp"}},
         {&pass->map_program, {.vertex = "lights/cluster_map.vert"}},
         /* Of views: */
         {&pass->extent_program,
@@ -75,10 +67,8 @@ static bool init_views(struct cluster_pass *pass) {
 
 bool cluster_pass_init(struct cluster_pass *pass, const struct cluster_desc *desc) {
     *pass = (struct cluster_pass){.desc = *desc};
-    int count = desc->val_count;
-    if (init_programs(pass) && init_targets(&pass->centers[0], count) &&
-        init_targets(&pass->centers[1], count) && init_targets(&pass->sums, count) &&
-        init_views(pass) && vpl_buffer_init(&pass->vpls, "VPLs", desc->vpl_count) &&
+    if (init_programs(pass) && init_vals(pass) && init_views(pass) &&
+        vpl_buffer_init(&pass->vpls, "VPLs", desc->vpl_count) &&
         buffer_init(&pass->params, "cluster parameters", sizeof(struct cluster_params), NULL))
         return true;
     cluster_pass_free(pass);
@@ -86,13 +76,14 @@ bool cluster_pass_init(struct cluster_pass *pass, const struct cluster_desc *des
 }
 
 void cluster_pass_free(struct cluster_pass *pass) {
-    GLuint *programs[] = {&pass->seed_program, &pass->scatter_program, &pass->divide_program,
-                          &pass->map_program,  &pass->extent_program,  &pass->views_program};
+    GLuint *programs[] = {&pass->means_program, &pass->map_program, &pass->extent_program,
+                          &pass->views_program};
     for (size_t i = 0; i < sizeof programs / sizeof *programs; i++)
         program_free(programs[i]);
-    free_targets(&pass->centers[0]);
-    free_targets(&pass->centers[1]);
-    free_targets(&pass->sums);
+    texture_free(&pass->vals.position);
+    texture_free(&pass->vals.normal);
+    texture_free(&pass->vals.flux);
+    texture_free(&pass->sums);
     framebuffer_free(&pass->extremes_framebuffer);
     texture_free(&pass->extremes);
     vpl_buffer_free(&pass->vpls);
@@ -101,7 +92,8 @@ void cluster_pass_free(struct cluster_pass *pass) {
     *pass = (struct cluster_pass){0};
 }
 
-static void write_params(const struct cluster_pass *pass, const struct frame *frame) {
+static void write_params(const struct cluster_pass *pass, const struct frame *frame, bool seeds,
+                         int iterations) {
     const struct cluster_desc *desc = &pass->desc;
     bool squares = desc->metric == CLUSTER_METRIC_SQUARES;
     struct cluster_params params = {
@@ -112,122 +104,98 @@ static void write_params(const struct cluster_pass *pass, const struct frame *fr
         .vpl_count = desc->vpl_count,
         .near_clip = desc->near_clip,
         .reseed = desc->start == CLUSTER_START_RESEED,
+        .seeds = seeds,
+        .iterations = iterations,
     };
     memcpy(params.bounds_min, frame->geometry->bounds_min, sizeof frame->geometry->bounds_min);
     memcpy(params.bounds_max, frame->geometry->bounds_max, sizeof frame->geometry->bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
-/* A pixel a VAL, of all VALs' centres and VPLs. */
-static struct pass_state row_state(const struct cluster_pass *pass, GLuint program,
-                                   GLuint framebuffer, const struct val_targets *centers) {
+/* Of VALs and VPLs, a pixel a VAL. */
+static struct pass_state state_of(const struct cluster_pass *pass, GLuint program) {
     return (struct pass_state){
         .name = "clustering",
         .program = program,
-        .framebuffer = framebuffer,
         .width = pass->desc.val_count,
         .height = 1,
         .textures = {{UNIT_VPLS, pass->vpl_texels},
-                     {UNIT_VAL_POSITION, centers->position.id},
-                     {UNIT_VAL_NORMAL, centers->normal.id},
-                     {UNIT_VAL_FLUX, centers->flux.id},
+                     {UNIT_VAL_POSITION, pass->vals.position.id},
+                     {UNIT_VAL_NORMAL, pass->vals.normal.id},
+                     {UNIT_VAL_FLUX, pass->vals.flux.id},
                      {UNIT_VPL_SUMS, pass->vpl_sums}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
 }
 
-/* Where a shader reads seeds (lights/val_seed.glsl). */
-static void add_seeds(struct pass_state *state, const struct cluster_pass *pass) {
-    if (pass->desc.seeds)
-        pass_add_texture(state, UNIT_SEEDS, pass->desc.seeds->id);
-}
-
-static void seed(const struct cluster_pass *pass) {
+/* So many iterations of k-means, from the seeds or from the means of before. */
+static void iterate(const struct cluster_pass *pass, const struct frame *frame, bool seeds,
+                    int iterations) {
+    const struct cluster_desc *desc = &pass->desc;
     struct pass_state state = {
         .name = "clustering",
-        .program = pass->seed_program,
-        .framebuffer = pass->centers[pass->last].framebuffer,
-        .width = pass->desc.val_count,
-        .height = 1,
-        .textures = {{UNIT_VPLS, pass->vpl_texels}},
+        .program = pass->means_program,
+        .textures = {{UNIT_VPLS, pass->vpl_texels}, {UNIT_VPL_SUMS, pass->vpl_sums}},
         .blocks = {{BLOCK_PASS, &pass->params}},
+        .images = {{IMAGE_VAL_POSITION, &pass->vals.position, 0, GL_READ_WRITE},
+                   {IMAGE_VAL_NORMAL, &pass->vals.normal, 0, GL_READ_WRITE},
+                   {IMAGE_VAL_FLUX, &pass->vals.flux, 0, GL_READ_WRITE},
+                   {IMAGE_VAL_SUMS, &pass->sums, 0, GL_READ_WRITE}},
+        .barriers = GL_SHADER_IMAGE_ACCESS_BARRIER_BIT,
     };
-    add_seeds(&state, pass);
-    pass_set_state(&state);
-    pass_draw_fullscreen(1);
-}
-
-static void clear(GLuint framebuffer, int targets, float value) {
-    const float color[4] = {value, value, value, value};
-    for (int i = 0; i < targets; i++)
-        framebuffer_clear_color(framebuffer, i, color);
-}
-
-/* The points scatter to their VALs' pixels. */
-static void scatter(const struct cluster_pass *pass, GLuint program, GLuint framebuffer,
-                    enum pass_blend blend, const struct vpl_buffer *vpls,
-                    const struct val_targets *centers) {
-    struct pass_state state = row_state(pass, program, framebuffer, centers);
-    state.vertex_array = vpls->vertices;
-    state.blend = blend;
-    if (pass->desc.weights) {
-        pass_add_texture(&state, UNIT_VPL_VALUES, pass->desc.weights->values.id);
-        pass_add_texture(&state, UNIT_VPL_VALUE_SUM, pass->desc.weights->sum.id);
+    if (desc->seeds)
+        pass_add_texture(&state, UNIT_SEEDS, desc->seeds->id);
+    if (desc->weights) {
+        pass_add_texture(&state, UNIT_VPL_VALUES, desc->weights->values.id);
+        pass_add_texture(&state, UNIT_VPL_VALUE_SUM, desc->weights->sum.id);
     }
+    write_params(pass, frame, seeds, iterations);
     pass_set_state(&state);
-    pass_draw(GL_POINTS, vpls->count, 1);
-}
-
-static void iterate(const struct cluster_pass *pass, const struct vpl_buffer *vpls,
-                    const struct val_targets *old, const struct val_targets *new) {
-    clear(pass->sums.framebuffer, 3, 0);
-    scatter(pass, pass->scatter_program, pass->sums.framebuffer, PASS_BLEND_ADD, vpls, old);
-    struct pass_state state = row_state(pass, pass->divide_program, new->framebuffer, old);
-    pass_add_texture(&state, UNIT_SUM_POSITION, pass->sums.position.id);
-    pass_add_texture(&state, UNIT_SUM_NORMAL, pass->sums.normal.id);
-    pass_add_texture(&state, UNIT_SUM_FLUX, pass->sums.flux.id);
-    add_seeds(&state, pass);
-    pass_set_state(&state);
-    pass_draw_fullscreen(1);
+    pass_dispatch(1, 1, 1);
+    gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 const struct val_targets *cluster_pass_centers(const struct cluster_pass *pass) {
-    return &pass->centers[pass->last];
+    return &pass->vals;
 }
 
 void cluster_pass_map(const struct cluster_pass *pass, const struct vpl_buffer *vpls,
                       const struct vpl_buffer *to) {
-    struct pass_state state = row_state(pass, pass->map_program, 0, cluster_pass_centers(pass));
+    struct pass_state state = state_of(pass, pass->map_program);
     state.vertex_array = vpls->vertices;
     pass_set_state(&state);
     pass_feedback(to->buffer.id, 0, vpls->count);
     vpl_buffer_take_sums(to, vpls);
 }
 
-/* k-means; afterwards pass->last is where the means are. */
-static void find_centers(struct cluster_pass *pass, const struct vpl_buffer *vpls) {
+/* k-means. */
+static void find_centers(struct cluster_pass *pass, const struct frame *frame,
+                         const struct vpl_buffer *vpls) {
+    bool seeds = pass->desc.start == CLUSTER_START_SEEDS || !pass->started;
+    int before_map = pass->desc.iterations - (pass->desc.means_of_map ? 1 : 0);
     pass->vpl_texels = vpls->texels;
     pass->vpl_sums = vpls->sums.id;
-    if (pass->desc.start == CLUSTER_START_SEEDS || !pass->started)
-        seed(pass);
     pass->started = true;
-    for (int i = 0; i < pass->desc.iterations; i++) {
-        if (pass->desc.means_of_map && i == pass->desc.iterations - 1)
-            cluster_pass_map(pass, vpls, &pass->vpls);
-        int next = 1 - pass->last;
-        iterate(pass, vpls, &pass->centers[pass->last], &pass->centers[next]);
-        pass->last = next;
-    }
+    iterate(pass, frame, seeds, before_map);
+    cluster_pass_map(pass, vpls, &pass->vpls);
+    if (pass->desc.means_of_map)
+        iterate(pass, frame, false, 1);
 }
 
-static void render_views(struct cluster_pass *pass) {
-    const struct val_targets *centers = cluster_pass_centers(pass);
-    clear(pass->extremes_framebuffer, 1, -1e30f);
-    scatter(pass, pass->extent_program, pass->extremes_framebuffer, PASS_BLEND_MAX, &pass->vpls,
-            centers);
+static void find_extents(const struct cluster_pass *pass) {
+    static const float none[4] = {-1e30f, -1e30f, -1e30f, -1e30f};
+    struct pass_state state = state_of(pass, pass->extent_program);
+    state.framebuffer = pass->extremes_framebuffer;
+    state.vertex_array = pass->vpls.vertices;
+    state.blend = PASS_BLEND_MAX;
+    framebuffer_clear_color(pass->extremes_framebuffer, TARGET_RESULT, none);
+    pass_set_state(&state);
+    pass_draw(GL_POINTS, pass->vpls.count, 1);
+}
 
+static void write_views(struct cluster_pass *pass) {
     pass->vpl_texels = pass->vpls.texels;
-    struct pass_state state = row_state(pass, pass->views_program, 0, centers);
+    struct pass_state state = state_of(pass, pass->views_program);
     pass_add_texture(&state, UNIT_VAL_EXTREMES, pass->extremes.id);
     pass_set_state(&state);
     pass_feedback(pass->views.buffer.id, 0, pass->desc.val_count);
@@ -236,11 +204,10 @@ static void render_views(struct cluster_pass *pass) {
 void cluster_pass_render(struct cluster_pass *pass, const struct frame *frame,
                          const struct vpl_buffer *vpls) {
     timer_begin(frame->timers, "clustering");
-    write_params(pass, frame);
-    find_centers(pass, vpls);
-    if (!pass->desc.means_of_map)
-        cluster_pass_map(pass, vpls, &pass->vpls);
-    if (pass->desc.has_views)
-        render_views(pass);
+    find_centers(pass, frame, vpls);
+    if (pass->desc.has_views) {
+        find_extents(pass);
+        write_views(pass);
+    }
     timer_end(frame->timers);
 }

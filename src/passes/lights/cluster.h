@@ -1,7 +1,7 @@
 /* k-means of VPLs into virtual area lights on the GPU [Dong 2009 §5, §6; Prutkin 2012 §4].
  *
- * Each iteration draws the N VPLs as points: the vertex shader finds the nearest of M centres and
- * scatters the VPL to that VAL's pixel with additive blending; a second draw divides by the count.
+ * One workgroup runs all iterations: it finds the nearest of M centres for each of N VPLs, adds up the VPLs of each
+ * VAL and divides by their count. The paper draws points in place of that, an iteration after another.
  * The start is VPL k N / M, of squares VPL k, or what seeds tell; the same each frame, so that VALs move smoothly when the light does
  * (§5.2). A last pass writes C(i); for views MAX blending finds the bounding rectangles. The papers leave the
  * scale of the criterion open: distances are taken over the spread of the VPLs and angles over pi. VPLs
@@ -38,11 +38,11 @@ struct cluster_desc {
 
 struct cluster_pass {
     struct cluster_desc desc;
-    GLuint seed_program, scatter_program, divide_program, map_program;
+    GLuint means_program, map_program;
     GLuint extent_program, views_program;
-    struct val_targets centers[2], sums;
-    int last;     /* which centers hold the last means */
-    bool started; /* they are there */
+    struct val_targets vals;
+    struct texture sums; /* of VPLs by VAL: lights/cluster_means.comp */
+    bool started;        /* the VALs are there */
     struct texture extremes;
     GLuint extremes_framebuffer;
     GLuint vpl_texels;      /* of the VPLs that are read: those that come in, then its own */

@@ -26,9 +26,9 @@ struct vpl_point {
 static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
-    char *vpl_defines =
-        mem_printf("%sVPL_CHOICE lights/vpl_by_%s.glsl", pass->desc.medium ? "HAS_MEDIUM;" : "",
-                   pass->desc.by_importance ? "importance" : "flux");
+    char *vpl_defines = mem_printf("%sVPL_CHOICE lights/vpl_by_%s.glsl",
+                                   light_defines(pass->desc.medium, pass->desc.slides),
+                                   pass->desc.by_importance ? "importance" : "flux");
     const struct program_desc vpl = {.vertex = "lights/vpl.vert", .defines = vpl_defines};
     bool ok =
         program_init(&pass->program, &vpl) &&
@@ -199,8 +199,7 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
     };
     if (pass->desc.by_importance)
         importance_map_add(&state, importance);
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_light(frame, &state);
     add_maps(pass, &state, rsm);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);

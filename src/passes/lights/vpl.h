@@ -28,6 +28,7 @@ struct vpl_desc {
     float reach; /* of the near field that is asked for, in spacings of VPLs */
     bool by_importance;
     bool medium; /* frames have one */
+    bool slides; /* lights may have some */
 };
 
 struct vpl_pass {

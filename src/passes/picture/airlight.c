@@ -15,8 +15,9 @@
 static bool init_programs(struct airlight_pass *pass) {
     bool ok = true;
     for (int kind = 0; ok && kind < AIRLIGHT_KINDS; kind++) {
-        char defines[32];
-        snprintf(defines, sizeof defines, "HAS_MEDIUM;KIND %d", kind);
+        char defines[48];
+        snprintf(defines, sizeof defines, "%sKIND %d", light_defines(true, pass->desc.slides),
+                 kind);
         ok = program_init(
             &pass->programs[kind],
             &(struct program_desc){.screen = {"picture/airlight.frag", .blended = true},
@@ -151,7 +152,7 @@ static void march(const struct airlight_pass *pass, const struct frame *frame,
                   const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
                   int index) {
     const struct light *light = &frame->light_block->sources[index];
-    pass_set_state(&(struct pass_state){
+    struct pass_state state = {
         .name = "airlight",
         .program = pass->programs[kind_of(light)],
         .framebuffer = pass->steps_framebuffer,
@@ -163,9 +164,10 @@ static void march(const struct airlight_pass *pass, const struct frame *frame,
                      {UNIT_MAP_DEPTH, maps[frame->light_block->views[light->first_view].kind].id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
-                   {BLOCK_MEDIUM, frame->medium},
                    {BLOCK_PASS, &pass->params}},
-    });
+    };
+    frame_add_light(frame, &state);
+    pass_set_state(&state);
     pass_set_int(LOCATION_LIGHT, index);
     pass_draw_fullscreen(1);
 }

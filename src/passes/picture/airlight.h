@@ -16,7 +16,8 @@ struct gbuffer;
 
 struct airlight_desc {
     int width, height;
-    int steps; /* of a light; light samples of one light share them, at least 8 each */
+    int steps;   /* of a light; light samples of one light share them, at least 8 each */
+    bool slides; /* lights may have some */
 };
 
 struct airlight_pass {

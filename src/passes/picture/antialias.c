@@ -9,9 +9,25 @@
 
 #include <stdio.h>
 
+struct sample_layers sample_layers(int samples, int most) {
+    int of_layer = SAMPLES_PER_LAYER_MIN;
+    while (of_layer < samples && 2 * of_layer <= most)
+        of_layer *= 2;
+    return (struct sample_layers){(samples + of_layer - 1) / of_layer, of_layer};
+}
+
+/* Samples that a pixel of a texture has at most, of colours and of depths. */
+static int driver_samples(void) {
+    GLint colors = 0, depths = 0;
+    gl.GetIntegerv(GL_MAX_COLOR_TEXTURE_SAMPLES, &colors);
+    gl.GetIntegerv(GL_MAX_DEPTH_TEXTURE_SAMPLES, &depths);
+    return colors < depths ? colors : depths;
+}
+
 static bool init_programs(struct antialias_pass *pass) {
-    char samples[32];
-    snprintf(samples, sizeof samples, "SAMPLES %d", pass->samples);
+    char samples[64];
+    snprintf(samples, sizeof samples, "SAMPLES %d;SAMPLES_PER_LAYER %d", pass->samples,
+             pass->layers.samples_of_layer);
     return program_init(&pass->solid_program,
                         &(struct program_desc){.vertex = "picture/samples.vert",
                                                .fragment = "picture/samples.frag"}) &&
@@ -36,8 +52,8 @@ static bool init_layers(const struct antialias_pass *pass, struct texture *textu
                                      .format = format,
                                      .width = pass->desc.width,
                                      .height = pass->desc.height,
-                                     .layers = pass->layers,
-                                     .samples = SAMPLES_PER_LAYER,
+                                     .layers = pass->layers.layers,
+                                     .samples = pass->layers.samples_of_layer,
                                  });
 }
 
@@ -82,14 +98,14 @@ static bool init_assignment(struct antialias_pass *pass) {
  * is the mean, however narrow it is. */
 static const float outermost = .5F - 1 / 256.F;
 
-/* Where layer i of n moves its samples, pixels: the outermost ones to the border, the others evenly between, across x and
- * y in different orders. */
-static void layer_shift(int i, int n, float shift[2]) {
-    static const int orders[][SAMPLES_MAX / SAMPLES_PER_LAYER] = {
+/* Where layer i moves its samples, pixels: the outermost ones to the border, the others evenly between, across x and y in
+ * different orders. A layer alone stays where the driver has its samples. */
+static void layer_shift(const struct sample_layers *layers, int i, float shift[2]) {
+    static const int orders[][SAMPLES_MAX / SAMPLES_PER_LAYER_MIN] = {
         {0}, {0, 1}, {1, 2, 0}, {2, 0, 3, 1}};
-    const int at[2] = {orders[n - 1][i], i};
-    /* A layer's own lie in the middles of fourths of rows and columns. */
-    float most = outermost - (.5F - .5F / SAMPLES_PER_LAYER);
+    const int n = layers->layers, at[2] = {orders[n - 1][i], i};
+    /* A layer's own lie in the middles of as many parts of rows and columns. */
+    float most = outermost - (.5F - .5F / (float)layers->samples_of_layer);
     for (int axis = 0; axis < 2; axis++)
         shift[axis] = n > 1 ? most * (2 * (float)at[axis] / (float)(n - 1) - 1) : 0;
 }
@@ -98,15 +114,16 @@ static void layer_shift(int i, int n, float shift[2]) {
 static bool init_params(struct antialias_pass *pass) {
     struct antialias_params params = {0};
     gl.BindFramebuffer(GL_FRAMEBUFFER, pass->sample_framebuffer);
-    for (int layer = 0; layer < pass->layers; layer++) {
+    const int of_layer = pass->layers.samples_of_layer;
+    for (int layer = 0; layer < pass->layers.layers; layer++) {
         float shift[2];
-        layer_shift(layer, pass->layers, shift);
+        layer_shift(&pass->layers, layer, shift);
         for (int axis = 0; axis < 2; axis++) {
             int pixels = axis == 0 ? pass->desc.width : pass->desc.height;
             params.shifts[layer][axis] = -2 * shift[axis] / (float)pixels;
         }
-        for (int i = 0; i < SAMPLES_PER_LAYER; i++) {
-            float *place = params.places[layer * SAMPLES_PER_LAYER + i];
+        for (int i = 0; i < of_layer; i++) {
+            float *place = params.places[layer * of_layer + i];
             gl.GetMultisamplefv(GL_SAMPLE_POSITION, (GLuint)i, place);
             place[0] += shift[0] - .5F;
             place[1] += shift[1] - .5F;
@@ -117,8 +134,8 @@ static bool init_params(struct antialias_pass *pass) {
 
 bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_desc *desc) {
     *pass = (struct antialias_pass){.desc = *desc};
-    pass->layers = (desc->samples + SAMPLES_PER_LAYER - 1) / SAMPLES_PER_LAYER;
-    pass->samples = desc->samples > 1 ? pass->layers * SAMPLES_PER_LAYER : 1;
+    pass->layers = sample_layers(desc->samples, driver_samples());
+    pass->samples = desc->samples > 1 ? pass->layers.layers * pass->layers.samples_of_layer : 1;
     if (init_assignment(pass) &&
         (pass->samples == 1 || (init_programs(pass) && init_samples(pass) && init_params(pass))))
         return true;
@@ -162,7 +179,7 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     /* Layers are moved by half a pixel at most. */
     float margin =
         1 / (float)(pass->desc.width < pass->desc.height ? pass->desc.width : pass->desc.height);
-    struct draw_views views = frame_camera_views(frame, pass->layers, margin);
+    struct draw_views views = frame_camera_views(frame, pass->layers.layers, margin);
     scene_gpu_draw_solid(frame->scene, true, &views);
     state.cull = PASS_CULL_BACK;
     pass_set_state(&state);

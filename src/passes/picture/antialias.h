@@ -1,8 +1,8 @@
 /* Which surfaces the pixel's samples see: antialiasing of what was shaded once a pixel [Chajdas et
  * al. 2011, Subpixel Reconstruction Antialiasing].
  *
- * Depth and normals are drawn with several samples a pixel: in layers of four, which every driver has,
- * each shifted by its own part of a pixel. Each sample is given to the one of the 3 x 3 pixels
+ * Depth and normals are drawn with several samples a pixel: in as few layers as the driver's most samples allow, of four
+ * at least, which every driver has, each shifted by its own part of a pixel. Each sample is given to the one of the 3 x 3 pixels
  * around it whose surface, taken as a plane, it lies on best; that pixel's shading and albedo are
  * then the sample's, and a picture is the mean over samples (glsl/picture/layer.glsl).
  */
@@ -17,15 +17,23 @@ struct gbuffer;
 
 struct antialias_desc {
     int width, height;
-    int samples; /* 4, 8, 12, 16, or else fewer; 1 = centres alone, nothing drawn */
+    int samples; /* at least so many, at most 16; 1 = centres alone, nothing drawn */
 };
+
+/* How samples are drawn: the triangles of the scene once for each layer. */
+struct sample_layers {
+    int layers, samples_of_layer;
+};
+
+/* The fewest layers of 4, 8 or 16 samples each that have as many samples, where a driver has at most `most` in one. */
+struct sample_layers sample_layers(int samples, int most);
 
 struct antialias_pass {
     struct antialias_desc desc;
     GLuint solid_program, masked_program, edge_program, assignment_program;
-    int layers, samples; /* drawn: whole layers, or the one centre */
-    struct texture depths,
-        normals; /* D32F; RGBA8, 0.5 + 0.5 n: a layer of four samples after another */
+    struct sample_layers layers;
+    int samples;                    /* drawn: whole layers, or the one centre */
+    struct texture depths, normals; /* D32F; RGBA8, 0.5 + 0.5 n: a layer of samples after another */
     struct texture
         edges; /* D16, 0 where there is one, else 1: the assignment is tested against it */
     struct texture

@@ -32,9 +32,10 @@ static void free_target(struct direct_light_target *target) {
 }
 
 static bool init_program(GLuint *program, const struct direct_light_desc *desc, int projection) {
-    char *defines = mem_printf(
-        "%s%s%sPROJECTION %d", desc->defines, desc->specular ? "HAS_SPECULAR;" : "",
-        desc->medium ? "HAS_MEDIUM;" : "", desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
+    char *defines =
+        mem_printf("%s%s%sPROJECTION %d", desc->defines, desc->specular ? "HAS_SPECULAR;" : "",
+                   light_defines(desc->medium, desc->slides),
+                   desc->own_maps ? PROJECTION_LIGHT_MAP : projection);
     bool ok =
         program_init(program, &(struct program_desc){.screen = {desc->fragment, .blended = true},
                                                      .defines = defines});
@@ -113,8 +114,7 @@ static void draw_light(const struct direct_light_pass *pass, const struct frame 
         pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
     }
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_light(frame, &state);
     if (inputs->block.buffer)
         pass_add_block(&state, inputs->block.block, inputs->block.buffer);
     pass_set_state(&state);

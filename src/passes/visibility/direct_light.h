@@ -19,6 +19,7 @@ struct direct_light_desc {
     float shift, gain;    /* struct lookup_params' */
     bool specular;        /* the G-buffer has it: what is not diffuse goes to a target of its own */
     bool medium;          /* frames have one */
+    bool slides;          /* lights may have some */
     const char *fragment; /* with visibility/direct_light.glsl; of one light, for each PROJECTION */
     const char *defines;  /* for it, each with a semicolon behind */
 };

@@ -139,6 +139,12 @@ static float picked_density(const struct emitter *light, const struct hit *hit, 
     return 1 / (weight * (float)emitter_extent(light) * solid_angle);
 }
 
+vec3s emission_slide(const struct emitter *piece, vec3s direction) {
+    vec3s rgb;
+    emitter_slide(piece, direction.raw, rgb.raw);
+    return rgb;
+}
+
 /* What of light arrives from so far away. */
 static vec3s through_medium(const struct emission *emission, const struct hit *hit, vec3s direction,
                             float distance, vec3s light) {
@@ -185,6 +191,9 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     arrival->at = glms_vec3_add(hit->position, glms_vec3_scale(to_light, distance));
     arrival->irradiance =
         glms_vec3_scale(vector_of(light.intensity), weight * strength * in_range * cos_shading);
+    if (light.slide)
+        arrival->irradiance =
+            glms_vec3_mul(arrival->irradiance, emission_slide(&light, glms_vec3_negate(to_light)));
     arrival->irradiance = through_medium(emission, hit, to_light, distance, arrival->irradiance);
     arrival->density = weight * density * cos_geometric * source->share;
     arrival->direction = to_light;

@@ -62,6 +62,9 @@ bool emission_has_size(const struct emission *emission, int n);
  * average. */
 struct emitter emission_piece(const struct emission *emission, int n, vec2s place);
 
+/* What a piece's slide lets pass of light in that unit direction. */
+vec3s emission_slide(const struct emitter *piece, vec3s direction);
+
 /* A place of the n-th light picked for this surface: of a rectangle by solid angle, of a sphere on the
  * side that it sees, of a sky by radiance. */
 vec2s emission_place(const struct emission *emission, int n, vec2s sample, const struct hit *hit);

@@ -34,9 +34,9 @@ const struct Known {
     {"KHR_materials_dispersion", "dispersion"},
     {"KHR_materials_iridescence", "iridescence"},
     {"KHR_materials_sheen", "sheen"},
-    {"KHR_materials_transmission", "transmission (in caustics and reference --smooth only)"},
+    {"KHR_materials_transmission", nullptr},
     {"KHR_materials_variants", "variants but the first"},
-    {"KHR_materials_volume", "volumes (in caustics and reference --smooth only)"},
+    {"KHR_materials_volume", nullptr},
     {"KHR_node_visibility", "hiding of nodes"},
 };
 

@@ -7,8 +7,10 @@ extern "C" {
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <exception>
+#include <mutex>
 
 #include <unistd.h>
 
@@ -54,23 +56,42 @@ void list_files(Loader &loader) {
         scene.files[scene.file_count++] = mem_strdup(file.c_str());
 }
 
-/* The JSON library allocates memory where it frees some, from where no exception comes. While there is one
- * of these, that ends as base/memory.h has it. */
+/* The JSON library allocates memory where it frees some, from where no exception comes. In threads that have one
+ * of these, that ends as base/memory.h has it. The handler is the process's: the first thread sets it, the last one
+ * puts back what was there. */
 class MemoryEnds {
   public:
-    MemoryEnds() : before(std::set_terminate(end)) {
+    MemoryEnds() {
+        std::lock_guard<std::mutex> lock(mutex);
+        if (count++ == 0)
+            before = std::set_terminate(end);
+        reads = true;
     }
     ~MemoryEnds() {
-        std::set_terminate(before);
+        std::lock_guard<std::mutex> lock(mutex);
+        reads = false;
+        if (--count == 0)
+            std::set_terminate(before);
     }
 
   private:
     [[noreturn]] static void end() {
+        if (!reads) {
+            before();
+            std::abort();
+        }
         fputs("manylight: out of memory, while a scene is read\n", stderr);
         _exit(1);
     }
-    std::terminate_handler before;
+    static std::mutex mutex;
+    static int count;
+    static std::terminate_handler before;
+    static thread_local bool reads;
 };
+std::mutex MemoryEnds::mutex;
+int MemoryEnds::count;
+std::terminate_handler MemoryEnds::before;
+thread_local bool MemoryEnds::reads;
 
 /* Each part of the scene, in this order. */
 bool load_parts(Loader &loader) {
@@ -83,17 +104,18 @@ bool load_parts(Loader &loader) {
 } // namespace
 } // namespace gltf
 
-extern "C" bool gltf_load(struct scene *scene, const char *path) try {
+extern "C" bool gltf_load(struct scene *scene, const char *path,
+                          const struct file_bytes *bytes) try {
     using namespace gltf;
     MemoryEnds ends;
     Loader loader;
     loader.scene = scene;
     loader.folder = path;
     loader.folder.resize(loader.folder.find_last_of('/') + 1);
-    if (piped_file_is(path))
+    if (bytes ? loader.folder.empty() : piped_file_is(path))
         loader.folder = file_no_folder;
     scene->path = mem_strdup(path);
-    if (!parse(loader, path))
+    if (!parse(loader, path, bytes))
         return false;
     if (!load_parts(loader))
         return error_prefix("%s", path);

@@ -149,8 +149,10 @@ bool load_lights(Loader &loader) {
         area == loader.model.extensions.end() ? 0 : area->second.Get("lights").ArrayLen();
     scene->lights = allocate<struct scene_light>(from.size() + areas);
     scene->light_count = int(from.size() + areas);
+    scene->slides = allocate<struct slide>(from.size());
     for (size_t i = 0; i < from.size(); i++)
-        if (!load_light(from[i], scene->lights[i]))
+        if (!load_light(from[i], scene->lights[i]) ||
+            !load_slide(loader, from[i].extras, scene->lights[i]))
             return error_prefix("%s", label("light", i, from[i].name).c_str());
     for (size_t i = 0; i < areas; i++) {
         struct scene_light &to = scene->lights[from.size() + i];

@@ -14,6 +14,7 @@ extern "C" {
 #include "base/memory.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/file.h"
+#include "scene/lights/slide.h"
 #include "scene/material.h"
 #include "scene/mesh/primitive.h"
 #include "scene/read_rules.h"
@@ -114,7 +115,7 @@ bool unpack_views(Loader &loader);
 bool unpack_primitives(Loader &loader);
 
 /* parse.cpp: reads and parses the file and the buffers it names. */
-bool parse(Loader &loader, const char *path);
+bool parse(Loader &loader, const char *path, const struct file_bytes *given);
 
 /* buffers.cpp: reads the file that a URI names, with or without percent signs. */
 bool read_uri(Loader &loader, const std::string &uri, struct file_bytes &bytes,
@@ -163,6 +164,12 @@ bool load_texture(Loader &loader, int index, bool linear, int &out);
 
 /* The picture of a texture, or -1. */
 int texture_source(const tinygltf::Texture &texture);
+
+/* A picture that nothing can replace. Error: names the image. */
+bool load_image(Loader &loader, int image, struct bitmap &bitmap);
+
+/* slide.cpp: the picture that a light's extras name; room for one is there. */
+bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_light &light);
 
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);

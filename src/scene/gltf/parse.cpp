@@ -137,11 +137,24 @@ bool parse_bytes(Loader &loader, const struct file_bytes &bytes) {
     return take_pictures(loader, root) && parse_model(loader, root);
 }
 
+/* With the zero that follows the last byte. */
+bool copy_bytes(struct file_bytes &to, const struct file_bytes &from, const char *path) {
+    if (from.size > UINT32_MAX)
+        return error_set("%s: %zu bytes are more than the 4 GiB of a scene", path, from.size);
+    if (!mem_check(from.size))
+        return error_prefix("%s", path);
+    to.data = static_cast<unsigned char *>(mem_alloc(from.size + 1, 1));
+    to.size = from.size;
+    if (from.size > 0)
+        memcpy(to.data, from.data, from.size);
+    return true;
+}
+
 } // namespace
 
-bool parse(Loader &loader, const char *path) {
+bool parse(Loader &loader, const char *path, const struct file_bytes *given) {
     OwnedBytes bytes;
-    if (!piped_file_read(&bytes, path))
+    if (!(given ? copy_bytes(bytes, *given, path) : piped_file_read(&bytes, path)))
         return false;
     /* Of a limit, a part is left to what is done with the scene. */
     loader.memory = mem_is_limited() ? mem_free_bytes() / 4 * 3 : least_memory;

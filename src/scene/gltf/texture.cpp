@@ -125,6 +125,12 @@ bool load_picture(Loader &loader, int index, int source, struct scene_texture &m
 
 } // namespace
 
+bool load_image(Loader &loader, int image, struct bitmap &bitmap) {
+    size_t number = size_t(image);
+    return decode_picture(loader, loader.pictures[number], bitmap) == Outcome::Decoded ||
+           error_prefix("%s", label("image", number, loader.model.images[number].name).c_str());
+}
+
 int texture_source(const tinygltf::Texture &texture) {
     auto webp = texture.extensions.find("EXT_texture_webp");
     if (texture.source >= 0 || webp == texture.extensions.end() || !webp->second.Has("source"))

@@ -220,12 +220,33 @@ static void free_geometry(struct scene_gpu *gpu) {
     gpu->batches = NULL;
 }
 
+/* Texels as the file has them, so that the path tracer has the same. */
+static bool upload_slides(struct scene_gpu *gpu, const struct scene *scene) {
+    struct texture_desc desc = {.label = "slides",
+                                .target = GL_TEXTURE_2D_ARRAY,
+                                .format = GL_RGBA16F,
+                                .layers = scene->slide_count};
+    for (int i = 0; i < scene->slide_count; i++) {
+        desc.width = scene->slides[i].width > desc.width ? scene->slides[i].width : desc.width;
+        desc.height = scene->slides[i].height > desc.height ? scene->slides[i].height : desc.height;
+    }
+    if (scene->slide_count == 0)
+        return true;
+    if (!texture_init(&gpu->slides, &desc))
+        return false;
+    for (int i = 0; i < scene->slide_count; i++)
+        gl.TextureSubImage3D(gpu->slides.id, 0, 0, 0, i, scene->slides[i].width,
+                             scene->slides[i].height, 1, GL_RGBA, GL_FLOAT,
+                             scene->slides[i].texels);
+    return true;
+}
+
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
                     const struct geometry *geometry) {
     *gpu = (struct scene_gpu){.scene = scene};
     if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) && make_blank(gpu) &&
         upload_textures(gpu, scene) && upload_sky(gpu, scene->environment) &&
-        (materials_are_plain(scene) || lobes_init(&gpu->lobes)))
+        upload_slides(gpu, scene) && (materials_are_plain(scene) || lobes_init(&gpu->lobes)))
         return true;
     scene_gpu_free(gpu);
     return false;
@@ -240,6 +261,7 @@ void scene_gpu_free(struct scene_gpu *gpu) {
     free(gpu->glow);
     texture_free(&gpu->blank);
     texture_free(&gpu->sky);
+    texture_free(&gpu->slides);
     texture_free(&gpu->lobes);
     free(gpu->normal_room);
     *gpu = (struct scene_gpu){0};

@@ -17,6 +17,7 @@ struct scene_gpu {
     bool smooth_black;
     struct texture blank;      /* for what a material has not */
     struct texture lobes;      /* scene/gpu/lobes.h, where materials are not all plain */
+    struct texture slides;     /* RGBA16F, a layer each, in its upper left corner; or none */
     struct texture sky;        /* RGB32F, the texels of the scene's environment; or none */
     GLuint shaded_vertices;    /* vertex array of all but the last two */
     const struct scene *scene; /* must outlive this */

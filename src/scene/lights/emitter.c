@@ -61,15 +61,16 @@ static void set_size(struct emitter *emitter, const struct scene_light *source,
         glm_vec3_scale(emitter->intensity, (float)emitter_extent(emitter), emitter->intensity);
 }
 
-static void place(struct emitter *emitter, const struct scene_light *source, int n,
-                  const float world[16]) {
+static void place(struct emitter *emitter, const struct scene *scene,
+                  const struct scene_light *source, int n, const float world[16]) {
     *emitter = (struct emitter){.type = source->type,
                                 .number = n,
                                 .cos_inner = cosf(source->inner),
                                 .cos_outer = cosf(source->outer),
                                 .range = isfinite(source->range) ? source->range : 0,
                                 .lamp = source->lamp,
-                                .stands_in = source->stands_in};
+                                .stands_in = source->stands_in,
+                                .slide = source->slide ? &scene->slides[source->slide - 1] : NULL};
     memcpy(emitter->intensity, source->intensity, sizeof emitter->intensity);
     memcpy(emitter->position, &world[12], sizeof emitter->position);
     set_size(emitter, source, world);
@@ -90,7 +91,7 @@ void emitter_place(struct emitter *emitter, const struct scene *scene, int n, do
     int node = node_carrying(scene, NODE_LIGHT, n);
     float world[16];
     node_world(scene, node, time, world);
-    place(emitter, &scene->lights[scene->nodes[node].light], n, world);
+    place(emitter, scene, &scene->lights[scene->nodes[node].light], n, world);
 }
 
 struct emitters emitters_place(const struct scene *scene, double time) {
@@ -100,7 +101,7 @@ struct emitters emitters_place(const struct scene *scene, double time) {
     scene_node_worlds(scene, time, worlds);
     for (int i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].light >= 0) {
-            place(&all.items[all.count], &scene->lights[scene->nodes[i].light], all.count,
+            place(&all.items[all.count], scene, &scene->lights[scene->nodes[i].light], all.count,
                   worlds[i]);
             all.count++;
         }

@@ -11,6 +11,7 @@
 #ifndef SCENE_LIGHTS_EMITTER_H
 #define SCENE_LIGHTS_EMITTER_H
 
+#include "scene/lights/slide.h"
 #include "scene/scene.h"
 
 struct emitter {
@@ -23,8 +24,9 @@ struct emitter {
     float direction[3];         /* unit: where it shines */
     float right[3], up[3];      /* with -direction a right-handed orthonormal frame */
     float cos_inner, cos_outer; /* spot */
-    float range;         /* where its light ends, m, as of KHR_lights_punctual; 0 = nowhere */
-    int lamp, stands_in; /* as struct scene_light has them */
+    float range;               /* where its light ends, m, as of KHR_lights_punctual; 0 = nowhere */
+    int lamp, stands_in;       /* as struct scene_light has them */
+    const struct slide *slide; /* of a spot, the scene's; NULL = none */
 };
 
 enum emitter_shape {

@@ -149,6 +149,16 @@ static float arriving(const struct direct_lights *lights, const struct emitter *
     return factor > 0 && !is_hidden(lights, position, normal, to_light, distance) ? factor : 0;
 }
 
+/* Intensity towards a place, but for the cone. */
+static vec3s intensity_to(const struct emitter *light, vec3s position) {
+    vec3s intensity = {{light->intensity[0], light->intensity[1], light->intensity[2]}}, slide;
+    const vec3s at = {{light->position[0], light->position[1], light->position[2]}};
+    if (!light->slide)
+        return intensity;
+    emitter_slide(light, glms_vec3_normalize(glms_vec3_sub(position, at)).raw, slide.raw);
+    return glms_vec3_mul(intensity, slide);
+}
+
 /* Each facet takes one light of so many, in turn. */
 static int turns_of(const struct lighting *lighting) {
     const struct elements *elements = lighting->elements;
@@ -171,7 +181,7 @@ static void light_facets(void *context, size_t run) {
             if (lights->lamps_by_links && light->lamp > 0)
                 continue;
             float factor = (float)turns * arriving(lights, light, facet->middle, facet->normal);
-            glm_vec3_muladds((float *)light->intensity, factor, sum.raw);
+            sum = glms_vec3_muladds(intensity_to(light, facet->middle), factor, sum);
         }
         glm_vec3_copy(sum.raw, lighting->light->at_facets[i]);
     }
@@ -210,7 +220,7 @@ static void light_some(void *context, size_t run) {
                 continue;
             const struct element *element = &lighting->elements->items[i];
             float factor = arriving(lighting->lights, light, element->position, element->normal);
-            glm_vec3_muladds((float *)light->intensity, factor, sum.raw);
+            sum = glms_vec3_muladds(intensity_to(light, element->position), factor, sum);
         }
         glm_vec3_copy(sum.raw, lighting->light->direct[i]);
     }

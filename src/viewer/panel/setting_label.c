@@ -58,6 +58,8 @@ static const struct row {
     {"caustics.medium", "in fog"},
     {"caustics.size", "rays a side"},
     {"caustics.chains", "chains in glass"},
+    {"caustics.step", "published step, m"},
+    {"caustics.kernel", "published kernel"},
     {"picture.exposure", "exposure, EV"},
     {"picture.samples", "edge samples"},
     {"picture.tone-map", "tone map"},

@@ -127,7 +127,7 @@ static bool trace_file(const struct reference_desc *reference, const struct meas
     struct path_tracer_desc tracer = tracer_of(reference, desc);
     tracer.progress = show;
     tracer.user = &progress;
-    progress_start(&progress);
+    progress_start(&progress, "reference");
     bool ok = picture_trace_paths(desc->stage, &tracer, image, NULL);
     progress_end(&progress);
     return ok;

@@ -4,6 +4,7 @@
 #include "apps/bench/measure/baseline.h"
 #include "apps/bench/measure/shares.h"
 #include "base/clock.h"
+#include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "gl/memory.h"
@@ -25,18 +26,28 @@ struct run {
     double gpu_memory; /* MiB */
     float *samples;    /* a row of frames for each timer, the clock, and the CPU */
     int frames;
+    bool whole_frames;
 };
 
 enum { CLOCK = TIMERS_MAX, CPU, ROWS };
+
+/* Subjects that take turns. */
+struct group {
+    struct results *results;
+    struct run runs[TIMING_GROUP];
+    int count, frames, warm_up;
+    bool whole_frames;
+    const char *picture;
+};
 
 static float *row_of(const struct run *run, int row) {
     return run->samples + (size_t)row * (size_t)run->frames;
 }
 
-static bool run_start(struct run *run, const struct measure_desc *desc, int frames) {
+static bool run_start(struct run *run, const struct measure_desc *desc, const struct group *group) {
     size_t before = gpu_memory_total();
-    *run = (struct run){.desc = desc, .frames = frames};
-    run->samples = mem_alloc(ROWS * (size_t)frames, sizeof *run->samples);
+    *run = (struct run){.desc = desc, .frames = group->frames, .whole_frames = group->whole_frames};
+    run->samples = mem_alloc(ROWS * (size_t)run->frames, sizeof *run->samples);
     bool ok = measure_start(&run->renderer, desc);
     run->gpu_memory = (double)(gpu_memory_total() - before) / (1 << 20);
     return ok;
@@ -65,12 +76,17 @@ static int burst(void) {
     return gl.software ? 1 : 8;
 }
 
-static void take_sample(struct run *run, int at) {
+static void time_passes(struct run *run, int at) {
     struct timers *timers = &run->renderer.timers;
     renderer_render(&run->renderer);
     timers_flush(timers);
     for (int i = 0; i < timers->count; i++)
         row_of(run, i)[at] = (float)timers->results[i].ms;
+}
+
+static void take_sample(struct run *run, int at) {
+    if (!run->whole_frames)
+        time_passes(run, at);
     clock_frames(&run->renderer, burst(), &row_of(run, CLOCK)[at], &row_of(run, CPU)[at]);
 }
 
@@ -82,18 +98,23 @@ static void check_clock(const struct run *run, double frame, double clock) {
                     frame < clock ? " (the CPU is the slower one, or the timers lie)" : "");
 }
 
-/* first: the subject that the others are compared with. */
-static void add_times(struct results *results, struct run *run, int first) {
+static void add_passes(struct results *results, const struct run *run, double clock) {
     const struct timers *timers = &run->renderer.timers;
-    struct summary clock = summary_of(row_of(run, CLOCK), run->frames);
-    struct summary cpu = summary_of(row_of(run, CPU), run->frames);
-    results_begin(results, run->desc);
     for (int i = 0; i < timers->count; i++) {
         struct summary pass = summary_of(row_of(run, i), run->frames);
         results_add_summary(results, timers->results[i].path, "", "ms", &pass);
         if (i == 0)
-            check_clock(run, pass.value, clock.value);
+            check_clock(run, pass.value, clock);
     }
+}
+
+/* first: the subject that the others are compared with. */
+static void add_times(struct results *results, struct run *run, int first) {
+    struct summary clock = summary_of(row_of(run, CLOCK), run->frames);
+    struct summary cpu = summary_of(row_of(run, CPU), run->frames);
+    results_begin(results, run->desc);
+    if (!run->whole_frames)
+        add_passes(results, run, clock.value);
     results_add_summary(results, "clock", "", "ms", &clock);
     results_add_summary(results, "cpu", "", "ms", &cpu);
     results_add(results, "fps", "", "1/s", 1e3 / clock.value);
@@ -125,26 +146,28 @@ static bool add_errors(struct results *results, struct run *run,
     return ok;
 }
 
-/* Subjects that take turns. */
-struct group {
-    struct results *results;
-    struct run runs[TIMING_GROUP];
-    int count, frames, warm_up;
-};
+static bool write_picture(struct renderer *renderer, const char *path) {
+    struct image frame = {0};
+    bool ok = renderer_read_layers(renderer, &frame) && image_write(&frame, path);
+    image_free(&frame);
+    return ok;
+}
 
 /* Adds what its rounds will take, by its last frame. */
 static bool join(struct group *group, const struct measure_desc *desc, double *ms) {
     struct run *run = &group->runs[group->count++];
     double start = 0;
     results_tell_work(group->results, desc, 0);
-    if (!run_start(run, desc, group->frames))
+    if (!run_start(run, desc, group))
         return false;
     for (int frame = 0; frame < group->warm_up; frame++) {
         start = clock_ms();
         renderer_render(&run->renderer);
         gl.Finish();
+        if (frame == 0 && group->picture && !write_picture(&run->renderer, group->picture))
+            return false;
     }
-    *ms += (clock_ms() - start) * (1 + burst()) * group->frames;
+    *ms += (clock_ms() - start) * (!group->whole_frames + burst()) * group->frames;
     return true;
 }
 
@@ -179,6 +202,8 @@ static int measure_group(struct results *results, int first, const struct measur
         .warm_up = timing->warm_up ? timing->warm_up
                    : gl.software   ? 1
                                    : 10,
+        .whole_frames = timing->whole_frames,
+        .picture = timing->picture,
     };
     bool ok = gather(&group, descs, count);
     if (ok)

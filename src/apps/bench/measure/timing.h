@@ -9,6 +9,8 @@
 
 struct timing_desc {
     int warm_up, frames; /* of each subject; 0 = by the context: few on the CPU, many on a GPU */
+    bool whole_frames;   /* no frames with timers: no medians of passes */
+    const char *picture; /* file for the first frame of each subject; NULL = none */
     struct reference_desc reference; /* for errors of the last frame, too; zeroed = none */
 };
 

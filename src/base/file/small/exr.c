@@ -375,6 +375,26 @@ static bool is_half(const struct image *image) {
     return !image->passes;
 }
 
+static bool write_attribute(exr_context_t file, const struct image_attribute *attribute) {
+    const float *numbers = attribute->numbers;
+    exr_attr_chromaticities_t colours;
+    exr_attr_m44f_t matrix;
+    switch (attribute->kind) {
+    case IMAGE_TEXT:
+        return good(exr_attr_set_string(file, 0, attribute->name, attribute->text));
+    case IMAGE_NUMBER:
+        return good(exr_attr_set_float(file, 0, attribute->name, numbers[0]));
+    case IMAGE_CHROMATICITIES:
+        colours = (exr_attr_chromaticities_t){numbers[0], numbers[1], numbers[2], numbers[3],
+                                              numbers[4], numbers[5], numbers[6], numbers[7]};
+        return good(exr_attr_set_chromaticities(file, 0, attribute->name, &colours));
+    case IMAGE_MATRIX:
+        memcpy(matrix.m, numbers, sizeof matrix.m);
+        return good(exr_attr_set_m44f(file, 0, attribute->name, &matrix));
+    }
+    return false;
+}
+
 static bool write_header(exr_context_t file, const struct image *image) {
     int part = 0;
     bool half = is_half(image),
@@ -388,6 +408,8 @@ static bool write_header(exr_context_t file, const struct image *image) {
                                   narrow ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
                                   EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
     }
+    for (int i = 0; ok && i < image->attribute_count; i++)
+        ok = write_attribute(file, &image->attributes[i]);
     if (ok && image->passes)
         ok = good(exr_attr_set_string(file, 0, passes_attribute, image->passes)) &&
              good(exr_attr_set_float(file, 0, weight_attribute, (float)image->weight));

@@ -1,0 +1,17 @@
+# Debian packages, unsigned, in build/deb. They are built of a copy of the files that git knows, so that nothing is left
+# in the working tree. debian/control lists the packages that the build needs.
+
+DEB := build/deb
+DEB_SOURCE := $(DEB)/manylight-$(VERSION)
+DEB_PACKAGES := debhelper dh-python dpkg-dev fakeroot lintian pybuild-plugin-pyproject python3-cffi python3-dev python3-mesonpy
+
+# Debian's Python and tools, and no others of the user's.
+DEB_PATH := /usr/sbin:/usr/bin:/sbin:/bin
+
+.PHONY: deb
+deb: deps
+	@test/install-packages $(DEB_PACKAGES)
+	@rm -rf $(DEB) && mkdir -p $(DEB_SOURCE)
+	$(Q)git ls-files -z | tar -c --null -T - | tar -x -C $(DEB_SOURCE)
+	$(Q)cd $(DEB_SOURCE) && PATH=$(DEB_PATH) dpkg-buildpackage --unsigned-source --unsigned-changes
+	$(Q)lintian --fail-on error,warning $(DEB)/*.changes

@@ -1,0 +1,137 @@
+"""Calls of the library: descriptors, progress, log, and Ctrl-C. cffi releases the GIL during each call."""
+from __future__ import annotations
+
+import logging
+import os
+import threading
+from typing import Any, Callable, Optional
+
+from ._cffi import ffi, lib
+from ._errors import ArgumentError, check, text_of
+
+Progress = Callable[[float, str], Any]
+
+LOG = logging.getLogger("manylight")
+LEVELS = {
+    lib.MANYLIGHT_DETAIL: logging.DEBUG,
+    lib.MANYLIGHT_NOTE: logging.INFO,
+    lib.MANYLIGHT_WARNING: logging.WARNING,
+}
+
+
+@ffi.def_extern()
+def manylight_python_log(_user, level, message) -> None:
+    LOG.log(LEVELS.get(level, logging.WARNING), "%s", text_of(message))
+
+
+class Work:
+    """What a call at work tells Python, and how Python stops it."""
+
+    def __init__(self, progress: Optional[Progress]):
+        self.progress = progress
+        self.error: Optional[BaseException] = None
+        self.handle = ffi.new_handle(self)
+
+
+_reporting = threading.local()
+
+
+def is_reporting() -> bool:
+    """Whether this thread is in a progress function, where the library refuses calls of the device at work."""
+    return getattr(_reporting, "now", False)
+
+
+@ffi.def_extern(error=1)
+def manylight_python_progress(user, done, note) -> int:
+    work = ffi.from_handle(user)
+    if work.error is None and work.progress is not None:
+        _reporting.now = True
+        try:
+            work.progress(done, text_of(note))
+        except BaseException as error:  # It comes out of the call that made the work.
+            work.error = error
+        finally:
+            _reporting.now = False
+    return int(work.error is not None)
+
+
+def encode(text: "str | os.PathLike[str]") -> bytes:
+    """Text or a path as a C string."""
+    coded = os.fsencode(text)
+    if b"\0" in coded:
+        raise ArgumentError(f"{os.fspath(text)!r} has a zero byte")
+    return coded
+
+
+class Descriptor:
+    """A struct of the library that begins with its size. Members that are None keep their default, and texts and
+    arrays live as long as the descriptor."""
+
+    def __init__(self, name: str, **members: Any):
+        self.pointer = ffi.new(f"struct manylight_{name} *")
+        self.pointer.size = ffi.sizeof(self.pointer[0])
+        self.kept: list = []
+        for member, value in members.items():
+            self.set(member, value)
+
+    def set(self, member: str, value: Any) -> None:
+        """Sets a member: a number, a text, a tuple of numbers, or a pointer."""
+        if value is None:
+            return
+        if isinstance(value, (str, os.PathLike)):
+            value = self.keep(ffi.new("char[]", encode(value)))
+        setattr(self.pointer, member, value)
+
+    def keep(self, value: Any) -> Any:
+        """Holds what a member points to."""
+        self.kept.append(value)
+        return value
+
+
+def call(function: Callable[..., int], *arguments: Any) -> None:
+    """Calls a function that returns a status; raises its exception."""
+    lib.manylight_log_to(lib.manylight_python_log, ffi.NULL)
+    check(function(*arguments))
+
+
+def made(kind: str, function: Callable[..., int], *arguments: Any) -> Any:
+    """The handle that a function makes. Its last reference frees it, so no call of another thread still uses it."""
+    out = ffi.new(f"struct manylight_{kind} **")
+    call(function, *arguments, out)
+    return ffi.gc(out[0], getattr(lib, f"manylight_{kind}_free"))
+
+
+def run(work: Work, job: Callable[[], Any]) -> Any:
+    """Does a job whose call has the progress of work. On the main thread, Ctrl-C stops it after the pass at hand."""
+    if threading.current_thread() is threading.main_thread():
+        job = _beside(work, job)
+    try:
+        return job()
+    finally:
+        if work.error is not None:
+            raise work.error
+
+
+def _beside(work: Work, job: Callable[[], Any]) -> Callable[[], Any]:
+    """The job on a thread of its own, because Python handles signals only while its main thread is not in a call."""
+    result: list = [None, None]
+
+    def body() -> None:
+        try:
+            result[0] = job()
+        except BaseException as error:
+            result[1] = error
+
+    def wait() -> Any:
+        thread = threading.Thread(target=body, name="manylight")
+        thread.start()
+        while thread.is_alive():
+            try:
+                thread.join()
+            except KeyboardInterrupt as interrupt:
+                work.error = interrupt
+        if result[1] is not None:
+            raise result[1]
+        return result[0]
+
+    return wait

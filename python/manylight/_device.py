@@ -1,0 +1,219 @@
+"""Devices and renderers."""
+from __future__ import annotations
+
+import contextlib
+import os
+import threading
+from typing import Any, ContextManager, Iterable, Iterator, List, Mapping, NamedTuple, Optional, Tuple, Union
+
+import numpy as np
+
+from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, run
+from ._cffi import ffi, lib
+from ._errors import ArgumentError, text_of
+from ._image import Layers, layer_names, listed, to_layers
+from ._names import settings_text
+from ._parts import Camera
+from ._scene import Scene, scene_of, view_of
+
+AnyScene = Union[Scene, str, "os.PathLike[str]"]
+AnyCamera = Union[str, int, Camera, None]
+
+
+class DeviceInfo(NamedTuple):
+    """Where OpenGL runs. `memory` is in bytes; 0: the driver does not tell."""
+
+    name: str
+    vendor: str
+    renderer: str
+    version: str
+    software: bool
+    memory: int
+
+
+class Renderer:
+    """Draws one scene in one size with one set of settings. `Device.renderer` makes it."""
+
+    def __init__(self, device: Any, scene: Scene, desc: Descriptor):
+        self._handle = made("renderer", lib.manylight_renderer_create, device, scene._handle, desc.pointer)
+        self._lock = threading.Lock()
+        self._shape = (0, 0)
+        self.scene = scene
+
+    def close(self) -> None:
+        """Frees the renderer once no call uses it."""
+        self._handle = None
+
+    def __enter__(self) -> "Renderer":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def _open(self) -> Any:
+        if self._handle is None:
+            raise ArgumentError("the renderer is closed")
+        return self._handle
+
+    def _alone(self) -> ContextManager:
+        """Keeps other threads from drawing between a frame and its reading. A progress function does not wait for the
+        frame that it reports: the library refuses its calls."""
+        return contextlib.nullcontext() if is_reporting() else self._lock
+
+    def render(self, *, layers: Optional[Iterable[str]] = None, camera: AnyCamera = None,
+               light: Optional[str] = None, time: float = 0, progress: Optional[Progress] = None) -> Layers:
+        """Draws a frame at a time (s) and returns its layers, as `Device.render`."""
+        renderer, work, wanted = self._open(), Work(progress), listed(layers)
+        view = view_of(work, camera, light, time)
+
+        def draw() -> Layers:
+            call(lib.manylight_render, renderer, view.pointer)
+            image = _image_of(renderer, wanted)
+            self._shape = (lib.manylight_image_height(image), lib.manylight_image_width(image))
+            return to_layers(image, wanted)
+
+        with self._alone():
+            return run(work, draw)
+
+    def display(self, layer: Optional[str] = None) -> np.ndarray:
+        """The last frame as a display shows it: uint8 sRGB (height, width, 4), row 0 at the top. `layer`: "beauty",
+        "direct" or "indirect"; None: "beauty"."""
+        renderer = self._open()
+        name = ffi.NULL if layer is None else ffi.new("char[]", encode(layer))
+        with self._alone():
+            array = np.empty((*self._shape, 4), np.uint8)
+            pixels = ffi.from_buffer("uint8_t[]", array, require_writable=True)
+            call(lib.manylight_read_display, renderer, name, pixels, array.nbytes)
+        return array
+
+    def setting(self, name: str) -> str:
+        """The value of a setting, as text."""
+        text = ffi.new("char[]", 256)
+        call(lib.manylight_renderer_setting, self._open(), encode(name), text, len(text))
+        return text_of(text)
+
+    def milliseconds(self, path: str = "frame") -> float:
+        """Time of the last frame or of a pass of it, for example "frame/gather". Needs `timed=True`; else 0."""
+        value = ffi.new("double *")
+        call(lib.manylight_milliseconds, self._open(), encode(path), value)
+        return value[0]
+
+
+def _image_of(renderer: Any, wanted: Optional[List[str]]) -> Any:
+    """The last frame. Names that are no layers of every frame are outputs of the technique."""
+    image = made("image", lib.manylight_read, renderer, ffi.NULL)
+    outputs = [] if wanted is None else [layer for layer in wanted if layer not in layer_names(image)]
+    return made("image", lib.manylight_read, renderer, encode(",".join(outputs))) if outputs else image
+
+
+class Device:
+    """An OpenGL context without a window, for any threads: their calls wait for each other.
+
+    Parameters
+    ----------
+    device : EGL device by number ("2"), by CUDA's number ("cuda:2"), or "hardware"; None: the first that works
+    allow_software : also take OpenGL on the CPU
+    debug : a debug context, whose messages go to the logger "manylight"
+
+    `with Device() as device:` frees it at the end.
+    """
+
+    def __init__(self, device: "str | int | None" = None, *, allow_software: bool = False, debug: bool = False):
+        desc = Descriptor("device_desc", device=None if device is None else str(device),
+                          allow_software=allow_software, debug=debug)
+        self._handle = made("device", lib.manylight_device_create, desc.pointer)
+
+    def close(self) -> None:
+        """Frees the device once no call and no renderer uses it."""
+        self._handle = None
+
+    def __enter__(self) -> "Device":
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self.close()
+
+    def _open(self) -> Any:
+        if self._handle is None:
+            raise ArgumentError("the device is closed")
+        return self._handle
+
+    @property
+    def info(self) -> DeviceInfo:
+        """Names of the device and of its driver."""
+        info = Descriptor("device_info").pointer
+        call(lib.manylight_device_info, self._open(), info)
+        texts = (text_of(text) for text in (info.name, info.vendor, info.renderer, info.version))
+        return DeviceInfo(*texts, bool(info.software), info.memory)
+
+    def renderer(self, scene: AnyScene, size: Tuple[int, int] = (0, 0), *, technique: Optional[str] = None,
+                 direct: Optional[str] = None, quality: Optional[str] = None, passes: int = 0, first_pass: int = 0,
+                 hide_environment: bool = False, keep_lights: bool = False, timed: bool = False,
+                 camera: "str | int | None" = None, settings: Optional[Mapping[str, Any]] = None,
+                 **more: Any) -> Renderer:
+        """A renderer for many frames of one scene. Parameters are those of `render`, and:
+
+        keep_lights : faster if the camera alone changes from frame to frame; the same picture
+        timed : measure passes, for `Renderer.milliseconds`
+        camera : the camera that gives the default size
+        """
+        device, opened = self._open(), scene_of(scene)
+        desc = Descriptor("renderer_desc", width=size[0], height=size[1], technique=technique, direct=direct,
+                          quality=quality, settings=settings_text(settings, more), passes=passes,
+                          first_pass=first_pass, hide_environment=hide_environment, keep_lights=keep_lights,
+                          timed=timed, camera=None if camera is None else str(camera))
+        return Renderer(device, opened, desc)
+
+    def render(self, scene: AnyScene, size: Tuple[int, int] = (0, 0), *, layers: Optional[Iterable[str]] = None,
+               camera: AnyCamera = None, light: Optional[str] = None, time: float = 0,
+               progress: Optional[Progress] = None, **settings: Any) -> Layers:
+        """Draws one picture, with the bits of `manylight render`.
+
+        Parameters
+        ----------
+        scene : a `Scene`, or the path of a .glb or .gltf file
+        size : width and height, pixels; 0: those of the camera, 800 along the longer side
+        layers : names of layers and of outputs of the technique (`manylight render --aov`); None: all layers
+        camera : name, number, text as of `manylight render --camera`, or a `Camera`; None: the first
+        light : as `manylight render --light`
+        time : of the animation, seconds
+        progress : called with the fraction done and a note after each of several passes; its exception stops the work
+        technique, direct, quality, passes, first_pass, hide_environment : as the options of `manylight render`
+        settings : dict of further settings by their names, for example {"gather.interleave": 4}
+        Other keyword arguments are settings, with `_` for `.` and `-`: `gather_interleave=4`, `vpls=4096`.
+
+        Returns a dict from layer to float32 array, row 0 at the top. "beauty" is linear radiance with coverage,
+        (height, width, 4), W/(sr m2). "direct" and "indirect" are irradiance / pi without albedo, "albedo" is a
+        fraction, "normal" a unit vector, each (height, width, 3). "Z" is depth along the view, (height, width), m.
+        """
+        size_camera = None if isinstance(camera, Camera) else camera
+        with self.renderer(scene, size, camera=size_camera, **settings) as renderer:
+            return renderer.render(layers=layers, camera=camera, light=light, time=time, progress=progress)
+
+    def frames(self, scene: AnyScene, size: Tuple[int, int] = (0, 0), *, frames: Optional[Iterable[int]] = None,
+               fps: float = 25, layers: Optional[Iterable[str]] = None, camera: AnyCamera = None,
+               light: Optional[str] = None, time: float = 0, progress: Optional[Progress] = None,
+               **settings: Any) -> Iterator[Layers]:
+        """Draws a sequence, one dict of layers for each frame, as `manylight render --frames`.
+
+        Parameters
+        ----------
+        frames : numbers of frames; None: the whole animation of the scene
+        fps : frames per second; frame n is at `time` + n / `fps` seconds
+        Other parameters are those of `render`.
+        """
+        opened = scene_of(scene)
+        if not fps > 0:
+            raise ArgumentError(f"fps: {fps} is not above 0")
+        numbers = range(int(opened.info.duration * fps) + 1) if frames is None else frames
+        wanted = listed(layers)
+        size_camera = None if isinstance(camera, Camera) else camera
+        renderer = self.renderer(opened, size, camera=size_camera, **settings)
+
+        def draw() -> Iterator[Layers]:
+            with renderer:
+                for number in numbers:
+                    yield renderer.render(layers=wanted, camera=camera, light=light, time=time + number / fps,
+                                          progress=progress)
+
+        return draw()

@@ -1,0 +1,122 @@
+"""Scenes, and the path tracer, which needs no device."""
+from __future__ import annotations
+
+import os
+from typing import Any, Iterable, NamedTuple, Optional, Sequence, Tuple
+
+from ._call import Descriptor, Progress, Work, call, encode, made, run
+from ._cffi import ffi, lib
+from ._image import Layers, to_layers
+from ._names import settings_text
+from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc
+
+
+class SceneInfo(NamedTuple):
+    """What a scene holds. Lengths are in metres, `duration` is in seconds."""
+
+    triangles: int
+    materials: int
+    lights: int
+    cameras: int
+    center: Tuple[float, float, float]
+    radius: float
+    duration: float
+    origin: Tuple[float, float, float]
+
+
+class Scene:
+    """A scene: a glTF file, its bytes, or arrays. It does not change, so any threads may use it at once.
+
+    Parameters
+    ----------
+    source : path of a .glb or .gltf file, or the file's bytes; None: from meshes
+    path : with bytes, the path whose folder has the files that they name
+    meshes, materials, lights, cameras : parts of a scene from arrays (`Mesh`, `Material`, `Light`, `Camera`)
+    light, clip, environment, environment_turn (degrees), environment_strength, strict, root : as the options of
+        `manylight render`
+    """
+
+    def __init__(self, source: "str | os.PathLike[str] | bytes | None" = None, *,
+                 path: "str | os.PathLike[str] | None" = None, meshes: Sequence[Mesh] = (),
+                 materials: Sequence[Material] = (), lights: Sequence[Light] = (), cameras: Sequence[Camera] = (),
+                 light: Optional[str] = None, clip: Optional[str] = None,
+                 environment: "str | os.PathLike[str] | None" = None, environment_turn: float = 0,
+                 environment_strength: float = 0, strict: bool = False,
+                 root: "str | os.PathLike[str] | None" = None):
+        desc = Descriptor("scene_desc", path=path, light=light, clip=clip, environment=environment,
+                          environment_turn=environment_turn, environment_strength=environment_strength,
+                          strict=strict, root=root)
+        if isinstance(source, (bytes, bytearray, memoryview)):
+            memory = desc.keep(ffi.from_buffer(source))
+            desc.set("memory", memory)
+            desc.set("memory_bytes", len(memory))
+        else:
+            desc.set("path", source)
+        for kind, parts in (("mesh", meshes), ("material", materials), ("light", lights), ("camera", cameras)):
+            if len(parts) > 0:
+                add_parts(desc, kind, parts)
+        self._handle = made("scene", lib.manylight_scene_open, desc.pointer)
+
+    @property
+    def info(self) -> SceneInfo:
+        """What the scene holds."""
+        info = Descriptor("scene_info").pointer
+        call(lib.manylight_scene_info, self._handle, info)
+        return SceneInfo(info.triangle_count, info.material_count, info.light_count, info.camera_count,
+                         tuple(info.center), info.radius, info.duration, tuple(info.origin))
+
+    def camera(self, text: Optional[str] = None, time: float = 0) -> Camera:
+        """Where a camera is at a time (s): `text` as of `manylight render --camera`; None: the first."""
+        out = Descriptor("camera").pointer
+        name = ffi.NULL if text is None else ffi.new("char[]", encode(text))
+        call(lib.manylight_scene_camera, self._handle, name, time, out)
+        return Camera(tuple(out.eye), tuple(out.forward), tuple(out.up), out.fov_y, out.y_extent, out.near_plane,
+                      out.far_plane)
+
+
+def scene_of(scene: "Scene | str | os.PathLike[str]") -> Scene:
+    """A scene, opened where it is a path."""
+    return scene if isinstance(scene, Scene) else Scene(scene)
+
+
+def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str], time: float) -> Descriptor:
+    """Where from, and what of a scene, a picture is made."""
+    desc = Descriptor("view", light=light, time=time, progress=lib.manylight_python_progress, user=work.handle)
+    if isinstance(camera, Camera):
+        desc.set("placed", desc.keep(camera_desc(camera)).pointer)
+    elif camera is not None:
+        desc.set("camera", str(camera))
+    return desc
+
+
+def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (0, 0), *,
+              layers: Optional[Iterable[str]] = None, camera: "str | int | Camera | None" = None,
+              light: Optional[str] = None, time: float = 0, bounces: int = 1, samples: int = 0, noise: float = 0,
+              paths: int = 0, seed: int = 0, light_paths: int = 0, smooth: bool = False, centers: bool = False,
+              seen: bool = False, denoise: bool = False, hide_environment: bool = False, ao_distance: float = 0,
+              materials: Optional[str] = None, threads: int = 0, settings: Any = None,
+              progress: Optional[Progress] = None, **more: Any) -> Layers:
+    """Path-traces a scene on the CPU, as `manylight reference` does.
+
+    Parameters
+    ----------
+    scene : a `Scene`, or the path of a .glb or .gltf file
+    size : width and height, pixels; 0: those of the camera, 800 along the longer side
+    bounces : number of indirect bounces; 0: direct light only
+    samples : samples per pixel; 0: by `noise`, the limit of the relative standard error (0: 0.01)
+    ao_distance : distance of ambient occlusion, metres; 0: no layer "ao"
+    settings, **more : settings of the medium, as of `Device.render`
+    progress : called with the fraction done and a note; an exception from it stops the work
+    Other parameters are the options of `manylight reference`.
+
+    Returns the layers as `Device.render`, with "standard_error" of the layer "indirect" and others.
+    """
+    work = Work(progress)
+    view = view_of(work, camera, light, time)
+    desc = Descriptor("reference_desc", width=size[0], height=size[1], view=view.pointer,
+                      bounces=bounces or lib.MANYLIGHT_ZERO, samples=samples, noise=noise, paths=paths, seed=seed,
+                      light_paths=light_paths, smooth=smooth, centers=centers, seen=seen, denoise=denoise,
+                      hide_environment=hide_environment, ao_distance=ao_distance, materials=materials,
+                      settings=settings_text(settings, more), threads=threads)
+    handle = scene_of(scene)._handle
+    return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), layers))

@@ -1,0 +1,34 @@
+/* The values that an option or a setting takes, for completions. */
+#ifndef APPS_MANUAL_VALUE_H
+#define APPS_MANUAL_VALUE_H
+
+#include "base/settings.h"
+#include "base/text.h"
+
+enum value_kind {
+    VALUE_NONE, /* a flag */
+    VALUE_WORDS,
+    VALUE_FILE,
+    VALUE_FOLDER,
+    VALUE_SETTING, /* KEY=VALUE of --set */
+    VALUE_FREE,    /* numbers, names in a scene and the like */
+};
+
+struct value {
+    enum value_kind kind;
+    struct text words; /* with spaces between; empty but for VALUE_WORDS */
+};
+
+/* value_free frees the words. */
+struct value value_of_option(const struct option *option);
+void value_free(struct value *value);
+
+/* Calls put with each setting of all techniques and its words, "" where it is a number; then with "path" and the
+ * presets. */
+typedef void put_setting(FILE *out, const char *name, const char *words);
+void value_each_setting(FILE *out, put_setting *put);
+
+/* The help up to its first semicolon in one line, to be freed. */
+char *value_short_help(const struct option *option);
+
+#endif

@@ -1,0 +1,47 @@
+#include "apps/videos.h"
+
+#include "base/file/output_file.h"
+
+void videos_take(struct videos *videos, struct text_list *outputs) {
+    int kept = 0;
+    for (int i = 0; i < outputs->count; i++) {
+        const char *path = outputs->items[i];
+        if (video_file_is(path))
+            videos->paths.items[videos->paths.count++] = path;
+        else
+            outputs->items[kept++] = path;
+    }
+    outputs->count = kept;
+}
+
+bool videos_check(const struct videos *videos) {
+    bool ok = true;
+    for (int i = 0; ok && i < videos->paths.count; i++)
+        ok = video_file_check(videos->paths.items[i]) &&
+             output_file_check(videos->paths.items[i], NULL, 0);
+    return ok;
+}
+
+bool videos_begin(struct videos *videos, int width, int height, double fps) {
+    bool ok = true;
+    while (ok && videos->begun < videos->paths.count) {
+        int i = videos->begun++;
+        ok = video_file_begin(&videos->files[i], videos->paths.items[i], width, height, fps);
+    }
+    return ok;
+}
+
+bool videos_add(struct videos *videos, const struct bitmap *frame) {
+    bool ok = true;
+    for (int i = 0; ok && i < videos->begun; i++)
+        ok = video_file_add(&videos->files[i], frame);
+    return ok;
+}
+
+bool videos_end(struct videos *videos, bool ok) {
+    bool all = true;
+    for (int i = 0; i < videos->begun; i++)
+        all = video_file_end(&videos->files[i], ok && all) && all;
+    videos->begun = 0;
+    return all;
+}

@@ -1,0 +1,400 @@
+#include "renderer/renderer.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "gl/api.h"
+#include "inspect/aov.h"
+#include "library/desc.h"
+#include "library/device.h"
+#include "library/door.h"
+#include "library/image.h"
+#include "library/scene.h"
+#include "quality/quality.h"
+#include "shared/composite.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* How often a picture is drawn. */
+struct drawing {
+    int first_pass, passes;
+    bool is_mean;
+};
+
+struct manylight_renderer {
+    struct manylight_device *device;
+    struct loan loan;
+    struct renderer renderer;
+    struct drawing drawing;
+    bool exists;    /* the renderer; false after a failure that it does not outlive */
+    bool has_frame; /* that can be read */
+};
+
+/* --- what a descriptor comes to: as apps/render.c has it ---------------------------------------- */
+
+static bool find_quality(const char *name, enum quality *quality) {
+    struct text_list known = {0};
+    *quality = QUALITY_NORMAL;
+    for (int i = 0; quality_names[i]; i++) {
+        known.items[known.count++] = quality_names[i];
+        if (name && strcmp(name, quality_names[i]) == 0) {
+            *quality = (enum quality)i;
+            return true;
+        }
+    }
+    return !name || error_set("no quality is called '%s' (there is: %s %s %s %s)", name,
+                              known.items[0], known.items[1], known.items[2], known.items[3]);
+}
+
+static bool resolve_settings(const struct manylight_renderer_desc *desc, struct renderer_desc *to,
+                             struct drawing *drawing) {
+    enum quality quality;
+    if (!find_quality(desc->quality, &quality))
+        return false;
+    struct quality_choice choice = quality_named(quality);
+    bool passes_given = desc->passes > 0;
+    if (!(to->technique = technique_find(desc->technique)) ||
+        (desc->direct && !(to->direct = direct_find(desc->direct))))
+        return false;
+    drawing->passes = passes_given ? desc->passes : choice.passes;
+    drawing->first_pass = desc->first_pass;
+    drawing->is_mean = drawing->passes > 1 || drawing->first_pass > 0 || passes_given;
+    return quality_settings(&choice, to->technique, &desc->settings, desc->settings ? 1 : 0,
+                            &to->settings);
+}
+
+static bool check_numbers(const struct manylight_renderer_desc *desc) {
+    return (desc->passes >= 0 && desc->first_pass >= 0 && desc->passes <= 1000000 &&
+            desc->first_pass <= 1000000) ||
+           error_set("passes and first_pass: a number is not from 0 to 1000000") ||
+           door_blame(MANYLIGHT_BAD_ARGUMENT);
+}
+
+static bool resolve(const struct manylight_renderer_desc *given, const struct loan *loan,
+                    struct renderer_desc *to, struct drawing *drawing) {
+    struct manylight_renderer_desc desc;
+    int size[2];
+    if (!desc_take(&desc, sizeof desc, given, "manylight_renderer_desc") || !check_numbers(&desc) ||
+        !loan_size(loan, desc.camera, desc.width, desc.height, size))
+        return false;
+    *to = (struct renderer_desc){.width = size[0],
+                                 .height = size[1],
+                                 .scene = &loan->stage.scene,
+                                 .geometry = &loan->stage.geometry,
+                                 .emitters = loan->stage.emitters,
+                                 .camera = loan->stage.camera,
+                                 .keep_lights = desc.keep_lights != 0,
+                                 .background.kind =
+                                     desc.hide_environment ? BACKGROUND_NONE : BACKGROUND_SCENE,
+                                 .timed = desc.timed != 0};
+    if (!resolve_settings(&desc, to, drawing))
+        return door_blame(MANYLIGHT_BAD_SETTING);
+    to->progressive = drawing->is_mean;
+    return true;
+}
+
+/* --- making ----------------------------------------------------------------------------------- */
+
+/* One call, for the device's thread. */
+struct call {
+    struct manylight_renderer *of;
+    const struct renderer_desc *desc;
+    const struct manylight_renderer_desc *given;
+    const struct manylight_view *view;
+    const char *text;
+    char *room;
+    size_t room_size;
+    struct image image;
+    struct bitmap bitmap;
+    int layer;
+    double milliseconds;
+};
+
+static bool init_renderer(void *user) {
+    struct call *call = user;
+    return call->of->exists = renderer_init(&call->of->renderer, call->desc);
+}
+
+static bool create(struct manylight_device *device, const struct manylight_scene *scene,
+                   const struct manylight_renderer_desc *desc, struct manylight_renderer **out) {
+    struct manylight_renderer *made = mem_alloc(1, sizeof *made);
+    struct renderer_desc resolved;
+    bool ok = loan_take(&made->loan, scene);
+    ok = ok && resolve(desc, &made->loan, &resolved, &made->drawing);
+    ok = ok && device_do(device, init_renderer, &(struct call){.of = made, .desc = &resolved});
+    if (!ok) {
+        loan_return(&made->loan);
+        free(made);
+        return false;
+    }
+    made->device = device_hold(device);
+    *out = made;
+    return true;
+}
+
+enum manylight_status manylight_renderer_create(struct manylight_device *device,
+                                                struct manylight_scene *scene,
+                                                const struct manylight_renderer_desc *desc,
+                                                struct manylight_renderer **renderer) {
+    struct door door;
+    *renderer = NULL;
+    door_enter(&door);
+    return door_leave(&door, create(device, scene, desc, renderer), MANYLIGHT_FAILED);
+}
+
+static bool free_renderer(void *user) {
+    struct manylight_renderer *renderer = ((struct call *)user)->of;
+    if (renderer->exists)
+        renderer_free(&renderer->renderer);
+    renderer->exists = false;
+    renderer->has_frame = false;
+    return true;
+}
+
+void manylight_renderer_free(struct manylight_renderer *renderer) {
+    struct door door;
+    if (!renderer)
+        return;
+    door_enter(&door);
+    device_do(renderer->device, free_renderer, &(struct call){.of = renderer});
+    loan_return(&renderer->loan);
+    device_release(renderer->device);
+    free(renderer);
+    door_leave(&door, true, MANYLIGHT_OK);
+}
+
+static bool check_exists(const struct manylight_renderer *renderer) {
+    return renderer->exists ||
+           error_set("the renderer ended with an earlier failure: make another one");
+}
+
+static bool check_frame(const struct manylight_renderer *renderer) {
+    return check_exists(renderer) &&
+           (renderer->has_frame || error_set("there is no frame: manylight_render draws one") ||
+            door_blame(MANYLIGHT_BAD_ARGUMENT));
+}
+
+static bool follow(void *user) {
+    struct call *call = user;
+    struct manylight_renderer *renderer = call->of;
+    struct renderer_desc resolved;
+    struct drawing drawing;
+    if (!check_exists(renderer) || !resolve(call->given, &renderer->loan, &resolved, &drawing) ||
+        !renderer_follow(&renderer->renderer, &resolved))
+        return false;
+    renderer->drawing = drawing;
+    renderer->has_frame = false;
+    return true;
+}
+
+enum manylight_status manylight_renderer_change(struct manylight_renderer *renderer,
+                                                const struct manylight_renderer_desc *desc) {
+    struct door door;
+    door_enter(&door);
+    bool ok = device_do(renderer->device, follow, &(struct call){.of = renderer, .given = desc});
+    return door_leave(&door, ok, MANYLIGHT_FAILED);
+}
+
+static bool read_setting(void *user) {
+    struct call *call = user;
+    struct setting setting;
+    const struct settings *settings = &call->of->renderer.desc.settings;
+    if (!check_exists(call->of) || !settings_find(settings, call->text, &setting))
+        return false;
+    setting_format(&setting, settings, call->room, call->room_size);
+    return true;
+}
+
+enum manylight_status manylight_renderer_setting(struct manylight_renderer *renderer,
+                                                 const char *name, char *text, size_t text_size) {
+    struct door door;
+    struct call call = {.of = renderer, .text = name, .room = text, .room_size = text_size};
+    door_enter(&door);
+    return door_leave(&door, device_do(renderer->device, read_setting, &call),
+                      MANYLIGHT_BAD_SETTING);
+}
+
+/* --- drawing ---------------------------------------------------------------------------------- */
+
+/* Waits for each pass, as a GPU would take hundreds at once. */
+static bool add_passes(struct call *call) {
+    const struct drawing *drawing = &call->of->drawing;
+    const struct manylight_view *view = call->view;
+    for (int i = 0; i < drawing->passes; i++) {
+        char note[64];
+        renderer_add_pass(&call->of->renderer, drawing->first_pass + i);
+        gl.Finish();
+        snprintf(note, sizeof note, "pass %d of %d", i + 1, drawing->passes);
+        if (view->progress && view->progress(view->user, (i + 1.) / drawing->passes, note) != 0) {
+            error_set("cancelled");
+            return door_blame(MANYLIGHT_CANCELLED);
+        }
+    }
+    return true;
+}
+
+/* After a pose that fails its triangles must not be drawn; after an update that fails, the renderer neither. */
+static bool draw(void *user) {
+    struct call *call = user;
+    struct manylight_renderer *renderer = call->of;
+    renderer->has_frame = false;
+    if (!check_exists(renderer) || !loan_pose(&renderer->loan, call->view))
+        return false;
+    if (!stage_show(&renderer->loan.stage, &renderer->renderer)) {
+        free_renderer(call);
+        return false;
+    }
+    if (renderer->drawing.is_mean) {
+        if (!add_passes(call))
+            return false;
+    } else {
+        renderer_render(&renderer->renderer);
+    }
+    return renderer->has_frame = true;
+}
+
+static bool render(struct manylight_renderer *renderer, const struct manylight_view *given) {
+    struct manylight_view view;
+    return desc_take(&view, sizeof view, given, "manylight_view") &&
+           device_do(renderer->device, draw, &(struct call){.of = renderer, .view = &view});
+}
+
+enum manylight_status manylight_render(struct manylight_renderer *renderer,
+                                       const struct manylight_view *view) {
+    struct door door;
+    door_enter(&door);
+    return door_leave(&door, render(renderer, view), MANYLIGHT_FAILED);
+}
+
+/* --- reading ---------------------------------------------------------------------------------- */
+
+static void tell_passes(const struct manylight_renderer *renderer, struct image *image) {
+    const struct drawing *drawing = &renderer->drawing;
+    if (!drawing->is_mean)
+        return;
+    image->passes =
+        mem_printf("%d..%d", drawing->first_pass, drawing->first_pass + drawing->passes - 1);
+    image->weight = renderer_pass_weight(&renderer->renderer);
+}
+
+static bool read_layers(void *user) {
+    struct call *call = user;
+    struct renderer *renderer = &call->of->renderer;
+    if (!check_frame(call->of))
+        return false;
+    if (call->text && call->of->drawing.is_mean) {
+        error_set("aov: outputs of a technique are of one pass, and not of a mean");
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    }
+    if (!aov_check(renderer, call->text))
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    if (!renderer_read_layers(renderer, &call->image))
+        return false;
+    if (!aov_append(renderer, call->text, &call->image)) {
+        image_free(&call->image);
+        return false;
+    }
+    tell_passes(call->of, &call->image);
+    return true;
+}
+
+enum manylight_status manylight_read(struct manylight_renderer *renderer, const char *outputs,
+                                     struct manylight_image **image) {
+    struct door door;
+    struct call call = {.of = renderer, .text = outputs};
+    *image = NULL;
+    door_enter(&door);
+    bool ok = device_do(renderer->device, read_layers, &call);
+    if (ok)
+        *image = image_wrap(&call.image);
+    return door_leave(&door, ok, MANYLIGHT_FAILED);
+}
+
+static bool find_layer(const char *name, int *layer) {
+    *layer = LAYER_BEAUTY;
+    for (int i = 0; name && shown_layer_names[i]; i++)
+        if (strcmp(name, shown_layer_names[i]) == 0) {
+            *layer = i;
+            return true;
+        }
+    return !name ||
+           error_set("layer: '%s' is neither %s, %s nor %s", name, shown_layer_names[0],
+                     shown_layer_names[1], shown_layer_names[2]) ||
+           door_blame(MANYLIGHT_BAD_ARGUMENT);
+}
+
+static bool compose(struct call *call) {
+    if (!check_frame(call->of) || !find_layer(call->text, &call->layer))
+        return false;
+    renderer_compose(&call->of->renderer, call->layer);
+    return true;
+}
+
+static bool read_display(void *user) {
+    struct call *call = user;
+    return compose(call) && renderer_read_display(&call->of->renderer, &call->bitmap);
+}
+
+static bool copy_display(struct manylight_renderer *renderer, const char *layer, uint8_t *rgba,
+                         size_t bytes) {
+    struct call call = {.of = renderer, .text = layer};
+    if (!device_do(renderer->device, read_display, &call))
+        return false;
+    size_t wanted = (size_t)call.bitmap.width * (size_t)call.bitmap.height * 4;
+    bool fits = bytes >= wanted;
+    if (fits)
+        memcpy(rgba, call.bitmap.rgba, wanted);
+    bitmap_free(&call.bitmap);
+    return fits || error_set("display: %zu bytes have no room in %zu", wanted, bytes) ||
+           door_blame(MANYLIGHT_BAD_ARGUMENT);
+}
+
+enum manylight_status manylight_read_display(struct manylight_renderer *renderer, const char *layer,
+                                             uint8_t *rgba, size_t bytes) {
+    struct door door;
+    door_enter(&door);
+    return door_leave(&door, copy_display(renderer, layer, rgba, bytes), MANYLIGHT_FAILED);
+}
+
+static bool compose_alone(void *user) {
+    return compose(user);
+}
+
+enum manylight_status manylight_display_texture(struct manylight_renderer *renderer,
+                                                const char *layer, uint32_t *texture, int *width,
+                                                int *height) {
+    struct door door;
+    door_enter(&door);
+    bool ok =
+        device_is_adopted(renderer->device) ||
+        error_set("the device has a context of its own, whose textures are for nobody else") ||
+        door_blame(MANYLIGHT_BAD_ARGUMENT);
+    ok = ok &&
+         device_do(renderer->device, compose_alone, &(struct call){.of = renderer, .text = layer});
+    if (ok) {
+        *texture = renderer->renderer.composite.display.id;
+        *width = renderer->renderer.desc.width;
+        *height = renderer->renderer.desc.height;
+    }
+    return door_leave(&door, ok, MANYLIGHT_FAILED);
+}
+
+static bool read_time(void *user) {
+    struct call *call = user;
+    if (!check_frame(call->of))
+        return false;
+    timers_flush(&call->of->renderer.timers);
+    call->milliseconds = timer_ms(&call->of->renderer.timers, call->text);
+    return true;
+}
+
+enum manylight_status manylight_milliseconds(struct manylight_renderer *renderer, const char *path,
+                                             double *milliseconds) {
+    struct door door;
+    struct call call = {.of = renderer, .text = path};
+    door_enter(&door);
+    bool ok = device_do(renderer->device, read_time, &call);
+    *milliseconds = call.milliseconds;
+    return door_leave(&door, ok, MANYLIGHT_FAILED);
+}

@@ -1,0 +1,310 @@
+#include "library/scene.h"
+
+#include "base/error.h"
+#include "base/file/piped_file.h"
+#include "base/memory.h"
+#include "base/option.h"
+#include "library/arrays.h"
+#include "library/desc.h"
+#include "library/door.h"
+#include "scene/clips.h"
+#include "scene/placing.h"
+#include "scene/read_rules.h"
+
+#include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct manylight_scene {
+    atomic_int users;
+    pthread_mutex_t mutex; /* of is_lent */
+    struct stage stage;    /* at time 0 */
+    bool is_lent;          /* its triangles are */
+    char *light;           /* as it was opened; NULL: all */
+    struct manylight_scene_info info;
+};
+
+/* --- opening ---------------------------------------------------------------------------------- */
+
+static bool refuse(const char *reason) {
+    error_set("%s", reason);
+    return door_blame(MANYLIGHT_BAD_ARGUMENT);
+}
+
+static bool check_sources(const struct manylight_scene_desc *desc) {
+    int count = (desc->memory ? 1 : desc->path != NULL) + (desc->mesh_count > 0);
+    if (count == 0)
+        return refuse("manylight_scene_desc: it has no path, memory and meshes");
+    if (count > 1)
+        return refuse("manylight_scene_desc: it has meshes and a file");
+    /* What a pipe holds is kept as long as the process lives. */
+    if (desc->path && !desc->memory && piped_file_is(desc->path)) {
+        error_set("%s: it is a pipe; give its bytes as memory", desc->path);
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    }
+    return true;
+}
+
+static bool open_stage(struct manylight_scene *scene, const struct manylight_scene_desc *desc,
+                       const struct file_bytes *bytes) {
+    struct stage_desc stage = {
+        .path = desc->path     ? desc->path
+                : desc->memory ? "memory"
+                               : "arrays",
+        .bytes = bytes->data ? bytes : NULL,
+        .light = scene->light,
+        .clip = desc->clip,
+        .environment = {desc->environment, desc->environment_turn,
+                        desc->environment_strength == 0 ? 1 : desc->environment_strength}};
+    return stage_init(&scene->stage, &stage);
+}
+
+/* The triangles of arrays are freed as soon as they are read. */
+static bool read_scene(struct manylight_scene *scene, const struct manylight_scene_desc *desc) {
+    struct file_bytes bytes = {(unsigned char *)(uintptr_t)desc->memory, desc->memory_bytes};
+    if (desc->mesh_count == 0)
+        return open_stage(scene, desc, &bytes);
+    bool ok = arrays_to_glb(desc, &bytes);
+    ok = ok && open_stage(scene, desc, &bytes);
+    if (bytes.data != desc->memory)
+        free(bytes.data);
+    return ok;
+}
+
+static void take_vector(float to[3], const float from[3]) {
+    memcpy(to, from, 3 * sizeof *to);
+}
+
+static double duration_of(const struct scene *scene) {
+    double most = 0;
+    for (int i = 0; i < scene->playing_count; i++)
+        most = fmax(most, (double)scene->clips[scene->playing[i]].duration);
+    return most;
+}
+
+static void describe(struct manylight_scene *scene) {
+    const struct scene *from = &scene->stage.scene;
+    const struct geometry *geometry = &scene->stage.geometry;
+    struct manylight_scene_info *info = &scene->info;
+    *info = (struct manylight_scene_info){.triangle_count = (int)geometry_triangle_count(geometry),
+                                          .material_count = from->material_count,
+                                          .light_count = emitter_node_count(from),
+                                          .camera_count = camera_node_count(from),
+                                          .radius = geometry->radius,
+                                          .duration = duration_of(from)};
+    take_vector(info->center, geometry->center);
+    memcpy(info->origin, from->origin, sizeof info->origin);
+}
+
+static bool open_scene(const struct manylight_scene_desc *given, struct manylight_scene **out) {
+    struct manylight_scene_desc desc;
+    struct read_rules rules;
+    if (!desc_take(&desc, sizeof desc, given, "manylight_scene_desc") || !check_sources(&desc) ||
+        !read_rules_init(&rules, desc.strict != 0, desc.root))
+        return false;
+    struct manylight_scene *scene = mem_alloc(1, sizeof *scene);
+    scene->light = desc.light ? mem_strdup(desc.light) : NULL;
+    read_rules_use(&rules);
+    bool ok = read_scene(scene, &desc);
+    read_rules_use(NULL);
+    free(rules.root);
+    if (!ok) {
+        free(scene->light);
+        free(scene);
+        return false;
+    }
+    describe(scene);
+    atomic_init(&scene->users, 1);
+    pthread_mutex_init(&scene->mutex, NULL);
+    *out = scene;
+    return true;
+}
+
+enum manylight_status manylight_scene_open(const struct manylight_scene_desc *desc,
+                                           struct manylight_scene **scene) {
+    struct door door;
+    *scene = NULL;
+    door_enter(&door);
+    return door_leave(&door, open_scene(desc, scene), MANYLIGHT_BAD_SCENE);
+}
+
+/* --- sharing ---------------------------------------------------------------------------------- */
+
+struct manylight_scene *scene_hold(const struct manylight_scene *scene) {
+    struct manylight_scene *held = (struct manylight_scene *)(uintptr_t)scene;
+    atomic_fetch_add(&held->users, 1);
+    return held;
+}
+
+void scene_release(struct manylight_scene *scene) {
+    if (!scene || atomic_fetch_sub(&scene->users, 1) > 1)
+        return;
+    stage_free(&scene->stage);
+    free(scene->light);
+    pthread_mutex_destroy(&scene->mutex);
+    free(scene);
+}
+
+void manylight_scene_free(struct manylight_scene *scene) {
+    struct door door;
+    door_enter(&door);
+    scene_release(scene);
+    door_leave(&door, true, MANYLIGHT_OK);
+}
+
+static bool set_lent(struct manylight_scene *scene, bool lent) {
+    pthread_mutex_lock(&scene->mutex);
+    bool before = scene->is_lent;
+    scene->is_lent = lent;
+    pthread_mutex_unlock(&scene->mutex);
+    return before;
+}
+
+bool loan_take(struct loan *loan, const struct manylight_scene *scene) {
+    struct manylight_scene *from = scene_hold(scene);
+    *loan =
+        (struct loan){.from = from, .stage = from->stage, .has_original = !set_lent(from, true)};
+    struct stage *stage = &loan->stage;
+    stage->emitters = (struct emitters){0};
+    stage->light_text = from->light;
+    stage->camera_text = NULL;
+    if (!loan->has_original)
+        stage->geometry = (struct geometry){0};
+    bool ok = (loan->has_original || geometry_init(&stage->geometry, &stage->scene, 0)) &&
+              stage_pose(stage, 0);
+    if (!ok)
+        loan_return(loan);
+    return ok;
+}
+
+/* Triangles go back as they were at time 0, and a pose that came to be after them is put right by the next user. */
+void loan_return(struct loan *loan) {
+    if (!loan->from)
+        return;
+    emitters_free(&loan->stage.emitters);
+    if (loan->has_original) {
+        loan->from->stage.geometry = loan->stage.geometry;
+        set_lent(loan->from, false);
+    } else {
+        geometry_free(&loan->stage.geometry);
+    }
+    scene_release(loan->from);
+    *loan = (struct loan){0};
+}
+
+/* --- cameras ---------------------------------------------------------------------------------- */
+
+static bool is_zero(const float vector[3]) {
+    return vector[0] == 0 && vector[1] == 0 && vector[2] == 0;
+}
+
+static bool camera_is_finite(const struct manylight_camera *camera) {
+    const float numbers[] = {camera->fov_y, camera->y_extent, camera->near_plane,
+                             camera->far_plane};
+    bool good = true;
+    for (int i = 0; i < 3; i++)
+        good = good && isfinite(camera->eye[i]) && isfinite(camera->forward[i]) &&
+               isfinite(camera->up[i]) && isfinite(camera->right[i]);
+    for (int i = 0; i < 4; i++)
+        good = good && isfinite(numbers[i]) && numbers[i] >= 0;
+    return good && camera->fov_y < 3.14159F;
+}
+
+static bool place_camera(struct camera *to, const struct manylight_camera *given) {
+    struct manylight_camera camera;
+    if (!desc_take(&camera, sizeof camera, given, "manylight_camera"))
+        return false;
+    if (!camera_is_finite(&camera))
+        return refuse("camera: a number is not finite, negative, or an angle of pi and more");
+    if (is_zero(camera.forward))
+        camera.forward[2] = -1;
+    if (is_zero(camera.up))
+        camera.up[1] = 1;
+    bool orthographic = camera.fov_y == 0 && camera.y_extent > 0;
+    *to = (struct camera){.orthographic = orthographic,
+                          .fov_y = orthographic        ? 0
+                                   : camera.fov_y == 0 ? .8F
+                                                       : camera.fov_y,
+                          .y_extent = camera.y_extent,
+                          .near = camera.near_plane,
+                          .far = camera.far_plane};
+    camera_look(to, camera.eye, camera.forward, camera.up);
+    if (is_zero(to->right))
+        return refuse("camera: up is along forward");
+    if (!is_zero(camera.right)) {
+        take_vector(to->right, camera.right);
+        take_vector(to->up, camera.up);
+        take_vector(to->forward, camera.forward);
+    }
+    return true;
+}
+
+bool loan_pose(struct loan *loan, const struct manylight_view *view) {
+    struct stage *stage = &loan->stage;
+    stage->camera_text = view->camera;
+    stage->light_text = view->light ? view->light : loan->from->light;
+    bool ok = isfinite(view->time) && view->time >= 0 && view->time <= 1e6
+                  ? stage_pose(stage, view->time)
+                  : error_set("time: %g is not from 0 to 1e6 seconds", view->time);
+    stage->camera_text = NULL;
+    stage->light_text = loan->from->light;
+    if (!ok)
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    return !view->placed || place_camera(&stage->camera, view->placed);
+}
+
+bool loan_place_camera(const struct loan *loan, const char *text, struct camera *camera,
+                       int size[2]) {
+    int n = 0;
+    if (!camera_from_text(camera, &loan->stage.scene, text, 0, &n))
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    camera_default_size(&loan->stage.scene, n, size);
+    return true;
+}
+
+bool loan_size(const struct loan *loan, const char *camera, int width, int height, int size[2]) {
+    static const struct option option = {"size", 0, OPTION_SIZE, 0, 0, 1, 16384, .help = ""};
+    struct camera placed;
+    char text[32];
+    if (!loan_place_camera(loan, camera, &placed, size))
+        return false;
+    snprintf(text, sizeof text, "%dx%d", width, height);
+    return (width == 0 && height == 0) || option_parse(&option, size, text) ||
+           door_blame(MANYLIGHT_BAD_ARGUMENT);
+}
+
+static bool give_camera(const struct manylight_scene *scene, const char *text, double time,
+                        struct manylight_camera *out) {
+    struct camera camera;
+    if (!camera_from_text(&camera, &scene->stage.scene, text, time, NULL))
+        return false;
+    struct manylight_camera given = {.fov_y = camera.orthographic ? 0 : camera.fov_y,
+                                     .y_extent = camera.orthographic ? camera.y_extent : 0,
+                                     .near_plane = camera.near,
+                                     .far_plane = camera.far};
+    take_vector(given.eye, camera.eye);
+    take_vector(given.forward, camera.forward);
+    take_vector(given.up, camera.up);
+    take_vector(given.right, camera.right);
+    return desc_give(out, &given, sizeof given, "manylight_camera");
+}
+
+enum manylight_status manylight_scene_camera(const struct manylight_scene *scene, const char *text,
+                                             double time, struct manylight_camera *camera) {
+    struct door door;
+    door_enter(&door);
+    return door_leave(&door, give_camera(scene, text, time, camera), MANYLIGHT_BAD_ARGUMENT);
+}
+
+/* --- facts ------------------------------------------------------------------------------------ */
+
+enum manylight_status manylight_scene_info(const struct manylight_scene *scene,
+                                           struct manylight_scene_info *info) {
+    struct door door;
+    door_enter(&door);
+    return door_leave(&door,
+                      desc_give(info, &scene->info, sizeof scene->info, "manylight_scene_info"),
+                      MANYLIGHT_BAD_ARGUMENT);
+}

@@ -1,0 +1,285 @@
+/* Bad input through the library's door: a status, and the same words as the program's. */
+#include "library_support.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define BOX "scenes/cornell-box.glb"
+#define SCENE(...)                                                                                 \
+    (&(struct manylight_scene_desc){.size = sizeof(struct manylight_scene_desc), __VA_ARGS__})
+
+/* The program ends with "manylight render: MESSAGE", and more of wrong usage. */
+static void check_words(enum manylight_status status, enum manylight_status wanted,
+                        const char *line) {
+    char words[2200];
+    printf("    status %d: %s\n", status, manylight_error());
+    assert_int_equal(status, wanted);
+    run_line(line);
+    snprintf(words, sizeof words, ": %s\n", manylight_error());
+    expect_text(words);
+}
+
+static void check_broken_file(const char *path) {
+    struct manylight_scene *scene;
+    char line[512];
+    snprintf(line, sizeof line, "%% render %s -o @/x.exr", path);
+    check_words(manylight_scene_open(SCENE(.path = path), &scene), MANYLIGHT_BAD_SCENE, line);
+    assert_null(scene);
+}
+
+static void test_broken_scenes(void **state) {
+    (void)state;
+    struct manylight_scene *scene;
+    static const char cut[] = "glTF\2\0\0\0";
+    write_text(scratch("text.glb"), "no scene");
+    expect(0, "head -c 3000 " BOX " > @/cut.glb");
+    check_broken_file(scratch("text.glb"));
+    check_broken_file(scratch("cut.glb"));
+    check_words(manylight_scene_open(SCENE(.path = "nowhere.glb"), &scene), MANYLIGHT_BAD_SCENE,
+                "% render nowhere.glb -o @/x.exr");
+    check_words(manylight_scene_open(SCENE(.path = BOX, .light = "sun"), &scene),
+                MANYLIGHT_BAD_SCENE, "% render " BOX " --light sun -o @/x.exr");
+    check_words(manylight_scene_open(SCENE(.path = BOX, .environment = "none.hdr"), &scene),
+                MANYLIGHT_BAD_SCENE, "% render " BOX " --environment none.hdr -o @/x.exr");
+    check_failed(manylight_scene_open(SCENE(.memory = cut, .memory_bytes = 8), &scene),
+                 MANYLIGHT_BAD_SCENE, "memory: truncated: 8 bytes are no GLB file");
+    check_failed(manylight_scene_open(SCENE(.memory = "", .memory_bytes = 0), &scene),
+                 MANYLIGHT_BAD_SCENE, "memory: the file is empty");
+}
+
+/* Each array of a triangle with a fault. */
+static void test_broken_arrays(void **state) {
+    (void)state;
+    struct manylight_scene *scene;
+    const float good[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, bad[] = {0, 0, 0, 1, NAN, 0, 0, 1, 0};
+    const uint32_t indices[] = {0, 1, 7};
+    struct manylight_mesh mesh = {.size = sizeof mesh,
+                                  .positions = good,
+                                  .vertex_count = 3,
+                                  .indices = indices,
+                                  .index_count = 3};
+    const struct manylight_scene_desc desc = {
+        .size = sizeof desc, .meshes = &mesh, .mesh_count = 1};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "arrays: mesh 0");
+    mesh.indices = NULL;
+    mesh.positions = bad;
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "arrays: ");
+    mesh.positions = NULL;
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "mesh 0: positions is NULL");
+    mesh.positions = good;
+    mesh.material = 3;
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "arrays: mesh 0");
+    mesh.material = 0;
+    mesh.size = 0;
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_ARGUMENT,
+                 "manylight_mesh: its size is 0");
+}
+
+static void test_scene_descriptors(void **state) {
+    (void)state;
+    struct manylight_scene *scene;
+    struct {
+        struct manylight_scene_desc desc;
+        int more;
+    } newer = {.desc = {.size = sizeof newer, .path = BOX}, .more = 1};
+    check_failed(manylight_scene_open(&(struct manylight_scene_desc){.path = BOX}, &scene),
+                 MANYLIGHT_BAD_ARGUMENT, "manylight_scene_desc: its size is 0");
+    check_failed(manylight_scene_open(&newer.desc, &scene), MANYLIGHT_BAD_ARGUMENT,
+                 "it is of a newer header");
+    newer.more = 0;
+    check_call("a newer header, not used", manylight_scene_open(&newer.desc, &scene));
+    manylight_scene_free(scene);
+    check_failed(manylight_scene_open(SCENE(.path = NULL), &scene), MANYLIGHT_BAD_ARGUMENT,
+                 "no path, memory");
+    check_failed(manylight_scene_open(SCENE(.path = "-"), &scene), MANYLIGHT_BAD_ARGUMENT,
+                 "it is a pipe");
+    check_failed(manylight_scene_open(SCENE(.path = BOX, .root = "no-folder"), &scene),
+                 MANYLIGHT_BAD_SCENE, "no-folder: ");
+}
+
+static const struct {
+    const char *arguments, *words; /* words NULL: the program's */
+    struct manylight_renderer_desc desc;
+    enum manylight_status status;
+} settings[] = {
+    {"--set velvet=1", NULL, {.settings = "velvet=1"}, MANYLIGHT_BAD_SETTING},
+    {"--set vpls=many", NULL, {.settings = "vpls=many"}, MANYLIGHT_BAD_SETTING},
+    {"--technique magic", NULL, {.technique = "magic"}, MANYLIGHT_BAD_SETTING},
+    {"--direct magic", NULL, {.direct = "magic"}, MANYLIGHT_BAD_SETTING},
+    {"--size 0x5", NULL, {.height = 5}, MANYLIGHT_BAD_ARGUMENT},
+    {"--size 20000x5", NULL, {.width = 20000, .height = 5}, MANYLIGHT_BAD_ARGUMENT},
+    {"--camera 9", NULL, {.camera = "9"}, MANYLIGHT_BAD_ARGUMENT},
+    {"",
+     "no quality is called 'best' (there is: draft normal high final)",
+     {.quality = "best"},
+     MANYLIGHT_BAD_SETTING},
+    {"", "passes and first_pass", {.passes = -1}, MANYLIGHT_BAD_ARGUMENT},
+};
+
+static void test_settings(void **state) {
+    (void)state;
+    struct manylight_device *device = open_device();
+    struct manylight_scene *scene = open_scene(BOX);
+    struct manylight_renderer *renderer;
+    for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
+        struct manylight_renderer_desc desc = settings[i].desc;
+        char line[256];
+        desc.size = sizeof desc;
+        enum manylight_status status = manylight_renderer_create(device, scene, &desc, &renderer);
+        assert_null(renderer);
+        snprintf(line, sizeof line, "%% render " BOX " -o @/x.exr %s", settings[i].arguments);
+        if (settings[i].words)
+            check_failed(status, settings[i].status, settings[i].words);
+        else
+            check_words(status, settings[i].status, line);
+    }
+    manylight_scene_free(scene);
+    manylight_device_free(device);
+}
+
+/* A change that is refused leaves the renderer what it was. */
+static void test_refused_change(void **state) {
+    (void)state;
+    struct manylight_device *device = open_device();
+    struct manylight_scene *scene = open_scene(BOX);
+    struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
+    struct manylight_image *before, *after, *none;
+    struct manylight_renderer_desc desc = {.size = sizeof desc, .settings = "vpls=never"};
+    check_call("render", manylight_render(renderer, NULL));
+    check_call("read", manylight_read(renderer, NULL, &before));
+    check_failed(manylight_renderer_change(renderer, &desc), MANYLIGHT_BAD_SETTING, "vpls");
+    check_call("render", manylight_render(renderer, NULL));
+    check_call("read", manylight_read(renderer, NULL, &after));
+    assert_true(same_images(before, after));
+    check_failed(manylight_read(renderer, "velvet", &none), MANYLIGHT_BAD_ARGUMENT,
+                 "no layer 'velvet' to add");
+    assert_null(none);
+    manylight_image_free(before);
+    manylight_image_free(after);
+    manylight_renderer_free(renderer);
+    manylight_scene_free(scene);
+    manylight_device_free(device);
+}
+
+static void test_views(void **state) {
+    (void)state;
+    struct manylight_device *device = open_device();
+    struct manylight_scene *scene = open_scene(BOX);
+    struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
+    struct manylight_view view = {.size = sizeof view, .camera = "9"};
+    struct manylight_camera camera = {.size = sizeof camera, .eye = {NAN}};
+    check_words(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
+                "% render " BOX " -o @/x.exr --camera 9");
+    view = (struct manylight_view){.size = sizeof view, .light = "sun"};
+    check_words(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
+                "% render " BOX " -o @/x.exr --light sun");
+    view = (struct manylight_view){.size = sizeof view, .time = -1};
+    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT, "time: -1");
+    view = (struct manylight_view){.size = sizeof view, .placed = &camera};
+    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
+                 "camera: a number is not finite");
+    camera = (struct manylight_camera){.size = sizeof camera, .forward = {0, 1, 0}};
+    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
+                 "camera: up is along forward");
+    check_call("render", manylight_render(renderer, NULL));
+    manylight_renderer_free(renderer);
+    manylight_scene_free(scene);
+    manylight_device_free(device);
+}
+
+/* Machines of tests have OpenGL on the CPU alone, or besides. */
+static void test_devices(void **state) {
+    (void)state;
+    struct manylight_device *device;
+    struct manylight_device_info info = {.size = sizeof info};
+    struct manylight_device_desc desc = {.size = sizeof desc, .device = "99", .allow_software = 1};
+    check_words(manylight_device_create(&desc, &device), MANYLIGHT_NO_DEVICE,
+                "% render " BOX " -o @/x.exr --device 99");
+    assert_null(device);
+    desc.device = "a good one";
+    check_words(manylight_device_create(&desc, &device), MANYLIGHT_NO_DEVICE,
+                "% render " BOX " -o @/x.exr --device 'a good one'");
+    desc = (struct manylight_device_desc){.size = sizeof desc};
+    enum manylight_status status = manylight_device_create(&desc, &device);
+    if (status == MANYLIGHT_OK) {
+        check_call("info", manylight_device_info(device, &info));
+        assert_false(info.software);
+        manylight_device_free(device);
+    } else
+        check_words(status, MANYLIGHT_NO_DEVICE, "% render " BOX " -o @/x.exr --device hardware");
+    struct manylight_host host = {.size = sizeof host};
+    desc.host = &host;
+    check_failed(manylight_device_create(&desc, &device), MANYLIGHT_BAD_ARGUMENT,
+                 "get_proc is NULL");
+}
+
+/* The program's --device takes software that is named; the library asks for allow_software. */
+static void test_software_not_allowed(void **state) {
+    (void)state;
+    char text[4096], number[8] = "";
+    struct manylight_device *device;
+    struct manylight_device_desc desc = {.size = sizeof desc, .device = number};
+    manylight_list_devices(text, sizeof text);
+    const char *software = strstr(text, " (software)");
+    if (!software) {
+        printf("    skipped: no software device\n");
+        skip();
+    }
+    snprintf(number, sizeof number, "%d", software[-1] - '0');
+    check_failed(manylight_device_create(&desc, &device), MANYLIGHT_NO_DEVICE,
+                 "(software): it is software, which allow_software takes");
+}
+
+static void test_too_much_memory(void **state) {
+    (void)state;
+    struct manylight_device *device = open_device();
+    struct manylight_scene *scene = open_scene(BOX);
+    struct manylight_renderer *renderer;
+    struct manylight_image *image;
+    const float pixel = 0;
+    const struct manylight_renderer_desc desc = {.size = sizeof desc,
+                                                 .settings = "volume.size=512",
+                                                 .technique = "imperfect-volume",
+                                                 .width = 8,
+                                                 .height = 8};
+    check_words(manylight_renderer_create(device, scene, &desc, &renderer), MANYLIGHT_NO_MEMORY,
+                "% render " BOX
+                " -o @/x.exr --size 8x8 --technique imperfect-volume --set volume.size=512");
+    assert_null(renderer);
+    check_failed(
+        manylight_image_create(1 << 20, 1 << 20, "R G B", &pixel, &image), MANYLIGHT_NO_MEMORY,
+        "a picture of 1048576x1048576 with 3 channels: 12288.00 GiB of memory are wanted, and ");
+    manylight_scene_free(scene);
+    manylight_device_free(device);
+}
+
+static void test_reference(void **state) {
+    (void)state;
+    struct manylight_scene *scene = open_scene(BOX);
+    struct manylight_image *image;
+    struct manylight_reference_desc desc = {.size = sizeof desc, .samples = 4, .noise = .1F};
+    check_words(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
+                "% reference " BOX " -o @/x.exr --spp 4 --noise .1");
+    desc = (struct manylight_reference_desc){.size = sizeof desc, .settings = "vpls=4"};
+    check_words(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_SETTING,
+                "% reference " BOX " -o @/x.exr --set vpls=4");
+    desc =
+        (struct manylight_reference_desc){.size = sizeof desc, .smooth = 1, .materials = "diffuse"};
+    check_words(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
+                "% reference " BOX " -o @/x.exr --smooth --materials diffuse");
+    assert_null(image);
+    manylight_scene_free(scene);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_broken_scenes),     cmocka_unit_test(test_broken_arrays),
+        cmocka_unit_test(test_scene_descriptors), cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_refused_change),    cmocka_unit_test(test_views),
+        cmocka_unit_test(test_devices),           cmocka_unit_test(test_software_not_allowed),
+        cmocka_unit_test(test_too_much_memory),   cmocka_unit_test(test_reference),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}

@@ -1,0 +1,162 @@
+"""check_life.py: arrays, handles, threads, progress and Ctrl-C."""
+import os
+import signal
+import threading
+import time
+
+import manylight
+
+BOX = "scenes/cornell-box.glb"
+SIZE = (48, 48)
+
+
+def check_libraries():
+    """Python itself loads no OpenGL: it comes with the first device."""
+    with open("/proc/self/maps", encoding="utf-8") as maps:
+        loaded = maps.read()
+    assert "libmanylight" in loaded
+    assert not any(name in loaded for name in ("libGL.so", "libEGL.so", "libOSMesa")), loaded
+
+
+def check_arrays_outlive():
+    """Arrays keep their numbers after device, scene and renderer are gone."""
+    with manylight.Device(allow_software=True) as device:
+        scene = manylight.Scene(BOX)
+        with device.renderer(scene, SIZE) as renderer:
+            layers = renderer.render()
+            again = renderer.render()
+        copies = {layer: array.copy() for layer, array in layers.items()}
+    del scene, renderer, device
+    for layer, array in layers.items():
+        assert array.flags.owndata and array.tobytes() == copies[layer].tobytes() == again[layer].tobytes()
+        array += 1
+
+
+def counted_during(work):
+    """How far another thread counts while work runs, and its seconds."""
+    counting, count = True, 0
+
+    def body():
+        nonlocal count
+        while counting:
+            count += 1
+            time.sleep(0)
+
+    thread = threading.Thread(target=body)
+    start = time.monotonic()
+    thread.start()
+    work()
+    counting = False
+    thread.join()
+    return count, time.monotonic() - start
+
+
+def check_gil(device):
+    """A thread counts during a reference and during a render, on whichever thread they are called."""
+    for name, work in (("reference", lambda: manylight.reference(BOX, SIZE, samples=64)),
+                       ("render", lambda: device.render(BOX, (100, 100), passes=3))):
+        count, seconds = counted_during(work)
+        print(f"    counted to {count} during a {name} of {seconds:.2f} s")
+        assert count > 1000
+
+
+def check_threads(device):
+    """Four threads with two devices make the pictures of one."""
+    expected = device.render(BOX, SIZE)["beauty"].tobytes()
+    found = []
+    with manylight.Device(allow_software=True) as other:
+        def body(own):
+            scene = manylight.Scene(BOX)
+            found.append(own.render(scene, SIZE)["beauty"].tobytes())
+
+        threads = [threading.Thread(target=body, args=(own,)) for own in (device, other) * 2]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+    assert found == [expected] * 4
+
+
+def check_progress(device):
+    """Progress goes from above 0 to 1; an exception of it comes out of the call, after which the renderer works."""
+    reports = []
+    with device.renderer(BOX, SIZE, passes=4) as renderer:
+        first = renderer.render(progress=lambda done, note: reports.append((done, note)))
+        print(f"    {reports}")
+        assert len(reports) == 4 and [done for done, _ in reports] == [.25, .5, .75, 1]
+
+        def stop(done, note):
+            raise KeyError("enough")
+
+        try:
+            renderer.render(progress=stop)
+            raise AssertionError("not stopped")
+        except KeyError as error:
+            assert error.args == ("enough",)
+        try:
+            renderer.render(progress=lambda done, note: renderer.render())
+            raise AssertionError("not refused")
+        except manylight.ArgumentError as error:
+            print(f"    {error}")
+        assert renderer.render()["beauty"].tobytes() == first["beauty"].tobytes()
+
+
+def check_interrupt():
+    """Ctrl-C ends a long reference soon."""
+    timer = threading.Timer(.5, lambda: os.kill(os.getpid(), signal.SIGINT))
+    timer.start()
+    start = time.monotonic()
+    try:
+        manylight.reference(BOX, (400, 400), samples=100000)
+        raise AssertionError("not interrupted")
+    except KeyboardInterrupt:
+        print(f"    interrupted after {time.monotonic() - start:.2f} s")
+
+
+def resident():
+    """Bytes of memory that the process has."""
+    with open("/proc/self/statm", encoding="utf-8") as statm:
+        return int(statm.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+
+def check_growth(device):
+    """Pictures, scenes and failures leave nothing."""
+    def work():
+        device.render(BOX, SIZE)
+        try:
+            manylight.Scene("missing.glb")
+        except manylight.SceneError:
+            pass
+
+    for _ in range(3):
+        work()
+    before = resident()
+    for _ in range(8):
+        work()
+    grown = (resident() - before) / 8
+    print(f"    {grown / 1e3:.1f} kB grown per round")
+    assert grown < 200e3
+
+
+def has_sanitizer():
+    """AddressSanitizer keeps freed memory for a while."""
+    with open("/proc/self/maps", encoding="utf-8") as maps:
+        return "libasan" in maps.read()
+
+
+def main():
+    check_libraries()
+    check_arrays_outlive()
+    with manylight.Device(allow_software=True) as device:
+        check_gil(device)
+        check_threads(device)
+        check_progress(device)
+        if not has_sanitizer():
+            check_growth(device)
+    check_interrupt()
+    # A device that nobody closes does not disturb the end.
+    globals()["left"] = manylight.Device(allow_software=True)
+    print("    done")
+
+
+main()

@@ -1,0 +1,276 @@
+/* Slides: pictures in spots. Exact answers of a chart on a floor, the path tracer, relations, and what is refused. */
+#include "smooth_stage.h"
+
+#include "tiny_png.h"
+
+#include "base/error.h"
+#include "quality/picture.h"
+#include "scene/lights/slide.h"
+#include "scene/open.h"
+
+#include <cglm/cglm.h>
+
+/* --- scenes ----------------------------------------------------------------------------------- */
+
+enum { CHART = 64 }; /* pixels a side */
+
+static const unsigned char corners[2][2][3] = {{{255, 0, 0}, {0, 255, 0}},
+                                               {{0, 0, 255}, {255, 255, 0}}};
+
+/* A square of a colour in each corner; or white. */
+static void set_slide(struct stage *stage, bool is_white) {
+    unsigned char rgba[CHART * CHART * 4];
+    struct bitmap bitmap = {.width = CHART, .height = CHART, .rgba = rgba};
+    struct scene *scene = &stage->scene;
+    for (int i = 0; i < CHART * CHART; i++)
+        for (int c = 0; c < 4; c++)
+            rgba[4 * i + c] = is_white || c == 3
+                                  ? 255
+                                  : corners[i / CHART / (CHART / 2)][i % CHART / (CHART / 2)][c];
+    for (int i = 0; i < scene->slide_count; i++)
+        slide_free(&scene->slides[i]);
+    free(scene->slides);
+    scene->slides = mem_alloc(1, sizeof *scene->slides);
+    scene->slide_count = 1;
+    slide_init(scene->slides, 0, &bitmap);
+    stage->emitters.items[0].slide = scene->slides;
+}
+
+/* A floor that the whole cone falls onto, from above, turned. */
+static void open_floor(struct stage *stage) {
+    open_nodes(stage, "[" FLOOR_NODE "]", 2.5F);
+    struct emitter *light = &stage->emitters.items[0];
+    light->cos_outer = cosf(.7F);
+    light->cos_inner = cosf(.65F);
+    emitter_aim(light, (float[]){.3F, .1F, -1});
+    stage->camera.fov_y = glm_rad(75);
+}
+
+static double value_at(const struct image *image, int x, int y, const char *channel) {
+    int c = image_find_channel(image, channel);
+    assert_true(c >= 0);
+    return (double)image_at(image, x, y)[c];
+}
+
+/* --- exact answers ---------------------------------------------------------------------------- */
+
+/* Where the pixel's place lies on the slide, from -1 to 1, to the right and up as the light looks. */
+static void place_on_slide(const struct stage *stage, int x, int y, double place[2]) {
+    const struct emitter *light = &stage->emitters.items[0];
+    double half = 2.5 * tan(glm_rad(75) / 2);
+    vec3 at = {(float)(((x + .5) / SIZE * 2 - 1) * half), (float)((1 - (y + .5) / SIZE * 2) * half),
+               0};
+    vec3 way;
+    glm_vec3_sub(at, (float *)light->position, way);
+    double ahead = (double)glm_vec3_dot(way, (float *)light->direction) * tan(.7);
+    place[0] = (double)glm_vec3_dot(way, (float *)light->right) / ahead;
+    place[1] = (double)glm_vec3_dot(way, (float *)light->up) / ahead;
+}
+
+/* Each pixel of the floor has the light without a slide, times the colour that the slide has there. */
+static void test_chart(void **state) {
+    (void)state;
+    static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
+    struct stage stage;
+    int checked = 0, lit[4] = {0};
+    double worst = 0;
+    open_floor(&stage);
+    struct image plain = draw(&stage, CHEAP);
+    set_slide(&stage, false);
+    struct image drawn = draw(&stage, CHEAP);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        double place[2];
+        int x = i % SIZE, y = i / SIZE;
+        place_on_slide(&stage, x, y, place);
+        double full = value_at(&plain, x, y, channels[0]);
+        if (full <= 0 || fabs(place[0]) < .05 || fabs(place[1]) < .05)
+            continue;
+        int row = place[1]<0, column = place[0]> 0;
+        for (int c = 0; c < 3; c++)
+            worst = fmax(worst, fabs(value_at(&drawn, x, y, channels[c]) / full -
+                                     corners[row][column][c] / 255.));
+        lit[2 * row + column]++;
+        checked++;
+    }
+    printf("    %d pixels, of the four colours %d, %d, %d, %d\n", checked, lit[0], lit[1], lit[2],
+           lit[3]);
+    check_at_most("largest error of a pixel, over the light", worst, 1e-3);
+    assert_true(lit[0] > 50 && lit[1] > 50 && lit[2] > 50 && lit[3] > 50);
+    image_free(&plain);
+    image_free(&drawn);
+    stage_free(&stage);
+}
+
+/* A white slide is none, bit for bit, in all that lights do. */
+static void test_white(void **state) {
+    (void)state;
+    static const char settings[] =
+        CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=64 medium.scatter=.3";
+    static const char *const names[] = {"unshadowed", "clustered", "implicit-visibility"};
+    struct stage stage;
+    open_slab(&stage, 1.5F, 1, .75F);
+    stage.camera.fov_y = glm_rad(130);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        stage.emitters.items[0].slide = NULL;
+        struct image without = render_stage(&stage, names[i], settings, SIZE);
+        set_slide(&stage, true);
+        struct image with = render_stage(&stage, names[i], settings, SIZE);
+        printf("    %s: caustic %g, volume %g\n", names[i], mean_of(&with, "caustic"),
+               mean_of(&with, "volume"));
+        assert_true(same_pixels(&with, &without));
+        image_free(&without);
+        image_free(&with);
+    }
+    stage_free(&stage);
+}
+
+/* --- other light ------------------------------------------------------------------------------ */
+
+/* Layers of a chart in fog between walls, by the path tracer. */
+static void test_traced(void **state) {
+    (void)state;
+    struct stage stage;
+    struct image traced;
+    static const char *const channels[] = {"direct.R",   "direct.G",   "direct.B",
+                                           "airlight.R", "airlight.G", "airlight.B",
+                                           "indirect.R", "indirect.G", "indirect.B"};
+    open_stage(&stage, "scenes/cornell-box.glb");
+    for (int c = 0; c < 3; c++)
+        stage.scene.medium.scattering[c] = .05F;
+    set_slide(&stage, false);
+    struct image drawn = render_stage(&stage, "instant-radiosity", "vpls=1024 rsm-size=256", SIZE);
+    const struct path_tracer_desc desc = {.width = SIZE,
+                                          .height = SIZE,
+                                          .samples = 64,
+                                          .bounces = 1,
+                                          .materials = MATERIALS_FULL,
+                                          .centers = true,
+                                          .medium = stage.scene.medium};
+    check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+    for (size_t i = 0; i < sizeof channels / sizeof *channels; i++)
+        check_near(channels[i],
+                   channel_mean(&drawn, channels[i]) / channel_mean(&traced, channels[i]), 1,
+                   i < 3   ? .02
+                   : i < 6 ? .03
+                           : .08);
+    image_free(&drawn);
+    image_free(&traced);
+    stage_free(&stage);
+}
+
+/* Glass that bends nothing: what was direct light of the slide is a caustic of it, on the floor and in the medium. */
+static void test_caustic(void **state) {
+    (void)state;
+    static const char *const channels[] = {"R", "G", "B"};
+    struct stage with, without;
+    open_slab(&with, 1, 1, .75F);
+    open_nodes(&without, "[" FLOOR_NODE "]", .75F);
+    struct stage *const both[] = {&with, &without};
+    for (int i = 0; i < 2; i++) {
+        both[i]->camera.fov_y = glm_rad(130);
+        both[i]->scene.medium = (struct medium){.scattering = {.1F, .1F, .1F}};
+        both[i]->emitters.items[0].cos_outer = cosf(.5F);
+        both[i]->emitters.items[0].cos_inner = cosf(.45F);
+        set_slide(both[i], false);
+    }
+    for (int c = 0; c < 3; c++) /* as much as the medium takes, which is not in glass */
+        with.scene.materials[SMOOTH].absorption[c] = .1F;
+    struct image a = draw(&with, CHEAP "caustics.surface=patches caustics.medium=lines"
+                                       " caustics.size=256 medium.steps=128");
+    struct image b = draw(&without, CHEAP "medium.steps=128");
+    for (int c = 0; c < 3; c++) {
+        char direct[16], caustic[16], airlight[16], volume[16];
+        snprintf(direct, sizeof direct, "direct.%s", channels[c]);
+        snprintf(caustic, sizeof caustic, "caustic.%s", channels[c]);
+        snprintf(airlight, sizeof airlight, "airlight.%s", channels[c]);
+        snprintf(volume, sizeof volume, "volume.%s", channels[c]);
+        printf("    %s\n", channels[c]);
+        check_near("on surfaces, with over without",
+                   (channel_mean(&a, direct) + channel_mean(&a, caustic)) /
+                       channel_mean(&b, direct),
+                   1, .02);
+        check_near("in the medium, with over without",
+                   (channel_mean(&a, airlight) + channel_mean(&a, volume)) /
+                       channel_mean(&b, airlight),
+                   1, .03);
+    }
+    image_free(&a);
+    image_free(&b);
+    stage_free(&with);
+    stage_free(&without);
+}
+
+/* --- files ------------------------------------------------------------------------------------ */
+
+/* A light with these extras, and textures of a picture of two pixels, red and green, and of none. */
+static bool open_file(struct scene *scene, struct geometry *geometry, const char *light,
+                      const char *extras, const char *picture) {
+    static const unsigned char two[8] = {255, 0, 0, 255, 0, 255, 0, 255};
+    char more[1024];
+    write_tiny_png(scratch("slide.png"), two, 2, 1);
+    write_bytes(scratch("broken.png"), two, sizeof two);
+    snprintf(more, sizeof more,
+             "\"extensionsUsed\": [\"KHR_lights_punctual\"], \"images\": [{\"uri\": \"%s\"}],"
+             " \"textures\": [{\"source\": 0}, {}], \"extensions\": {\"KHR_lights_punctual\":"
+             " {\"lights\": [{%s, \"extras\": %s}]}},",
+             picture, light, extras);
+    const char *path = write_parts(
+        "slide.glb", &(struct gltf_parts){.more = more,
+                                          .nodes = "[{\"mesh\": 0}, {\"extensions\":"
+                                                   " {\"KHR_lights_punctual\": {\"light\": 0}}}]"});
+    return scene_open(scene, geometry, path, NULL);
+}
+
+#define SPOT "\"type\": \"spot\", \"spot\": {\"outerConeAngle\": 0.5}"
+
+static void test_file(void **state) {
+    (void)state;
+    struct scene scene;
+    struct geometry geometry;
+    check_ok("opened",
+             open_file(&scene, &geometry, SPOT, "{\"texture\": {\"index\": 0}}", "slide.png"));
+    struct emitters emitters = emitters_place(&scene, 0);
+    assert_non_null(emitters.items[0].slide);
+    for (int side = 0; side < 2; side++) { /* a light looks along -z, its right is x */
+        float rgb[3], direction[3] = {side ? .4F : -.4F, 0, -.9F};
+        emitter_slide(&emitters.items[0], direction, rgb);
+        check_near("red", (double)rgb[0], !side, 1e-6);
+        check_near("green", (double)rgb[1], side, 1e-6);
+    }
+    emitters_free(&emitters);
+    geometry_free(&geometry);
+    scene_free(&scene);
+}
+
+static void test_refused(void **state) {
+    (void)state;
+    static const struct {
+        const char *light, *extras, *message, *picture;
+    } rows[] = {
+        {SPOT, "{\"texture\": {\"index\": 0}}", "image 0", "missing.png"},
+        {SPOT, "{\"texture\": {\"index\": 0}}", "image 0", "broken.png"},
+        {SPOT, "{\"texture\": {\"index\": 7}}", "a texture of the file", "slide.png"},
+        {SPOT, "{\"texture\": {\"index\": 1}}", "with a picture", "slide.png"},
+        {SPOT, "{\"texture\": {\"index\": -1}}", "a texture of the file", "slide.png"},
+        {SPOT, "{\"texture\": \"slide.png\"}", "a texture of the file", "slide.png"},
+        {"\"type\": \"point\"", "{\"texture\": {\"index\": 0}}", "only a spot", "slide.png"},
+        {"\"type\": \"spot\", \"spot\": {\"outerConeAngle\": 1.5}", "{\"texture\": {\"index\": 0}}",
+         "half angle", "slide.png"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct scene scene;
+        struct geometry geometry;
+        bool opened = open_file(&scene, &geometry, rows[i].light, rows[i].extras, rows[i].picture);
+        check_refused(opened, rows[i].message);
+        check_refused(opened, "extras: texture: ");
+    }
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_chart),  cmocka_unit_test(test_white),
+        cmocka_unit_test(test_traced), cmocka_unit_test(test_caustic),
+        cmocka_unit_test(test_file),   cmocka_unit_test(test_refused),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
