@@ -45,7 +45,7 @@ struct bins_window {
 bool bins_window_of(const struct bins *bins, int face, const float center[3],
                     const float extents[3], struct bins_window *window);
 
-/* Between two places of a face: coordinates at distance 1. False: none. */
+/* The bins of a face whose middles lie between two places: coordinates at distance 1. False: none. */
 bool bins_window_between(const struct bins *bins, const float low[2], const float high[2],
                          struct bins_window *window);
 

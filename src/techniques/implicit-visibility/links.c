@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "techniques/implicit-visibility/pairs.h"
+#include "techniques/implicit-visibility/triangle.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -102,84 +103,6 @@ static void offer_disk(struct walk *walk, uint32_t j, vec3s path, bool small) {
         offer_windows(walk, &disk);
 }
 
-/* --- facets ----------------------------------------------------------------------------------- */
-
-/* From the receiver, in its bins. */
-struct triangle {
-    uint32_t node;
-    vec3s corners[3];
-    vec3s across[3]; /* of the planes through the receiver and an edge */
-    vec3s normal;
-    float along; /* corner . normal */
-    bool front;
-};
-
-static void offer_bin_of_triangle(struct walk *walk, const struct triangle *triangle, int b) {
-    vec3s ray = walk->links->bins.directions[b];
-    float sign = triangle->along < 0 ? -1 : 1;
-    for (int e = 0; e < 3; e++)
-        if (!(sign * glms_vec3_dot(ray, triangle->across[e]) >= 0))
-            return;
-    float distance = triangle->along / glms_vec3_dot(ray, triangle->normal);
-    if (distance > 0 && distance < walk->distances[b])
-        offer(walk, b, triangle->node, triangle->front, distance);
-}
-
-/* Bins of a face that a triangle may cover, of what of it lies before the face's plane of depth 0. */
-static bool window_of_triangle(const struct bins *bins, int face, const vec3s corners[3],
-                               struct bins_window *window) {
-    const int axis = face / 2;
-    const float sign = face % 2 ? -1 : 1;
-    float low[2] = {INFINITY, INFINITY}, high[2] = {-INFINITY, -INFINITY}, largest = 0;
-    for (int v = 0; v < 3; v++)
-        largest = fmaxf(largest, sign * corners[v].raw[axis]);
-    const float nearest = 1e-4F * largest;
-    if (!(largest > 0))
-        return false;
-    for (int v = 0; v < 3; v++) {
-        vec3s from = corners[v], to = corners[(v + 1) % 3];
-        float depths[2] = {sign * from.raw[axis], sign * to.raw[axis]};
-        float cut = (nearest - depths[0]) / (depths[1] - depths[0]);
-        bool crosses = (depths[0] < nearest) != (depths[1] < nearest);
-        for (int end = 0; end < 1 + crosses; end++) {
-            vec3s at = end ? glms_vec3_lerp(from, to, cut) : from;
-            float depth = end ? nearest : depths[0];
-            if (depth < nearest)
-                continue;
-            for (int c = 0; c < 2; c++) {
-                float place = at.raw[(axis + 1 + c) % 3] / depth;
-                low[c] = fminf(low[c], place);
-                high[c] = fmaxf(high[c], place);
-            }
-        }
-    }
-    return bins_window_between(bins, low, high, window);
-}
-
-static void offer_facet(struct walk *walk, uint32_t j) {
-    const struct facet *facet = &walk->elements->facets[j];
-    if (memcmp(facet->corners, walk->element->corners, sizeof facet->corners) == 0)
-        return;
-    struct triangle triangle = {.node = j};
-    for (int v = 0; v < 3; v++)
-        triangle.corners[v] =
-            glms_mat3_mulv(walk->turn, glms_vec3_sub(facet->places[v], walk->origin));
-    const vec3s *corners = triangle.corners;
-    for (int e = 0; e < 3; e++)
-        triangle.across[e] = glms_vec3_cross(corners[e], corners[(e + 1) % 3]);
-    triangle.normal = glms_vec3_cross(glms_vec3_sub(corners[1], corners[0]),
-                                      glms_vec3_sub(corners[2], corners[0]));
-    triangle.along = glms_vec3_dot(corners[0], triangle.normal);
-    triangle.front = (triangle.along < 0) == (facet->side > 0);
-    struct bins_window window;
-    const int side = walk->links->bins.side;
-    for (int face = 0; face < 6; face++)
-        if (window_of_triangle(&walk->links->bins, face, corners, &window))
-            for (int row = window.first[1]; row < window.end[1]; row++)
-                for (int column = window.first[0]; column < window.end[0]; column++)
-                    offer_bin_of_triangle(walk, &triangle, (face * side + row) * side + column);
-}
-
 /* turned: the path, in the leaf's bins. */
 static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s turned,
                        float distance) {
@@ -189,9 +112,7 @@ static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s
     bool above = glm_vec3_dot((float *)walk->element->normal.raw, (float *)path) > 0;
     float solid_angle = node->area * fabsf(facing) / (distance * distance);
     bool small = solid_angle < disk_share * bins_solid_angle(bins, turned.raw, distance);
-    if (walk->tree->of_facets && j < (uint32_t)walk->tree->leaf_count) {
-        offer_facet(walk, j);
-    } else if (walk->links->desc.cover == LINKS_COVER_CENTER) {
+    if (walk->links->desc.cover == LINKS_COVER_CENTER) {
         if (above)
             offer(walk, bins_find(bins, turned.raw), j, facing > 0, distance);
     } else if (
@@ -212,7 +133,7 @@ static void walk_tree(struct walk *walk) {
         for (int c = 0; c < 3; c++)
             path[c] = node->position[c] - walk->origin.raw[c];
         float height = glm_vec3_dot(path, (float *)walk->element->normal.raw);
-        if ((j == walk->own && !tree->of_facets) || height < -node->radius)
+        if (j == walk->own || height < -node->radius)
             continue;
         float distance2 = glm_vec3_norm2(path), distance = sqrtf(distance2);
         vec3s turned = glms_mat3_mulv(walk->turn, (vec3s){{path[0], path[1], path[2]}});
@@ -225,6 +146,101 @@ static void walk_tree(struct walk *walk) {
         }
         if (distance2 > near2)
             offer_node(walk, j, path, turned, distance);
+    }
+}
+
+/* --- facets ----------------------------------------------------------------------------------- */
+
+/* A node of facets to visit. The partner stands for all facets below: the first node on the way down that is no wider
+ * than a bin. */
+struct visit {
+    uint32_t node, partner; /* PARTNER_NONE: the node is wider */
+};
+
+static void offer_to_window(struct walk *walk, const struct triangle *triangle, int face,
+                            uint32_t partner, bool front) {
+    const int side = walk->links->bins.side;
+    struct bins_window window;
+    if (!triangle_window(triangle, &walk->links->bins, face, &window))
+        return;
+    for (int row = window.first[1]; row < window.end[1]; row++)
+        for (int column = window.first[0]; column < window.end[0]; column++) {
+            int b = (face * side + row) * side + column;
+            float distance = triangle_distance(triangle, walk->links->bins.directions[b]);
+            if (distance < walk->distances[b])
+                offer(walk, b, partner, front, distance);
+        }
+}
+
+/* The partner, in all bins whose middle rays meet the facet. Facets of the receiver's own triangle hide nothing. */
+static void offer_facet(struct walk *walk, const struct visit *visit) {
+    const struct facet *facet = &walk->elements->facets[visit->node];
+    vec3s corners[3];
+    if (memcmp(facet->corners, walk->element->corners, sizeof facet->corners) == 0)
+        return;
+    for (int v = 0; v < 3; v++)
+        corners[v] = glms_mat3_mulv(walk->turn, glms_vec3_sub(facet->places[v], walk->origin));
+    struct triangle triangle = triangle_of(corners);
+    bool front = (triangle.along < 0) == (facet->side > 0);
+    int major = bins_face(corners[0].raw);
+    if (bins_face(corners[1].raw) == major && bins_face(corners[2].raw) == major) {
+        offer_to_window(walk, &triangle, major, visit->partner, front);
+        return;
+    }
+    for (int face = 0; face < 6; face++)
+        offer_to_window(walk, &triangle, face, visit->partner, front);
+}
+
+/* Whether a middle ray that nothing nearer ends may meet the node's ball. */
+static bool meets_a_middle(const struct walk *walk, const struct tree_node *node, vec3s path,
+                           float distance) {
+    const struct bins *bins = &walk->links->bins;
+    const int face = bins_face(path.raw), axis = face / 2;
+    const float depth = fabsf(path.raw[axis]), radius = node->radius;
+    struct bins_window window;
+    float low[2], high[2];
+    if (depth <= 2 * radius)
+        return true;
+    for (int c = 0; c < 2; c++) {
+        float at = path.raw[(axis + 1 + c) % 3];
+        low[c] = (at - radius) / (at < radius ? depth - radius : depth + radius);
+        high[c] = (at + radius) / (at > -radius ? depth - radius : depth + radius);
+        if (low[c] < -1 || high[c] > 1) /* other faces, too */
+            return true;
+    }
+    if (!bins_window_between(bins, low, high, &window))
+        return false;
+    for (int row = window.first[1]; row < window.end[1]; row++)
+        for (int column = window.first[0]; column < window.end[0]; column++)
+            if (distance - radius <
+                walk->distances[(face * bins->side + row) * bins->side + column])
+                return true;
+    return false;
+}
+
+/* Middle rays meet the facets themselves: disks in place of nodes would leave gaps. */
+static void walk_facets(struct walk *walk) {
+    const struct tree *tree = walk->tree;
+    struct visit stack[STACK_MAX] = {{(uint32_t)tree->count - 1, PARTNER_NONE}};
+    for (int size = 1; size > 0;) {
+        struct visit visit = stack[--size];
+        const struct tree_node *node = &tree->nodes[visit.node];
+        vec3s path = glms_vec3_sub(
+            (vec3s){{node->position[0], node->position[1], node->position[2]}}, walk->origin);
+        if (glms_vec3_dot(path, walk->element->normal) < -node->radius)
+            continue;
+        float distance = glms_vec3_norm(path);
+        vec3s turned = glms_mat3_mulv(walk->turn, path);
+        bool leaf = visit.node < (uint32_t)tree->leaf_count;
+        if (visit.partner == PARTNER_NONE &&
+            (leaf || !partner_opens(&walk->links->bins, node, path.raw, turned.raw, distance)))
+            visit.partner = visit.node;
+        if (visit.partner != PARTNER_NONE && !meets_a_middle(walk, node, turned, distance))
+            continue;
+        if (leaf)
+            offer_facet(walk, &visit);
+        for (int k = 0; !leaf && k < TREE_CHILDREN && node->children[k] != TREE_NONE; k++)
+            stack[size++] = (struct visit){node->children[k], visit.partner};
     }
 }
 
@@ -341,7 +357,7 @@ static void find_partners(struct walk *walk, const struct pairs *pairs) {
         walk->distances[b] = INFINITY;
         walk->nodes[b] = PARTNER_NONE;
     }
-    walk_tree(walk);
+    (walk->tree->of_facets ? walk_facets : walk_tree)(walk);
 }
 
 static void start_walk(struct walk *walk, const struct links *links,
@@ -356,7 +372,6 @@ static void start_walk(struct walk *walk, const struct links *links,
     walk->near = PARTNER_LEAST_DISTANCE * sqrtf(element->area / GLM_PIf);
     if (tree->of_facets) {
         walk->origin = glms_vec3_muladds(element->normal, elements->clearance, element->position);
-        walk->near = 0;
     }
     walk->turn = links->desc.turned ? turn_of((uint32_t)leaf) : glms_mat3_identity();
 }
@@ -406,7 +421,8 @@ vec3s links_partners(const struct links *links, const struct elements *elements,
 bool links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
     const size_t count = (size_t)leaf_count;
     *links = (struct links){.desc = *desc, .leaf_count = leaf_count};
-    links->desc.turned &= !desc->pairs; /* nodes share the world's bins */
+    links->desc.turned &= !desc->pairs;                     /* nodes share the world's bins */
+    links->desc.leaky |= desc->cover == LINKS_COVER_FACETS; /* triangles leave no gaps */
     bins_init(&links->bins, desc->side);
     /* Half of all bins, and those that the horizon cuts. */
     links->stride = links->bins.count / 2 + 6 * desc->side + 8;
