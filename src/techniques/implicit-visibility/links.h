@@ -5,7 +5,8 @@
  * links_desc.pairs.
  *
  * LINKS_COVER_FACETS lets triangles hide and send in place of the elements' disks: disks of ledges, folds and columns stick
- * out of their surface and hide more than these.
+ * out of their surface and hide more than these. A bin's middle ray meets the triangles themselves. Its link leads to the
+ * first node above the triangle that is no wider than the bin.
  *
  * The thesis has a partner fill the bin of its middle alone. Near partners then leave bins empty beside it, through which
  * light leaks. LINKS_COVER_DISK fills all bins whose middle ray meets the partner's disk. The weight of a link is the cosine
