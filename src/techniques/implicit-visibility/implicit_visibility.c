@@ -42,7 +42,7 @@ static const struct option table[] = {
      .help =
          "bins that an element fills: disk, all that it covers; center, the one of its middle,\n"
          "as published, with leaks; facets, those of its triangles, which also take direct light:\n"
-         "for large scenes of fine parts; links take six times as long",
+         "for models of fine parts; links take six times as long",
      .needs = "radiosity.links=leaves"},
     {"weight", 0, OPTION_CHOICE, ROW(weight), LINKS_WEIGHT_BIN, .choices = weight_names,
      .help = "light of an element: bin, as if it filled its bin; element, by its own solid angle,\n"
