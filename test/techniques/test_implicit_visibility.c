@@ -4,7 +4,6 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "techniques/implicit-visibility/light.h"
-#include "techniques/implicit-visibility/triangle.h"
 
 struct radiosity {
     struct stage stage;
@@ -19,12 +18,11 @@ static void open_radiosity(struct radiosity *radiosity, struct shape *shape, dou
                            int most, const struct links_desc *desc, bool two_sided) {
     open_shape(&radiosity->stage, shape, albedo, two_sided, at(0, 0, 0));
     const struct geometry *geometry = &radiosity->stage.geometry;
-    elements_init(&radiosity->elements,
-                  &(struct elements_desc){&radiosity->stage.scene, geometry, MATERIALS_DIFFUSE,
-                                          false, most, desc->cover == LINKS_COVER_FACETS});
+    elements_init(&radiosity->elements, &(struct elements_desc){&radiosity->stage.scene, geometry,
+                                                                MATERIALS_DIFFUSE, false, most});
     tree_init(&radiosity->tree, &radiosity->elements, .3F * geometry->radius);
     links_init(&radiosity->links, desc, radiosity->elements.count);
-    element_light_init(&radiosity->light, &radiosity->elements, &radiosity->tree);
+    element_light_init(&radiosity->light, &radiosity->tree);
 }
 
 static void close_radiosity(struct radiosity *radiosity) {
@@ -36,12 +34,9 @@ static void close_radiosity(struct radiosity *radiosity) {
 }
 
 static void set_radiance(struct radiosity *radiosity, float (*of)(const struct element *element)) {
-    const struct elements *elements = &radiosity->elements;
-    for (int i = 0; i < radiosity->tree.leaf_count; i++)
-        for (int c = 0; c < 3; c++) {
-            uint32_t at = radiosity->tree.of_facets ? elements->facets[i].elements[0] : (uint32_t)i;
-            radiosity->light.radiance[i][c] = of(&elements->items[at]);
-        }
+    for (int i = 0; i < radiosity->elements.count; i++)
+        for (int c = 0; c < 3; c++)
+            radiosity->light.radiance[i][c] = of(&radiosity->elements.items[i]);
     tree_pull_up_values(&radiosity->tree, radiosity->light.radiance);
 }
 
@@ -119,7 +114,7 @@ struct share {
 /* Where all nodes shine alike each leaf gets the light of its filled bins, exactly. */
 static struct share share_of(struct radiosity *radiosity) {
     struct share share = {.least = 1};
-    links_make(&radiosity->links, &radiosity->elements, &radiosity->tree, NULL);
+    links_make(&radiosity->links, &radiosity->tree, NULL);
     set_radiance(radiosity, one);
     for (int i = 0; i < radiosity->elements.count; i++) {
         double filled = (double)radiosity->links.filled[i] - (double)radiosity->links.buried[i];
@@ -204,23 +199,19 @@ static float left_square(const struct element *element) {
     return element->position.x < 0 ? 1 / GLM_PIf : 0;
 }
 
-/* Two unit squares face each other, 1 apart: form factor .19982. A wall of two triangles between them hides
- * all. Bins that are not turned have rays through the edges, which triangles include. */
-static double squares_factor(int side, int most, enum links_cover cover, bool walled) {
+/* Two unit squares face each other, 1 apart: form factor .19982. */
+static double squares_factor(int side, int most) {
     struct radiosity radiosity;
     struct shape *shape = new_shape();
     double sum = 0, area = 0;
     add_rectangle(shape, at(-.5F, -.5F, -.5F), at(0, 1, 0), at(0, 0, 1));
     add_rectangle(shape, at(.5F, -.5F, -.5F), at(0, 0, 1), at(0, 1, 0));
-    if (walled)
-        add_rectangle(shape, at(.1F, -.6F, -.6F), at(0, 0, 1.2F), at(0, 1.2F, 0));
-    struct links_desc desc = {.side = side, .cover = cover, .turned = cover == LINKS_COVER_FACETS};
-    open_radiosity(&radiosity, shape, .5, most, &desc, false);
-    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, NULL);
+    open_radiosity(&radiosity, shape, .5, most, &(struct links_desc){.side = side}, false);
+    links_make(&radiosity.links, &radiosity.tree, NULL);
     set_radiance(&radiosity, left_square);
     for (int i = 0; i < radiosity.elements.count; i++) {
         const struct element *element = &radiosity.elements.items[i];
-        if (element->position.x < .3F)
+        if (element->position.x < 0)
             continue;
         sum += (double)element->area * gathered(&radiosity, i);
         area += (double)element->area;
@@ -233,79 +224,8 @@ static double squares_factor(int side, int most, enum links_cover cover, bool wa
 
 static void test_squares(void **state) {
     (void)state;
-    check_near("form factor", squares_factor(12, 800, LINKS_COVER_DISK, false), .19982, .012);
-    check_near("form factor", squares_factor(24, 3000, LINKS_COVER_DISK, false), .19982, .005);
-}
-
-/* Rays from the middle and a triangle at z = 2, whose front and back each see it. */
-static void test_triangle(void **state) {
-    (void)state;
-    static const struct {
-        vec3s ray;
-        bool meets;
-    } rays[] = {
-        {{{0, 0, 1}}, true},      {{{.4F, .4F, 1}}, true},   {{{-.45F, -.45F, 1}}, true},
-        {{{.6F, .6F, 1}}, false}, {{{-.6F, 0, 1}}, false},   {{{0, -.6F, 1}}, false},
-        {{{0, 0, -1}}, false},    {{{.4F, .4F, -1}}, false}, {{{1, 0, 0}}, false},
-    };
-    const vec3s corners[] = {at(-1, -1, 2), at(3, -1, 2), at(-1, 3, 2)};
-    for (int turned = 0; turned < 2; turned++) {
-        vec3s order[] = {corners[0], corners[1 + turned], corners[2 - turned]};
-        struct triangle triangle = triangle_of(order);
-        check_near("its front is seen", triangle.along < 0, turned, 0);
-        for (size_t i = 0; i < sizeof rays / sizeof *rays; i++) {
-            float distance = triangle_distance(&triangle, rays[i].ray);
-            printf("  ray (%g, %g, %g): %g\n", (double)rays[i].ray.x, (double)rays[i].ray.y,
-                   (double)rays[i].ray.z, (double)distance);
-            assert_true(rays[i].meets ? distance == 2 : isinf(distance));
-        }
-    }
-}
-
-/* Two triangles share an edge, and each bin of their square has one of them at least. The windows hold all bins. */
-static void test_triangle_windows(void **state) {
-    (void)state;
-    struct bins bins;
-    const vec3s corners[] = {at(-.7F, -.9F, .4F), at(.8F, -.6F, .5F), at(.9F, .7F, .3F),
-                             at(-.6F, .8F, .4F)};
-    int met[2] = {0};
-    bins_init(&bins, 16);
-    for (int half = 0; half < 2; half++) {
-        vec3s order[] = {corners[0], corners[1 + half], corners[2 + half]};
-        struct triangle triangle = triangle_of(order);
-        for (int b = 0; b < bins.count; b++) {
-            struct bins_window window;
-            int face = b / (16 * 16), column = b % 16, row = b / 16 % 16;
-            if (isinf(triangle_distance(&triangle, bins.directions[b])))
-                continue;
-            met[half]++;
-            assert_true(triangle_window(&triangle, &bins, face, &window));
-            assert_true(column >= window.first[0] && column < window.end[0]);
-            assert_true(row >= window.first[1] && row < window.end[1]);
-        }
-        printf("  triangle %d: %d of %d bins\n", half, met[half], bins.count);
-        check_at_most("fewest bins", 50, met[half]);
-    }
-    bins_free(&bins);
-}
-
-/* Triangles that hide by themselves: the same answers, and each triangle is a leaf whose thirds are of elements. */
-static void test_facets(void **state) {
-    (void)state;
-    struct links_desc desc = {.side = 12, .cover = LINKS_COVER_FACETS};
-    struct radiosity radiosity;
-    double area = 0;
-    check_at_most("leak of facets", 1 - check_sphere(&desc, 1500, false), .01);
-    check_at_most("leak of few facets", 1 - check_sphere(&desc, 300, false), .02);
-    check_near("form factor", squares_factor(12, 800, LINKS_COVER_FACETS, false), .19982, .002);
-    check_near("form factor", squares_factor(24, 3000, LINKS_COVER_FACETS, false), .19982, .001);
-    check_near("behind a wall", squares_factor(12, 800, LINKS_COVER_FACETS, true), 0, 0);
-    open_radiosity(&radiosity, sphere(), .5, 700, &desc, true);
-    for (int i = 0; i < radiosity.elements.facet_count; i++)
-        area += (double)radiosity.elements.facets[i].area;
-    check_near("area of facets", area / area_of(&radiosity.elements), 1, 1e-5);
-    check_near("leaves", radiosity.tree.leaf_count, radiosity.elements.facet_count, 0);
-    close_radiosity(&radiosity);
+    check_near("form factor", squares_factor(12, 800), .19982, .012);
+    check_near("form factor", squares_factor(24, 3000), .19982, .005);
 }
 
 /* All bins of a convex body are open. */
@@ -318,7 +238,7 @@ static void test_convex(void **state) {
     for (size_t b = 0; b < sizeof sky / sizeof *sky; b++)
         sky[b][0] = sky[b][1] = sky[b][2] = 1;
     open_radiosity(&radiosity, shape, .5, 800, &(struct links_desc){.side = 8}, false);
-    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, (const float(*)[3])sky);
+    links_make(&radiosity.links, &radiosity.tree, (const float(*)[3])sky);
     double least = INFINITY, most = 0, filled = 0;
     for (int i = 0; i < radiosity.elements.count; i++) {
         least = fmin(least, (double)radiosity.links.sky[i][0]);
@@ -344,7 +264,7 @@ static void test_furnace(void **state) {
     open_radiosity(&radiosity, sphere(), albedo, 1000, &(struct links_desc){.side = 8}, false);
     const struct geometry *geometry = &radiosity.stage.geometry;
     element_light_casters(&casters, &radiosity.stage.scene, geometry);
-    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, NULL);
+    links_make(&radiosity.links, &radiosity.tree, NULL);
     element_light_direct(
         &radiosity.light, &radiosity.elements,
         &(struct direct_lights){&light, 1, false, &casters, geometry_clearance(geometry)},
@@ -407,7 +327,7 @@ static void test_lamps(void **state) {
         element->emission = glms_vec3_fill(half_shines(element));
     }
     element_light_emit(&radiosity.light, &radiosity.elements, &radiosity.tree);
-    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, NULL);
+    links_make(&radiosity.links, &radiosity.tree, NULL);
     links_sort_lamps(&radiosity.links, (const float(*)[4])radiosity.light.emission);
     element_light_direct(&radiosity.light, &radiosity.elements,
                          &(struct direct_lights){.lamps_by_links = true}, &radiosity.links);
@@ -448,7 +368,7 @@ static double *room_light(int threads, bool reversed, int *count, double *mean) 
     struct radiosity radiosity;
     open_radiosity(&radiosity, room(reversed), .5, 900,
                    &(struct links_desc){.side = 8, .threads = threads}, false);
-    links_make(&radiosity.links, &radiosity.elements, &radiosity.tree, NULL);
+    links_make(&radiosity.links, &radiosity.tree, NULL);
     set_radiance(&radiosity, by_height);
     double *light = mem_alloc((size_t)radiosity.elements.count, sizeof *light), area = 0;
     double least = INFINITY, most = 0;
@@ -609,15 +529,13 @@ static void test_near_window(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),       cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_squares),     cmocka_unit_test(test_facets),
-        cmocka_unit_test(test_triangle),    cmocka_unit_test(test_triangle_windows),
-        cmocka_unit_test(test_convex),      cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_picture),     cmocka_unit_test(test_order),
-        cmocka_unit_test(test_start),       cmocka_unit_test(test_sun),
-        cmocka_unit_test(test_turned_sky),  cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_near_window), cmocka_unit_test(test_pairs),
-        cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_areas),   cmocka_unit_test(test_sphere),
+        cmocka_unit_test(test_squares), cmocka_unit_test(test_convex),
+        cmocka_unit_test(test_furnace), cmocka_unit_test(test_picture),
+        cmocka_unit_test(test_order),   cmocka_unit_test(test_start),
+        cmocka_unit_test(test_sun),     cmocka_unit_test(test_turned_sky),
+        cmocka_unit_test(test_memory),  cmocka_unit_test(test_near_window),
+        cmocka_unit_test(test_pairs),   cmocka_unit_test(test_lamps),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -85,9 +85,6 @@ void bins_free(struct bins *bins) {
     *bins = (struct bins){0};
 }
 
-/* Of a place, in bins. */
-static const float rounding = 1e-3F;
-
 /* Seen from the middle of the cube. */
 bool bins_window_of(const struct bins *bins, int face, const float center[3],
                     const float extents[3], struct bins_window *window) {
@@ -110,19 +107,6 @@ bool bins_window_of(const struct bins *bins, int face, const float center[3],
         window->inside &= low > -1 && high < 1;
         window->first[c] = cell_of(bins, low);
         window->end[c] = cell_of(bins, high) + 1;
-    }
-    return true;
-}
-
-bool bins_window_between(const struct bins *bins, const float low[2], const float high[2],
-                         struct bins_window *window) {
-    for (int c = 0; c < 2; c++) {
-        float first = (low[c] + 1) * .5F * (float)bins->side - .5F - rounding;
-        float last = (high[c] + 1) * .5F * (float)bins->side - .5F + rounding;
-        if (!(first <= (float)bins->side - 1) || !(last >= 0) || floorf(last) < ceilf(first))
-            return false;
-        window->first[c] = first > 0 ? (int)ceilf(first) : 0;
-        window->end[c] = last < (float)bins->side ? (int)last + 1 : bins->side;
     }
     return true;
 }

@@ -45,10 +45,6 @@ struct bins_window {
 bool bins_window_of(const struct bins *bins, int face, const float center[3],
                     const float extents[3], struct bins_window *window);
 
-/* The bins of a face whose middles lie between two places: coordinates at distance 1. False: none. */
-bool bins_window_between(const struct bins *bins, const float low[2], const float high[2],
-                         struct bins_window *window);
-
 /* max(cosine to the normal, 0) over a bin, sr: by its quarters. */
 float bin_cosine(const struct bin *bin, vec3s normal);
 

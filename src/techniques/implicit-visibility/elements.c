@@ -3,7 +3,6 @@
 #include "base/memory.h"
 #include "scene/mesh/corners.h"
 
-#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,29 +10,18 @@
 /* Side of a cell over the longest edge: cut triangles keep their vertices apart. */
 static const float cell_fraction = .35F;
 
-/* How far in front of a cluster's middle its element is sought, in cells: of several layers the outermost is seen. */
-static const float outside = .5F;
-
 /* Attempts to find the grid with so many cells; each makes it coarser. */
 enum { ATTEMPTS = 40 };
 
 /* Parts of a triangle that wait to be cut. */
 enum { STACK_MAX = 96 };
 
-/* Of a cut triangle: weights of the triangle's corners at the piece's. */
-struct piece {
-    float at[3][3];
-};
-
 /* What a corner of a cut triangle adds: a third of its area. Weights of the geometry's corners. */
 struct third {
     const uint32_t *corners;
-    const struct piece *piece;
-    int number;     /* of the piece's corner */
     float at[3];    /* the vertex */
     float inner[3]; /* the middle of the third */
     float side, area;
-    bool last; /* of the corner's sides */
     vec3s albedo, emission;
 };
 
@@ -42,7 +30,6 @@ struct cluster {
     double area, place[3], albedo[3], emission[3];
     float distance2; /* of the element from the mean place */
     struct element element;
-    uint32_t number; /* of the element */
 };
 
 struct maker {
@@ -52,8 +39,6 @@ struct maker {
     uint32_t slot_count;
     struct cluster *clusters;
     uint32_t count, room;
-    struct facet *facets;
-    int facet_count, facet_room;
     bool colored; /* thirds have an albedo */
     struct surface_colors colors;
 };
@@ -143,12 +128,8 @@ static void consider(const struct maker *maker, struct cluster *cluster, const s
                      const float *weights) {
     vec3s place = place_of(maker, third->corners, weights);
     float distance2 = 0;
-    struct corners corners = corners_of(third->corners, weights);
-    vec3s outward = glms_vec3_scale(
-        glms_vec3_normalize(corners_vector(&corners, maker->desc->geometry->normal)),
-        maker->desc->facets ? third->side * outside * maker->cell : 0);
     for (int c = 0; c < 3; c++) {
-        double from = (double)(place.raw[c] - outward.raw[c]) - cluster->place[c] / cluster->area;
+        double from = (double)place.raw[c] - cluster->place[c] / cluster->area;
         distance2 += (float)(from * from);
     }
     if (!(distance2 < cluster->distance2))
@@ -167,6 +148,10 @@ static void choose_place(struct maker *maker, const struct third *third) {
 }
 
 /* --- triangles -------------------------------------------------------------------------------- */
+
+struct piece {
+    float at[3][3]; /* weights of the triangle's corners at the piece's */
+};
 
 static int longest_edge(const vec3s places[3], float *length2) {
     int longest = 0;
@@ -194,7 +179,7 @@ static vec3s emission_at(const struct maker *maker, const struct corners *corner
 static void visit_piece(struct maker *maker, const uint32_t *index, const struct piece *piece,
                         const vec3s places[3], const struct material *material,
                         visit_third *visit) {
-    struct third third = {.corners = index, .piece = piece, .albedo = glms_vec3_one()};
+    struct third third = {.corners = index, .albedo = glms_vec3_one()};
     float middle[3], alpha = 1;
     for (int c = 0; c < 3; c++)
         middle[c] = (piece->at[0][c] + piece->at[1][c] + piece->at[2][c]) / 3;
@@ -215,14 +200,10 @@ static void visit_piece(struct maker *maker, const uint32_t *index, const struct
         return;
     for (int v = 0; v < 3; v++) {
         memcpy(third.at, piece->at[v], sizeof third.at);
-        third.number = v;
         for (int c = 0; c < 3; c++) /* the centroid of what is nearest to the corner, by medians */
             third.inner[c] = (5 * piece->at[v][c] + 7 * middle[c]) / 12;
-        for (int back = 0; back <= material->double_sided; back++) {
-            third.side = back ? -1 : 1;
-            third.last = back == material->double_sided;
+        for (third.side = 1; third.side >= (material->double_sided ? -1 : 1); third.side -= 2)
             visit(maker, &third);
-        }
     }
 }
 
@@ -298,10 +279,10 @@ static void fit_grid(struct maker *maker, double area) {
     }
 }
 
-static void take_clusters(struct elements *elements, struct maker *maker) {
+static void take_clusters(struct elements *elements, const struct maker *maker) {
     elements->items = mem_alloc(maker->count, sizeof *elements->items);
     for (uint32_t i = 0; i < maker->count; i++) {
-        struct cluster *cluster = &maker->clusters[i];
+        const struct cluster *cluster = &maker->clusters[i];
         struct element *element = &elements->items[elements->count];
         if (!(cluster->area > 0) || !isfinite(cluster->distance2))
             continue;
@@ -311,38 +292,8 @@ static void take_clusters(struct elements *elements, struct maker *maker) {
             element->albedo.raw[c] = (float)(cluster->albedo[c] / cluster->area);
             element->emission.raw[c] = (float)(cluster->emission[c] / cluster->area);
         }
-        cluster->number = (uint32_t)elements->count++;
+        elements->count++;
     }
-}
-
-/* --- facets ----------------------------------------------------------------------------------- */
-
-/* The thirds of a side come one after the other. */
-static void add_to_facet(struct maker *maker, const struct third *third) {
-    if (maker->facet_count > FACETS_MAX)
-        return;
-    if (maker->facet_count + 2 > maker->facet_room) {
-        maker->facet_room = 2 * maker->facet_room + 64;
-        maker->facets = mem_resize(maker->facets, (size_t)maker->facet_room, sizeof *maker->facets);
-    }
-    int back = third->side < 0;
-    struct facet *facet = &maker->facets[maker->facet_count + back];
-    facet->elements[third->number] = cluster_of(maker, third)->number;
-    memcpy(facet->corners, third->corners, sizeof facet->corners);
-    memcpy(facet->at, third->piece->at, sizeof facet->at);
-    facet->side = third->side;
-    if (third->number == 2 && third->last)
-        maker->facet_count += 1 + back;
-}
-
-static void take_facets(struct elements *elements, struct maker *maker) {
-    visit_all(maker, add_to_facet);
-    if (maker->facet_count > FACETS_MAX) {
-        free(maker->facets);
-        return;
-    }
-    elements->facets = maker->facets;
-    elements->facet_count = maker->facet_count;
 }
 
 void elements_init(struct elements *elements, const struct elements_desc *desc) {
@@ -365,29 +316,15 @@ void elements_init(struct elements *elements, const struct elements_desc *desc) 
     maker.colored = false;
     visit_all(&maker, choose_place);
     take_clusters(elements, &maker);
-    if (desc->facets)
-        take_facets(elements, &maker);
     free(maker.slots);
     free(maker.clusters);
     elements->edge = maker.edge;
-    elements->clearance = geometry_clearance(desc->geometry);
     elements_place(elements, desc->geometry);
 }
 
 void elements_free(struct elements *elements) {
     free(elements->items);
-    free(elements->facets);
     *elements = (struct elements){0};
-}
-
-static void measure_facet(struct facet *facet) {
-    const vec3s *places = facet->places;
-    vec3s across =
-        glms_vec3_cross(glms_vec3_sub(places[1], places[0]), glms_vec3_sub(places[2], places[0]));
-    vec3s sum = glms_vec3_add(glms_vec3_add(places[0], places[1]), places[2]);
-    facet->middle = glms_vec3_scale(sum, 1 / 3.0F);
-    facet->area = fmaxf(glms_vec3_norm(across) / 2, FLT_MIN);
-    facet->normal = glms_vec3_scale(glms_vec3_normalize(across), facet->side);
 }
 
 void elements_place(struct elements *elements, const struct geometry *geometry) {
@@ -397,13 +334,5 @@ void elements_place(struct elements *elements, const struct geometry *geometry) 
         element->position = corners_vector(&corners, geometry->position);
         element->normal = glms_vec3_scale(
             glms_vec3_normalize(corners_vector(&corners, geometry->normal)), element->side);
-    }
-    for (int i = 0; i < elements->facet_count; i++) {
-        struct facet *facet = &elements->facets[i];
-        for (int v = 0; v < 3; v++) {
-            struct corners corners = corners_of(facet->corners, facet->at[v]);
-            facet->places[v] = corners_vector(&corners, geometry->position);
-        }
-        measure_facet(facet);
     }
 }

@@ -20,22 +20,9 @@ struct element {
     vec3s position, normal; /* elements_place */
 };
 
-/* A triangle or a part of a cut one: what hides and sends light. Each third of it is of the element around a corner. */
-struct facet {
-    uint32_t corners[3]; /* vertices of its triangle */
-    float at[3][3];      /* weights of the triangle's corners at its own */
-    float side;          /* as an element's */
-    uint32_t elements[3];
-    vec3s places[3], middle, normal; /* of its corners; elements_place */
-    float area;                      /* m2 */
-};
-
 struct elements {
     struct element *items;
     int count;
-    float clearance;      /* geometry_clearance */
-    struct facet *facets; /* NULL: not kept, or more than FACETS_MAX */
-    int facet_count;
     float
         edge; /* the longest of a cut triangle: no place of a surface is farther from an element, m */
 };
@@ -46,10 +33,7 @@ struct elements_desc {
     enum materials materials;
     bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
     int most;          /* elements */
-    bool facets; /* keeps the facets, too; the outermost of a cluster's layers has its element */
 };
-
-enum { FACETS_MAX = 1 << 19 };
 
 /* At most desc->most, unless more cells of the coarsest grid are occupied. Zero elements where no triangle has an area. */
 void elements_init(struct elements *elements, const struct elements_desc *desc);

@@ -25,7 +25,7 @@ enum { LINKS_BY_LEAVES, LINKS_BY_PAIRS }; /* values of radiosity.links */
 
 static const char *const light_names[] = {"rays", "bins", NULL};
 static const char *const links_names[] = {"leaves", "pairs", NULL};
-static const char *const cover_names[] = {"disk", "center", "facets", NULL};
+static const char *const cover_names[] = {"disk", "center", NULL};
 static const char *const weight_names[] = {"bin", "element", NULL};
 
 static const struct option table[] = {
@@ -41,8 +41,7 @@ static const struct option table[] = {
     {"cover", 0, OPTION_CHOICE, ROW(cover), LINKS_COVER_DISK, .choices = cover_names,
      .help =
          "bins that an element fills: disk, all that it covers; center, the one of its middle,\n"
-         "as published, with leaks; facets, those of its triangles, which also take direct light:\n"
-         "for models of fine parts; links take six times as long",
+         "as published, with leaks",
      .needs = "radiosity.links=leaves"},
     {"weight", 0, OPTION_CHOICE, ROW(weight), LINKS_WEIGHT_BIN, .choices = weight_names,
      .help = "light of an element: bin, as if it filled its bin; element, by its own solid angle,\n"
@@ -154,7 +153,7 @@ static bool make_elements(struct implicit_visibility *technique, const struct ge
         return false;
     if (!links_init(&technique->links, &technique->links_desc, technique->elements.count))
         return false;
-    element_light_init(&technique->light, &technique->elements, &technique->tree);
+    element_light_init(&technique->light, &technique->tree);
     if (technique->lamps_by_bins)
         lamps_init(&technique->lamps, scene, geometry, &technique->elements);
     return place_elements(technique, geometry);
@@ -191,7 +190,6 @@ static bool init(void **state, const struct technique_desc *desc) {
         .materials = (enum materials)materials->materials,
         .smooth_black = caustics_shown(desc->scene, desc->settings),
         .most = own->elements,
-        .facets = own->cover == LINKS_COVER_FACETS && own->links == LINKS_BY_LEAVES,
     };
     technique->links_desc = (struct links_desc){
         .side = own->bins,
@@ -242,8 +240,7 @@ static void link_elements(struct implicit_visibility *technique, const struct fr
     tree_pull_up(&technique->tree, &technique->elements);
     timer_end(frame->timers);
     timer_begin(frame->timers, "links");
-    links_make(&technique->links, &technique->elements, &technique->tree,
-               sky ? (const float(*)[3])technique->sky : NULL);
+    links_make(&technique->links, &technique->tree, sky ? (const float(*)[3])technique->sky : NULL);
     if (technique->lamps_by_bins) { /* those of lamps that are dark, too */
         element_light_emit(&technique->light, &technique->elements, &technique->tree);
         links_sort_lamps(&technique->links, (const float(*)[4])technique->light.emission);

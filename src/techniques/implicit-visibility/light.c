@@ -11,43 +11,23 @@
 
 enum { LEAVES_TOGETHER = 64 };
 
-void element_light_init(struct element_light *light, const struct elements *elements,
-                        const struct tree *tree) {
-    const size_t leaves = (size_t)elements->count, nodes = (size_t)tree->count;
+void element_light_init(struct element_light *light, const struct tree *tree) {
+    const size_t leaves = (size_t)tree->leaf_count, nodes = (size_t)tree->count;
     *light = (struct element_light){
-        .count = elements->count,
-        .own = mem_alloc(leaves, sizeof *light->own),
+        .count = tree->leaf_count,
         .node_count = tree->count,
         .direct = mem_alloc(leaves, sizeof *light->direct),
         .radiance = mem_alloc(nodes, sizeof *light->radiance),
         .irradiance = mem_alloc(leaves, sizeof *light->irradiance),
     };
-    if (tree->of_facets)
-        light->at_facets = mem_alloc((size_t)tree->leaf_count, sizeof *light->at_facets);
 }
 
 void element_light_free(struct element_light *light) {
     free(light->direct);
-    free(light->own);
-    free(light->at_facets);
     free(light->radiance);
     free(light->irradiance);
     free(light->emission);
     *light = (struct element_light){0};
-}
-
-/* Of the tree's leaves, by the elements'. */
-static void spread(const struct elements *elements, const struct tree *tree, float (*of)[4],
-                   float (*values)[4]) {
-    for (int i = 0; i < tree->leaf_count; i++) {
-        if (!tree->of_facets) {
-            memcpy(values[i], of[i], sizeof values[i]);
-            continue;
-        }
-        const uint32_t *thirds = elements->facets[i].elements;
-        for (int c = 0; c < 4; c++)
-            values[i][c] = (of[thirds[0]][c] + of[thirds[1]][c] + of[thirds[2]][c]) / 3;
-    }
 }
 
 void element_light_emit(struct element_light *light, const struct elements *elements,
@@ -60,8 +40,7 @@ void element_light_emit(struct element_light *light, const struct elements *elem
     if (!light->emission)
         light->emission = mem_alloc((size_t)light->node_count, sizeof *light->emission);
     for (int i = 0; i < elements->count; i++)
-        memcpy(light->own[i], elements->items[i].emission.raw, 3 * sizeof(float));
-    spread(elements, tree, light->own, light->emission);
+        memcpy(light->emission[i], elements->items[i].emission.raw, 3 * sizeof(float));
     tree_pull_up_values(tree, light->emission);
 }
 
@@ -71,9 +50,8 @@ void element_light_dim(struct element_light *light, const struct elements *eleme
         return;
     for (int i = 0; i < elements->count; i++)
         for (int c = 0; c < 3; c++)
-            light->own[i][c] =
+            light->emission[i][c] =
                 elements->items[i].emission.raw[c] * lamps->share[lamps->of_elements[i]][c];
-    spread(elements, tree, light->own, light->emission);
     tree_pull_up_values(tree, light->emission);
 }
 
@@ -120,9 +98,9 @@ struct lighting {
     const struct links *links;
 };
 
-static bool is_hidden(const struct direct_lights *lights, vec3s position, vec3s normal,
+static bool is_hidden(const struct direct_lights *lights, const struct element *element,
                       vec3s to_light, float distance) {
-    vec3s origin = glms_vec3_muladds(normal, lights->clearance, position);
+    vec3s origin = glms_vec3_muladds(element->normal, lights->clearance, element->position);
     if (lights->casters->count == 0)
         return false;
     struct bvh_hit hit = bvh_ray_trace_opaque(lights->casters, origin, to_light);
@@ -131,13 +109,13 @@ static bool is_hidden(const struct direct_lights *lights, vec3s position, vec3s 
 
 /* Irradiance over intensity. */
 static float arriving(const struct direct_lights *lights, const struct emitter *light,
-                      vec3s position, vec3s normal) {
+                      const struct element *element) {
     const vec3s axis = {{light->direction[0], light->direction[1], light->direction[2]}};
     vec3s to_light = glms_vec3_negate(axis);
     float distance = INFINITY, factor = 1;
     if (light->type != EMITTER_DIRECTIONAL) {
         const vec3s at = {{light->position[0], light->position[1], light->position[2]}};
-        vec3s path = glms_vec3_sub(at, position);
+        vec3s path = glms_vec3_sub(at, element->position);
         distance = glms_vec3_norm(path);
         if (!(distance > 0))
             return 0;
@@ -145,63 +123,18 @@ static float arriving(const struct direct_lights *lights, const struct emitter *
         factor = emitter_cone(light, -glms_vec3_dot(to_light, axis)) *
                  emitter_in_range(light, distance) / (distance * distance);
     }
-    factor *= glms_vec3_dot(to_light, normal);
-    return factor > 0 && !is_hidden(lights, position, normal, to_light, distance) ? factor : 0;
+    factor *= glms_vec3_dot(to_light, element->normal);
+    return factor > 0 && !is_hidden(lights, element, to_light, distance) ? factor : 0;
 }
 
-/* Intensity towards a place, but for the cone. */
-static vec3s intensity_to(const struct emitter *light, vec3s position) {
+/* Intensity towards the element, but for the cone. */
+static vec3s intensity_to(const struct emitter *light, const struct element *element) {
     vec3s intensity = {{light->intensity[0], light->intensity[1], light->intensity[2]}}, slide;
     const vec3s at = {{light->position[0], light->position[1], light->position[2]}};
     if (!light->slide)
         return intensity;
-    emitter_slide(light, glms_vec3_normalize(glms_vec3_sub(position, at)).raw, slide.raw);
+    emitter_slide(light, glms_vec3_normalize(glms_vec3_sub(element->position, at)).raw, slide.raw);
     return glms_vec3_mul(intensity, slide);
-}
-
-/* Each facet takes one light of so many, in turn. */
-static int turns_of(const struct lighting *lighting) {
-    const struct elements *elements = lighting->elements;
-    int each = (int)((size_t)elements->count * (size_t)lighting->lights->count /
-                     (size_t)elements->facet_count);
-    return lighting->lights->count / (each > 1 ? each : 1);
-}
-
-static void light_facets(void *context, size_t run) {
-    const struct lighting *lighting = context;
-    const struct elements *elements = lighting->elements;
-    const struct direct_lights *lights = lighting->lights;
-    const int turns = turns_of(lighting);
-    int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
-    for (int i = first; i < end && i < elements->facet_count; i++) {
-        const struct facet *facet = &elements->facets[i];
-        vec3s sum = glms_vec3_zero();
-        for (int l = turns > 0 ? i % turns : 0; l < lights->count; l += turns) {
-            const struct emitter *light = &lights->items[l];
-            if (lights->lamps_by_links && light->lamp > 0)
-                continue;
-            float factor = (float)turns * arriving(lights, light, facet->middle, facet->normal);
-            sum = glms_vec3_muladds(intensity_to(light, facet->middle), factor, sum);
-        }
-        glm_vec3_copy(sum.raw, lighting->light->at_facets[i]);
-    }
-}
-
-/* Means by area. */
-static void gather_facets(struct element_light *light, const struct elements *elements) {
-    double(*sums)[4] = mem_alloc((size_t)elements->count, sizeof *sums);
-    for (int i = 0; i < elements->facet_count; i++)
-        for (int v = 0; v < 3; v++) {
-            const struct facet *facet = &elements->facets[i];
-            double *sum = sums[facet->elements[v]];
-            for (int c = 0; c < 3; c++)
-                sum[c] += (double)(facet->area * light->at_facets[i][c]);
-            sum[3] += (double)facet->area;
-        }
-    for (int i = 0; i < elements->count; i++)
-        for (int c = 0; c < 3; c++)
-            light->direct[i][c] += sums[i][3] > 0 ? (float)(sums[i][c] / sums[i][3]) : 0;
-    free(sums);
 }
 
 static void light_some(void *context, size_t run) {
@@ -214,13 +147,13 @@ static void light_some(void *context, size_t run) {
             sum = glms_vec3_add(sum,
                                 links_gather_lamps(lighting->links, i,
                                                    (const float(*)[4])lighting->light->emission));
-        for (int l = 0; l < lighting->lights->count && !lighting->light->at_facets; l++) {
+        for (int l = 0; l < lighting->lights->count; l++) {
             const struct emitter *light = &lighting->lights->items[l];
             if (lighting->lights->lamps_by_links && light->lamp > 0)
                 continue;
             const struct element *element = &lighting->elements->items[i];
-            float factor = arriving(lighting->lights, light, element->position, element->normal);
-            sum = glms_vec3_muladds(intensity_to(light, element->position), factor, sum);
+            float factor = arriving(lighting->lights, light, element);
+            sum = glms_vec3_muladds(intensity_to(light, element), factor, sum);
         }
         glm_vec3_copy(sum.raw, lighting->light->direct[i]);
     }
@@ -233,13 +166,7 @@ static void for_leaves(const struct lighting *lighting, void (*body)(void *conte
 
 void element_light_direct(struct element_light *light, const struct elements *elements,
                           const struct direct_lights *lights, const struct links *links) {
-    const struct lighting lighting = {light, elements, lights, links};
-    for_leaves(&lighting, light_some);
-    if (!light->at_facets)
-        return;
-    size_t runs = ((size_t)elements->facet_count + LEAVES_TOGETHER - 1) / LEAVES_TOGETHER;
-    parallel_for(runs, links->desc.threads, light_facets, (void *)&lighting);
-    gather_facets(light, elements);
+    for_leaves(&(struct lighting){light, elements, lights, links}, light_some);
 }
 
 /* --- bounces ---------------------------------------------------------------------------------- */
@@ -254,31 +181,19 @@ static void gather_some(void *context, size_t run) {
     }
 }
 
-/* Elements reflect the mean of what they get, but their facets the direct light that each has itself. */
 static void reflect(const struct element_light *light, const struct elements *elements,
-                    const struct tree *tree, bool indirect_too) {
+                    bool indirect_too) {
     for (int i = 0; i < light->count; i++)
         for (int c = 0; c < 3; c++) {
-            float arrives = (light->at_facets ? 0 : light->direct[i][c]) +
-                            (indirect_too ? light->irradiance[i][c] : 0);
-            light->own[i][c] = elements->items[i].albedo.raw[c] * arrives / GLM_PIf;
+            float arrives = light->direct[i][c] + (indirect_too ? light->irradiance[i][c] : 0);
+            light->radiance[i][c] = elements->items[i].albedo.raw[c] * arrives / GLM_PIf;
         }
-    spread(elements, tree, light->own, light->radiance);
-    for (int i = 0; light->at_facets && i < elements->facet_count; i++) {
-        const uint32_t *thirds = elements->facets[i].elements;
-        for (int c = 0; c < 3; c++) {
-            float albedo = 0;
-            for (int v = 0; v < 3; v++)
-                albedo += elements->items[thirds[v]].albedo.raw[c] / 3;
-            light->radiance[i][c] += albedo * light->at_facets[i][c] / GLM_PIf;
-        }
-    }
 }
 
 void element_light_bounce(struct element_light *light, const struct elements *elements,
                           const struct tree *tree, const struct links *links, int bounces) {
     for (int bounce = 0; bounce < bounces; bounce++) {
-        reflect(light, elements, tree, bounce > 0);
+        reflect(light, elements, bounce > 0);
         tree_pull_up_values(tree, light->radiance);
         for_leaves(&(struct lighting){light, elements, NULL, links}, gather_some);
     }

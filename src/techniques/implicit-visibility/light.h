@@ -11,15 +11,12 @@
 struct element_light {
     int count, node_count;
     float (*direct)[3];     /* irradiance of lights, W/m2 */
-    float (*own)[4];        /* leaving each element, W/(sr m2) */
-    float (*at_facets)[3];  /* as direct, of each facet; NULL: the tree has none */
     float (*radiance)[4];   /* leaving each node of the tree, W/(sr m2) */
     float (*irradiance)[3]; /* indirect, of each leaf, W/m2 */
     float (*emission)[4];   /* of each node, W/(sr m2), dimmed; NULL: none emits */
 };
 
-void element_light_init(struct element_light *light, const struct elements *elements,
-                        const struct tree *tree);
+void element_light_init(struct element_light *light, const struct tree *tree);
 void element_light_free(struct element_light *light);
 
 /* Lets the elements of lamps emit, in their places of the tree, where there are any. */

@@ -5,7 +5,6 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "techniques/implicit-visibility/pairs.h"
-#include "techniques/implicit-visibility/triangle.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -24,13 +23,10 @@ enum { STACK_MAX = 256, LEAVES_TOGETHER = 8 };
 
 struct walk {
     const struct links *links;
-    const struct elements *elements;
     const struct tree *tree;
-    const struct element *element; /* the receiver */
-    vec3s origin;                  /* of its rays */
-    float near;                    /* partners nearer than this are its own surface, m */
-    uint32_t own;                  /* its number */
-    mat3s turn;                    /* from the world to the leaf's bins */
+    const struct tree_node *leaf;
+    uint32_t own;
+    mat3s turn; /* from the world to the leaf's bins */
     float distances[BINS_MAX];
     uint32_t nodes[BINS_MAX]; /* with PARTNER_BACK; PARTNER_NONE: empty */
 };
@@ -109,7 +105,7 @@ static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s
     const struct tree_node *node = &walk->tree->nodes[j];
     const struct bins *bins = &walk->links->bins;
     float facing = -glm_vec3_dot((float *)node->normal, (float *)path) / distance;
-    bool above = glm_vec3_dot((float *)walk->element->normal.raw, (float *)path) > 0;
+    bool above = glm_vec3_dot((float *)walk->leaf->normal, (float *)path) > 0;
     float solid_angle = node->area * fabsf(facing) / (distance * distance);
     bool small = solid_angle < disk_share * bins_solid_angle(bins, turned.raw, distance);
     if (walk->links->desc.cover == LINKS_COVER_CENTER) {
@@ -124,15 +120,16 @@ static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s
 /* All nodes that reach above the leaf's horizon. */
 static void walk_tree(struct walk *walk) {
     const struct tree *tree = walk->tree;
-    const float near2 = glm_pow2(walk->near);
+    const struct tree_node *leaf = walk->leaf;
+    const float near2 = glm_pow2(PARTNER_LEAST_DISTANCE * leaf->radius);
     uint32_t stack[STACK_MAX] = {(uint32_t)tree->count - 1};
     for (int size = 1; size > 0;) {
         uint32_t j = stack[--size];
         const struct tree_node *node = &tree->nodes[j];
         float path[3];
         for (int c = 0; c < 3; c++)
-            path[c] = node->position[c] - walk->origin.raw[c];
-        float height = glm_vec3_dot(path, (float *)walk->element->normal.raw);
+            path[c] = node->position[c] - leaf->position[c];
+        float height = glm_vec3_dot(path, (float *)leaf->normal);
         if (j == walk->own || height < -node->radius)
             continue;
         float distance2 = glm_vec3_norm2(path), distance = sqrtf(distance2);
@@ -146,101 +143,6 @@ static void walk_tree(struct walk *walk) {
         }
         if (distance2 > near2)
             offer_node(walk, j, path, turned, distance);
-    }
-}
-
-/* --- facets ----------------------------------------------------------------------------------- */
-
-/* A node of facets to visit. The partner stands for all facets below: the first node on the way down that is no wider
- * than a bin. */
-struct visit {
-    uint32_t node, partner; /* PARTNER_NONE: the node is wider */
-};
-
-static void offer_to_window(struct walk *walk, const struct triangle *triangle, int face,
-                            uint32_t partner, bool front) {
-    const int side = walk->links->bins.side;
-    struct bins_window window;
-    if (!triangle_window(triangle, &walk->links->bins, face, &window))
-        return;
-    for (int row = window.first[1]; row < window.end[1]; row++)
-        for (int column = window.first[0]; column < window.end[0]; column++) {
-            int b = (face * side + row) * side + column;
-            float distance = triangle_distance(triangle, walk->links->bins.directions[b]);
-            if (distance < walk->distances[b])
-                offer(walk, b, partner, front, distance);
-        }
-}
-
-/* The partner, in all bins whose middle rays meet the facet. Facets of the receiver's own triangle hide nothing. */
-static void offer_facet(struct walk *walk, const struct visit *visit) {
-    const struct facet *facet = &walk->elements->facets[visit->node];
-    vec3s corners[3];
-    if (memcmp(facet->corners, walk->element->corners, sizeof facet->corners) == 0)
-        return;
-    for (int v = 0; v < 3; v++)
-        corners[v] = glms_mat3_mulv(walk->turn, glms_vec3_sub(facet->places[v], walk->origin));
-    struct triangle triangle = triangle_of(corners);
-    bool front = (triangle.along < 0) == (facet->side > 0);
-    int major = bins_face(corners[0].raw);
-    if (bins_face(corners[1].raw) == major && bins_face(corners[2].raw) == major) {
-        offer_to_window(walk, &triangle, major, visit->partner, front);
-        return;
-    }
-    for (int face = 0; face < 6; face++)
-        offer_to_window(walk, &triangle, face, visit->partner, front);
-}
-
-/* Whether a middle ray that nothing nearer ends may meet the node's ball. */
-static bool meets_a_middle(const struct walk *walk, const struct tree_node *node, vec3s path,
-                           float distance) {
-    const struct bins *bins = &walk->links->bins;
-    const int face = bins_face(path.raw), axis = face / 2;
-    const float depth = fabsf(path.raw[axis]), radius = node->radius;
-    struct bins_window window;
-    float low[2], high[2];
-    if (depth <= 2 * radius)
-        return true;
-    for (int c = 0; c < 2; c++) {
-        float at = path.raw[(axis + 1 + c) % 3];
-        low[c] = (at - radius) / (at < radius ? depth - radius : depth + radius);
-        high[c] = (at + radius) / (at > -radius ? depth - radius : depth + radius);
-        if (low[c] < -1 || high[c] > 1) /* other faces, too */
-            return true;
-    }
-    if (!bins_window_between(bins, low, high, &window))
-        return false;
-    for (int row = window.first[1]; row < window.end[1]; row++)
-        for (int column = window.first[0]; column < window.end[0]; column++)
-            if (distance - radius <
-                walk->distances[(face * bins->side + row) * bins->side + column])
-                return true;
-    return false;
-}
-
-/* Middle rays meet the facets themselves: disks in place of nodes would leave gaps. */
-static void walk_facets(struct walk *walk) {
-    const struct tree *tree = walk->tree;
-    struct visit stack[STACK_MAX] = {{(uint32_t)tree->count - 1, PARTNER_NONE}};
-    for (int size = 1; size > 0;) {
-        struct visit visit = stack[--size];
-        const struct tree_node *node = &tree->nodes[visit.node];
-        vec3s path = glms_vec3_sub(
-            (vec3s){{node->position[0], node->position[1], node->position[2]}}, walk->origin);
-        if (glms_vec3_dot(path, walk->element->normal) < -node->radius)
-            continue;
-        float distance = glms_vec3_norm(path);
-        vec3s turned = glms_mat3_mulv(walk->turn, path);
-        bool leaf = visit.node < (uint32_t)tree->leaf_count;
-        if (visit.partner == PARTNER_NONE &&
-            (leaf || !partner_opens(&walk->links->bins, node, path.raw, turned.raw, distance)))
-            visit.partner = visit.node;
-        if (visit.partner != PARTNER_NONE && !meets_a_middle(walk, node, turned, distance))
-            continue;
-        if (leaf)
-            offer_facet(walk, &visit);
-        for (int k = 0; !leaf && k < TREE_CHILDREN && node->children[k] != TREE_NONE; k++)
-            stack[size++] = (struct visit){node->children[k], visit.partner};
     }
 }
 
@@ -263,11 +165,11 @@ static uint32_t close_leak(const struct walk *walk, int b) {
 
 /* [Dong 2011 eq. 4.5] */
 static float element_weight(const struct walk *walk, uint32_t j) {
-    const struct tree_node *node = &walk->tree->nodes[j];
+    const struct tree_node *node = &walk->tree->nodes[j], *leaf = walk->leaf;
     vec3 path;
-    glm_vec3_sub((float *)node->position, (float *)walk->element->position.raw, path);
+    glm_vec3_sub((float *)node->position, (float *)leaf->position, path);
     float distance2 = glm_vec3_norm2(path);
-    float here = glm_vec3_dot(path, (float *)walk->element->normal.raw);
+    float here = glm_vec3_dot(path, (float *)leaf->normal);
     float there = -glm_vec3_dot(path, (float *)node->normal);
     return fmaxf(here, 0) * fmaxf(there, 0) * node->area / (distance2 * distance2);
 }
@@ -288,7 +190,8 @@ static void add_sky(const struct walk *walk, int b, float weight, const float (*
 
 /* In the leaf's bins. */
 static vec3s normal_of(const struct walk *walk) {
-    return glms_mat3_mulv(walk->turn, walk->element->normal);
+    const float *normal = walk->leaf->normal;
+    return glms_mat3_mulv(walk->turn, (vec3s){{normal[0], normal[1], normal[2]}});
 }
 
 static void take_links(const struct walk *walk, struct links *links, const float (*sky)[3]) {
@@ -340,7 +243,6 @@ static mat3s turn_of(uint32_t number) {
 
 struct making {
     struct links *links;
-    const struct elements *elements;
     const struct tree *tree;
     const struct pairs *pairs; /* NULL: each leaf walks */
     const float (*sky)[3];
@@ -357,22 +259,15 @@ static void find_partners(struct walk *walk, const struct pairs *pairs) {
         walk->distances[b] = INFINITY;
         walk->nodes[b] = PARTNER_NONE;
     }
-    (walk->tree->of_facets ? walk_facets : walk_tree)(walk);
+    walk_tree(walk);
 }
 
-static void start_walk(struct walk *walk, const struct links *links,
-                       const struct elements *elements, const struct tree *tree, int leaf) {
-    const struct element *element = &elements->items[leaf];
+static void start_walk(struct walk *walk, const struct links *links, const struct tree *tree,
+                       int leaf) {
     walk->links = links;
-    walk->elements = elements;
     walk->tree = tree;
     walk->own = (uint32_t)leaf;
-    walk->element = element;
-    walk->origin = element->position;
-    walk->near = PARTNER_LEAST_DISTANCE * sqrtf(element->area / GLM_PIf);
-    if (tree->of_facets) {
-        walk->origin = glms_vec3_muladds(element->normal, elements->clearance, element->position);
-    }
+    walk->leaf = &tree->nodes[leaf];
     walk->turn = links->desc.turned ? turn_of((uint32_t)leaf) : glms_mat3_identity();
 }
 
@@ -380,19 +275,18 @@ static void make_some(void *context, size_t run) {
     const struct making *making = context;
     struct walk *walk = mem_alloc(1, sizeof *walk);
     int first = (int)run * LEAVES_TOGETHER, end = first + LEAVES_TOGETHER;
-    for (int i = first; i < end && i < making->elements->count; i++) {
-        start_walk(walk, making->links, making->elements, making->tree, i);
+    for (int i = first; i < end && i < making->tree->leaf_count; i++) {
+        start_walk(walk, making->links, making->tree, i);
         find_partners(walk, making->pairs);
         take_links(walk, making->links, making->sky);
     }
     free(walk);
 }
 
-void links_make(struct links *links, const struct elements *elements, const struct tree *tree,
-                const float (*sky)[3]) {
+void links_make(struct links *links, const struct tree *tree, const float (*sky)[3]) {
     struct pairs pairs = {0};
-    struct making making = {links, elements, tree, links->desc.pairs ? &pairs : NULL, sky};
-    size_t runs = ((size_t)elements->count + LEAVES_TOGETHER - 1) / LEAVES_TOGETHER;
+    struct making making = {links, tree, links->desc.pairs ? &pairs : NULL, sky};
+    size_t runs = ((size_t)tree->leaf_count + LEAVES_TOGETHER - 1) / LEAVES_TOGETHER;
     if (links->desc.pairs)
         pairs_make(&pairs, tree, &links->bins);
     links->linked = pairs.linked;
@@ -400,11 +294,11 @@ void links_make(struct links *links, const struct elements *elements, const stru
     pairs_free(&pairs);
 }
 
-vec3s links_partners(const struct links *links, const struct elements *elements,
-                     const struct tree *tree, int leaf, uint32_t *partners) {
+vec3s links_partners(const struct links *links, const struct tree *tree, int leaf,
+                     uint32_t *partners) {
     struct walk *walk = mem_alloc(1, sizeof *walk);
     struct pairs pairs = {0};
-    start_walk(walk, links, elements, tree, leaf);
+    start_walk(walk, links, tree, leaf);
     if (links->desc.pairs)
         pairs_make(&pairs, tree, &links->bins);
     find_partners(walk, links->desc.pairs ? &pairs : NULL);
@@ -421,8 +315,7 @@ vec3s links_partners(const struct links *links, const struct elements *elements,
 bool links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
     const size_t count = (size_t)leaf_count;
     *links = (struct links){.desc = *desc, .leaf_count = leaf_count};
-    links->desc.turned &= !desc->pairs;                     /* nodes share the world's bins */
-    links->desc.leaky |= desc->cover == LINKS_COVER_FACETS; /* triangles leave no gaps */
+    links->desc.turned &= !desc->pairs; /* nodes share the world's bins */
     bins_init(&links->bins, desc->side);
     /* Half of all bins, and those that the horizon cuts. */
     links->stride = links->bins.count / 2 + 6 * desc->side + 8;

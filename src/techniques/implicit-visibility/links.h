@@ -4,10 +4,6 @@
  * depend on neither order nor threads. The thesis links nodes with each other, refines and pushes the links to the leaves:
  * links_desc.pairs.
  *
- * LINKS_COVER_FACETS lets triangles hide and send in place of the elements' disks: disks of ledges, folds and columns stick
- * out of their surface and hide more than these. A bin's middle ray meets the triangles themselves. Its link leads to the
- * first node above the triangle that is no wider than the bin.
- *
  * The thesis has a partner fill the bin of its middle alone. Near partners then leave bins empty beside it, through which
  * light leaks. LINKS_COVER_DISK fills all bins whose middle ray meets the partner's disk. The weight of a link is the cosine
  * over its bin, as the thesis says that a partner covers it; eq. 4.5 takes the partner's own solid angle
@@ -18,7 +14,7 @@
 #include "techniques/implicit-visibility/bins.h"
 #include "techniques/implicit-visibility/tree.h"
 
-enum links_cover { LINKS_COVER_DISK, LINKS_COVER_CENTER, LINKS_COVER_FACETS };
+enum links_cover { LINKS_COVER_DISK, LINKS_COVER_CENTER };
 enum links_weight { LINKS_WEIGHT_BIN, LINKS_WEIGHT_ELEMENT };
 
 struct links_desc {
@@ -54,14 +50,13 @@ struct links {
 bool links_init(struct links *links, const struct links_desc *desc, int leaf_count);
 void links_free(struct links *links);
 
-/* Links all elements. sky: radiance of each bin; NULL: none. */
-void links_make(struct links *links, const struct elements *elements, const struct tree *tree,
-                const float (*sky)[3]);
+/* Links all leaves. sky: radiance of each bin; NULL: none. */
+void links_make(struct links *links, const struct tree *tree, const float (*sky)[3]);
 
 /* The partner of each bin of one leaf as links_make found it, as partner.h has them, leaks closed. Returns the leaf's
  * normal in its bins. */
-vec3s links_partners(const struct links *links, const struct elements *elements,
-                     const struct tree *tree, int leaf, uint32_t *partners);
+vec3s links_partners(const struct links *links, const struct tree *tree, int leaf,
+                     uint32_t *partners);
 
 /* Puts links to nodes that emit before all others of each leaf [Dong 2011 §4.3.3]. Radiance of nodes; NULL: none emits. */
 void links_sort_lamps(struct links *links, const float (*emission)[4]);

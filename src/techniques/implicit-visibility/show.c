@@ -84,7 +84,7 @@ void show_element(struct element_view *view, const struct elements *elements,
     const struct bins *bins = &links->bins;
     const int side = bins->side;
     uint32_t *partners = mem_alloc((size_t)bins->count, sizeof *partners);
-    vec3s above = links_partners(links, elements, tree, leaf, partners);
+    vec3s above = links_partners(links, tree, leaf, partners);
     unfold(above, axes);
     view->side = side;
     view->bins = mem_alloc((size_t)bins->count, sizeof *view->bins);

@@ -10,7 +10,7 @@ enum { AXES = 6 };
 
 struct item {
     float at[AXES]; /* position and scaled normal */
-    int number;     /* of the element or facet */
+    int element;
 };
 
 struct builder {
@@ -21,7 +21,7 @@ struct builder {
 static int compare_on(const struct item *a, const struct item *b, int axis) {
     if (a->at[axis] != b->at[axis])
         return a->at[axis] < b->at[axis] ? -1 : 1;
-    return a->number < b->number ? -1 : a->number > b->number;
+    return a->element < b->element ? -1 : a->element > b->element;
 }
 
 #define COMPARE(n)                                                                                 \
@@ -78,64 +78,30 @@ static uint32_t build(const struct builder *builder, int first, int count) {
     return (uint32_t)builder->tree->count++;
 }
 
-static void reorder_elements(struct elements *elements, const struct item *items) {
+static void reorder(struct elements *elements, const struct item *items) {
     struct element *sorted = mem_alloc((size_t)elements->count, sizeof *sorted);
     for (int i = 0; i < elements->count; i++)
-        sorted[i] = elements->items[items[i].number];
+        sorted[i] = elements->items[items[i].element];
     free(elements->items);
     elements->items = sorted;
 }
 
-static void reorder_facets(struct elements *elements, const struct item *items) {
-    struct facet *sorted = mem_alloc((size_t)elements->facet_count, sizeof *sorted);
-    for (int i = 0; i < elements->facet_count; i++)
-        sorted[i] = elements->facets[items[i].number];
-    free(elements->facets);
-    elements->facets = sorted;
-}
-
-static void set_leaf_of_element(struct tree_node *leaf, const struct element *element) {
-    memcpy(leaf->position, element->position.raw, sizeof leaf->position);
-    memcpy(leaf->normal, element->normal.raw, sizeof leaf->normal);
-    leaf->area = element->area;
-    leaf->radius = sqrtf(element->area / GLM_PIf);
-}
-
-static void set_leaf_of_facet(struct tree_node *leaf, const struct facet *facet) {
-    memcpy(leaf->position, facet->middle.raw, sizeof leaf->position);
-    memcpy(leaf->normal, facet->normal.raw, sizeof leaf->normal);
-    leaf->area = facet->area;
-    leaf->radius = 0;
-    for (int v = 0; v < 3; v++)
-        leaf->radius = fmaxf(leaf->radius, glms_vec3_distance(facet->middle, facet->places[v]));
-}
-
-static void set_leaves(struct tree *tree, const struct elements *elements) {
-    for (int i = 0; i < tree->leaf_count; i++)
-        if (tree->of_facets)
-            set_leaf_of_facet(&tree->nodes[i], &elements->facets[i]);
-        else
-            set_leaf_of_element(&tree->nodes[i], &elements->items[i]);
-}
-
 void tree_init(struct tree *tree, struct elements *elements, float size) {
-    bool of_facets = elements->facet_count > 0;
-    int count = of_facets ? elements->facet_count : elements->count;
+    int count = elements->count;
     struct builder builder = {tree, mem_alloc((size_t)count, sizeof *builder.items)};
     *tree = (struct tree){.nodes = mem_alloc(2 * (size_t)count, sizeof *tree->nodes),
                           .leaf_count = count,
-                          .count = count,
-                          .of_facets = of_facets};
-    set_leaves(tree, elements);
+                          .count = count};
     for (int i = 0; i < count; i++) {
-        builder.items[i].number = i;
+        const struct element *element = &elements->items[i];
+        builder.items[i].element = i;
         for (int c = 0; c < 3; c++) {
-            builder.items[i].at[c] = tree->nodes[i].position[c];
-            builder.items[i].at[3 + c] = size * tree->nodes[i].normal[c];
+            builder.items[i].at[c] = element->position.raw[c];
+            builder.items[i].at[3 + c] = size * element->normal.raw[c];
         }
     }
     build(&builder, 0, count);
-    (of_facets ? reorder_facets : reorder_elements)(elements, builder.items);
+    reorder(elements, builder.items);
     free(builder.items);
     tree_pull_up(tree, elements);
 }
@@ -164,7 +130,14 @@ static void pull_up(struct tree_node *nodes, struct tree_node *node) {
 }
 
 void tree_pull_up(struct tree *tree, const struct elements *elements) {
-    set_leaves(tree, elements);
+    for (int i = 0; i < tree->leaf_count; i++) {
+        const struct element *element = &elements->items[i];
+        struct tree_node *leaf = &tree->nodes[i];
+        memcpy(leaf->position, element->position.raw, sizeof leaf->position);
+        memcpy(leaf->normal, element->normal.raw, sizeof leaf->normal);
+        leaf->area = element->area;
+        leaf->radius = sqrtf(element->area / GLM_PIf);
+    }
     for (int i = tree->leaf_count; i < tree->count; i++)
         pull_up(tree->nodes, &tree->nodes[i]);
 }

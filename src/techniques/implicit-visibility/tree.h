@@ -19,11 +19,9 @@ struct tree_node {
 struct tree {
     struct tree_node *nodes;
     int leaf_count, count;
-    bool of_facets; /* else of elements */
 };
 
-/* Of the elements' facets where they are kept, else of the elements; sorts these into the order of the leaves. There is one at
- * least. size: metres that a turn by one radian counts for. */
+/* Sorts the elements into the order of the leaves. There is one at least. size: metres that a turn by one radian counts for. */
 void tree_init(struct tree *tree, struct elements *elements, float size);
 void tree_free(struct tree *tree);
 
