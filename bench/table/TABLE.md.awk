@@ -111,7 +111,7 @@ END {
     print "- Times: medians of frames; of other renderers their own. On software OpenGL two scenes are measured at once, so that"
     print "  the clock tells little: compare CPU times."
     print "- Noise: standard error of the reference over its mean. It is part of each error: subtract it as squares."
-    print "- A scene whose reference has no indirect light has no relative error, and no row among the best methods."
+    print "- Relative errors of indirect light need a reference with indirect light and at most 25 % noise."
     printf "- Scenes: %d, methods: %d, cases: %d, failed: %d, with faults: %d; %s.\n", scene_count, method_count,
         rows, failed, faulty, commits_shown()
     for (i = 1; i <= device_count; i++)

@@ -90,6 +90,9 @@ function take_scores(line,    part, indirect, names, i, n) {
         value[rows, "indirect-" names[i]] = indirect == "" ? "" : field(indirect, names[i])
     }
     value[rows, "noise"] = field(part, "noise")
+    # A reference of more noise tells no relative error: specular light in dark places.
+    if (value[rows, "noise"] + 0 > .25)
+        value[rows, "indirect-relative-rmse"] = ""
     text[rows, "faults"] = faults_of(part indirect)
 }
 /^{"rows"/ || /^\]/ { next }
