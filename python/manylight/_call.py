@@ -115,21 +115,26 @@ def run(work: Work, job: Callable[[], Any]) -> Any:
 def _beside(work: Work, job: Callable[[], Any]) -> Callable[[], Any]:
     """The job on a thread of its own, because Python handles signals only while its main thread is not in a call."""
     result: list = [None, None]
+    ended = threading.Event()
 
     def body() -> None:
         try:
             result[0] = job()
         except BaseException as error:
             result[1] = error
+        finally:
+            ended.set()
 
     def wait() -> Any:
         thread = threading.Thread(target=body, name="manylight")
         thread.start()
-        while thread.is_alive():
+        # Before Python 3.13 a join that Ctrl-C interrupts takes the thread for ended, though it works on.
+        while not ended.is_set():
             try:
-                thread.join()
+                ended.wait()
             except KeyboardInterrupt as interrupt:
                 work.error = interrupt
+        thread.join()
         if result[1] is not None:
             raise result[1]
         return result[0]
