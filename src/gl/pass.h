@@ -31,7 +31,9 @@ enum pass_cull {
 /* Channels of colour, as bits. */
 enum { PASS_RED = 1, PASS_GREEN = 2, PASS_BLUE = 4, PASS_ALPHA = 8 };
 
-enum { PASS_TEXTURES_MAX = 16, PASS_BLOCKS_MAX = 8, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
+/* OpenGL promises 16 textures for a stage, its drivers for 4.5 offer 32. Specular rays by slides and maps of Fourier bases
+ * need up to 18. */
+enum { PASS_TEXTURES_MAX = 20, PASS_BLOCKS_MAX = 8, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
 
 /* Numbers are those of shared/bindings.h and of the pass's own header there. Lists end with the first empty row. */
 struct pass_texture {

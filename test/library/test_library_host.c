@@ -546,10 +546,10 @@ static void test_state_stays(void **state) {
 
 /* --- objects ---------------------------------------------------------------------------------- */
 
-/* Objects of the context, of names up to a bound. */
+/* Objects of the context, of names up to a bound. Drivers give new names to what is made anew. */
 static int count_objects(void) {
     int count = 0;
-    for (GLuint name = 1; name < 3000; name++)
+    for (GLuint name = 1; name < (is_long_run() ? 100000 : 3000); name++)
         count += gl_.IsTexture(name) + gl_.IsBuffer(name) + gl_.IsProgram(name) +
                  gl_.IsFramebuffer(name) + gl_.IsVertexArray(name) + gl_.IsQuery(name);
     return count;
@@ -567,7 +567,8 @@ static void test_objects_go(void **state) {
         struct manylight_device *device = adopt(&kept_current);
         struct manylight_renderer *renderer = open_drawing(device, scene, &desc);
         check_call("render", manylight_render(renderer, NULL));
-        during = count_objects();
+        if (i == 0)
+            during = count_objects();
         manylight_device_free(device);
         manylight_renderer_free(renderer);
     }

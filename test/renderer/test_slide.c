@@ -230,6 +230,26 @@ static void test_everywhere(void **state) {
     stage_free(&stage);
 }
 
+/* Specular rays that look up maps read the most textures of all passes, and a slide is one more. */
+static void test_specular_maps(void **state) {
+    (void)state;
+    static const char *const techniques_of_maps[][2] = {
+        {"cluster-lights", CHEAP}, {"clustered", CHEAP "path=paper lights.importance=on"}};
+    unsigned char magenta[4] = {255, 0, 255, 255};
+    struct stage stage;
+    open_stage(&stage, "scenes/ring.glb");
+    set_slide_of(&stage, &(struct bitmap){.width = 1, .height = 1, .rgba = magenta});
+    for (int i = 0; i < 2; i++) {
+        struct image image =
+            render_stage(&stage, techniques_of_maps[i][0], techniques_of_maps[i][1], 24);
+        printf("    %s %s\n", techniques_of_maps[i][0], techniques_of_maps[i][1]);
+        check_finite("layers", &image);
+        check_near("direct, green", channel_mean(&image, "direct.G"), 0, 0);
+        image_free(&image);
+    }
+    stage_free(&stage);
+}
+
 /* --- files ------------------------------------------------------------------------------------ */
 
 /* A light with these extras, and textures of a picture of two pixels, red and green, and of none. */
@@ -300,8 +320,8 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_chart),      cmocka_unit_test(test_white),
         cmocka_unit_test(test_traced),     cmocka_unit_test(test_caustic),
-        cmocka_unit_test(test_everywhere), cmocka_unit_test(test_file),
-        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_everywhere), cmocka_unit_test(test_specular_maps),
+        cmocka_unit_test(test_file),       cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
