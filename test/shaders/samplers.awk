@@ -1,6 +1,6 @@
 # samplers.awk PROGRAMS DECLARATIONS: no two samplers of a program have the same texture unit, an element of an array
-# each, and no stage has more than 18. OpenGL promises 16, its drivers for 4.5 offer 32. PROGRAMS has a line "PROGRAM SHADER" for each stage,
-# DECLARATIONS a line "SHADER layout(binding = UNIT) uniform TYPE NAME;" for each sampler.
+# each, and no stage has more than 18. OpenGL promises 16, its drivers for 4.5 offer 32. PROGRAMS has a line
+# "PROGRAM SHADER" for each stage, DECLARATIONS a line "SHADER layout(binding = UNIT) uniform TYPE NAME;" for each sampler.
 function sum(text,    parts, i, total) {
     gsub(/[() ]/, "", text)
     for (i = split(text, parts, "+"); i; i--)
