@@ -1,7 +1,7 @@
 /* A line that tells how long work goes on: "  42 %  0:13 left  noise 1.8 %". On a terminal it is written over the one
  * before; elsewhere, as in a log, it is a note each half minute, but not of the end. After --quiet there is none.
- * With events as JSON (base/events.h) each of these is an event with the task, its frame and its pass, at most five in a
- * second but for frames that end; also after --quiet.
+ * With events as JSON (base/events.h) each of these is an event with the task, its frame and its pass, also after
+ * --quiet. At most five come in a second; the ends of frames always come.
  */
 #ifndef BASE_PROGRESS_H
 #define BASE_PROGRESS_H
