@@ -258,12 +258,9 @@ static bool draw(struct call *call) {
         free_renderer(call);
         return false;
     }
-    if (renderer->drawing.is_mean) {
-        if (!add_passes(call))
-            return false;
-    } else {
-        renderer_render(&renderer->renderer);
-    }
+    if (renderer->drawing.is_mean)
+        return add_passes(call);
+    renderer_render(&renderer->renderer);
     return true;
 }
 
@@ -359,7 +356,8 @@ static bool find_layer(const char *name, int *layer) {
            door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
-static bool compose(struct call *call) {
+static bool compose(void *user) {
+    struct call *call = user;
     if (!check_frame(call->of) || !find_layer(call->text, &call->layer))
         return false;
     renderer_compose(&call->of->renderer, call->layer);
@@ -392,10 +390,6 @@ enum manylight_status manylight_read_display(struct manylight_renderer *renderer
     return door_leave(&door, copy_display(renderer, layer, rgba, bytes), MANYLIGHT_FAILED);
 }
 
-static bool compose_alone(void *user) {
-    return compose(user);
-}
-
 enum manylight_status manylight_display_texture(struct manylight_renderer *renderer,
                                                 const char *layer, uint32_t *texture, int *width,
                                                 int *height) {
@@ -405,8 +399,7 @@ enum manylight_status manylight_display_texture(struct manylight_renderer *rende
         device_is_adopted(renderer->device) ||
         error_set("the device has a context of its own, whose textures are for nobody else") ||
         door_blame(MANYLIGHT_BAD_ARGUMENT);
-    ok = ok &&
-         device_do(renderer->device, compose_alone, &(struct call){.of = renderer, .text = layer});
+    ok = ok && device_do(renderer->device, compose, &(struct call){.of = renderer, .text = layer});
     if (ok) {
         *texture = renderer->renderer.composite.display.id;
         *width = renderer->renderer.desc.width;
