@@ -113,7 +113,6 @@ static void test_slab(void **state) {
     }
 }
 
-/* One interface, and a slab in a slab, each of whose interfaces has air on its other side: as the reference has it. */
 /* A wall of one side, seen from behind through glass, is black, as in the reference; one of two sides has the light below
  * it. */
 static void test_wall_from_behind(void **state) {
@@ -148,6 +147,7 @@ static void test_wall_from_behind(void **state) {
     stage_free(&stage);
 }
 
+/* One interface, and a slab in a slab, each of whose interfaces has air on its other side: as the reference has it. */
 static void test_open_and_nested(void **state) {
     (void)state;
     for (int nested = 0; nested < 2; nested++) {
