@@ -3,6 +3,7 @@
 #ifndef VIEWER_STATE_H
 #define VIEWER_STATE_H
 
+#include "base/file/video_file.h"
 #include "gl/context/context.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
@@ -171,13 +172,12 @@ struct recorder {
     bool on;
     enum record_kind kind;
     int first, frame,
-        count;         /* of the clip where it begins; the one to come, from there; how many */
-    double started;    /* when, window_time */
-    char folder[512];  /* where it goes */
-    int width, height; /* of the frames; 0 before the first */
-    char name[600];    /* of its own folder, or of the video */
-    char part[600];    /* of the video until it is whole */
-    FILE *pipe;        /* to ffmpeg */
+        count;        /* of the clip where it begins; the one to come, from there; how many */
+    double started;   /* when, window_time */
+    char folder[512]; /* where it goes */
+    char name[600];   /* of its own folder, or of the video */
+    char lock[600];   /* an empty file that keeps the video's number until the video is whole */
+    struct video_file video; /* zeroed before the first frame */
 };
 
 /* What is to be recorded, while it is asked for. */

@@ -244,24 +244,23 @@ static void test_longest_name(void **state) {
     assert_true(holds(path, &(struct file_bytes){(unsigned char *)"y", 1}));
 }
 
-/* What another program wrote takes a name, in place of an old file; where it cannot, only that goes. */
-static void test_take(void **state) {
+/* What another program fills takes a name, in place of an old file; where it may not, the old one stays alone. */
+static void test_part(void **state) {
     (void)state;
-    char part[512], path[512], below[600];
-    const char *folder = fresh_folder("take");
-    snprintf(part, sizeof part, "%s/.part", folder);
+    char path[512], below[600];
+    struct output_part part;
+    const char *folder = fresh_folder("part");
     snprintf(path, sizeof path, "%s/file", folder);
     snprintf(below, sizeof below, "%s/below", path);
-    check_ok("part", output_file_write(part, "new", 3));
     check_ok("old", output_file_write(path, "old", 3));
-    expect_refused(output_file_take(part, below), below, "Not a directory");
-    assert_int_equal(access(part, F_OK), -1);
-    assert_true(holds(path, &(struct file_bytes){(unsigned char *)"old", 3}));
-    expect_refused(output_file_take(part, path), path, "No such file");
-    check_ok("part", output_file_write(part, "new", 3));
-    check_ok("take", output_file_take(part, path));
-    assert_int_equal(access(part, F_OK), -1);
-    assert_true(holds(path, &(struct file_bytes){(unsigned char *)"new", 3}));
+    expect_refused(output_part_begin(&part, below), below, "Not a directory");
+    for (int ok = 0; ok < 2; ok++) {
+        check_ok("begin", output_part_begin(&part, path));
+        check_ok("put", output_file_put(part.file, "new", 3));
+        assert_int_equal(output_part_end(&part, ok), ok);
+        assert_int_equal(count_files(folder), 1);
+        assert_true(holds(path, &(struct file_bytes){(unsigned char *)(ok ? "new" : "old"), 3}));
+    }
 }
 
 static void test_read_only(void **state) {
@@ -316,7 +315,7 @@ int main(void) {
         cmocka_unit_test(test_full_disk),       cmocka_unit_test(test_cut_files),
         cmocka_unit_test(test_unknown_formats), cmocka_unit_test(test_text),
         cmocka_unit_test(test_session),         cmocka_unit_test(test_refused_names),
-        cmocka_unit_test(test_longest_name),    cmocka_unit_test(test_take),
+        cmocka_unit_test(test_longest_name),    cmocka_unit_test(test_part),
         cmocka_unit_test(test_read_only),       cmocka_unit_test(test_what_is_replaced),
     };
     signal(SIGXFSZ, SIG_IGN);

@@ -158,7 +158,7 @@ static void test_frame(void **state) {
 
 /* --- time ------------------------------------------------------------------------------------- */
 
-/* Stands in for ffmpeg; its last argument is the file. */
+/* Stands in for ffmpeg; its last argument is the file, which has no name before it is whole. */
 static void write_ffmpeg(const char *command) {
     char path[700];
     snprintf(path, sizeof path, "%s/ffmpeg", stage.folder);
@@ -174,7 +174,7 @@ static void test_steps(void **state) {
     if (!stage.server)
         skip();
     char old[2000], with[2800];
-    write_ffmpeg("cat >\"$last\""); /* keeps what it is given */
+    write_ffmpeg("tee \"${0%/*}/given\" >\"$last\""); /* keeps what it is given, and shows it */
     snprintf(old, sizeof old, "%s", getenv("PATH"));
     snprintf(with, sizeof with, "%s:%s", stage.folder, old);
     setenv("PATH", with, 1);
@@ -226,13 +226,14 @@ static void test_video(void **state) {
     find_place("Start", &x, &y);
     xdo("key Return");
     assert_true(wait_for(".manylight-clip-0001.mp4"));
-    snprintf(path, sizeof path, "%s/.manylight-clip-0001.mp4", stage.folder);
+    snprintf(path, sizeof path, "%s/given", stage.folder);
     for (int i = 0; i < PATIENCE_MS / 50 && info.st_size < 2 * frame; i++) {
         pause_ms(50);
         stat(path, &info);
     }
     press("Stop");
     find_place("Record", &x, &y); /* it has ended */
+    snprintf(path, sizeof path, "%s/.manylight-clip-0001.mp4", stage.folder);
     assert_int_equal(access(path, F_OK), -1);
     snprintf(path, sizeof path, "%s/manylight-clip-0001.mp4", stage.folder);
     assert_int_equal(stat(path, &info), 0);

@@ -291,19 +291,6 @@ bool output_file_write(const char *path, const void *bytes, size_t size) {
     return ok;
 }
 
-bool output_file_take(const char *part, const char *path) {
-    int file = open(part, O_RDONLY | O_CLOEXEC);
-    bool ok = file >= 0 && sync_all(file);
-    ok = file >= 0 && close(file) == 0 && ok && rename(part, path) == 0;
-    if (ok) {
-        sync_folder(path);
-    } else {
-        fail(path);
-        unlink(part);
-    }
-    return ok;
-}
-
 bool output_part_begin(struct output_part *part, const char *path) {
     struct part made;
     *part = (struct output_part){0};

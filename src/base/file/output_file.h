@@ -33,9 +33,6 @@ bool output_file_write(const char *path, const void *bytes, size_t size);
 /* Writes all bytes to a file that is open. False: errno tells why. */
 bool output_file_put(int file, const void *bytes, size_t size);
 
-/* What another program has written beside it is synced and takes the name; where it cannot, it is removed. */
-bool output_file_take(const char *part, const char *path);
-
 /* A file that another program fills, which gets its descriptor. It has no name where the file system knows such files.
  * Zeroed: none. */
 struct output_part {

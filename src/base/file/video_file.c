@@ -163,14 +163,17 @@ bool video_file_add(struct video_file *video, const struct bitmap *frame) {
 }
 
 bool video_file_end(struct video_file *video, bool ok) {
+    if (!video->path)
+        return ok;
     if (video->encoder > 0) {
         if (!ok)
             kill(video->encoder, SIGKILL);
         int status = wait_for(video);
         if (ok && status != 0)
             ok = tell_end(video, status);
-    } else if (video->pipe > 0) {
-        close(video->pipe);
+    } else {
+        if (video->pipe >= 0)
+            close(video->pipe);
         ok = false;
     }
     ok = output_part_end(&video->part, ok) && ok;

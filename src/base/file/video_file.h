@@ -38,7 +38,8 @@ bool video_file_begin(struct video_file *video, const char *path, int width, int
 /* Adds a frame, without its alpha. Error: ffmpeg has ended, and how. */
 bool video_file_add(struct video_file *video, const struct bitmap *frame);
 
-/* Waits for ffmpeg. ok false: there is no video, and no new error. Accepts a zeroed one. */
+/* Waits for ffmpeg. There is no video where ok is false or ffmpeg has ended before; neither is a new error. Accepts a
+ * zeroed one. */
 bool video_file_end(struct video_file *video, bool ok);
 
 #endif

@@ -3,8 +3,6 @@
 
 #include "base/error.h"
 #include "base/file/folder.h"
-#include "base/file/output_file.h"
-#include "base/memory.h"
 #include "base/shell.h"
 #include "scene/animation.h"
 #include "viewer/files/screenshot.h"
@@ -13,7 +11,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -25,11 +22,11 @@ bool recorder_has_video(void) {
     return shell_has("ffmpeg");
 }
 
-/* Makes the folder, or the file that ffmpeg writes; false where another viewer has done so. */
+/* Makes the folder, or the video's lock; false where another viewer has done so. */
 static bool take_name(const struct recorder *recorder) {
     if (recorder->kind == RECORD_PICTURES)
         return mkdir(recorder->name, 0777) == 0;
-    int file = open(recorder->part, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    int file = open(recorder->lock, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     return file >= 0 && close(file) == 0;
 }
 
@@ -39,7 +36,7 @@ static enum name_state take_number(void *user, int number) {
     const char *ending = recorder->kind == RECORD_VIDEO ? ".mp4" : "";
     snprintf(recorder->name, sizeof recorder->name, "%s/manylight-clip-%04d%s", recorder->folder,
              number, ending);
-    snprintf(recorder->part, sizeof recorder->part, "%s/.manylight-clip-%04d%s", recorder->folder,
+    snprintf(recorder->lock, sizeof recorder->lock, "%s/.manylight-clip-%04d%s", recorder->folder,
              number, ending);
     if (access(recorder->name, F_OK) == 0)
         return NAME_IS_TAKEN;
@@ -49,20 +46,6 @@ static enum name_state take_number(void *user, int number) {
         return NAME_IS_TAKEN;
     error_set("cannot make %s: %s", recorder->name, strerror(errno));
     return NAME_IS_REFUSED;
-}
-
-/* The video's sides are even, as most players want them. */
-static bool open_pipe(struct recorder *recorder) {
-    char *part = shell_quote(recorder->part);
-    char *command = mem_printf(
-        "ffmpeg -loglevel error -y -f rawvideo -pix_fmt rgba -s %dx%d -r %d -i - -an -vf "
-        "'crop=trunc(iw/2)*2:trunc(ih/2)*2' -pix_fmt yuv420p %s",
-        recorder->width, recorder->height, TIMELINE_FPS, part);
-    signal(SIGPIPE, SIG_IGN); /* an ffmpeg that fails is noticed by fwrite */
-    recorder->pipe = popen(command, "w");
-    free(command);
-    free(part);
-    return recorder->pipe || error_set("ffmpeg cannot be started: %s", strerror(errno));
 }
 
 /* --- a clip ----------------------------------------------------------------------------------- */
@@ -111,19 +94,17 @@ static void tell_written(struct viewer *viewer) {
     free(path);
 }
 
-/* Of a video that was begun. */
-static bool end_video(const struct recorder *recorder) {
-    bool ok = recorder->pipe && (pclose(recorder->pipe) == 0 ||
-                                 error_set("ffmpeg failed: there is no %s", recorder->name));
-    if (ok)
-        return output_file_take(recorder->part, recorder->name);
-    remove(recorder->part);
-    return !recorder->pipe;
+/* A video of the frames so far, unless ffmpeg has ended, which is told already. */
+static bool end_video(struct recorder *recorder) {
+    bool has_failed = recorder->video.path && recorder->video.encoder == 0;
+    bool ok = video_file_end(&recorder->video, !has_failed) || has_failed;
+    remove(recorder->lock);
+    return ok;
 }
 
 void recorder_stop(struct viewer *viewer) {
     struct recorder *recorder = &viewer->recorder;
-    bool ok = !*recorder->part || recorder->kind == RECORD_PICTURES || end_video(recorder);
+    bool ok = !*recorder->lock || recorder->kind == RECORD_PICTURES || end_video(recorder);
     if (!ok)
         viewer_tell_error(viewer);
     else if (recorder->on && recorder->frame > 0)
@@ -148,17 +129,9 @@ static bool write_video(struct viewer *viewer) {
     struct recorder *recorder = &viewer->recorder;
     struct bitmap shown;
     viewer_read_shown(viewer, &shown);
-    if (!recorder->pipe) {
-        recorder->width = shown.width;
-        recorder->height = shown.height;
-    }
-    bool ok = shown.width == recorder->width && shown.height == recorder->height;
-    size_t size = (size_t)shown.width * (size_t)shown.height * 4;
-    if (!ok)
-        error_set("%s: the picture's size has changed", recorder->name);
-    ok = ok && (recorder->pipe || open_pipe(recorder));
-    if (ok && fwrite(shown.rgba, 1, size, recorder->pipe) != size)
-        ok = error_set("%s: %s", recorder->name, strerror(errno));
+    bool ok = recorder->video.path || video_file_begin(&recorder->video, recorder->name,
+                                                       shown.width, shown.height, TIMELINE_FPS);
+    ok = ok && video_file_add(&recorder->video, &shown);
     bitmap_free(&shown);
     return ok;
 }
