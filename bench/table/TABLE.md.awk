@@ -1,4 +1,10 @@
 # The table as a page of bench/: for each machine and size the methods, then which method suits which scene.
+
+# A name in a table, whose columns | parts.
+function cell(name) {
+    gsub(/[|]/, "\\\\|", name)
+    return name
+}
 function cells(list, what, device, size, method,    i, row, count) {
     split("", list)
     for (i = 1; i <= scene_count; i++) {
@@ -23,7 +29,7 @@ function print_methods(device, size,    i, j, row, done, broken, faults, list, l
         }
         if (!done)
             continue
-        line = "| " methods[i] " | " done " | " (broken ? broken : "") " | " (faults ? faults : "")
+        line = "| " cell(methods[i]) " | " done " | " (broken ? broken : "") " | " (faults ? faults : "")
         line = line " | " shown(median_of(list, cells(list, "indirect-relative-rmse", device, size, methods[i])), 3, 100)
         line = line " | " shown(median_of(list, cells(list, "relative-rmse", device, size, methods[i])), 3, 100)
         line = line " | " shown(median_of(list, cells(list, "hdr-flip", device, size, methods[i])), 2)
@@ -53,7 +59,7 @@ function noise_of(scene, size, device,    i, row) {
     return ""
 }
 function told(row) {
-    return row ? " | " text[row, "method"] " | " shown(value[row, "indirect-relative-rmse"], 3, 100) " | " whole(value[row, "cpu"]) : " | | |"
+    return row ? " | " cell(text[row, "method"]) " | " shown(value[row, "indirect-relative-rmse"], 3, 100) " | " whole(value[row, "cpu"]) : " | | |"
 }
 # Whether a method has a layer of indirect light.
 function has_indirect(device, size,    i, list) {
@@ -71,7 +77,7 @@ function print_scenes(device, size,    i, noise) {
     for (i = 1; i <= scene_count; i++) {
         noise = noise_of(scenes[i], size, device)
         if (noise != "")
-            print "| `" scenes[i] "` | " shown(noise, 2, 100) told(least(scenes[i], size, device, "indirect-relative-rmse", 1e30)) \
+            print "| `" cell(scenes[i]) "` | " shown(noise, 2, 100) told(least(scenes[i], size, device, "indirect-relative-rmse", 1e30)) \
                 told(least(scenes[i], size, device, "cpu", .1)) told(least(scenes[i], size, device, "cpu", .25)) " |"
     }
 }
@@ -86,7 +92,7 @@ function print_others(device, size,    i, j, row, n) {
                 print "\n| scene | other renderer | beauty, % | bias, % | FLIP | ms |"
                 print "|---|---|---|---|---|---|"
             }
-            print "| `" scenes[i] "` | " methods[j] " | " shown(value[row, "relative-rmse"], 3, 100) " | " \
+            print "| `" cell(scenes[i]) "` | " cell(methods[j]) " | " shown(value[row, "relative-rmse"], 3, 100) " | " \
                 shown(value[row, "relative-bias"], 2, 100) " | " shown(value[row, "hdr-flip"], 2) " | " whole(value[row, "ms"]) " |"
         }
 }

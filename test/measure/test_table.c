@@ -178,18 +178,19 @@ static void test_ended_run(void **state) {
 static void test_odd_names(void **state) {
     (void)state;
     need_file("bench/table/run");
-    expect(0, "cp scenes/cornell-box.glb '@/a \"b\" c\\d.glb'");
-    expect(0, "bench/table/run --frames 0 --spp 4 --device test --scene '@/a \"b\" c\\d.glb' "
-              "--scene '@/a \"b\" c\\d.glb' " SIZES "--size 24x24 --jobs 2 --variant none "
+    expect(0, "cp scenes/cornell-box.glb '@/a \"b\" c\\d|e.glb'");
+    expect(0, "bench/table/run --frames 0 --spp 4 --device test --scene '@/a \"b\" c\\d|e.glb' "
+              "--scene '@/a \"b\" c\\d|e.glb' " SIZES "--size 24x24 --jobs 2 --variant none "
               "--renderer 'my copy=@/draw' -o '@/odd names'");
-    assert_int_equal(count_text(output, "c\\d 24x24 my copy\n"), 1);
+    assert_int_equal(count_text(output, "c\\d|e 24x24 my copy\n"), 1);
     expect_text("2 rows, 0 failed");
     need_command("python3 -c 1");
     expect(0, "cd '@/odd names' && for f in *.json cases/* times/* entries/*/*.json; do "
               "python3 -m json.tool \"$f\" >/dev/null || exit 1; done");
-    expect(0, "grep -cF 'a \\\"b\\\" c\\\\d.24x24.exr' '@/odd names/entries/my-copy/method.json'");
+    expect(0, "grep -cF 'a \\\"b\\\" c\\\\d|e.24x24.exr' '@/odd names/entries/my-copy/method.json'");
     expect(0, "python3 test/measure/check_jeri.py '@/odd names'");
     expect_text("4 pictures");
+    expect_count("odd names/TABLE.md", "| `a \"b\" c\\d\\|e` | my copy | ", 2);
 }
 
 /* Two cases must not write one file. */
