@@ -187,7 +187,8 @@ static void test_odd_names(void **state) {
     need_command("python3 -c 1");
     expect(0, "cd '@/odd names' && for f in *.json cases/* times/* entries/*/*.json; do "
               "python3 -m json.tool \"$f\" >/dev/null || exit 1; done");
-    expect(0, "grep -cF 'a \\\"b\\\" c\\\\d|e.24x24.exr' '@/odd names/entries/my-copy/method.json'");
+    expect(0,
+           "grep -cF 'a \\\"b\\\" c\\\\d|e.24x24.exr' '@/odd names/entries/my-copy/method.json'");
     expect(0, "python3 test/measure/check_jeri.py '@/odd names'");
     expect_text("4 pictures");
     expect_count("odd names/TABLE.md", "| `a \"b\" c\\d\\|e` | my copy | ", 2);
