@@ -393,6 +393,12 @@ static void test_quality(void **state) {
     assert_int_equal(run_command(command, output, sizeof output), 0);
     printf("%s", output);
     expect_text("| cornell-box | nothing to learn from | (1.0");
+}
+
+/* A camera that is nearer changes the estimate as it changes the error. */
+static void test_quality_closer(void **state) {
+    (void)state;
+    char arguments[1024];
     snprintf(arguments, sizeof arguments,
              "quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s -q --passes 1 "
              "--set vpls=64,map.size=32,vals=4 --estimates --camera \"0 fov=.5\"",
@@ -517,6 +523,7 @@ int main(void) {
         cmocka_unit_test(test_ambient_occlusion),
         cmocka_unit_test(test_scaling),
         cmocka_unit_test(test_vpl_raytraced),
+        cmocka_unit_test(test_quality_closer),
     };
     return run_some_tests(tests, 13, NULL, NULL);
 }

@@ -208,9 +208,10 @@ static void test_odd_lights(void **state) {
         if (i == 3)
             view.stage.emitters.items[0].position[1] =
                 1e3f; /* far above the ceiling, which has its back to it */
-        for (const struct technique *const *t = techniques; *t; t++)
-            check_picture(i == 3 ? "light outside" : "intensity", &view, (*t)->name,
-                          "vpls=64 vals=8 map-size=64 interleave=4", 40, 40);
+        for (size_t t = 0; techniques[t]; t++)
+            if (is_tried_here((size_t)i + t, 2))
+                check_picture(i == 3 ? "light outside" : "intensity", &view, techniques[t]->name,
+                              "vpls=64 vals=8 map-size=64 interleave=4", 40, 40);
         close_view(&view);
     }
 }
