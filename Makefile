@@ -26,13 +26,13 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 
 # --- what it is made of ---------------------------------------------------------------------------
 
-# Pictures go through OpenImageIO, or, by PICTURES=small, through libraries that know fewer formats and need few others.
-# VIEWER= leaves the viewer's window out. `make bundle` sets both.
+# OpenImageIO reads and writes the pictures that smaller libraries do not. PICTURES=small leaves it out, VIEWER= the
+# viewer's window. `make bundle` sets both.
 PICTURES ?= openimageio
 VIEWER ?= yes
 # Of the viewer's files, the one that tests of files and fuzzers use.
 WITHOUT_WINDOW := src/viewer/scene/session.c
-LEFT_OUT := $(if $(filter small,$(PICTURES)),src/base/file/image_%.cpp,src/base/file/small/%) \
+LEFT_OUT := src/base/file/openimageio/% \
     $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
 
 # Floors are folders of src/, rooms folders of theirs, to any depth; src/main.c is no floor's. Shaders
@@ -51,9 +51,10 @@ SCENES := $(BUILD)/scenes/made
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time.
 PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6 \
     libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev libcglm-dev \
+    libopenexr-dev libpng-dev libjpeg-dev libwebp-dev \
     libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev libx11-dev gnuplot-nox xvfb xdotool python3-dev python3-cffi python3-numpy
 
-PKG := cglm $(if $(filter small,$(PICTURES)),OpenEXR,OpenImageIO) $(if $(VIEWER),imgui glfw3)
+PKG := cglm OpenEXR $(if $(VIEWER),imgui glfw3)
 INCLUDES := -Isrc -Iglsl -I$(BUILD)/include
 WARNINGS := -Wall -Wextra $(WERROR)
 # One set of objects serves the program and libmanylight.so. The bundle's tests use a library that shows all symbols.
@@ -62,9 +63,9 @@ LIBRARY_FLAGS := -fPIC -fvisibility=$(VISIBILITY)
 C_FLAGS = -std=c11 $(LIBRARY_FLAGS) -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(LIBRARY_FLAGS) $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
-PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) 2>/dev/null))
+PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) $(if $(filter small,$(PICTURES)),,OpenImageIO) 2>/dev/null))
 PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
-LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs $(PKG) 2>/dev/null)) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
+LIBS := $(if $(VIEWER),$(shell pkg-config --libs imgui glfw3 2>/dev/null)) $(PICTURE_LIBS) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
 EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o $(BUILD)/bounds_embedded.o
 BOUNDS := $(sort $(wildcard src/techniques/*/bounds.csv))
@@ -73,13 +74,22 @@ GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
 LIBRARY := $(BUILD)/libmanylight.a
 
+# The bridge to OpenImageIO is opened at run time (src/base/file/image_plugin.h). It takes copies of a few objects of
+# the library. Links to it lie beside each program of a build, where the program looks first.
+PLUGIN_NAME := libmanylight-openimageio.so
+PLUGIN := $(BUILD)/lib/manylight/$(PLUGIN_NAME)
+PLUGIN_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard src/base/file/openimageio/*.cpp)))
+PLUGIN_LINKS := $(addsuffix /$(PLUGIN_NAME),$(sort $(patsubst %/,%,$(dir $(BINARY))) \
+    $(BUILD) $(BUILD)/test $(GUESTS) $(BUILD)/scenes))
+PLUGINS := $(if $(filter small,$(PICTURES)),,$(PLUGIN) $(PLUGIN_LINKS))
+
 .PHONY: all demo deps install uninstall clean FORCE
 .DELETE_ON_ERROR:
 .SECONDARY:
 
 all: $(BINARY) $(SCENES)
 
-$(BINARY): $(MAIN_OBJECT) $(LIBRARY)
+$(BINARY): $(MAIN_OBJECT) $(LIBRARY) | $(PLUGINS)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
@@ -88,12 +98,22 @@ $(LIBRARY): $(OBJECTS)
 	$(say) AR $@
 	$(Q)ar rcs $@ $^
 
+$(PLUGIN): $(PLUGIN_OBJECTS) $(LIBRARY)
+	@mkdir -p $(@D)
+	$(say) LINK $@
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -shared -Wl,--exclude-libs,ALL -Wl,--as-needed -o $@ $^ \
+	    $(shell pkg-config --libs OpenImageIO) -ldl -lpthread -lm
+
+$(PLUGIN_LINKS): | $(PLUGIN)
+	@mkdir -p $(@D)
+	@ln -srf $(PLUGIN) $@
+
 $(BUILD)/%.o: %.c | $(BUILD)/include/version.h $(BUILD)/include/sources.h
 	@mkdir -p $(@D)
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c -o $@ $<
 
-$(BUILD)/%.o: %.cpp
+$(BUILD)/%.o: %.cpp | $(BUILD)/include/version.h
 	@mkdir -p $(@D)
 	$(say) CXX $@
 	$(Q)$(CXX) $(CXX_FLAGS) -MMD -MP -c -o $@ $<
@@ -105,8 +125,8 @@ keep = @cmp -s $@ $@.new && rm $@.new || mv $@.new $@
 
 $(BUILD)/include/version.h: FORCE
 	@mkdir -p $(@D)
-	@printf '#define MANYLIGHT_VERSION "%s"\n#define MANYLIGHT_DATE "%s"\n#define MANYLIGHT_COMMIT "%s"\n' \
-	    $(VERSION) $(DATE) $(COMMIT) > $@.new
+	@printf '#define MANYLIGHT_VERSION "%s"\n#define MANYLIGHT_DATE "%s"\n#define MANYLIGHT_COMMIT "%s"\n#define MANYLIGHT_LIBDIR "%s"\n' \
+	    $(VERSION) $(DATE) $(COMMIT) $(LIBDIR) > $@.new
 	$(keep)
 
 $(BUILD)/include/sources.h: FORCE
@@ -184,7 +204,7 @@ demo: deps
 	./manylight render scenes/cornell-box.glb -o cornell-box.png -o cornell-box.exr --stats
 
 clean:
-	rm -rf build manylight scenes/*.glb scenes/*.hdr scenes/failures
+	rm -rf build manylight $(PLUGIN_NAME) scenes/*.glb scenes/*.hdr scenes/failures
 
 include mk/library.mk mk/install.mk mk/test.mk mk/python.mk mk/deb.mk
 

@@ -17,6 +17,7 @@ install: all lib $(FINDERS)
 	put $(DOC) 644 LICENSE; \
 	put include 644 src/library/manylight.h; \
 	put $(LIBDIR) 755 $(SHARED); \
+	$(if $(PLUGINS),put $(LIBDIR)/manylight 755 $(PLUGIN);) \
 	link() { ln -sf "$$1" "$$root/$(LIBDIR)/$$2"; echo "$(LIBDIR)/$$2" >> "$$root/$(INSTALLED)"; }; \
 	link $(notdir $(SHARED)) $(SHARED_NAME); link $(SHARED_NAME) libmanylight.so; \
 	put $(LIBDIR)/pkgconfig 644 $(SHARED_FOLDER)/manylight.pc; \
@@ -38,4 +39,4 @@ uninstall:
 	@echo "  RM   $(DESTDIR)$(PREFIX)"
 	@cd "$(DESTDIR)$(PREFIX)" && test -f $(INSTALLED) || { echo "nothing to uninstall: $(INSTALLED) is not there"; exit 1; }
 	@set -e; cd "$(DESTDIR)$(PREFIX)"; while read -r file; do rm -f "$$file"; done < $(INSTALLED); rm $(INSTALLED); \
-	for folder in $(SHARE) $(DOC) $(LIBDIR)/cmake/manylight; do test ! -d $$folder || find $$folder -depth -type d -empty -delete; done
+	for folder in $(SHARE) $(DOC) $(LIBDIR)/manylight $(LIBDIR)/cmake/manylight; do test ! -d $$folder || find $$folder -depth -type d -empty -delete; done

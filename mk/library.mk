@@ -13,13 +13,12 @@ SHARED_MAP := src/library/manylight.map
 # Videos start ffmpeg and ignore SIGPIPE, which is the process's.
 SHARED_OBJECTS := $(filter-out $(BUILD)/src/apps/% $(BUILD)/src/viewer/% $(BUILD)/chart_embedded.o \
     $(BUILD)/src/base/file/video_file.o,$(OBJECTS))
-SHARED_LIBS := $(if $(filter small,$(PICTURES)),$(PICTURE_LIBS),$(shell pkg-config --libs OpenImageIO 2>/dev/null)) \
-    -lembree3 -ldraco -lmeshoptimizer -ldl -lpthread -lm
+SHARED_LIBS := $(PICTURE_LIBS) -lembree3 -ldraco -lmeshoptimizer -ldl -lpthread -lm
 
 lib: $(SHARED)
 
 # A folder of the compiler's and the loader's names, as an installed one.
-$(SHARED): $(SHARED_OBJECTS) $(SHARED_MAP)
+$(SHARED): $(SHARED_OBJECTS) $(SHARED_MAP) | $(PLUGINS)
 	@mkdir -p $(@D)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -shared -Wl,-soname,$(SHARED_NAME) -Wl,--version-script,$(SHARED_MAP) -Wl,--as-needed \

@@ -6,7 +6,7 @@ PYTHON ?= python3
 PYTHON_LIBRARY ?= own
 MODULE := $(BUILD)/python/manylight
 MODULE_FILES := $(patsubst python/%,$(BUILD)/python/%,$(wildcard python/manylight/*.py python/manylight/py.typed))
-MODULE_LIBRARY := $(if $(filter own,$(PYTHON_LIBRARY)),$(MODULE)/$(SHARED_NAME))
+MODULE_LIBRARY := $(if $(filter own,$(PYTHON_LIBRARY)),$(MODULE)/$(SHARED_NAME) $(if $(PLUGINS),$(MODULE)/$(PLUGIN_NAME)))
 PYTHON_INCLUDE = $(shell $(PYTHON) -c 'import sysconfig; print(sysconfig.get_path("include"))')
 # The interface of Python 3.9 alone, which later versions have too.
 MODULE_FLAGS = -std=c11 -fPIC -Isrc/library -isystem $(PYTHON_INCLUDE) -DPy_LIMITED_API=0x03090000 $(CFLAGS)
@@ -30,6 +30,10 @@ $(MODULE)/_cffi.abi3.so: $(BUILD)/python/_cffi.c $(MODULE_LIBRARY)
 	$(Q)$(CC) $(MODULE_FLAGS) -shared -o $@ $< $(LDFLAGS) $(if $(MODULE_LIBRARY),$(ORIGIN)) -L$(SHARED_FOLDER) -lmanylight
 
 $(MODULE)/$(SHARED_NAME): $(SHARED)
+	@mkdir -p $(@D)
+	@cp $< $@
+
+$(MODULE)/$(PLUGIN_NAME): $(PLUGIN)
 	@mkdir -p $(@D)
 	@cp $< $@
 

@@ -18,7 +18,7 @@ TEST_LIBRARY := $(LIBRARY)
 # Sources lie in a folder for each layer, all programs in one.
 $(foreach source,$(TEST_SOURCES),$(eval $(BUILD)/test/$(basename $(notdir $(source))): $(source:%.c=$(BUILD)/%.o)))
 
-$(TEST_PROGRAMS): $(TEST_SUPPORT) $(TEST_LIBRARY)
+$(TEST_PROGRAMS): $(TEST_SUPPORT) $(TEST_LIBRARY) | $(PLUGINS)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $(filter %.o,$^) $(TEST_LIBRARY) $(LIBS) -lcmocka $(if $(VIEWER),-lX11)
 
@@ -60,7 +60,7 @@ $(GUESTS)/%.o: src/%/registry.c
 	$(Q)$(CC) $(C_FLAGS) '-DMORE_TECHNIQUES(X)=X(ambient)' '-DMORE_METHODS(X)=X(headlamp)' \
 	    -MMD -MP -c -o $@ $<
 
-$(GUESTS)/manylight: $(MAIN_OBJECT) $(GUEST_OBJECTS) $(LIBRARY)
+$(GUESTS)/manylight: $(MAIN_OBJECT) $(GUEST_OBJECTS) $(LIBRARY) | $(PLUGINS)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
@@ -82,7 +82,7 @@ tests: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
 # A folder, and an archive of it, that runs on a bare Linux machine with a driver of OpenGL: program, test programs, scenes
 # and libraries, without the viewer (bundle/README). It is built apart, in BUNDLE_BUILD.
 BUNDLE_PACKAGES := $(filter-out libopenimageio-dev libglfw3-dev libimgui-dev libx11-dev gnuplot-nox xvfb xdotool,$(PACKAGES)) \
-    libopenexr-dev libpng-dev libjpeg-dev libwebp-dev patchelf
+    patchelf
 BUNDLE := build/bundle
 BUNDLE_BUILD := build/bundle-parts
 
@@ -135,7 +135,7 @@ fuzz: deps
 fuzzers: $(FUZZERS)
 	@$(foreach name,$(FUZZ),test/fuzz/run $(BUILD)/fuzz_$(name) test/fuzz/seeds/$(name) $(SECONDS) &&) true
 
-$(FUZZERS): $(BUILD)/fuzz_%: $(BUILD)/test/fuzz/driver_%.o $(FUZZ_OBJECTS) $(LIBRARY)
+$(FUZZERS): $(BUILD)/fuzz_%: $(BUILD)/test/fuzz/driver_%.o $(FUZZ_OBJECTS) $(LIBRARY) | $(PLUGINS)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -fsanitize=fuzzer -o $@ $^ $(LIBS)
 

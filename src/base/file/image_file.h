@@ -1,7 +1,7 @@
-/* Picture files, by one of two bridges that the Makefile chooses (PICTURES): through OpenImageIO, as all is told here, or
- * through smaller libraries for `make bundle` (base/file/small/). The latter read and write EXR, PNG, PFM and HDR, read
- * textures in PNG, JPEG and WebP, and refuse all else: other formats, and windows, parts and orientations other than
- * those that this program writes. */
+/* Picture files, by two bridges. The first starts quickly and comes first (base/file/small/): it reads and writes EXR, PNG,
+ * PFM and HDR, and reads textures in PNG, JPEG and WebP. Other formats go to OpenImageIO (base/file/image_plugin.h), and so
+ * do files of these formats with tiles, several parts, windows, orientations and the like. `make bundle` has the first
+ * bridge alone, which refuses them. */
 #ifndef BASE_FILE_IMAGE_FILE_H
 #define BASE_FILE_IMAGE_FILE_H
 

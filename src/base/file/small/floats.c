@@ -46,8 +46,10 @@ bool pfm_read(struct image *image, const unsigned char *bytes, size_t size) {
     int width = 0, height = 0;
     if (!next_line(&cursor, kind, sizeof kind) || !next_line(&cursor, shape, sizeof shape) ||
         !next_line(&cursor, order, sizeof order) || strcmp(kind, "PF") != 0 ||
-        sscanf(shape, "%d %d", &width, &height) != 2 || strtod(order, NULL) >= 0)
-        return error_set("not a little-endian PFM in colour, which this build reads alone");
+        sscanf(shape, "%d %d", &width, &height) != 2 || strtod(order, NULL) != -1)
+        return error_set(
+            "not a little-endian PFM in colour without a scale, which this build reads "
+            "alone");
     if (!check_picture_size(width, height) || !image_fits(width, height, 3))
         return false;
     size_t row = 3 * sizeof(float) * (size_t)width;
@@ -72,9 +74,12 @@ void pfm_write(struct text *file, const struct image *image, const int channels[
 
 enum { RGBE = 4, EXPONENT_BIAS = 128 + 8, RUN_WIDTH_MIN = 8, RUN_WIDTH_MAX = 32767 };
 
+/* Of a run that is told as one; of one told at once, and of values told one by one. */
+enum { RUN_MIN = 4, RUN_MAX = 127, VALUES_MAX = 128 };
+
 static bool read_hdr_header(struct cursor *cursor, int *width, int *height) {
     char line[256];
-    bool is_rgbe = true;
+    bool is_rgbe = false;
     if (!next_line(cursor, line, sizeof line) || strncmp(line, "#?", 2) != 0)
         return error_set("not a Radiance picture");
     while (next_line(cursor, line, sizeof line) && line[0])
@@ -167,16 +172,67 @@ static void encode_rgbe(unsigned char rgbe[RGBE], const float rgb[3]) {
     rgbe[3] = (unsigned char)(exponent + 128);
 }
 
-/* Without runs, which every reader knows. */
+static int run_length(const unsigned char *row, int at, int width) {
+    int length = 1;
+    while (length < RUN_MAX && at + length < width && row[RGBE * (at + length)] == row[RGBE * at])
+        length++;
+    return length;
+}
+
+static void write_values(struct text *file, const unsigned char *row, int at, int end) {
+    while (at < end) {
+        int count = end - at < VALUES_MAX ? end - at : VALUES_MAX;
+        text_append(file, &(unsigned char){(unsigned char)count}, 1);
+        for (int i = 0; i < count; i++)
+            text_append(file, row + RGBE * (at + i), 1);
+        at += count;
+    }
+}
+
+static void write_run(struct text *file, unsigned char value, int length) {
+    const unsigned char run[2] = {(unsigned char)(VALUES_MAX + length), value};
+    text_append(file, run, 2);
+}
+
+/* One byte of each pixel after another. A short run is worth its two bytes where nothing comes before it. */
+static void write_runs(struct text *file, const unsigned char *row, int width) {
+    for (int at = 0; at < width;) {
+        int begin = at, length = 0, first = run_length(row, at, width);
+        while (begin < width && (length = run_length(row, begin, width)) < RUN_MIN)
+            begin += length;
+        if (first > 1 && first == begin - at) {
+            write_run(file, row[RGBE * at], first);
+            at = begin;
+        }
+        write_values(file, row, at, begin);
+        if (begin < width)
+            write_run(file, row[RGBE * begin], length);
+        at = begin < width ? begin + length : width;
+    }
+}
+
+static void write_hdr_row(struct text *file, const unsigned char *row, int width) {
+    if (width < RUN_WIDTH_MIN || width > RUN_WIDTH_MAX) {
+        text_append(file, row, RGBE * (size_t)width);
+        return;
+    }
+    const unsigned char mark[RGBE] = {2, 2, (unsigned char)(width >> 8), (unsigned char)width};
+    text_append(file, mark, RGBE);
+    for (int c = 0; c < RGBE; c++)
+        write_runs(file, row + c, width);
+}
+
 void hdr_write(struct text *file, const struct image *image, const int channels[3]) {
     text_print(file, "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y %d +X %d\n", image->height,
                image->width);
-    for (int y = 0; y < image->height; y++)
+    unsigned char *row = mem_alloc((size_t)image->width, RGBE);
+    for (int y = 0; y < image->height; y++) {
         for (int x = 0; x < image->width; x++) {
             const float *pixel = image_at(image, x, y);
             const float rgb[3] = {pixel[channels[0]], pixel[channels[1]], pixel[channels[2]]};
-            unsigned char rgbe[RGBE];
-            encode_rgbe(rgbe, rgb);
-            text_append(file, rgbe, RGBE);
+            encode_rgbe(row + RGBE * x, rgb);
         }
+        write_hdr_row(file, row, image->width);
+    }
+    free(row);
 }

@@ -62,6 +62,20 @@ static bool read_header(struct source *source, struct raster *raster) {
     return check_picture_size(raster->width, raster->height);
 }
 
+/* What may say that the picture is turned, or lies somewhere. */
+static bool has_tags(const struct source *source) {
+    png_textp texts = NULL;
+    int count = 0;
+    bool found = png_get_valid(source->png, source->info, PNG_INFO_eXIf) ||
+                 png_get_x_offset_pixels(source->png, source->info) != 0 ||
+                 png_get_y_offset_pixels(source->png, source->info) != 0;
+    png_get_text(source->png, source->info, &texts, &count);
+    for (int i = 0; i < count; i++)
+        found = found || strcmp(texts[i].key, "XML:com.adobe.xmp") == 0 ||
+                strcmp(texts[i].key, "Orientation") == 0;
+    return found;
+}
+
 /* To the file's last chunk: a file that is cut is refused. */
 static bool read_rows(struct source *source, struct raster *raster) {
     png_bytep samples = raster->is_wide ? (png_bytep)raster->wide : raster->narrow;
@@ -73,7 +87,7 @@ static bool read_rows(struct source *source, struct raster *raster) {
         return false;
     png_read_image(source->png, source->rows);
     png_read_end(source->png, source->info);
-    raster->has_tags = png_get_valid(source->png, source->info, PNG_INFO_eXIf);
+    raster->has_tags = has_tags(source);
     return true;
 }
 

@@ -1,4 +1,4 @@
-/* Parts of the picture bridge that needs no OpenImageIO, for `make bundle`. Each library is named by one file.
+/* Parts of the picture bridge that starts quickly, for it needs no OpenImageIO. Each library is named by one file.
  *
  * Errors carry no path: image_file.c puts it in front. */
 #ifndef BASE_FILE_SMALL_SMALL_H
@@ -13,8 +13,9 @@
  * or RGBA. */
 struct raster {
     int width, height, channels;
-    bool is_wide;   /* 16 bits a sample; else 8 */
-    bool has_tags;  /* of a camera, which may tell that the picture is turned */
+    bool is_wide; /* 16 bits a sample; else 8 */
+    bool
+        has_tags; /* of a camera or an offset: they may tell that the picture is turned, or lies elsewhere */
     uint16_t *wide; /* the one of the two that is_wide tells; NULL: only the size is read */
     unsigned char *narrow;
 };
@@ -53,5 +54,15 @@ void hdr_write(struct text *file, const struct image *image, const int channels[
 bool exr_read(struct image *image, const char *path, const char *layer, int channels[3]);
 bool exr_read_size(const char *path, int size[2]);
 bool exr_write(struct text *file, const struct image *image);
+
+/* Decodes a file in memory to its last pixel. */
+bool exr_check(const struct text *bytes, int size[2]);
+
+/* Sorts the three channels of a layer into wanted, without repetitions, and returns how many these are. channels become
+ * places in wanted. */
+int sort_channels(int channels[3], int wanted[3]);
+
+/* Notes which layer was taken where another name was asked for. */
+void tell_layer(const struct image *image, const char *path, const char *layer);
 
 #endif

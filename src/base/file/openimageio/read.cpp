@@ -1,5 +1,5 @@
 /* Pictures of files as floats: parts and channels by name, windows in place, the right way up. */
-#include "base/file/image_bridge.hpp"
+#include "base/file/openimageio/bridge.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -14,6 +14,9 @@ using namespace OIIO;
 using namespace bridge;
 
 namespace {
+
+/* Of an EXR that is a mean of passes. */
+const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
 
 /* Finding layers among more names takes long. */
 const int max_channels = 2048;
@@ -383,28 +386,15 @@ bool find_layer(const Source &source, const char *layer, int channels[3]) {
 
 } // namespace
 
-extern "C" bool image_read(struct image *image, const char *path) try {
-    *image = {};
-    Source source;
-    if (!open_source(source, path))
-        return false;
+static bool read_all(Source &source, struct image *image) {
     std::vector<int> channels;
     for (size_t i = 0; i < source.names.size(); i++)
         channels.push_back(int(i));
-    if (read_channels(source, channels, image))
-        return true;
-    image_free(image);
-    return false;
-} catch (const std::exception &error) {
-    image_free(image);
-    return fail(path, error.what());
+    return read_channels(source, channels, image);
 }
 
-extern "C" bool image_read_layer(struct image *image, const char *path, const char *layer,
-                                 int channels[3]) try {
-    *image = {};
-    Source source;
-    if (!open_source(source, path) || !find_layer(source, layer, channels))
+static bool read_layer(Source &source, struct image *image, const char *layer, int channels[3]) {
+    if (!find_layer(source, layer, channels))
         return false;
     std::vector<int> sorted(channels, channels + 3);
     std::sort(sorted.begin(), sorted.end());
@@ -412,7 +402,14 @@ extern "C" bool image_read_layer(struct image *image, const char *path, const ch
     for (int c = 0; c < 3; c++)
         channels[c] =
             int(std::lower_bound(sorted.begin(), sorted.end(), channels[c]) - sorted.begin());
-    if (read_channels(source, sorted, image))
+    return read_channels(source, sorted, image);
+}
+
+bool bridge::read(struct image *image, const char *path, const char *layer, int channels[3]) try {
+    *image = {};
+    Source source;
+    if (open_source(source, path) &&
+        (layer ? read_layer(source, image, layer, channels) : read_all(source, image)))
         return true;
     image_free(image);
     return false;

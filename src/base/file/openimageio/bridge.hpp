@@ -1,13 +1,10 @@
-/* What the parts of the bridge to OpenImageIO share. Only src/base/file/image_* name it. */
-#ifndef BASE_FILE_IMAGE_BRIDGE_HPP
-#define BASE_FILE_IMAGE_BRIDGE_HPP
+/* What the parts of the bridge to OpenImageIO share. They are all that names it, and lie in a shared object of their own. */
+#ifndef BASE_FILE_OPENIMAGEIO_BRIDGE_HPP
+#define BASE_FILE_OPENIMAGEIO_BRIDGE_HPP
 
-#include "base/file/image_file.h"
+#include "base/file/image_plugin.h"
 
 extern "C" {
-#include "base/error.h"
-#include "base/file/file.h"
-#include "base/log.h"
 #include "base/memory.h"
 }
 
@@ -19,13 +16,13 @@ extern "C" {
 
 namespace bridge {
 
-/* Of an EXR that is a mean of passes. */
-const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
+inline std::string first_line(const std::string &reason) {
+    return reason.empty() ? "cannot be read" : reason.substr(0, reason.find('\n'));
+}
 
 /* Sets the error, of the reason's first line. */
 inline bool fail(const char *path, const std::string &reason) {
-    std::string line = reason.empty() ? "cannot be read" : reason.substr(0, reason.find('\n'));
-    return error_set("%s: %s", path, line.c_str());
+    return error_set("%s: %s", path, first_line(reason).c_str());
 }
 
 inline bool check_size(int width, int height, const char *path) {
@@ -49,6 +46,17 @@ inline OIIO::ImageSpec as_stored() {
     hints.attribute("oiio:UnassociatedAlpha", 1);
     return hints;
 }
+
+/* The functions of struct image_plugin. */
+bool read(struct image *image, const char *path, const char *layer, int channels[3]);
+bool read_size(const char *path, int size[2]);
+bool check(const char *path);
+bool encode(struct file_bytes *file, const struct image *image, const char *path,
+            const char *format);
+bool encode_bitmap(struct file_bytes *file, const struct bitmap *bitmap, int channels,
+                   const char *path, const char *format);
+bool measure_texture(const void *bytes, size_t size, uint64_t *memory);
+bool decode_texture(struct bitmap *bitmap, const void *bytes, size_t size);
 
 } // namespace bridge
 
