@@ -57,17 +57,6 @@ static struct shape *sphere(void) {
     return shape;
 }
 
-static void turn_inside_out(struct shape *shape) {
-    for (int i = 0; i < shape->vertex_count; i++)
-        for (int c = 0; c < 3; c++)
-            shape->normal[i][c] *= -1;
-    for (int i = 0; i < shape->index_count; i += 3) {
-        uint32_t index = shape->indices[i];
-        shape->indices[i] = shape->indices[i + 1];
-        shape->indices[i + 1] = index;
-    }
-}
-
 /* --- elements --------------------------------------------------------------------------------- */
 
 static double area_of(const struct elements *elements) {
