@@ -26,6 +26,7 @@
 #define STORAGE_SCREEN_ROWS 3 /* of screen passes that are dispatched */
 #define STORAGE_ELEMENT_CELLS 4
 #define STORAGE_ELEMENTS 5
+#define STORAGE_ELEMENT_LINKS 6
 #define IMAGE_ADAPTIVE_PIXELS 0
 #define IMAGE_EDGE_SAMPLE_TEXELS 1
 #define IMAGE_EDGE_SAMPLES 2

@@ -51,6 +51,8 @@ struct contribution {
     const struct irradiance *edge_sample_irradiance;
     const struct texture *edge_sample_texels;
     const struct texture *radiance;
+    const struct texture
+        *direct_specular; /* RGBA32F, not scaled: in place of the direct method's */
     const struct texture *in_scatter,
         *transmittance; /* both or none; a scene's medium replaces them */
     /* The renderer's, RGBA32F: radiance of a white surface, and radiance; not scaled. Where A of caustic is not 0 the pixel

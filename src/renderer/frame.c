@@ -102,12 +102,14 @@ static struct contribution last_contribution(const struct renderer *renderer) {
 
 struct composite_inputs renderer_composite_inputs(const struct renderer *renderer) {
     const struct antialias_pass *antialias = antialias_of(renderer);
+    const struct contribution contribution = last_contribution(renderer);
     bool shows_sky = renderer->desc.background.kind == BACKGROUND_SCENE;
     return (struct composite_inputs){
         .gbuffer = &renderer->gbuffer,
         .direct = renderer->direct->light(renderer->direct_state),
-        .direct_specular = direct_specular(renderer),
-        .contribution = last_contribution(renderer),
+        .direct_specular =
+            contribution.direct_specular ? contribution.direct_specular : direct_specular(renderer),
+        .contribution = contribution,
         .sky = shows_sky ? renderer->desc.emitters.sky : NULL,
         .background = renderer->desc.background,
         .samples = antialias->samples,

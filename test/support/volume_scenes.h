@@ -88,6 +88,17 @@ static inline void add_bowl(struct shape *shape, double height) {
         }
 }
 
+static inline void turn_inside_out(struct shape *shape) {
+    for (int i = 0; i < shape->vertex_count; i++)
+        for (int c = 0; c < 3; c++)
+            shape->normal[i][c] *= -1;
+    for (int i = 0; i < shape->index_count; i += 3) {
+        uint32_t index = shape->indices[i];
+        shape->indices[i] = shape->indices[i + 1];
+        shape->indices[i + 1] = index;
+    }
+}
+
 static inline void turn_shape(struct shape *shape, float angle, vec3s axis) {
     for (int i = 0; i < shape->vertex_count; i++) {
         vec3s p = glms_vec3_rotate(to_vec3s(shape->position[i]), angle, axis);

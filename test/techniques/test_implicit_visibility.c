@@ -57,17 +57,6 @@ static struct shape *sphere(void) {
     return shape;
 }
 
-static void turn_inside_out(struct shape *shape) {
-    for (int i = 0; i < shape->vertex_count; i++)
-        for (int c = 0; c < 3; c++)
-            shape->normal[i][c] *= -1;
-    for (int i = 0; i < shape->index_count; i += 3) {
-        uint32_t index = shape->indices[i];
-        shape->indices[i] = shape->indices[i + 1];
-        shape->indices[i + 1] = index;
-    }
-}
-
 /* --- elements --------------------------------------------------------------------------------- */
 
 static double area_of(const struct elements *elements) {
@@ -253,6 +242,18 @@ static void test_convex(void **state) {
 
 /* --- bounces ---------------------------------------------------------------------------------- */
 
+/* 0 <= E <= pi times the greatest radiance. */
+static void check_bounds(const struct radiosity *radiosity) {
+    double brightest = 0, least = INFINITY, most = 0;
+    for (int i = 0; i < radiosity->elements.count; i++) {
+        brightest = fmax(brightest, (double)radiosity->light.radiance[i][0]);
+        least = fmin(least, (double)radiosity->light.irradiance[i][0]);
+        most = fmax(most, (double)radiosity->light.irradiance[i][0]);
+    }
+    check_at_most("negative irradiance", -least, 0);
+    check_at_most("greatest irradiance over pi L", most / (GLM_PI * brightest), 1 + 1e-5);
+}
+
 /* A light in the middle of a sphere: E_d = I / R^2, and all bounces together add E_d rho / (1 - rho). */
 static void test_furnace(void **state) {
     (void)state;
@@ -277,6 +278,7 @@ static void test_furnace(void **state) {
             direct += (double)radiosity.light.direct[i][0] / radiosity.elements.count;
             indirect += (double)radiosity.light.irradiance[i][0] / radiosity.elements.count;
         }
+        check_bounds(&radiosity);
         double expected = albedo * (1 - pow(albedo, bounces)) / (1 - albedo);
         printf("  %2d bounces: direct %.4f, indirect %.4f of %.4f\n", bounces, direct, indirect,
                expected);
@@ -364,10 +366,10 @@ static struct shape *room(bool reversed) {
 }
 
 /* Irradiance of all leaves; for free(). */
-static double *room_light(int threads, bool reversed, int *count, double *mean) {
+static double *room_light(int threads, struct shape *shape, int *count, double *mean) {
     struct radiosity radiosity;
-    open_radiosity(&radiosity, room(reversed), .5, 900,
-                   &(struct links_desc){.side = 8, .threads = threads}, false);
+    open_radiosity(&radiosity, shape, .5, 900, &(struct links_desc){.side = 8, .threads = threads},
+                   false);
     links_make(&radiosity.links, &radiosity.tree, NULL);
     set_radiance(&radiosity, by_height);
     double *light = mem_alloc((size_t)radiosity.elements.count, sizeof *light), area = 0;
@@ -392,9 +394,9 @@ static void test_order(void **state) {
     (void)state;
     int counts[3];
     double means[3];
-    double *alone = room_light(1, false, &counts[0], &means[0]);
-    double *together = room_light(2, false, &counts[1], &means[1]);
-    double *reversed = room_light(2, true, &counts[2], &means[2]);
+    double *alone = room_light(1, room(false), &counts[0], &means[0]);
+    double *together = room_light(2, room(false), &counts[1], &means[1]);
+    double *reversed = room_light(2, room(true), &counts[2], &means[2]);
     printf("  mean irradiance %.5f by 1 thread, %.5f by 2, %.5f of reversed triangles\n", means[0],
            means[1], means[2]);
     assert_int_equal(counts[0], counts[1]);
@@ -403,6 +405,41 @@ static void test_order(void **state) {
     free(alone);
     free(together);
     free(reversed);
+}
+
+/* A box with a plate in it, each triangle cut in so many: 1 or 4. */
+static struct shape *box(int parts) {
+    struct shape *shape = new_shape();
+    add_room(shape, at(-1, -1, -1), at(1, 1, 1));
+    add_rectangle(shape, at(-.5F, -.4F, -.5F), at(0, 0, 1), at(1, 0, 0));
+    const int whole = parts == 4 ? shape->index_count : 0;
+    for (int i = 0; i < whole; i += 3) {
+        uint32_t corner[3], middle[3];
+        memcpy(corner, &shape->indices[i], sizeof corner);
+        for (int v = 0; v < 3; v++) {
+            uint32_t next = corner[(v + 1) % 3];
+            vec3s place = glms_vec3_lerp(to_vec3s(shape->position[corner[v]]),
+                                         to_vec3s(shape->position[next]), .5F);
+            middle[v] = add_vertex(shape, place, to_vec3s(shape->normal[next]));
+        }
+        memcpy(&shape->indices[i], middle, sizeof middle);
+        for (int v = 0; v < 3; v++)
+            memcpy(&shape->indices[(shape->index_count += 3) - 3],
+                   (uint32_t[]){corner[v], middle[v], middle[(v + 2) % 3]}, sizeof middle);
+    }
+    return shape;
+}
+
+/* Four parts of a triangle are as much surface as the whole. */
+static void test_cut(void **state) {
+    (void)state;
+    int counts[2];
+    double means[2];
+    for (int i = 0; i < 2; i++)
+        free(room_light(0, box(i == 0 ? 1 : 4), &counts[i], &means[i]));
+    printf("  mean irradiance %.5f of %d elements, %.5f of %d where triangles are cut in four\n",
+           means[0], counts[0], means[1], counts[1]);
+    check_near("cut triangles", means[1] / means[0], 1, .01);
 }
 
 /* --- what must not change the picture --------------------------------------------------------- */
@@ -536,6 +573,7 @@ int main(void) {
         cmocka_unit_test(test_sun),     cmocka_unit_test(test_turned_sky),
         cmocka_unit_test(test_memory),  cmocka_unit_test(test_near_window),
         cmocka_unit_test(test_pairs),   cmocka_unit_test(test_lamps),
+        cmocka_unit_test(test_cut),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

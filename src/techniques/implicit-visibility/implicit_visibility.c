@@ -1,11 +1,13 @@
 /* Radiosity with implicit visibility [Dong 2011 chapter 4]: surface elements know their nearest partner in each of some
  * hundred directions, and so need no shadow map. All but the picture is made on the CPU, on all cores. */
+#include "base/error.h"
 #include "base/memory.h"
 #include "lights/light_samples.h"
 #include "passes/frame.h"
 #include "scene/caustics.h"
 #include "techniques/implicit-visibility/interpolate.h"
 #include "techniques/implicit-visibility/show.h"
+#include "techniques/implicit-visibility/specular.h"
 #include "techniques/many_lights.h"
 
 #include <stdlib.h>
@@ -15,6 +17,7 @@ struct radiosity_settings {
     int cover, weight; /* enum links_cover, links_weight */
     int sky, lamps;    /* BY_... */
     int links;         /* LINKS_BY_... */
+    int specular;      /* SPECULAR_... */
     bool turned;
 };
 
@@ -22,9 +25,11 @@ struct radiosity_settings {
 
 enum { BY_RAYS, BY_BINS };                /* values of radiosity.sky and radiosity.lamps */
 enum { LINKS_BY_LEAVES, LINKS_BY_PAIRS }; /* values of radiosity.links */
+enum { SPECULAR_OFF, SPECULAR_DIRECT, SPECULAR_INDIRECT }; /* values of radiosity.specular */
 
 static const char *const light_names[] = {"rays", "bins", NULL};
 static const char *const links_names[] = {"leaves", "pairs", NULL};
+static const char *const specular_names[] = {"off", "direct", "indirect", NULL};
 static const char *const cover_names[] = {"disk", "center", NULL};
 static const char *const weight_names[] = {"bin", "element", NULL};
 
@@ -52,6 +57,10 @@ static const struct option table[] = {
     {"lamps", 0, OPTION_CHOICE, ROW(lamps), BY_RAYS, .choices = light_names,
      .help = "light of lamps that are surfaces, at the elements: rays, to the lights that stand\n"
              "for them; bins, by links to their elements, as published"},
+    {"specular", 0, OPTION_CHOICE, ROW(specular), SPECULAR_OFF, .choices = specular_names,
+     .help = "what specular surfaces reflect by bins: direct, light of lamps and environments in\n"
+             "place of the direct method's, as published; indirect, all other light;\n"
+             "off, nothing"},
     {"turned", 0, OPTION_FLAG, ROW(turned), 1,
      .help = "turns the bins of each element at random: noise in place of bands",
      .needs = "radiosity.links=leaves"},
@@ -72,6 +81,8 @@ struct implicit_visibility {
     struct element_light light;
     struct bvh casters;
     struct interpolate_pass interpolate;
+    int specular_kind; /* SPECULAR_...; off where all surfaces are diffuse */
+    struct specular_pass specular;
     unsigned pose;   /* the geometry's, where the elements are */
     int clip_choice; /* the scene's, in which they were made */
     bool linked;     /* the links are those of this pose, with light of the sky or without */
@@ -97,6 +108,7 @@ static void free_state(void *state) {
     if (technique) {
         free_elements(technique);
         interpolate_pass_free(&technique->interpolate);
+        specular_pass_free(&technique->specular);
         free(technique->sky);
     }
     free(technique);
@@ -139,7 +151,9 @@ static bool place_elements(struct implicit_visibility *technique, const struct g
     bvh_free(&technique->casters);
     if (technique->elements.count > 0)
         element_light_casters(&technique->casters, technique->scene, geometry);
-    return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry);
+    return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry) &&
+           (technique->specular_kind == SPECULAR_OFF ||
+            specular_pass_fit(&technique->specular, technique->elements.count));
 }
 
 /* Error: out of memory. */
@@ -202,7 +216,10 @@ static bool init(void **state, const struct technique_desc *desc) {
     technique->bounces = settings_of(struct lights_settings, desc->settings, &lights_part)->bounces;
     technique->lamps_by_bins = own->lamps == BY_BINS;
     technique->sky_by_bins = own->sky == BY_BINS;
+    technique->specular_kind = desc->specular ? own->specular : SPECULAR_OFF;
     if (!interpolate_pass_init(&technique->interpolate, desc->width, desc->height) ||
+        (technique->specular_kind != SPECULAR_OFF &&
+         !specular_pass_init(&technique->specular, own->bins, desc->width, desc->height)) ||
         !make_elements(technique, desc->geometry))
         return false;
     follow_sky(technique);
@@ -211,7 +228,9 @@ static bool init(void **state, const struct technique_desc *desc) {
 
 static bool resize(void *state, int width, int height) {
     struct implicit_visibility *technique = state;
-    return interpolate_pass_resize(&technique->interpolate, width, height);
+    return interpolate_pass_resize(&technique->interpolate, width, height) &&
+           (technique->specular_kind == SPECULAR_OFF ||
+            specular_pass_resize(&technique->specular, width, height));
 }
 
 /* Also called where lights changed, in the same pose. */
@@ -258,6 +277,20 @@ static bool lamps_shine(const struct frame *frame) {
     return false;
 }
 
+static void write_specular(struct implicit_visibility *technique, const struct frame *frame,
+                           bool lamps, bool sky) {
+    const struct element_light *light = &technique->light;
+    struct specular_light arrives = {
+        .nodes = lamps ? (const float(*)[4])light->emission : NULL,
+        .sky = sky ? (const float(*)[3])technique->sky : NULL,
+        .scale = 1,
+    };
+    if (technique->specular_kind == SPECULAR_INDIRECT)
+        arrives = (struct specular_light){.nodes = (const float(*)[4])light->radiance,
+                                          .scale = frame->irradiance_scale};
+    specular_pass_write(&technique->specular, &technique->links, &arrives);
+}
+
 static void light_elements(struct implicit_visibility *technique, const struct frame *frame) {
     int sky = technique->sky ? sky_samples(frame) : 0;
     const struct direct_lights lights = {
@@ -280,6 +313,8 @@ static void light_elements(struct implicit_visibility *technique, const struct f
     element_light_bounce(&technique->light, &technique->elements, &technique->tree,
                          &technique->links, technique->bounces);
     timer_end(frame->timers);
+    if (technique->specular_kind != SPECULAR_OFF)
+        write_specular(technique, frame, lights.lamps_by_links, sky > 0);
 }
 
 static void render_lights(void *state, const struct frame *frame) {
@@ -293,11 +328,18 @@ static void render_lights(void *state, const struct frame *frame) {
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     const struct implicit_visibility *technique = state;
     interpolate_pass_render(&technique->interpolate, frame, gbuffer);
+    if (technique->specular_kind != SPECULAR_OFF)
+        specular_pass_render(&technique->specular, &technique->interpolate, frame, gbuffer);
 }
 
 static struct contribution contribution(const void *state) {
     const struct implicit_visibility *technique = state;
-    return (struct contribution){.irradiance = &technique->interpolate.irradiance};
+    const struct texture *specular = &technique->specular.radiance.texture;
+    return (struct contribution){
+        .irradiance = &technique->interpolate.irradiance,
+        .radiance = technique->specular_kind == SPECULAR_INDIRECT ? specular : NULL,
+        .direct_specular = technique->specular_kind == SPECULAR_DIRECT ? specular : NULL,
+    };
 }
 
 static void read_element(const void *state, const float position[3], const float normal[3],
@@ -306,6 +348,15 @@ static void read_element(const void *state, const float position[3], const float
     if (technique->linked)
         show_element(view, &technique->elements, &technique->tree, &technique->links,
                      &technique->light, position, normal);
+}
+
+/* Lamps and skies by rays do not come through bins. */
+static bool check(const struct settings *settings) {
+    const struct radiosity_settings *own =
+        settings_of(struct radiosity_settings, settings, &radiosity_part);
+    bool by_bins = own->lamps == BY_BINS && own->sky == BY_BINS;
+    return own->specular != SPECULAR_DIRECT || by_bins ||
+           error_set("radiosity.specular=direct needs radiosity.lamps=bins and radiosity.sky=bins");
 }
 
 static const struct settings_part *const parts[] = {&lights_part, &radiosity_part, NULL};
@@ -323,6 +374,7 @@ const struct technique implicit_visibility_technique = {
     .help = "radiosity of surface elements that know their nearest partners",
     .parts = parts,
     .presets = presets,
+    .check = check,
     .init = init,
     .free = free_state,
     .resize = resize,

@@ -121,6 +121,7 @@ void interpolate_pass_write(struct interpolate_pass *pass, const struct elements
         memcpy(texels[0], element->position.raw, 3 * sizeof(float));
         memcpy(texels[1], element->normal.raw, 3 * sizeof(float));
         memcpy(texels[2], light->irradiance[i], 3 * sizeof(float));
+        texels[2][3] = (float)i;
         texels[0][3] = open * open * open * open;
     }
     buffer_write(&pass->params, 0, sizeof pass->grid, &pass->grid);

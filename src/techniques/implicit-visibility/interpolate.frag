@@ -1,20 +1,8 @@
 // Irradiance of the elements around each pixel's surface that face as it does.
-#include "lib/gbuffer.glsl"
-#include "shared/element_grid.h"
-
-layout(std430, binding = STORAGE_ELEMENT_CELLS) readonly buffer element_cell_storage {
-    uint element_cells[];
-};
-layout(std430, binding = STORAGE_ELEMENTS) readonly buffer element_storage {
-    vec4 elements[];
-};
+#include "techniques/implicit-visibility/elements.glsl"
 
 layout(location = TARGET_RESULT) out vec4 result;
 
-// An element this far off the surface's plane does not count, over the reach.
-const float OFF_PLANE = 0.4;
-// Of elements that do not count else: where there are no others.
-const float LAST_RESORT = 1e-6;
 // Keeps a plane level that few elements tell: variance of their place along the surface, over the squared reach.
 const float STIFFNESS = 0.02;
 
@@ -27,14 +15,10 @@ struct fit {
 };
 
 void add_element(surface s, vec3 tangent, vec3 bitangent, int number, inout fit sums) {
-    vec4 place = elements[ELEMENT_TEXELS * number];
-    vec3 path = (place.xyz - s.position) / params.cell;
-    float distance2 = dot(path, path);
-    float facing = dot(elements[ELEMENT_TEXELS * number + 1].xyz, s.normal);
-    if (distance2 >= 3.0 || facing <= 0.0)
+    vec3 path;
+    float weight = element_weight(s, number, path);
+    if (weight <= 0.0)
         return;
-    float falloff = max(1.0 - distance2, 0.0), plane = max(1.0 - abs(dot(path, s.normal)) / OFF_PLANE, 0.0);
-    float weight = facing * facing * (falloff * falloff * plane * place.w + LAST_RESORT / (1e-3 + distance2));
     vec3 value = weight * elements[ELEMENT_TEXELS * number + 2].xyz;
     float u = dot(path, tangent), v = dot(path, bitangent);
     sums.ones += weight * vec3(1.0, u, v);
@@ -62,16 +46,12 @@ void main() {
     surface s = gbuffer_surface(ivec2(gl_FragCoord.xy));
     if (!s.present)
         return;
-    ivec3 counts = ivec3(params.cells_x, params.cells_y, params.cells_z);
-    ivec3 middle = clamp(ivec3((s.position - params.low) / params.cell), ivec3(1), counts - 2);
     vec3 tangent = normalize(cross(s.normal, abs(s.normal.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0)));
     vec3 bitangent = cross(s.normal, tangent);
     fit sums = fit(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
-    for (int k = 0; k < 9; k++) {
-        ivec2 row = middle.yz + ivec2(k % 3 - 1, k / 3 - 1);
-        int cell = (row.y * counts.y + row.x) * counts.x + middle.x - 1;
-        int end = int(element_cells[cell + 3]);
-        for (int number = int(element_cells[cell]); number < end; number++)
+    for (int k = 0; k < ELEMENT_ROWS; k++) {
+        ivec2 row = element_row(s.position, k);
+        for (int number = row.x; number < row.y; number++)
             add_element(s, tangent, bitangent, number, sums);
     }
     result = vec4(sums.ones.x > 0.0 ? fit_value(sums) * params.scale : vec3(0.0), 1.0);

@@ -6,6 +6,7 @@
 #include "base/parallel.h"
 #include "techniques/implicit-visibility/pairs.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -199,7 +200,7 @@ static void take_links(const struct walk *walk, struct links *links, const float
     struct link *items = links->items + (size_t)own * (size_t)links->stride;
     const vec3s normal = normal_of(walk);
     float all = 0, filled = 0, buried = 0, open[3] = {0};
-    int count = 0;
+    int count = 0, open_count = 0;
     for (int b = 0; b < links->bins.count; b++) {
         float weight = bin_cosine(&links->bins.items[b], normal);
         if (!(weight > 0))
@@ -210,15 +211,17 @@ static void take_links(const struct walk *walk, struct links *links, const float
             node = close_leak(walk, b);
         if (node == PARTNER_NONE) {
             add_sky(walk, b, weight, sky, open);
+            if (count + ++open_count <= links->stride)
+                items[links->stride - open_count] = (struct link){.bin = (uint32_t)b};
             continue;
         }
         filled += weight;
         if (node & PARTNER_BACK)
             buried += weight;
-        if (!(node & PARTNER_BACK) && count < links->stride)
-            items[count++] = (struct link){node, links->desc.weight == LINKS_WEIGHT_ELEMENT
-                                                     ? element_weight(walk, node)
-                                                     : weight};
+        if (!(node & PARTNER_BACK) && count + open_count < links->stride)
+            items[count++] = (struct link){
+                node, (uint32_t)b,
+                links->desc.weight == LINKS_WEIGHT_ELEMENT ? element_weight(walk, node) : weight};
     }
     /* The quarters' sum is pi but for their width. */
     float scale = all > 0 ? GLM_PIf / all : 0;
@@ -227,6 +230,7 @@ static void take_links(const struct walk *walk, struct links *links, const float
     for (int c = 0; c < 3; c++)
         links->sky[own][c] = open[c] * scale;
     links->counts[own] = count;
+    links->open_counts[own] = open_count;
     links->filled[own] = filled * scale / GLM_PIf;
     links->buried[own] = buried * scale / GLM_PIf;
 }
@@ -271,6 +275,10 @@ static void start_walk(struct walk *walk, const struct links *links, const struc
     walk->turn = links->desc.turned ? turn_of((uint32_t)leaf) : glms_mat3_identity();
 }
 
+mat3s links_to_world(const struct links *links, int leaf) {
+    return links->desc.turned ? glms_mat3_transpose(turn_of((uint32_t)leaf)) : glms_mat3_identity();
+}
+
 static void make_some(void *context, size_t run) {
     const struct making *making = context;
     struct walk *walk = mem_alloc(1, sizeof *walk);
@@ -312,19 +320,25 @@ vec3s links_partners(const struct links *links, const struct tree *tree, int lea
     return normal;
 }
 
+/* Half of all bins, and those that the horizon cuts. */
+int links_stride(int side) {
+    return 3 * side * side + 6 * side + 8;
+}
+
 bool links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
     const size_t count = (size_t)leaf_count;
     *links = (struct links){.desc = *desc, .leaf_count = leaf_count};
     links->desc.turned &= !desc->pairs; /* nodes share the world's bins */
     bins_init(&links->bins, desc->side);
-    /* Half of all bins, and those that the horizon cuts. */
-    links->stride = links->bins.count / 2 + 6 * desc->side + 8;
+    links->stride = links_stride(desc->side);
     size_t pairs = desc->pairs ? pairs_bytes(2 * count, links->bins.count) : 0;
     if (!mem_check(links_bytes(links) + pairs))
         return error_prefix("links of %d surface elements, %d bins each", leaf_count,
                             links->bins.count);
+    assert(2 * count <= 1 << LINK_NODE_BITS && BINS_MAX <= 1 << LINK_BIN_BITS);
     links->items = mem_alloc(count * (size_t)links->stride, sizeof *links->items);
     links->counts = mem_alloc(count, sizeof *links->counts);
+    links->open_counts = mem_alloc(count, sizeof *links->open_counts);
     links->lamp_counts = mem_alloc(count, sizeof *links->lamp_counts);
     links->filled = mem_alloc(count, sizeof *links->filled);
     links->buried = mem_alloc(count, sizeof *links->buried);
@@ -336,6 +350,7 @@ void links_free(struct links *links) {
     bins_free(&links->bins);
     free(links->items);
     free(links->counts);
+    free(links->open_counts);
     free(links->lamp_counts);
     free(links->filled);
     free(links->buried);
@@ -344,7 +359,7 @@ void links_free(struct links *links) {
 }
 
 size_t links_bytes(const struct links *links) {
-    size_t each = (size_t)links->stride * sizeof *links->items + 2 * sizeof *links->counts +
+    size_t each = (size_t)links->stride * sizeof *links->items + 3 * sizeof *links->counts +
                   sizeof *links->filled + sizeof *links->buried + sizeof *links->sky;
     return (size_t)links->leaf_count * each;
 }

@@ -28,8 +28,10 @@ struct links_desc {
     int threads; /* 0: all cores */
 };
 
+enum { LINK_BIN_BITS = 13, LINK_NODE_BITS = 32 - LINK_BIN_BITS };
+
 struct link {
-    uint32_t node;
+    uint32_t node : LINK_NODE_BITS, bin : LINK_BIN_BITS;
     float weight; /* what it adds of the node's radiance to the irradiance, sr */
 };
 
@@ -37,8 +39,9 @@ struct links {
     struct links_desc desc;
     struct bins bins;
     int leaf_count, stride;
-    struct link *items; /* stride of each leaf */
+    struct link *items; /* stride of each leaf: its links, and from the end on its empty bins */
     int *counts;        /* of each leaf's links */
+    int *open_counts;   /* of its empty bins, which see the sky; their node means nothing */
     int *lamp_counts;   /* its first so many lead to lamps: its list of light links */
     float *filled;      /* share of each leaf's cosine whose bins have a partner, front or back */
     float *buried;   /* the same, with backs: a leaf that sees little else lies within something */
@@ -60,6 +63,12 @@ vec3s links_partners(const struct links *links, const struct tree *tree, int lea
 
 /* Puts links to nodes that emit before all others of each leaf [Dong 2011 §4.3.3]. Radiance of nodes; NULL: none emits. */
 void links_sort_lamps(struct links *links, const float (*emission)[4]);
+
+/* From a leaf's bins to the world. */
+mat3s links_to_world(const struct links *links, int leaf);
+
+/* How many links and empty bins a leaf may have. */
+int links_stride(int side);
 
 size_t links_bytes(const struct links *links);
 

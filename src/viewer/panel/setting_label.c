@@ -81,6 +81,7 @@ static const struct row {
     {"radiosity.weight", "weight"},
     {"radiosity.sky", "environment"},
     {"radiosity.lamps", "lamps"},
+    {"radiosity.specular", "specular by bins"},
     {"radiosity.turned", "turned bins"},
     {"instant-radiosity.traced", "traced shadows"},
     {"cluster-lights.area-lights", "area lights"},

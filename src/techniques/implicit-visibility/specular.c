@@ -1,0 +1,134 @@
+#include "techniques/implicit-visibility/specular.h"
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "gl/program.h"
+#include "passes/frame.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char label[] = "specular light of elements";
+
+/* Texels of an element: how many links it has, and each. */
+static int stride_of(int side) {
+    return links_stride(side) + 1;
+}
+
+bool specular_pass_init(struct specular_pass *pass, int side, int width, int height) {
+    char defines[48];
+    *pass = (struct specular_pass){.side = side};
+    snprintf(defines, sizeof defines, "SIDE %d;STRIDE %d", side, stride_of(side));
+    if (program_init(&pass->program,
+                     &(struct program_desc){
+                         .screen = {"techniques/implicit-visibility/specular.frag"},
+                         .defines = defines,
+                     }) &&
+        irradiance_init(&pass->radiance, label, GL_RGBA32F, width, height, 1))
+        return true;
+    specular_pass_free(pass);
+    return false;
+}
+
+static void free_room(struct specular_pass *pass) {
+    buffer_free(&pass->links);
+    free(pass->texels);
+    pass->texels = NULL;
+}
+
+void specular_pass_free(struct specular_pass *pass) {
+    free_room(pass);
+    program_free(&pass->program);
+    irradiance_free(&pass->radiance);
+    *pass = (struct specular_pass){0};
+}
+
+bool specular_pass_resize(struct specular_pass *pass, int width, int height) {
+    return irradiance_resize(&pass->radiance, label, GL_RGBA32F, width, height);
+}
+
+bool specular_pass_fit(struct specular_pass *pass, int element_count) {
+    size_t count = (size_t)element_count * (size_t)stride_of(pass->side);
+    free_room(pass);
+    if (!mem_check(count * sizeof *pass->texels))
+        return error_prefix("specular light of %d surface elements", element_count);
+    pass->texels = mem_alloc(count, sizeof *pass->texels);
+    return buffer_init(&pass->links, "links of elements", count * sizeof *pass->texels, NULL);
+}
+
+/* lib/octahedral.glsl's, 16 bits each. */
+static uint32_t octahedral(vec3s n) {
+    float sum = fabsf(n.x) + fabsf(n.y) + fabsf(n.z), x = n.x / sum, y = n.y / sum;
+    if (n.z < 0) {
+        float folded = copysignf(1 - fabsf(y), x);
+        y = copysignf(1 - fabsf(x), y);
+        x = folded;
+    }
+    return (uint32_t)lroundf((x * .5F + .5F) * 65535) | (uint32_t)lroundf((y * .5F + .5F) * 65535)
+                                                            << 16;
+}
+
+struct writing {
+    const struct links *links;
+    const struct specular_light *light;
+    int leaf;
+    mat3s to_world;
+    uint32_t (*texels)[4]; /* the leaf's: their number, then they */
+};
+
+/* Links that bring no light are left out. nodes: NULL: the bin is empty. */
+static void write_link(const struct writing *writing, int bin, const float *node) {
+    const struct bins *bins = &writing->links->bins;
+    const struct specular_light *light = writing->light;
+    vec3s direction = glms_mat3_mulv(writing->to_world, bins->directions[bin]);
+    const float *radiance = node ? node : light->sky[bins_find(bins, direction.raw)];
+    float scale = light->scale * bins_solid_angle(bins, bins->directions[bin].raw, 1), scaled[3];
+    if (!(radiance[0] > 0 || radiance[1] > 0 || radiance[2] > 0))
+        return;
+    glm_vec3_scale((float *)radiance, scale, scaled);
+    uint32_t *texel = writing->texels[++writing->texels[0][0]];
+    memcpy(texel, scaled, sizeof scaled);
+    texel[3] = octahedral(direction);
+}
+
+static void write_leaf(const struct writing *writing) {
+    const struct links *links = writing->links;
+    const struct link *items = links->items + (size_t)writing->leaf * (size_t)links->stride;
+    writing->texels[0][0] = 0;
+    for (int k = 0; writing->light->nodes && k < links->counts[writing->leaf]; k++)
+        write_link(writing, items[k].bin, writing->light->nodes[items[k].node]);
+    for (int k = 1; writing->light->sky && k <= links->open_counts[writing->leaf]; k++)
+        write_link(writing, items[links->stride - k].bin, NULL);
+}
+
+void specular_pass_write(struct specular_pass *pass, const struct links *links,
+                         const struct specular_light *light) {
+    const size_t stride = (size_t)stride_of(pass->side), count = (size_t)links->leaf_count;
+    for (size_t i = 0; i < count; i++)
+        write_leaf(&(struct writing){links, light, (int)i, links_to_world(links, (int)i),
+                                     pass->texels + i * stride});
+    buffer_write(&pass->links, 0, count * stride * sizeof *pass->texels, pass->texels);
+}
+
+void specular_pass_render(const struct specular_pass *pass, const struct interpolate_pass *elements,
+                          const struct frame *frame, const struct gbuffer *gbuffer) {
+    pass_begin(frame->timers,
+               &(struct pass_state){
+                   .name = "specular links",
+                   .program = pass->program,
+                   .framebuffer = pass->radiance.framebuffer,
+                   .width = pass->radiance.width,
+                   .height = pass->radiance.height,
+                   .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
+                                {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                                {UNIT_GBUFFER_SPECULAR, gbuffer->specular.id}},
+                   .storages = {{STORAGE_ELEMENT_CELLS, &elements->cells},
+                                {STORAGE_ELEMENTS, &elements->elements},
+                                {STORAGE_ELEMENT_LINKS, &pass->links}},
+                   .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &elements->params}},
+               });
+    pass_draw_fullscreen(1);
+    pass_end(frame->timers);
+}
