@@ -28,7 +28,7 @@ void main() {
     ivec2 pixel = min(ivec2(test_place(test) * vec2(size)), size - 1);
     surface s = gbuffer_surface(pixel);
     vec3 facet = facet_of(s, pixel), place = s.position;
-    float light = 0.0, val = 0.0, random = fract(dot(vec2(test), vec2(0.6180339887, 0.7320508076)));
+    float light = 0.0, val = 0.0, random = test_random(test);
     for (int i = first; i < min(first + CORRECTION_TOGETHER, params.vpl_count); i++) {
         vpl v = vpl_at(i);
         float strength = strength_of(i, v, s, facet);

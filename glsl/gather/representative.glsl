@@ -1,10 +1,12 @@
 // Of a group of lights one, taken by how much it gives, tests visibility for all: on average each counts as if it had
 // tested its own.
+#include "lib/lattice.glsl"
 #include "lib/weighted_pick.glsl"
 
 // A number of [0, 1) for a pixel's first group: pixels side by side have numbers far apart. turn: from pass to pass.
 float group_random(ivec2 pixel, float turn) {
-    return fract(dot(vec2(pixel), vec2(0.7548776662, 0.5698402910)) + turn);
+    uvec2 turns = uvec2(pixel) * LATTICE_PLASTIC;
+    return fract(lattice_number(turns.x + turns.y) + turn);
 }
 
 // For the next group, as one number has no digits for more.

@@ -24,9 +24,10 @@
 #define STORAGE_SERIES_RANGES 1
 #define STORAGE_TREE_KEYS 2
 #define STORAGE_SCREEN_ROWS 3 /* of screen passes that are dispatched */
-#define STORAGE_ELEMENT_CELLS 4
-#define STORAGE_ELEMENTS 5
-#define STORAGE_ELEMENT_LINKS 6
+#define STORAGE_SCREEN_QUEUE 4 /* likewise */
+#define STORAGE_ELEMENT_CELLS 5
+#define STORAGE_ELEMENTS 6
+#define STORAGE_ELEMENT_LINKS 7
 #define IMAGE_ADAPTIVE_PIXELS 0
 #define IMAGE_EDGE_SAMPLE_TEXELS 1
 #define IMAGE_EDGE_SAMPLES 2
@@ -40,7 +41,6 @@
  * What one pass alone samples is numbered from UNIT_OWN on in that pass's header, shared/PASS.h: the passes share these
  * numbers, for a program includes own units of one header. An array takes a number for each element. test/shaders/check
  * and debug contexts (gl/context/samplers.c) check that no two samplers of a program share a unit. */
-#define UNIT_SCREEN_MASK 0 /* gl/screen.h */
 #define UNIT_BASE_COLOR 1  /* of a material, with the next three */
 #define UNIT_EMISSION 2
 #define UNIT_METAL_ROUGHNESS 3

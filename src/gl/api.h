@@ -38,6 +38,7 @@
     /* Buffers. */                                                                                 \
     X(PFNGLCREATEBUFFERSPROC, CreateBuffers)                                                       \
     X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                       \
+    X(PFNGLBINDBUFFERPROC, BindBuffer)                                                             \
     X(PFNGLBINDBUFFERBASEPROC, BindBufferBase)                                                     \
     X(PFNGLBINDBUFFERRANGEPROC, BindBufferRange)                                                   \
     X(PFNGLNAMEDBUFFERSTORAGEPROC, NamedBufferStorage)                                             \
@@ -94,6 +95,7 @@
     X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                                           \
     X(PFNGLDRAWELEMENTSINSTANCEDPROC, DrawElementsInstanced)                                       \
     X(PFNGLDISPATCHCOMPUTEPROC, DispatchCompute)                                                   \
+    X(PFNGLDISPATCHCOMPUTEINDIRECTPROC, DispatchComputeIndirect)                                   \
     X(PFNGLMEMORYBARRIERPROC, MemoryBarrier)                                                       \
     /* Transform feedback. */                                                                      \
     X(PFNGLBEGINTRANSFORMFEEDBACKPROC, BeginTransformFeedback)                                     \
@@ -150,6 +152,7 @@ struct gl_api {
         PFNGLDRAWARRAYSINSTANCEDPROC DrawArraysInstanced;
         PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced;
         PFNGLDISPATCHCOMPUTEPROC DispatchCompute;
+        PFNGLDISPATCHCOMPUTEINDIRECTPROC DispatchComputeIndirect;
         int *faults;
     } watched;
     size_t memory; /* of the GPU, bytes; 0 = it does not tell */

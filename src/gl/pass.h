@@ -4,6 +4,7 @@
 #define GL_PASS_H
 
 #include "gl/buffer.h"
+#include "gl/pixel_mask.h"
 #include "gl/texture.h"
 #include "gl/timer.h"
 
@@ -64,6 +65,7 @@ struct pass_state {
     GLuint vertex_array; /* 0: no attributes; vertices come from gl_VertexID */
     int x, y, width, height;
     enum pass_depth depth;
+    const struct pixel_mask *mask; /* of a screen pass that marks pixels or runs at those */
     enum pass_blend blend;
     unsigned kept_colors; /* PASS_RED | ...: channels that are not written */
     enum pass_cull cull;  /* which faces are left out */

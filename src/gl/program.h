@@ -17,7 +17,8 @@
 struct screen_desc {
     const char *body; /* file name; NULL = no screen pass */
     bool layers;      /* instance i of a draw has layer first_layer + i of the targets */
-    bool masked;      /* its passes test depth */
+    bool marks;       /* its passes mark the pixels of a mask that the body does not discard */
+    bool masked;      /* its passes run at the marked pixels of a mask */
     bool blended;     /* its passes may add to targets, which are GL_RGBA32F */
     bool tiled;       /* its passes draw rectangles, each with uniforms of its own */
 };

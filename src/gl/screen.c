@@ -13,6 +13,8 @@
 static _Thread_local struct {
     GLuint program;
     bool tiled;
+    const struct pixel_mask *marked,
+        *masked; /* that it marks, and whose pixels it runs at; or NULL */
     struct screen_rectangle area;
 } pass;
 
@@ -27,8 +29,8 @@ void screen_viewport(int x, int y, int width, int height) {
 /* --- what the dispatch writes, and where ------------------------------------------------------ */
 
 /* Images have all layers of their texture. */
-static void bind_targets(const struct framebuffer_targets *targets,
-                         const struct screen_desc *desc) {
+static void bind_targets(GLuint framebuffer, const struct screen_desc *desc) {
+    const struct framebuffer_targets *targets = framebuffer_targets(framebuffer);
     for (GLuint i = 0; i < FRAMEBUFFER_COLORS_MAX; i++) {
         const struct framebuffer_target *color = &targets->colors[i];
         if (!color->texture)
@@ -40,6 +42,16 @@ static void bind_targets(const struct framebuffer_targets *targets,
     }
 }
 
+static void bind_mask(const struct pass_state *state, const struct screen_desc *desc) {
+    pass.marked = desc->marks ? state->mask : NULL;
+    pass.masked = desc->masked ? state->mask : NULL;
+    assert(state->depth == (desc->marks    ? PASS_DEPTH_LESS
+                            : desc->masked ? PASS_DEPTH_EQUAL
+                                           : PASS_DEPTH_OFF));
+    if (desc->marks || desc->masked)
+        gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, STORAGE_SCREEN_QUEUE, state->mask->queue.id);
+}
+
 void screen_begin(const struct pass_state *state) {
     const struct screen_desc *desc = program_dispatched(state->program);
     assert(screen_rows_empty());
@@ -47,12 +59,10 @@ void screen_begin(const struct pass_state *state) {
     pass.tiled = desc && desc->tiled;
     if (!desc)
         return;
-    const struct framebuffer_targets *targets = framebuffer_targets(state->framebuffer);
     assert(!state->window && !state->kept_colors);
-    bind_targets(targets, desc);
-    if (desc->masked)
-        pass_bind_texture(UNIT_SCREEN_MASK, targets->depth);
-    assert(state->depth == (desc->masked ? PASS_DEPTH_EQUAL : PASS_DEPTH_OFF));
+    if (!desc->marks)
+        bind_targets(state->framebuffer, desc);
+    bind_mask(state, desc);
     if (desc->blended)
         gl.ProgramUniform1i(state->program, LOCATION_SCREEN_ADDS, state->blend == PASS_BLEND_ADD);
     assert(state->blend == PASS_BLEND_OFF || (state->blend == PASS_BLEND_ADD && desc->blended));
@@ -65,6 +75,10 @@ void screen_begin(const struct pass_state *state) {
 static const GLbitfield later = GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                                 GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT;
 
+/* And all ways that a queue is: by the dispatch over it, by its shader, and cleared for the next. */
+static const GLbitfield of_queue =
+    GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT;
+
 static int groups(int pixels) {
     return (pixels + SCREEN_GROUP - 1) / SCREEN_GROUP;
 }
@@ -73,6 +87,14 @@ static int groups(int pixels) {
 static void dispatch(int width, int height, int count) {
     gl.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     pass_dispatch(groups(width), groups(height), count);
+    gl.MemoryBarrier(pass.marked ? later | of_queue : later);
+}
+
+/* At the marked pixels. */
+static void dispatch_queue(void) {
+    gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, pass.masked->queue.id);
+    gl.MemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    gl.DispatchComputeIndirect(0);
     gl.MemoryBarrier(later);
 }
 
@@ -96,6 +118,11 @@ void screen_draw_layers(int layers) {
     const struct screen_rectangle *area = &pass.area;
     if (pass.tiled) {
         screen_draw_part(0);
+        return;
+    }
+    if (pass.masked) {
+        assert(layers == 1);
+        dispatch_queue();
         return;
     }
     gl.ProgramUniform4i(pass.program, LOCATION_SCREEN_AREA, area->x, area->y, area->width,

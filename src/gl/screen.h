@@ -11,14 +11,17 @@
  *     layout(location = L) out T name;    a variable, and an image at IMAGE_SCREEN_TARGETS + L that gets its value.
  *     gl_FragCoord                        a variable.
  *     flat in int instance;               the layer, from the dispatch's z.
- *     layout(early_fragment_tests) in;    nothing: the mask is looked up first.
+ *     layout(early_fragment_tests) in;    nothing: only marked pixels are dispatched.
+ *     discard;                            the pixel is not marked; in main alone.
  *     void main()                         void screen_body(), which the dispatch's own main calls.
  *
- * A body therefore has its outputs, inputs and main each on a line of this form. It discards nothing, sets no
- * depth, and takes no derivatives. It may use `#ifdef SCREEN_COMPUTE`.
+ * A body therefore has its outputs, inputs and main each on a line of this form. It sets no depth, takes no
+ * derivatives, and discards nothing unless its passes mark pixels. It may use `#ifdef SCREEN_COMPUTE`.
  *
- * The framebuffer of a pass tells the textures (gl/framebuffer.h). PASS_DEPTH_EQUAL takes pixels whose
- * texel of its depth texture is 0; PASS_BLEND_ADD loads and adds. No other depth test, blending or colour mask is possible.
+ * The framebuffer of a pass tells the textures (gl/framebuffer.h). PASS_BLEND_ADD loads and adds. A pass that `marks`
+ * pixels has PASS_DEPTH_LESS, no targets, and a mask (gl/pixel_mask.h); one that is `masked` has PASS_DEPTH_EQUAL and the
+ * same mask, whose depth texture is its framebuffer's where passes are drawn. No other depth test, blending or colour mask
+ * is possible.
  *
  * A `tiled` pass draws many rectangles, each with its own uniforms, which pass_set_int and the like set. Its body
  * declares them as `layout(location = L) uniform T name;`. Dispatched, they are variables, and the rectangles are rows

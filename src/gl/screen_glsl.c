@@ -44,7 +44,36 @@ static const char row_header[] =
     "void screen_take(uvec4 row, out ivec4 value) { value = ivec4(row); }\n"
     "void screen_take(uvec4 row, out vec4 value) { value = uintBitsToFloat(row); }\n";
 
-static const char mask_header[] = "layout(binding = %d) uniform sampler2D screen_mask;\n";
+/* Pixels as x | y << 16, and the workgroups of the indirect dispatch over them: of as many invocations as those of a
+ * picture, side by side up to what OpenGL promises, then in further rows. */
+static const char queue_header[] =
+    "layout(std430, binding = %d) %sbuffer screen_queue_data {\n"
+    "    uint screen_queue_x, screen_queue_y, screen_queue_z, screen_queue_count;\n"
+    "    uint screen_queue[];\n"
+    "};\n"
+    "const uint SCREEN_QUEUE_GROUP = %du, SCREEN_QUEUE_WIDE = 32768u;\n";
+
+/* One atomic addition a workgroup, as all of the picture add to one number. */
+static const char mark_header[] =
+    "shared uint screen_group_count, screen_group_first;\n"
+    "bool screen_kept = false;\n"
+    "void screen_mark(ivec2 pixel) {\n"
+    "    bool counts = gl_LocalInvocationIndex == 0u;\n"
+    "    if (counts)\n"
+    "        screen_group_count = 0u;\n"
+    "    barrier();\n"
+    "    uint own = screen_kept ? atomicAdd(screen_group_count, 1u) : 0u;\n"
+    "    barrier();\n"
+    "    if (counts && screen_group_count > 0u) {\n"
+    "        screen_group_first = atomicAdd(screen_queue_count, screen_group_count);\n"
+    "        uint last = (screen_group_first + screen_group_count - 1u) / SCREEN_QUEUE_GROUP;\n"
+    "        atomicMax(screen_queue_x, min(last + 1u, SCREEN_QUEUE_WIDE));\n"
+    "        atomicMax(screen_queue_y, last / SCREEN_QUEUE_WIDE + 1u);\n"
+    "    }\n"
+    "    barrier();\n"
+    "    if (screen_kept)\n"
+    "        screen_queue[screen_group_first + own] = uint(pixel.x | pixel.y << 16);\n"
+    "}\n";
 
 static const char blend_header[] = "layout(location = %d) uniform bool screen_adds;\n";
 
@@ -54,10 +83,13 @@ static void write_header(struct rewriting *to) {
     text_print(&to->text, "%s", header);
     if (to->desc->tiled)
         text_print(&to->text, row_header, STORAGE_SCREEN_ROWS, LOCATION_SCREEN_ROW);
-    else
+    else if (!to->desc->masked)
         text_print(&to->text, area_header, LOCATION_SCREEN_AREA);
-    if (to->desc->masked)
-        text_print(&to->text, mask_header, UNIT_SCREEN_MASK);
+    if (to->desc->marks || to->desc->masked)
+        text_print(&to->text, queue_header, STORAGE_SCREEN_QUEUE,
+                   to->desc->masked ? "readonly " : "", SCREEN_GROUP * SCREEN_GROUP);
+    if (to->desc->marks)
+        text_print(&to->text, "%s", mark_header);
     if (to->desc->blended)
         text_print(&to->text, blend_header, LOCATION_SCREEN_ADDS);
     if (to->desc->layers)
@@ -141,6 +173,14 @@ static bool write_declaration(struct rewriting *to, const char *line) {
     return true;
 }
 
+/* Of a body that marks pixels. */
+static bool write_discard(struct rewriting *to, const char *line) {
+    if (!to->desc->marks || strcmp(line + strspn(line, " "), "discard;") != 0)
+        return false;
+    text_print(&to->text, "{ screen_kept = false; return; }\n");
+    return true;
+}
+
 static void write_line(struct rewriting *to, const char *line) {
     static const char coord[] = "gl_FragCoord";
     for (const char *found; (found = strstr(line, coord)); line = found + sizeof coord - 1) {
@@ -160,28 +200,61 @@ static void take_row(struct rewriting *to) {
     text_print(&to->text, "#ifdef SCREEN_BEGIN\n    SCREEN_BEGIN;\n#endif\n");
 }
 
-static void write_main(struct rewriting *to) {
-    bool layers = to->desc->layers;
+static const char coord_of_pixel[] = "    screen_coord = vec4(vec2(pixel) + 0.5, 0.0, 1.0);\n";
+
+/* Where main is, or its end where there is no pixel. */
+static void find_pixel(struct rewriting *to) {
+    if (to->desc->masked)
+        text_print(
+            &to->text,
+            "    uint group = gl_WorkGroupID.y * SCREEN_QUEUE_WIDE + gl_WorkGroupID.x;\n"
+            "    uint entry = group * SCREEN_QUEUE_GROUP + gl_LocalInvocationIndex;\n"
+            "    if (entry >= screen_queue_count)\n"
+            "        return;\n"
+            "    ivec2 pixel = ivec2(screen_queue[entry] & 0xffffu, screen_queue[entry] >> 16);\n");
+    else
+        text_print(&to->text, "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"
+                              "    if (any(greaterThanEqual(pixel, screen_area.zw)))\n"
+                              "        return;\n"
+                              "    pixel += screen_area.xy;\n");
+    text_print(&to->text, "%s", coord_of_pixel);
+}
+
+/* All invocations of a workgroup count together, those beside the picture too. */
+static void write_marking_main(struct rewriting *to) {
     text_print(&to->text,
-               "layout(local_size_x = %d, local_size_y = %d) in;\n"
-               "void main() {\n",
-               SCREEN_GROUP, SCREEN_GROUP);
+               "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"
+               "    screen_kept = all(lessThan(pixel, screen_area.zw));\n"
+               "    pixel += screen_area.xy;\n"
+               "%s"
+               "    if (screen_kept)\n"
+               "        screen_body();\n"
+               "    screen_mark(pixel);\n",
+               coord_of_pixel);
+}
+
+static void write_storing_main(struct rewriting *to) {
+    bool layers = to->desc->layers;
     if (to->desc->tiled)
         take_row(to);
-    text_print(&to->text, "    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);\n"
-                          "    if (any(greaterThanEqual(pixel, screen_area.zw)))\n"
-                          "        return;\n"
-                          "    pixel += screen_area.xy;\n"
-                          "    screen_coord = vec4(vec2(pixel) + 0.5, 0.0, 1.0);\n");
-    if (to->desc->masked)
-        text_print(&to->text, "    if (texelFetch(screen_mask, pixel, 0).r != 0.0)\n"
-                              "        return;\n");
+    find_pixel(to);
     if (layers)
         text_print(&to->text, "    instance = int(gl_WorkGroupID.z);\n");
     text_print(&to->text, "    screen_body();\n");
     for (int i = 0; i < to->targets; i++)
         text_print(&to->text, "#ifdef SCREEN_TARGET_%d\n    screen_store_%d(%s);\n#endif\n", i, i,
                    layers ? "ivec3(pixel, first_layer + instance)" : "pixel");
+}
+
+static void write_main(struct rewriting *to) {
+    text_print(&to->text,
+               "layout(local_size_x = %d, local_size_y = %d) in;\n"
+               "void main() {\n",
+               SCREEN_GROUP, SCREEN_GROUP);
+    if (to->desc->marks)
+        write_marking_main(to);
+    else
+        write_storing_main(to);
     text_print(&to->text, "}\n");
 }
 
@@ -198,7 +271,7 @@ char *screen_glsl(const char *text, const struct screen_desc *desc) {
         }
         if (sscanf(line, "#line %d", &to.line) == 1)
             to.line--;
-        if (!write_declaration(&to, line))
+        if (!write_declaration(&to, line) && !write_discard(&to, line))
             write_line(&to, line);
         to.line++;
     }

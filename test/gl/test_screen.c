@@ -1,8 +1,10 @@
 /* Screen passes (gl/screen.h): drawn and dispatched they have the same bits. */
 #include "render_support.h"
 
+#include "base/memory.h"
 #include "gl/context/context.h"
 #include "gl/framebuffer.h"
+#include "gl/glsl.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "gl/screen.h"
@@ -13,6 +15,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 
 /* --- pictures ---------------------------------------------------------------------------------- */
 
@@ -145,6 +148,145 @@ static void test_viewport(void **state) {
         assert_memory_equal(drawn, dispatched, sizeof drawn);
 }
 
+/* --- masks ------------------------------------------------------------------------------------- */
+
+/* The first marks one pixel of EVERY; the second says where it ran. */
+static const struct body {
+    const char *name, *text;
+} bodies[] = {
+    {"fullscreen.vert", "void main() {\n"
+                        "    vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 4.0 - 1.0;\n"
+                        "    gl_Position = vec4(corner, 0.0, 1.0);\n"
+                        "}\n"},
+    {"mark.frag", "void main() {\n"
+                  "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+                  "    if ((pixel.x * 7 + pixel.y * 13) % EVERY != 0)\n"
+                  "        discard;\n"
+                  "}\n"},
+    {"masked.frag", "layout(early_fragment_tests) in;\n"
+                    "layout(location = 0) out uint place;\n"
+                    "void main() {\n"
+                    "    ivec2 pixel = ivec2(gl_FragCoord.xy);\n"
+                    "    place = uint(pixel.x | pixel.y << 16);\n"
+                    "}\n"},
+};
+
+static const char *write_bodies(void) {
+    static char folder[512];
+    snprintf(folder, sizeof folder, "%s", scratch("screen_glsl"));
+    mkdir(folder, 0777);
+    for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i++) {
+        char path[640];
+        snprintf(path, sizeof path, "%s/%s", folder, bodies[i].name);
+        FILE *file = fopen(path, "w");
+        if (!file || fputs(bodies[i].text, file) < 0 || fclose(file) != 0)
+            fail_msg("cannot write %s", path);
+    }
+    return folder;
+}
+
+struct masked_picture {
+    struct pixel_mask mask;
+    struct texture target;
+    GLuint framebuffer, mark, masked;
+};
+
+static void open_masked(struct masked_picture *picture, int width, int height, int every) {
+    char defines[32];
+    snprintf(defines, sizeof defines, "EVERY %d", every);
+    check_ok("masked picture",
+             pixel_mask_init(&picture->mask, "marked", width, height) &&
+                 texture_init(&picture->target, &(struct texture_desc){.label = "places",
+                                                                       .format = GL_R32UI,
+                                                                       .width = width,
+                                                                       .height = height}) &&
+                 framebuffer_init(
+                     &picture->framebuffer,
+                     &(struct framebuffer_desc){.label = "places",
+                                                .colors = {&picture->target},
+                                                .depth = pixel_mask_depth(&picture->mask)}) &&
+                 program_init(&picture->mark,
+                              &(struct program_desc){.screen = {"mark.frag", .marks = true},
+                                                     .defines = defines}) &&
+                 program_init(&picture->masked,
+                              &(struct program_desc){.screen = {"masked.frag", .masked = true}}));
+}
+
+static void close_masked(struct masked_picture *picture) {
+    program_free(&picture->mark);
+    program_free(&picture->masked);
+    framebuffer_free(&picture->framebuffer);
+    texture_free(&picture->target);
+    pixel_mask_free(&picture->mask);
+}
+
+static void draw_masked(const struct masked_picture *picture, int x, int y) {
+    static const GLuint nowhere[4] = {0xffffffffU};
+    struct pass_state state = {.name = "masked",
+                               .program = picture->mark,
+                               .framebuffer = picture->mask.framebuffer,
+                               .x = x,
+                               .y = y,
+                               .width = picture->target.desc.width - x,
+                               .height = picture->target.desc.height - y,
+                               .depth = PASS_DEPTH_LESS,
+                               .mask = &picture->mask};
+    framebuffer_clear_integers(picture->framebuffer, 0, nowhere);
+    pixel_mask_clear(&picture->mask);
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+    state.program = picture->masked;
+    state.framebuffer = picture->framebuffer;
+    state.depth = PASS_DEPTH_EQUAL;
+    pass_set_state(&state);
+    pass_draw_fullscreen(1);
+}
+
+/* Texels that have another value than they should. */
+static int wrong_places(const GLuint *places, int width, int height, int every) {
+    int wrong = 0;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            bool marked = x >= 2 && y >= 1 && (x * 7 + y * 13) % every == 0;
+            wrong += places[y * width + x] != (marked ? (GLuint)(x | y << 16) : 0xffffffffU);
+        }
+    return wrong;
+}
+
+static void check_mask(enum screen_way way, int width, int height, int every) {
+    struct masked_picture picture = {0};
+    size_t pixels = (size_t)width * (size_t)height;
+    GLuint *places = mem_alloc(pixels, sizeof *places), queue[4] = {0};
+    screen_set_way(way);
+    open_masked(&picture, width, height, every);
+    draw_masked(&picture, 0, 0);
+    draw_masked(&picture, 2, 1); /* nothing of the first is left */
+    gl.GetTextureImage(picture.target.id, 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                       (GLsizei)(pixels * sizeof *places), places);
+    if (picture.mask.queue.id)
+        buffer_read(&picture.mask.queue, 0, sizeof queue, queue);
+    int wrong = wrong_places(places, width, height, every);
+    printf("    %s, %dx%d, one of %d: %u pixels queued for %u x %u groups, %d wrong\n",
+           screen_way_names[way], width, height, every, queue[3], queue[0], queue[1], wrong);
+    assert_int_equal(wrong, 0);
+    close_masked(&picture);
+    screen_set_way(SCREEN_AUTO);
+    free(places);
+}
+
+/* The second pass runs at marked pixels and at no others: few, none, all, and more than a row of groups has. */
+static void test_masks(void **state) {
+    (void)state;
+    static const struct {
+        int width, height, every;
+    } tried[] = {{97, 61, 5}, {97, 61, 100000}, {97, 61, 1}, {1500, 1450, 1}};
+    glsl_set_folder(write_bodies());
+    for (size_t i = 0; i < sizeof tried / sizeof *tried - !is_long_run(); i++)
+        for (enum screen_way way = SCREEN_FRAGMENT; way <= SCREEN_COMPUTE; way++)
+            check_mask(way, tried[i].width, tried[i].height, tried[i].every);
+    glsl_set_folder(NULL);
+}
+
 /* Messages name the body's file and line, whatever is written before. */
 static void test_places(void **state) {
     (void)state;
@@ -216,9 +358,9 @@ static void test_rounds(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),   cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_rounds),   cmocka_unit_test(test_viewport),
-        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_places), cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_rounds), cmocka_unit_test(test_viewport),
+        cmocka_unit_test(test_masks),  cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -88,11 +88,21 @@ static void APIENTRY dispatch_compute(GLuint x, GLuint y, GLuint z) {
     gl.watched.DispatchCompute(x, y, z);
 }
 
+static void APIENTRY dispatch_compute_indirect(GLintptr offset) {
+    check_program();
+    gl.watched.DispatchComputeIndirect(offset);
+}
+
 void samplers_watch(struct gl_api *api, int *faults) {
-    api->watched = (struct gl_watched){api->DrawArrays, api->DrawArraysInstanced,
-                                       api->DrawElementsInstanced, api->DispatchCompute, faults};
+    api->watched = (struct gl_watched){api->DrawArrays,
+                                       api->DrawArraysInstanced,
+                                       api->DrawElementsInstanced,
+                                       api->DispatchCompute,
+                                       api->DispatchComputeIndirect,
+                                       faults};
     api->DrawArrays = draw_arrays;
     api->DrawArraysInstanced = draw_arrays_instanced;
     api->DrawElementsInstanced = draw_elements_instanced;
     api->DispatchCompute = dispatch_compute;
+    api->DispatchComputeIndirect = dispatch_compute_indirect;
 }

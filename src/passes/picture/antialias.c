@@ -36,8 +36,7 @@ static bool init_programs(struct antialias_pass *pass) {
                                                .fragment = "picture/samples.frag",
                                                .defines = "MASKED"}) &&
            program_init(&pass->edge_program,
-                        &(struct program_desc){.vertex = "fullscreen.vert",
-                                               .fragment = "picture/edges.frag",
+                        &(struct program_desc){.screen = {"picture/edges.frag", .marks = true},
                                                .defines = samples}) &&
            program_init(&pass->assignment_program,
                         &(struct program_desc){.screen = {"picture/antialias.frag", .masked = true},
@@ -79,15 +78,14 @@ static bool init_picture(const struct antialias_pass *pass, struct texture *text
 static const GLuint itself[4] = {0}; /* the assignment where there is no edge */
 
 static bool init_assignment(struct antialias_pass *pass) {
-    if (!init_picture(pass, &pass->edges, "edges", GL_DEPTH_COMPONENT16) ||
-        !init_picture(pass, &pass->assignment, "sample assignment", GL_RG32UI) ||
+    if (!init_picture(pass, &pass->assignment, "sample assignment", GL_RG32UI) ||
         !init_picture(pass, &pass->edge_samples, "edge samples", GL_RGBA32UI) ||
-        !framebuffer_init(&pass->edge_framebuffer,
-                          &(struct framebuffer_desc){.label = "edges", .depth = &pass->edges}) ||
+        !pixel_mask_init(&pass->edges, "edges", pass->assignment.desc.width,
+                         pass->assignment.desc.height) ||
         !framebuffer_init(&pass->assignment_framebuffer,
                           &(struct framebuffer_desc){.label = "sample assignment",
                                                      .colors = {&pass->assignment},
-                                                     .depth = &pass->edges}))
+                                                     .depth = pixel_mask_depth(&pass->edges)}))
         return false;
     /* No program is in use that could draw integers: a driver warns of a framebuffer that is cleared then. */
     gl.ClearTexImage(pass->assignment.id, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, itself);
@@ -149,11 +147,10 @@ void antialias_pass_free(struct antialias_pass *pass) {
     program_free(&pass->edge_program);
     program_free(&pass->assignment_program);
     framebuffer_free(&pass->sample_framebuffer);
-    framebuffer_free(&pass->edge_framebuffer);
     framebuffer_free(&pass->assignment_framebuffer);
     texture_free(&pass->depths);
     texture_free(&pass->normals);
-    texture_free(&pass->edges);
+    pixel_mask_free(&pass->edges);
     texture_free(&pass->assignment);
     texture_free(&pass->edge_samples);
     buffer_free(&pass->params);
@@ -194,17 +191,17 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     pass_end(frame->timers);
 }
 
-/* Most pixels have no edge. A depth test leaves them out of the assignment, as a branch in a shader would not: a
- * software rasteriser executes both sides. */
+/* Most pixels have no edge, and take no part in the assignment. */
 static void render_assignment(const struct antialias_pass *pass, const struct frame *frame,
                               const struct gbuffer *gbuffer) {
     struct pass_state state = {
         .name = "sample assignment",
         .program = pass->edge_program,
-        .framebuffer = pass->edge_framebuffer,
+        .framebuffer = pass->edges.framebuffer,
         .width = pass->desc.width,
         .height = pass->desc.height,
         .depth = PASS_DEPTH_LESS,
+        .mask = &pass->edges,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                      {UNIT_SAMPLE_DEPTH, pass->depths.id},
@@ -214,7 +211,7 @@ static void render_assignment(const struct antialias_pass *pass, const struct fr
     };
     timer_begin(frame->timers, "sample assignment");
     framebuffer_clear_integers(pass->assignment_framebuffer, TARGET_RESULT, itself);
-    framebuffer_clear_depth(pass->edge_framebuffer, 1);
+    pixel_mask_clear(&pass->edges);
     pass_set_state(&state);
     pass_draw_fullscreen(1);
     state.program = pass->assignment_program;

@@ -10,6 +10,7 @@
 #define PASSES_ANTIALIAS_H
 
 #include "gl/buffer.h"
+#include "gl/pixel_mask.h"
 #include "gl/texture.h"
 
 struct frame;
@@ -34,12 +35,11 @@ struct antialias_pass {
     struct sample_layers layers;
     int samples;                    /* drawn: whole layers, or the one centre */
     struct texture depths, normals; /* D32F; RGBA8, 0.5 + 0.5 n: a layer of samples after another */
-    struct texture
-        edges; /* D16, 0 where there is one, else 1: the assignment is tested against it */
+    struct pixel_mask edges;        /* pixels with one */
     struct texture
         assignment; /* RG32UI, picture/sample_assignment.glsl; 0 = itself; 1 x 1 if samples is 1 */
     struct texture edge_samples; /* RGBA32UI, lib/edge_sample.glsl; likewise */
-    GLuint sample_framebuffer, edge_framebuffer, assignment_framebuffer;
+    GLuint sample_framebuffer, assignment_framebuffer;
     struct buffer params;
 };
 
