@@ -15,6 +15,25 @@ flat out vec3 line_flux, line_direction;
 // Few of the lines of little light are drawn, for all of it: what a line costs does not depend on its light.
 const float FULL_SHARE = 0.25, LEAST_CHANCE = 0.02;
 
+struct segment {
+    vec3 from, to;
+    vec3 flux; // W; 0: there is none
+};
+
+#ifdef BETWEEN
+segment segment_of(ivec2 texel) {
+    vec4 leave = texelFetch(ray_leaves, texel, 0), end = texelFetch(ray_ends, texel, 0);
+    float red = floor(end.w / (BETWEEN_LEVELS + 1.0)), green = end.w - red * (BETWEEN_LEVELS + 1.0);
+    vec3 shares = vec3(red, green, BETWEEN_LEVELS - red - green) / BETWEEN_LEVELS;
+    return segment(leave.xyz, end.xyz, leave.w * max(shares, 0.0));
+}
+#else
+segment segment_of(ivec2 texel) {
+    vec4 end = texelFetch(ray_ends, texel, 0);
+    return segment(texelFetch(ray_leaves, texel, 0).xyz, end.xyz, texelFetch(ray_fluxes, texel, 0).rgb);
+}
+#endif
+
 float chance_of(vec3 flux) {
     float sent = dot(light_at(light_index).intensity, vec3(1.0)) * params.measure;
     return clamp(dot(flux, vec3(1.0)) / (FULL_SHARE * sent), LEAST_CHANCE, 1.0);
@@ -23,19 +42,18 @@ float chance_of(vec3 flux) {
 void main() {
     ivec2 texel = ray_texel(gl_VertexID / 2);
     bool is_end = gl_VertexID % 2 == 1;
-    vec4 end = texelFetch(ray_ends, texel, 0);
+    segment s = segment_of(texel);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     line_place = line_flux = line_direction = vec3(0.0);
     line_way = 0.0;
-    if (end.w == RAY_NONE)
+    if (dot(s.flux, vec3(1.0)) <= 0.0)
         return;
-    vec3 flux = texelFetch(ray_fluxes, texel, 0).rgb;
-    float chance = chance_of(flux);
+    float chance = chance_of(s.flux);
     uint in_pass = floatBitsToUint(params.shift.x); // others in each pass
     if (random_of(uvec3(texel, uint(light_index) ^ in_pass)).x >= chance)
         return;
-    vec3 from = texelFetch(ray_leaves, texel, 0).xyz, way = end.xyz - from;
-    vec4 clip_a = camera.world_to_clip * vec4(from, 1.0), clip_b = camera.world_to_clip * vec4(end.xyz, 1.0);
+    vec3 way = s.to - s.from;
+    vec4 clip_a = camera.world_to_clip * vec4(s.from, 1.0), clip_b = camera.world_to_clip * vec4(s.to, 1.0);
     vec2 part = vec2(0.0, 1.0); // before the near plane
     float near = camera.orthographic ? 0.0 : 1.0001 * camera.near, rise = clip_b.w - clip_a.w;
     if (max(clip_a.w, clip_b.w) <= near)
@@ -58,12 +76,12 @@ void main() {
     vec2 pixel = 2.0 * vec2(length(camera.right), length(camera.up)) / params.size;
     float depths = camera.orthographic ? 1.0 : a.w * b.w / dot(camera.forward, camera.forward);
 #ifdef PUBLISHED
-    line_flux = flux * params.line_weight / chance;
+    line_flux = s.flux * params.line_weight / chance;
 #else
-    line_flux = flux * metres / (chance * depths * pixels * pixel.x * pixel.y);
+    line_flux = s.flux * metres / (chance * depths * pixels * pixel.x * pixel.y);
 #endif
     line_direction = normalize(way);
     line_way = length(way) * (is_end ? part.y : part.x);
-    line_place = from + (is_end ? part.y : part.x) * way;
+    line_place = s.from + (is_end ? part.y : part.x) * way;
     gl_Position = is_end ? b : a;
 }

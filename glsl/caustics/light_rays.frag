@@ -7,16 +7,23 @@
 #include "visibility/bvh.glsl"
 #include "caustics/chain.glsl"
 #include "caustics/ray_start.glsl"
+#ifdef HAS_LINES
+#include "caustics/between.glsl"
+#endif
 
 layout(location = LOCATION_LIGHT) uniform int light_index;
 
 layout(location = TARGET_RAY_LEAVE) out vec4 ray_leave;
 layout(location = TARGET_RAY_END) out vec4 ray_end;
 layout(location = TARGET_RAY_FLUX) out vec4 ray_flux;
+#ifdef HAS_LINES
+layout(location = TARGET_BETWEEN_LEAVE) out vec4 between_leave;
+layout(location = TARGET_BETWEEN_END) out vec4 between_end;
+#endif
 
 // Others in each pass.
-float number_of(ivec2 texel, int event) {
-    return random_of(uvec3(texel, uint(event) ^ floatBitsToUint(params.shift.x))).x;
+vec2 numbers_of(ivec2 texel, int event) {
+    return random_of(uvec3(texel, uint(event) ^ floatBitsToUint(params.shift.x)));
 }
 
 float ends_at(vec3 place, vec3 direction) {
@@ -25,6 +32,11 @@ float ends_at(vec3 place, vec3 direction) {
 #else
     return params.far;
 #endif
+}
+
+// What the light's range leaves of light that has come so far.
+float in_range(light l, float metres) {
+    return light_in_range(l, metres * metres);
 }
 
 void main() {
@@ -45,18 +57,26 @@ void main() {
             float far = lands ? hit.distance : max(ends_at(w.origin, w.direction), 0.0);
             goes = false;
             if (event > 0 && w.inner <= 0 && l.range_inverse2 * way * way < 1.0) {
-                w.flux *= light_in_range(l, (way + hit.distance * float(lands)) * (way + hit.distance * float(lands)));
+                w.flux *= in_range(l, way + hit.distance * float(lands));
                 ray_leave = vec4(w.place, uintBitsToFloat(packSnorm4x8(vec4(hit.normal, 0.5))));
                 ray_end = vec4(w.origin + far * w.direction, lands ? RAY_LANDS : RAY_ESCAPES);
                 ray_flux = vec4(w.flux, way);
             }
         } else {
             smooth_material m = smooth_material_at(row);
+            vec2 numbers = numbers_of(ivec2(gl_FragCoord.xy), event);
+#ifdef HAS_LINES
+            if (event > 0 && w.inner <= 0 && !is_within(hit, m))
+                between_add(w, hit.distance, in_range(l, way + hit.distance), numbers.y);
+#endif
             w.flux *= is_within(hit, m) ? exp(-m.absorption * hit.distance)
                                         : passes_outside(w.origin, w.direction, hit.distance);
-            walk_goes_on(w, hit, m, event == 0, number_of(ivec2(gl_FragCoord.xy), event));
+            walk_goes_on(w, hit, m, event == 0, numbers.x);
             way += hit.distance;
             goes = dot(w.flux, vec3(1.0)) > 0.0;
         }
     }
+#ifdef HAS_LINES
+    between_pack(between_leave, between_end);
+#endif
 }

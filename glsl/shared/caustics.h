@@ -15,6 +15,11 @@
 #define TARGET_RAY_END 1  /* where it ends; w: RAY_... */
 #define TARGET_RAY_FLUX 2 /* W that leave; w: length of the way before, metres */
 
+/* Light between two smooth surfaces: one segment of each ray. */
+#define TARGET_BETWEEN_LEAVE 3 /* w: W, the sum of three channels; 0: none */
+#define TARGET_BETWEEN_END 4   /* w: red and green over the sum, BETWEEN_LEVELS steps each */
+#define BETWEEN_LEVELS 4095.0  /* two are exact in a float */
+
 #define RAY_NONE 0.0
 #define RAY_ESCAPES 1.0 /* meets nothing: the end is the medium's */
 #define RAY_LANDS 2.0   /* on a surface that scatters */

@@ -4,6 +4,8 @@
 #include "scene/clips.h"
 #include "scene/lights/emitter.h"
 #include "scene/lights/environment.h"
+#include "scene/lights/slide.h"
+#include "scene/material.h"
 #include "scene/medium.h"
 #include "scene/node.h"
 #include "scene/open.h"
@@ -57,6 +59,21 @@ static void print_geometry(const struct geometry *geometry) {
     printf(" m, sphere of radius %.4g m\n", (double)geometry->radius);
 }
 
+/* As far as caustics and what they show depend on it. */
+static void print_glass(const struct material *material) {
+    const float *absorption = material->absorption;
+    if (material->transmission <= 0)
+        return;
+    printf(", transmission %.4g, index of refraction %.4g", (double)material->transmission,
+           (double)material->index_of_refraction);
+    if (material->thin_walled)
+        printf(", thin");
+    else if (absorption[0] > 0 || absorption[1] > 0 || absorption[2] > 0) {
+        print_vector(", absorbs ", absorption);
+        printf(" 1/m");
+    }
+}
+
 /* A star marks what a texture multiplies. */
 static void print_material(const struct material *material, int n) {
     static const char *const stars[] = {"", "*"};
@@ -71,6 +88,7 @@ static void print_material(const struct material *material, int n) {
     }
     if (material->normal_texture >= 0)
         printf(", normal map");
+    print_glass(material);
     printf("%s%s%s\n", material->unlit ? ", unlit" : "", material->alpha_mask ? ", alpha mask" : "",
            material->double_sided ? ", double-sided" : "");
 }
@@ -120,6 +138,8 @@ static void print_light(const struct scene *scene, int n) {
         printf(", cone %.4g to %.4g degrees", degrees(acosf(light.cos_inner)),
                degrees(acosf(light.cos_outer)));
     print_size(&light);
+    if (light.slide)
+        printf(", slide of %d x %d texels", light.slide->width, light.slide->height);
     if (light.stands_in)
         printf(", for a part of what emits");
     if (isfinite(source->range))

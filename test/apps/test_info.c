@@ -39,6 +39,20 @@ static void test_scene(void **state) {
     assert_null(strstr(output, "renderer"));
 }
 
+/* Glass, the medium and the slide of a spot. */
+static void test_glass_and_slide(void **state) {
+    (void)state;
+    assert_int_equal(info("scenes/window.glb"), 0);
+    expect_text("roughness 0, transmission 1, index of refraction 1.5, thin\n");
+    expect_text("medium     scatters (0.05, 0.05, 0.05), absorbs (0.002, 0.002, 0.002) 1/m, g 0.4");
+    assert_int_equal(info("scenes/gem.glb"), 0);
+    expect_text("transmission 1, index of refraction ");
+    need_command("python3 -c 1");
+    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb && % info"
+              " @/slide.glb");
+    expect_text("cone 28.71 to 29 degrees, slide of 1 x 1 texels\n");
+}
+
 static void test_point_light(void **state) {
     (void)state;
     assert_int_equal(info("scenes/sphere.glb"), 0);
@@ -131,9 +145,13 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_gl),          cmocka_unit_test(test_scene),
-        cmocka_unit_test(test_point_light), cmocka_unit_test(test_names),
-        cmocka_unit_test(test_aspect),      cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_gl),
+        cmocka_unit_test(test_scene),
+        cmocka_unit_test(test_glass_and_slide),
+        cmocka_unit_test(test_point_light),
+        cmocka_unit_test(test_names),
+        cmocka_unit_test(test_aspect),
+        cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests_name("info", tests, NULL, NULL);
 }

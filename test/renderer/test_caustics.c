@@ -112,6 +112,61 @@ static void test_no_refraction(void **state) {
     stage_free(&without);
 }
 
+/* Light goes up from a mirror to a ceiling, down to a plate, and up again; ceiling and plate scatter or are mirrors. The
+ * camera looks at x from there to there, between them. */
+static struct image draw_between(bool mirror_ceiling, bool mirror_plate, float from, float to) {
+    static const float down[] = {1, 0, -1};
+    struct stage stage;
+    char nodes[768];
+    snprintf(nodes, sizeof nodes,
+             "[" FLOOR_NODE ", " UP_NODE
+             ", {\"mesh\": %d, \"translation\": [-4, 4, 3], \"rotation\": [1, 0, 0, 0],"
+             " \"scale\": [8, 8, 1]},"
+             " {\"mesh\": %d, \"translation\": [4, -2, 1], \"scale\": [4, 4, 1]}]",
+             -2., -2., 1., 4., 4., mirror_ceiling, mirror_plate);
+    open_nodes(&stage, nodes, 0);
+    make_mirror(&stage);
+    set_medium(&stage, .15F, .02F, .3F);
+    struct emitter *light = &stage.emitters.items[0];
+    light->cos_outer = cosf(.1F);
+    light->cos_inner = cosf(.05F);
+    emitter_aim(light, down);
+    stage.camera = (struct camera){.eye = {(from + to) / 2, -8, 2},
+                                   .right = {1, 0, 0},
+                                   .up = {0, 0, 1},
+                                   .forward = {0, 1, 0},
+                                   .fov_y = 2 * atanf((to - from) / 16)};
+    struct image drawn =
+        draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=256");
+    stage_free(&stage);
+    return drawn;
+}
+
+static void check_same_volume(const char *what, struct image *drawn, struct image *expected,
+                              double tolerance, double noise) {
+    printf("    %s\n", what);
+    for (int c = 0; c < 3; c++) {
+        const char name[] = {'v', 'o', 'l', 'u', 'm', 'e', '.', "RGB"[c], 0};
+        check_near("over expected", channel_mean(drawn, name) / channel_mean(expected, name), 1,
+                   tolerance);
+    }
+    check_at_most("relative RMSE", relative_rmse(drawn, expected, "volume"), noise);
+    image_free(drawn);
+    image_free(expected);
+}
+
+/* Light from one mirror to another is seen as light from a mirror to a surface that scatters. Rays differ, because the
+ * light's view is fitted to mirrors. Of two such segments a ray draws one by chance, for both. */
+static void test_between_mirrors(void **state) {
+    (void)state;
+    struct image one = draw_between(true, false, 1.2F, 2.8F),
+                 expected = draw_between(false, false, 1.2F, 2.8F);
+    check_same_volume("one segment", &one, &expected, .003, .06);
+    struct image two = draw_between(true, true, 1.2F, 3.8F);
+    expected = draw_between(true, false, 1.2F, 3.8F);
+    check_same_volume("two segments", &two, &expected, .01, .15);
+}
+
 /* Published lines all have one weight. Across the view it is the square root of two times the right one, at the depth of
  * the glass; steps and kernel keep the mean. */
 static void test_published(void **state) {
@@ -483,15 +538,25 @@ static void test_refused(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mirror),      cmocka_unit_test(test_slab),
-        cmocka_unit_test(test_energy),      cmocka_unit_test(test_no_refraction),
-        cmocka_unit_test(test_published),   cmocka_unit_test(test_low_light),
-        cmocka_unit_test(test_behind),      cmocka_unit_test(test_lamp),
-        cmocka_unit_test(test_no_indirect), cmocka_unit_test(test_more_rays),
-        cmocka_unit_test(test_halves),      cmocka_unit_test(test_out_of_view),
-        cmocka_unit_test(test_follow),      cmocka_unit_test(test_passes),
-        cmocka_unit_test(test_hard),        cmocka_unit_test(test_open),
-        cmocka_unit_test(test_refused),     cmocka_unit_test(test_note),
+        cmocka_unit_test(test_mirror),
+        cmocka_unit_test(test_slab),
+        cmocka_unit_test(test_energy),
+        cmocka_unit_test(test_no_refraction),
+        cmocka_unit_test(test_between_mirrors),
+        cmocka_unit_test(test_published),
+        cmocka_unit_test(test_low_light),
+        cmocka_unit_test(test_behind),
+        cmocka_unit_test(test_lamp),
+        cmocka_unit_test(test_no_indirect),
+        cmocka_unit_test(test_more_rays),
+        cmocka_unit_test(test_halves),
+        cmocka_unit_test(test_out_of_view),
+        cmocka_unit_test(test_follow),
+        cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_hard),
+        cmocka_unit_test(test_open),
+        cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_note),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -4,6 +4,7 @@
 #include "tiny_png.h"
 
 #include "base/error.h"
+#include "base/file/image_file.h"
 #include "quality/picture.h"
 #include "scene/lights/slide.h"
 #include "scene/open.h"
@@ -17,15 +18,22 @@ enum { CHART = 64 }; /* pixels a side */
 static const unsigned char corners[2][2][3] = {{{255, 0, 0}, {0, 255, 0}},
                                                {{0, 0, 255}, {255, 255, 0}}};
 
-static void set_slide_of(struct stage *stage, const struct bitmap *bitmap) {
+/* One for each of the first lights. */
+static void set_slides_of(struct stage *stage, const struct bitmap *bitmaps, int count) {
     struct scene *scene = &stage->scene;
     for (int i = 0; i < scene->slide_count; i++)
         slide_free(&scene->slides[i]);
     free(scene->slides);
-    scene->slides = mem_alloc(1, sizeof *scene->slides);
-    scene->slide_count = 1;
-    slide_init(scene->slides, 0, bitmap);
-    stage->emitters.items[0].slide = scene->slides;
+    scene->slides = mem_alloc((size_t)count, sizeof *scene->slides);
+    scene->slide_count = count;
+    for (int i = 0; i < count; i++) {
+        slide_init(&scene->slides[i], i, &bitmaps[i]);
+        stage->emitters.items[i].slide = &scene->slides[i];
+    }
+}
+
+static void set_slide_of(struct stage *stage, const struct bitmap *bitmap) {
+    set_slides_of(stage, bitmap, 1);
 }
 
 /* A square of a colour in each corner; or white. */
@@ -250,6 +258,71 @@ static void test_specular_maps(void **state) {
     stage_free(&stage);
 }
 
+/* Two spots, each with its slide, of other sizes: a red and a green one. Red light is the first spot's alone. Steps
+ * of airlight begin elsewhere for each light. */
+static void test_two_spots(void **state) {
+    (void)state;
+    unsigned char red[4] = {255, 0, 0, 255}, green[8] = {0, 255, 0, 255, 0, 255, 0, 255};
+    const struct bitmap bitmaps[] = {{.width = 1, .height = 1, .rgba = red},
+                                     {.width = 2, .height = 1, .rgba = green}};
+    static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
+    static const char settings[] = CHEAP "medium.scatter=.3";
+    struct stage stage;
+    open_floor(&stage);
+    struct emitter lights[2] = {stage.emitters.items[0], stage.emitters.items[0]};
+    lights[1].position[0] = .4F;
+    emitter_aim(&lights[1], (float[]){-.3F, -.2F, -1});
+    free(stage.emitters.items);
+    struct image alone[2];
+    for (int i = 0; i < 2; i++) {
+        stage.emitters = (struct emitters){.items = &lights[i], .count = 1};
+        alone[i] = draw(&stage, settings);
+    }
+    stage.emitters = (struct emitters){.items = mem_alloc(2, sizeof *lights), .count = 2};
+    memcpy(stage.emitters.items, lights, sizeof lights);
+    set_slides_of(&stage, bitmaps, 2);
+    struct image both = draw(&stage, settings);
+    for (int c = 0; c < 3; c++) {
+        double expected = c < 2 ? channel_mean(&alone[c], channels[c]) : 0;
+        check_near(channels[c], channel_mean(&both, channels[c]) - expected, 0, 1e-4 * expected);
+    }
+    check_near("airlight, red over the first spot's",
+               channel_mean(&both, "airlight.R") / channel_mean(&alone[0], "airlight.R"), 1, .02);
+    check_near("airlight, green over the second's",
+               channel_mean(&both, "airlight.G") / channel_mean(&alone[1], "airlight.G"), 1, .02);
+    check_near("airlight, blue", channel_mean(&both, "airlight.B"), 0, 0);
+    for (int i = 0; i < 2; i++)
+        image_free(&alone[i]);
+    image_free(&both);
+    stage_free(&stage);
+}
+
+/* The mean over passes has the colours of one frame. */
+static void test_passes(void **state) {
+    (void)state;
+    enum { PASSES = 4 };
+    static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
+    struct stage stage;
+    struct renderer renderer;
+    struct image one, mean;
+    open_floor(&stage);
+    set_slide(&stage, false);
+    struct renderer_desc desc = desc_of(&stage, "clustered", CHEAP, SIZE, SIZE);
+    desc.progressive = true;
+    open_renderer(&renderer, &desc);
+    check_ok("layers", renderer_read_layers(&renderer, &one));
+    for (int pass = 0; pass < PASSES; pass++)
+        renderer_add_pass(&renderer, pass);
+    check_ok("layers", renderer_read_layers(&renderer, &mean));
+    for (int c = 0; c < 3; c++)
+        check_near(channels[c], channel_mean(&mean, channels[c]) / channel_mean(&one, channels[c]),
+                   1, .01);
+    image_free(&one);
+    image_free(&mean);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
 /* --- files ------------------------------------------------------------------------------------ */
 
 /* A light with these extras, and textures of a picture of two pixels, red and green, and of none. */
@@ -292,6 +365,32 @@ static void test_file(void **state) {
     scene_free(&scene);
 }
 
+/* A JPEG of a red and a green block of 8 x 8 pixels. */
+static void test_jpeg(void **state) {
+    (void)state;
+    unsigned char rgba[4 * 16 * 8] = {0};
+    struct scene scene;
+    struct geometry geometry;
+    for (int i = 0; i < 16 * 8; i++)
+        rgba[4 * i + (i % 16 >= 8)] = rgba[4 * i + 3] = 255;
+    check_ok("written", bitmap_write(&(struct bitmap){.width = 16, .height = 8, .rgba = rgba},
+                                     scratch("slide.jpg")));
+    check_ok("opened",
+             open_file(&scene, &geometry, SPOT, "{\"texture\": {\"index\": 0}}", "slide.jpg"));
+    struct emitters emitters = emitters_place(&scene, 0);
+    assert_non_null(emitters.items[0].slide);
+    check_near("width", emitters.items[0].slide->width, 16, 0);
+    for (int side = 0; side < 2; side++) {
+        float rgb[3], direction[3] = {side ? .4F : -.4F, 0, -.9F};
+        emitter_slide(&emitters.items[0], direction, rgb);
+        check_near("red", (double)rgb[0], !side, .03); /* a JPEG's colours are rounded */
+        check_near("green", (double)rgb[1], side, .03);
+    }
+    emitters_free(&emitters);
+    geometry_free(&geometry);
+    scene_free(&scene);
+}
+
 static void test_refused(void **state) {
     (void)state;
     static const struct {
@@ -321,7 +420,9 @@ int main(void) {
         cmocka_unit_test(test_chart),      cmocka_unit_test(test_white),
         cmocka_unit_test(test_traced),     cmocka_unit_test(test_caustic),
         cmocka_unit_test(test_everywhere), cmocka_unit_test(test_specular_maps),
-        cmocka_unit_test(test_file),       cmocka_unit_test(test_refused),
+        cmocka_unit_test(test_two_spots),  cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_jpeg),       cmocka_unit_test(test_file),
+        cmocka_unit_test(test_refused),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

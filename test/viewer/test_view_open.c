@@ -147,6 +147,27 @@ static void test_start_page(void **state) {
     assert_int_equal(shell("test $(grep -c nosuch.glb %s) = 1", in_stage("script.log")), 0);
 }
 
+/* --- a slide ---------------------------------------------------------------------------------- */
+
+/* Scenes with a slide and without, one after the other. */
+static void test_slide_and_none(void **state) {
+    (void)state;
+    if (shell("python3 test/apps/add_slide.py %s %s", BOX, in_stage("slide.glb")) != 0) {
+        printf("    skipped: no python3\n");
+        skip();
+    }
+    start_viewer(BOX, "");
+    for (int i = 0; i < 2; i++) {
+        drop(in_stage("slide.glb"));
+        wait_for_scene("slide.glb");
+        check_same("a scene with a slide", in_stage("slide.glb"));
+        drop(BOX);
+        wait_for_scene("cornell-box.glb");
+        check_same("and one without", BOX);
+    }
+    end_viewer();
+}
+
 /* --- a sky ------------------------------------------------------------------------------------ */
 
 #define SKY "--environment scenes/overcast.hdr"
@@ -311,7 +332,7 @@ int main(void) {
         cmocka_unit_test(test_broken_keeps_scene), cmocka_unit_test(test_start_page),
         cmocka_unit_test(test_sky_dropped),        cmocka_unit_test(test_sky_turned),
         cmocka_unit_test(test_sky_of_unlit_scene), cmocka_unit_test(test_sky_of_moving_scene),
-        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_pictures),           cmocka_unit_test(test_slide_and_none),
     };
     return run_some_tests(tests, 5, open_view_stage, close_view_stage);
 }

@@ -2,6 +2,7 @@
 
 #include "apps/export/lights.h"
 #include "apps/export/meshes.h"
+#include "apps/export/slides.h"
 #include "apps/export/textures.h"
 #include "apps/interrupt.h"
 
@@ -201,9 +202,32 @@ static void print_from_to(struct text *out, const float from[3], const float dir
     print_numbers(out, "  \"point3 to\"", to, 3);
 }
 
-static void print_light(struct export_target *target, struct text *out,
+/* pbrt-v4's picture is right along +x, its top is +y and the light looks along +z. */
+static bool print_projector(struct export_target *target, struct text *out,
+                            const struct emitter *emitter) {
+    float matrix[16] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1};
+    for (int row = 0; row < 3; row++) {
+        matrix[4 * row] = emitter->right[row];
+        matrix[4 * row + 1] = emitter->up[row];
+        matrix[4 * row + 2] = emitter->direction[row];
+        matrix[4 * row + 3] = emitter->position[row];
+    }
+    char *file = export_projector_name(emitter);
+    text_print(out, "AttributeBegin\n");
+    print_transform(out, matrix);
+    text_print(out,
+               "LightSource \"projection\" \"float fov\" [ %.9g ] \"float scale\" [ %.9g ]\n"
+               "  \"string filename\" [ \"%s\" ]\nAttributeEnd\n",
+               export_projector_angle(emitter), (double)export_projector_peak(emitter), file);
+    free(file);
+    return export_projector_picture(target, emitter, 0);
+}
+
+static bool print_light(struct export_target *target, struct text *out,
                         const struct emitter *emitter) {
     export_note_light(target, emitter);
+    if (export_is_projector(emitter))
+        return print_projector(target, out, emitter);
     if (export_is_shape(emitter))
         print_light_shape(out, emitter);
     else if (emitter->type == EMITTER_SPOT) {
@@ -223,6 +247,7 @@ static void print_light(struct export_target *target, struct text *out,
         print_numbers(out, "  \"rgb L\"", emitter->intensity, 3);
         print_from_to(out, (float[]){0, 0, 0}, emitter->direction);
     }
+    return true;
 }
 
 static bool print_scene(struct export_target *target, struct text *out) {
@@ -232,9 +257,9 @@ static bool print_scene(struct export_target *target, struct text *out) {
     export_note(target, "pbrt computes with spectra: colours of several reflections differ");
     for (int i = 0; ok && i < target->mesh_count; i++)
         ok = print_mesh(target, out, i) && !interrupt_came();
-    for (int i = 0; i < emitters->count; i++)
+    for (int i = 0; ok && i < emitters->count; i++)
         if (export_is_light(&emitters->items[i]))
-            print_light(target, out, &emitters->items[i]);
+            ok = print_light(target, out, &emitters->items[i]);
     if (!ok || !emitters->sky)
         return ok;
     text_print(out, "LightSource \"infinite\" \"string filename\" [ \"environment.exr\" ]\n");

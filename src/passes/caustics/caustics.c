@@ -1,6 +1,7 @@
 #include "passes/caustics/caustics.h"
 
 #include "base/halton.h"
+#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "lights/light_samples.h"
@@ -9,24 +10,43 @@
 
 #include <cglm/cglm.h>
 #include <math.h>
+#include <stdlib.h>
 
 /* Surfaces that are nearer than this are one, over the scene's radius. */
 static const float reach = .01F;
 
 /* --- life ------------------------------------------------------------------------------------- */
 
+/* Those of segments to a surface that scatters, and between two smooth surfaces. */
+static bool init_line_programs(struct caustics_pass *pass) {
+    struct program_desc desc = {.vertex = "caustics/light_lines.vert",
+                                .fragment = "caustics/light_lines.frag"};
+    bool published = pass->desc.published;
+    desc.defines = published ? "HAS_MEDIUM;PUBLISHED" : "HAS_MEDIUM";
+    if (!program_init(&pass->line_program, &desc))
+        return false;
+    desc.defines = published ? "HAS_MEDIUM;PUBLISHED;BETWEEN" : "HAS_MEDIUM;BETWEEN";
+    return program_init(&pass->between_program, &desc);
+}
+
+static bool init_ray_program(struct caustics_pass *pass) {
+    char *defines =
+        mem_printf("%s%s", light_defines(pass->desc.medium, pass->desc.scene->slide_count > 0),
+                   pass->desc.volume ? "HAS_LINES;" : "");
+    bool ok = program_init(
+        &pass->ray_program,
+        &(struct program_desc){.screen = {"caustics/light_rays.frag"}, .defines = defines});
+    free(defines);
+    return ok;
+}
+
 static bool init_programs(struct caustics_pass *pass) {
     const char *medium = pass->desc.medium ? "HAS_MEDIUM" : NULL;
-    const char *line = pass->desc.published ? "HAS_MEDIUM;PUBLISHED" : medium;
     const struct program_desc patch = {.vertex = "caustics/patch.vert",
                                        .fragment = "caustics/patch.frag"};
     const struct program_desc splat = {
         .vertex = "caustics/splat.vert", .fragment = "caustics/patch.frag", .defines = "SPLATS"};
-    bool ok = program_init(
-        &pass->ray_program,
-        &(struct program_desc){
-            .screen = {"caustics/light_rays.frag"},
-            .defines = light_defines(pass->desc.medium, pass->desc.scene->slide_count > 0)});
+    bool ok = init_ray_program(pass);
     if (ok && pass->desc.surface)
         ok = program_init(&pass->cell_program,
                           &(struct program_desc){.screen = {"caustics/ray_cells.frag"},
@@ -36,18 +56,12 @@ static bool init_programs(struct caustics_pass *pass) {
                                                  .defines = medium}) &&
              program_init(&pass->patch_program, &patch) &&
              program_init(&pass->splat_program, &splat);
-    if (ok && pass->desc.volume)
-        ok = program_init(&pass->line_program,
-                          &(struct program_desc){.vertex = "caustics/light_lines.vert",
-                                                 .fragment = "caustics/light_lines.frag",
-                                                 .defines = line});
-    return ok;
+    return ok && (!pass->desc.volume || init_line_programs(pass));
 }
 
-static bool init_rays(struct caustics_pass *pass) {
-    struct texture *const textures[] = {&pass->leaves,     &pass->ends,       &pass->fluxes,
-                                        &pass->patches[0], &pass->patches[1], &pass->splats};
-    int count = pass->desc.surface ? 6 : 3;
+/* A texel for each ray. */
+static bool init_ray_textures(const struct caustics_pass *pass, struct texture *const textures[],
+                              int count) {
     bool ok = true;
     for (int i = 0; ok && i < count; i++)
         ok = texture_init(textures[i],
@@ -55,10 +69,23 @@ static bool init_rays(struct caustics_pass *pass) {
                                                  .format = GL_RGBA32F,
                                                  .width = pass->desc.size,
                                                  .height = pass->desc.size * pass->chains});
+    return ok;
+}
+
+static bool init_rays(struct caustics_pass *pass) {
+    struct texture *const textures[] = {&pass->leaves,     &pass->ends,       &pass->fluxes,
+                                        &pass->patches[0], &pass->patches[1], &pass->splats},
+                          *const between[] = {&pass->between[0], &pass->between[1]};
+    bool ok = init_ray_textures(pass, textures, pass->desc.surface ? 6 : 3) &&
+              init_ray_textures(pass, between, pass->desc.volume ? 2 : 0);
     struct framebuffer_desc rays = {.label = "light rays"};
     rays.colors[TARGET_RAY_LEAVE] = &pass->leaves;
     rays.colors[TARGET_RAY_END] = &pass->ends;
     rays.colors[TARGET_RAY_FLUX] = &pass->fluxes;
+    if (pass->desc.volume) {
+        rays.colors[TARGET_BETWEEN_LEAVE] = &pass->between[0];
+        rays.colors[TARGET_BETWEEN_END] = &pass->between[1];
+    }
     const struct framebuffer_desc cells = {.label = "cells of rays",
                                            .colors = {&pass->patches[0], &pass->patches[1]}},
                                   splats = {.label = "splats", .colors = {&pass->splats}};
@@ -122,6 +149,7 @@ void caustics_pass_free(struct caustics_pass *pass) {
     program_free(&pass->patch_program);
     program_free(&pass->splat_program);
     program_free(&pass->line_program);
+    program_free(&pass->between_program);
     framebuffer_free(&pass->ray_framebuffer);
     framebuffer_free(&pass->cell_framebuffer);
     framebuffer_free(&pass->splat_framebuffer);
@@ -129,6 +157,8 @@ void caustics_pass_free(struct caustics_pass *pass) {
     texture_free(&pass->leaves);
     texture_free(&pass->ends);
     texture_free(&pass->fluxes);
+    texture_free(&pass->between[0]);
+    texture_free(&pass->between[1]);
     texture_free(&pass->patches[0]);
     texture_free(&pass->patches[1]);
     texture_free(&pass->splats);
@@ -252,21 +282,26 @@ static struct pass_state picture_state(const struct caustics_pass *pass, const s
     state.width = pass->desc.width;
     state.height = pass->desc.height;
     state.blend = PASS_BLEND_ADD;
-    add_rays(pass, &state);
     pass_add_texture(&state, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    return state;
+}
+
+static struct pass_state surface_state(const struct caustics_pass *pass, const struct frame *frame,
+                                       const struct gbuffer *gbuffer, GLuint program) {
+    struct pass_state state = picture_state(pass, frame, gbuffer, "caustics", program);
+    state.framebuffer = pass->surface_framebuffer;
+    add_rays(pass, &state);
     pass_add_texture(&state, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
     return state;
 }
 
 static void draw_surface(const struct caustics_pass *pass, const struct frame *frame,
                          const struct gbuffer *gbuffer, int side) {
-    struct pass_state patches =
-                          picture_state(pass, frame, gbuffer, "caustics", pass->patch_program),
-                      splats = picture_state(pass, frame, gbuffer, "caustics", pass->splat_program);
+    struct pass_state patches = surface_state(pass, frame, gbuffer, pass->patch_program),
+                      splats = surface_state(pass, frame, gbuffer, pass->splat_program);
     int rays = side * side * pass->chains;
     timer_begin(frame->timers, "caustics");
     find_cells(pass, frame, side);
-    patches.framebuffer = splats.framebuffer = pass->surface_framebuffer;
     pass_add_texture(&patches, UNIT_PATCHES, pass->patches[0].id);
     pass_add_texture(&patches, UNIT_PATCHES + 1, pass->patches[1].id);
     pass_add_texture(&splats, UNIT_SPLATS, pass->splats.id);
@@ -279,15 +314,26 @@ static void draw_surface(const struct caustics_pass *pass, const struct frame *f
     timer_end(frame->timers);
 }
 
-static void draw_volume(const struct caustics_pass *pass, const struct frame *frame,
-                        const struct gbuffer *gbuffer, int light, int side) {
-    struct pass_state lines =
-        picture_state(pass, frame, gbuffer, "light lines", pass->line_program);
-    lines.framebuffer = pass->volume_framebuffer;
-    timer_begin(frame->timers, lines.name);
-    pass_set_state(&lines);
+/* A line for each ray. */
+static void draw_lines(const struct caustics_pass *pass, struct pass_state *state, int light,
+                       int side) {
+    state->framebuffer = pass->volume_framebuffer;
+    pass_set_state(state);
     pass_set_int(LOCATION_LIGHT, light);
     pass_draw(GL_LINES, 2 * side * side * pass->chains, 1);
+}
+
+static void draw_volume(const struct caustics_pass *pass, const struct frame *frame,
+                        const struct gbuffer *gbuffer, int light, int side) {
+    struct pass_state last = picture_state(pass, frame, gbuffer, "light lines", pass->line_program),
+                      between =
+                          picture_state(pass, frame, gbuffer, "light lines", pass->between_program);
+    add_rays(pass, &last);
+    pass_add_texture(&between, UNIT_RAY_LEAVES, pass->between[0].id);
+    pass_add_texture(&between, UNIT_RAY_ENDS, pass->between[1].id);
+    timer_begin(frame->timers, last.name);
+    draw_lines(pass, &last, light, side);
+    draw_lines(pass, &between, light, side);
     timer_end(frame->timers);
 }
 

@@ -35,8 +35,9 @@ struct caustics_pass {
     const struct caster_bvh *tree;
     struct smooth_surfaces surfaces;
     GLuint ray_program, cell_program, splat_list_program, patch_program, splat_program,
-        line_program;
+        line_program, between_program;
     struct texture leaves, ends, fluxes, patches[2], splats; /* RGBA32F, a texel a ray */
+    struct texture between[2]; /* of a segment between two smooth surfaces; where there are lines */
     GLuint ray_framebuffer, cell_framebuffer, splat_framebuffer;
     struct texture surface,
         volume; /* RGBA32F: radiance of a white surface, and radiance; A of surface is 0 */
