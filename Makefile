@@ -77,10 +77,10 @@ LIBRARY := $(BUILD)/libmanylight.a
 # The bridge to OpenImageIO is opened at run time (src/base/file/image_plugin.h). It takes copies of a few objects of
 # the library. Links to it lie beside each program of a build, where the program looks first.
 PLUGIN_NAME := libmanylight-openimageio.so
-PLUGIN := $(BUILD)/lib/manylight/$(PLUGIN_NAME)
+PLUGIN := $(BUILD)/openimageio/$(PLUGIN_NAME)
 PLUGIN_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard src/base/file/openimageio/*.cpp)))
 PLUGIN_LINKS := $(addsuffix /$(PLUGIN_NAME),$(sort $(patsubst %/,%,$(dir $(BINARY))) \
-    $(BUILD) $(BUILD)/test $(GUESTS) $(BUILD)/scenes))
+    $(BUILD) $(BUILD)/lib $(BUILD)/test $(GUESTS) $(BUILD)/scenes))
 PLUGINS := $(if $(filter small,$(PICTURES)),,$(PLUGIN) $(PLUGIN_LINKS))
 
 .PHONY: all demo deps install uninstall clean FORCE

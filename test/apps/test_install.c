@@ -90,6 +90,17 @@ static void test_thumbnailer(void **state) {
     }
 }
 
+/* The installed program finds the installed bridge to OpenImageIO. */
+static void test_bridge(void **state) {
+    (void)state;
+    skip_other_builds();
+    expect(0, "cd @/else && " BIN " render @/dest/opt/here/share/manylight/scenes/cornell-box.glb "
+              "--size 8x8 --technique unshadowed -o picture.tif");
+    expect(0, "cd @/else && " BIN " compare picture.tif picture.tif -m rmse --max rmse=0");
+    expect(0, "cd @/else && ! " BIN " render nowhere.glb -o picture.xyz 2> told; cat told; rm *");
+    expect_text("(known: .exr .tif ");
+}
+
 /* From a folder that has no scenes: one of its four, which is none, is found in the installed tree. */
 static void test_bench_finds_scenes(void **state) {
     (void)state;
@@ -124,6 +135,7 @@ static void test_uninstall(void **state) {
     assert_null(strstr(output, "LICENSE"));
     assert_null(strstr(output, "cornell"));
     expect(0, "test ! -e @/dest/opt/here/share/doc/manylight");
+    expect(0, "test ! -e @/dest/opt/here/lib/manylight");
     expect(2, MAKE " uninstall");
     expect_text("nothing to uninstall");
 }
@@ -134,6 +146,7 @@ int main(void) {
         cmocka_unit_test(test_shares),
         cmocka_unit_test(test_desktop_files),
         cmocka_unit_test(test_thumbnailer),
+        cmocka_unit_test(test_bridge),
         cmocka_unit_test(test_bench_finds_scenes),
         cmocka_unit_test(test_bench_prefers_working_folder),
         cmocka_unit_test(test_uninstall),

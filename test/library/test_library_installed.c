@@ -45,6 +45,9 @@ static void test_pkg_config(void **state) {
     expect_text("indirect   3 channels, mean");
     expect(0, "% render " BOX " -o @/program.exr --size 64x48");
     check_same_layers("@/tiny.exr");
+    expect(0, ENVIRONMENT " @/tiny " BOX " @/tiny.tif 64 48");
+    expect(0, "% render " BOX " -o @/program.pfm --size 64x48");
+    expect(0, "% compare @/tiny.tif @/program.pfm -m rmse --max rmse=0");
     expect(1, ENVIRONMENT " @/tiny nowhere.glb @/no.exr");
     expect_text("tiny: cannot open nowhere.glb: No such file or directory");
 }

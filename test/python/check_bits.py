@@ -94,6 +94,13 @@ def check_display(device):
     assert np.array_equal(np.rint(255 * stored[..., :3]), shown[..., :3])
 
 
+def check_other_bridge(layers):
+    """OpenImageIO is found: a TIFF keeps the floats."""
+    file = os.path.join(FOLDER, "own.tif")
+    manylight.write(file, {"beauty": layers["beauty"]})
+    assert manylight.read(file)["beauty"].tobytes() == layers["beauty"].tobytes()
+
+
 def check_arrays(device):
     """A scene from arrays and its bytes from memory."""
     with open(BOX, "rb") as file:
@@ -120,6 +127,7 @@ def main():
         check_sequence(device)
         check_display(device)
         check_arrays(device)
+    check_other_bridge(layers)
     check_metric(layers, check_reference())
 
 

@@ -20,7 +20,8 @@ static int build_module(void **state) {
     (void)state;
     has_python = run_line(FIND_PYTHON "test $PYTHON != false && test -e Makefile") == 0;
     return !has_python || run_line(FIND_PYTHON "make -s python PYTHON=$PYTHON BUILD=" BUILD
-                                               " -o " BUILD "/lib/libmanylight.so.*.*") == 0
+                                               " -o " BUILD "/lib/libmanylight.so.*.* -o " BUILD
+                                               "/openimageio/libmanylight-openimageio.so") == 0
                ? 0
                : -1;
 }
@@ -79,7 +80,7 @@ static void test_wheel(void **state) {
               " --no-deps --no-build-isolation . && /usr/bin/python3 -m zipfile -e @/wheel/*.whl"
               " @/site && ls @/wheel @/site/manylight && git status --short");
     expect_text("-abi3-linux_");
-    expect_text("libmanylight.so.0\n");
+    expect_text("libmanylight-openimageio.so\nlibmanylight.so.0\n");
     assert_null(strstr(output, ".mesonpy"));
     run_script_of("@/site", "check_bits.py % @");
 }

@@ -10,6 +10,7 @@
 #include <pthread.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/auxv.h>
 #include <unistd.h>
 
 #define NAME "libmanylight-openimageio.so"
@@ -23,9 +24,14 @@ static void find_own_file(char path[PATH_MAX]) {
     path[0] = '\0';
     if (!dladdr1((const void *)&image_plugin_get, &symbol, (void **)&object, RTLD_DL_LINKMAP))
         return;
-    /* The program itself has no name here. */
-    if (!realpath(object && object->l_name[0] ? object->l_name : "/proc/self/exe", path))
+    /* The program itself has no name here. Without /proc it is what the shell started. */
+    if (object && object->l_name[0]) {
+        if (!realpath(object->l_name, path))
+            path[0] = '\0';
+    } else if (!realpath("/proc/self/exe", path) &&
+               !realpath((const char *)getauxval(AT_EXECFN), path)) {
         path[0] = '\0';
+    }
 }
 
 /* The path, to be freed; NULL: there is none. The folders are those of a build or a Python module, of an installed
