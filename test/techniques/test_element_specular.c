@@ -145,6 +145,35 @@ static void test_lamp(void **state) {
     stage_free(&stage);
 }
 
+/* One renderer that follows other settings and sizes shows what new ones show. */
+static void test_changes(void **state) {
+    (void)state;
+    static const struct {
+        const char *settings;
+        int size;
+    } steps[] = {{"elements=300 radiosity.bins=4", 24},
+                 {"elements=300 radiosity.bins=4 radiosity.specular=indirect", 24},
+                 {"elements=300 radiosity.bins=4 radiosity.specular=indirect", 40},
+                 {"elements=300 radiosity.bins=4 radiosity.lamps=bins radiosity.sky=bins "
+                  "radiosity.specular=direct",
+                  40}};
+    struct stage stage;
+    struct renderer renderer = {0};
+    open_stage(&stage, "scenes/gloss.glb");
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        struct renderer_desc desc =
+            desc_of(&stage, "implicit-visibility", steps[i].settings, steps[i].size, steps[i].size);
+        struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+        printf("  step %zu: specular light %.3f of %.3f\n", i,
+               sum_of(&followed, "indirect.specular.R"), sum_of(&fresh, "indirect.specular.R"));
+        assert_true(same_pixels(&followed, &fresh));
+        image_free(&followed);
+        image_free(&fresh);
+    }
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
 /* Lamps and skies by rays do not come through bins. */
 static void test_refusal(void **state) {
     (void)state;
@@ -162,7 +191,7 @@ static void test_refusal(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ball), cmocka_unit_test(test_sphere),  cmocka_unit_test(test_points),
-        cmocka_unit_test(test_lamp), cmocka_unit_test(test_refusal),
+        cmocka_unit_test(test_lamp), cmocka_unit_test(test_changes), cmocka_unit_test(test_refusal),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

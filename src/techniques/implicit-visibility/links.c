@@ -211,8 +211,8 @@ static void take_links(const struct walk *walk, struct links *links, const float
             node = close_leak(walk, b);
         if (node == PARTNER_NONE) {
             add_sky(walk, b, weight, sky, open);
-            if (count + ++open_count <= links->stride)
-                items[links->stride - open_count] = (struct link){.bin = (uint32_t)b};
+            if (count + open_count < links->stride)
+                items[links->stride - ++open_count] = (struct link){.bin = (uint32_t)b};
             continue;
         }
         filled += weight;
