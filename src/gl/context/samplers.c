@@ -94,12 +94,9 @@ static void APIENTRY dispatch_compute_indirect(GLintptr offset) {
 }
 
 void samplers_watch(struct gl_api *api, int *faults) {
-    api->watched = (struct gl_watched){api->DrawArrays,
-                                       api->DrawArraysInstanced,
-                                       api->DrawElementsInstanced,
-                                       api->DispatchCompute,
-                                       api->DispatchComputeIndirect,
-                                       faults};
+    api->watched = (struct gl_watched){
+        api->DrawArrays,      api->DrawArraysInstanced,     api->DrawElementsInstanced,
+        api->DispatchCompute, api->DispatchComputeIndirect, faults};
     api->DrawArrays = draw_arrays;
     api->DrawArraysInstanced = draw_arrays_instanced;
     api->DrawElementsInstanced = draw_elements_instanced;
