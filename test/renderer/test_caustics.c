@@ -434,6 +434,12 @@ static void set_dense(struct stage *stage) {
             stage->scene.materials[m].index_of_refraction = 50;
 }
 
+/* Light from within leaves only within a degree of the normal. */
+static void set_trapped(struct stage *stage) {
+    set_light_inside(stage);
+    set_dense(stage);
+}
+
 static void set_thin(struct stage *stage) {
     for (int m = 0; m < stage->scene.material_count; m++)
         stage->scene.materials[m].thin_walled = true;
@@ -463,6 +469,7 @@ static void test_hard(void **state) {
         {"light inside", "", set_light_inside},
         {"camera inside", "", set_camera_inside},
         {"index of refraction of 50", "caustics.chains=8", set_dense},
+        {"total reflection everywhere", "", set_trapped},
         {"thin walls", "", set_thin},
         {"no light", "", set_dark},
         {"sun", "", set_sun},
@@ -487,7 +494,37 @@ static void test_hard(void **state) {
     }
 }
 
-/* One side of a slab: a ray enters and never leaves. Nested slabs: each has air on its other side. */
+/* A slab within a slab: each interface has air on its other side, so that index is over index twice. Reflections between the
+ * four interfaces add a percent. */
+static void test_nested(void **state) {
+    (void)state;
+    static const float indices[] = {1, 1.5F};
+    for (int i = 0; i < 2; i++) {
+        struct stage stage;
+        static const double heights[] = {1.1, 1, .8, .7};
+        char nodes[1024];
+        int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE);
+        for (int h = 0; h < 4; h++) {
+            used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
+            used += print_square(nodes + used, sizeof nodes - (size_t)used,
+                                 h < 2 ? UP_NODE : DOWN_NODE, heights[h], 1);
+        }
+        snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+        open_nodes(&stage, nodes, .5F);
+        make_glass(&stage, indices[i]);
+        stage.camera.fov_y = .3F; /* hundreds of cells: chance tears some */
+        double n = (double)indices[i], passes = 1 - pow((n - 1) / (n + 1), 2);
+        double way = .9 + .1 / n + .2 / (n * n) + .1 / n + .7;
+        struct image drawn = draw(&stage, kinds[0]);
+        printf("    index %g\n", n);
+        check_near("over expected",
+                   mean_of(&drawn, "caustic") * GLM_PI / (pow(passes, 4) / (way * way)), 1, .02);
+        image_free(&drawn);
+        stage_free(&stage);
+    }
+}
+
+/* One side of a slab: a ray enters and never leaves. */
 static void test_open(void **state) {
     (void)state;
     struct stage stage;
@@ -554,6 +591,7 @@ int main(void) {
         cmocka_unit_test(test_follow),
         cmocka_unit_test(test_passes),
         cmocka_unit_test(test_hard),
+        cmocka_unit_test(test_nested),
         cmocka_unit_test(test_open),
         cmocka_unit_test(test_refused),
         cmocka_unit_test(test_note),

@@ -1,7 +1,10 @@
 /* manylight bench caustics: Tables 8.1 and 8.2 of [Dong 2011 §8.5], times of airlight and of caustics on surfaces and in a
- * medium, with the thesis's own figures beside ours; and how they grow with rays and pixels. */
+ * medium, with the thesis's own figures beside ours; and how they grow with rays, pixels and lights. */
 #include "apps/bench/bench.h"
 
+#include "base/memory.h"
+
+#include <cglm/vec3.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -88,23 +91,88 @@ static bool measure_axis(struct bench *bench, const char *axis, const char *of) 
     return ok;
 }
 
+/* --- lights ----------------------------------------------------------------------------------- */
+
+enum { COUNTS = 3 };
+
+/* Whole frames of the thesis, from frames a second with one, two and four lights [Dong 2011 §8.5]: not linear, as told. */
+static const struct {
+    int lights;
+    double paper_ms;
+} light_counts[COUNTS] = {{1, 1000 / 37.}, {2, 1000 / 21.5}, {4, 1000 / 2.9}};
+
+/* All like the first, whose light they share. */
+static struct emitters divide(const struct emitter *light, int count) {
+    struct emitters many = {.items = mem_alloc((size_t)count, sizeof *many.items), .count = count};
+    for (int i = 0; i < count; i++) {
+        many.items[i] = *light;
+        many.items[i].number = i;
+        glm_vec3_divs(many.items[i].intensity, (float)count, many.items[i].intensity);
+    }
+    return many;
+}
+
+/* The first variant under so many lights. */
+static bool time_lights(struct bench *bench, const struct measure_desc *subject, int count) {
+    struct stage stage = *bench->stage;
+    struct measure_desc desc = *subject;
+    struct measure_list list = {0};
+    stage.emitters = divide(&bench->stage->emitters.items[0], count);
+    desc.stage = &stage;
+    snprintf(desc.point, sizeof desc.point, "lights=%d", count);
+    measure_list_add(&list, &desc);
+    bool ok = bench_time(bench, &list, REFERENCE_NONE);
+    emitters_free(&stage.emitters);
+    free(list.items);
+    return ok;
+}
+
+static void print_lights(const struct results *results, int first) {
+    double one = results_value(results, first, "frame", NULL);
+    printf("\nTable 8.2: %s, over lights\n  %-10s", results->subjects[first].scene, "lights");
+    for (int i = 0; i < STAGES; i++)
+        printf(" %9s", stage_names[i]);
+    printf(" %9s %9s %9s %9s\n", "frame", "over one", "paper ms", "over one");
+    for (int i = 0; i < COUNTS; i++) {
+        double ms[STAGES], frame = results_value(results, first + i, "frame", NULL);
+        stages_of(results, first + i, ms);
+        printf("  %-10d %9.4g %9.4g %9.4g %9.4g %9.2f %9.3g %9.2f\n", light_counts[i].lights, ms[0],
+               ms[1], ms[2], frame, frame / one, light_counts[i].paper_ms,
+               light_counts[i].paper_ms / light_counts[0].paper_ms);
+    }
+}
+
+static bool measure_lights(struct bench *bench, const struct measure_desc *subject) {
+    int first = bench->results.subject_count;
+    if (bench->stage->emitters.count == 0)
+        return true;
+    for (int i = 0; i < COUNTS; i++)
+        if (!time_lights(bench, subject, light_counts[i].lights))
+            return false;
+    print_lights(&bench->results, first);
+    return true;
+}
+
+/* --- the mode --------------------------------------------------------------------------------- */
+
 static bool measure(struct bench *bench, const struct measure_list *subjects) {
     int w = bench->values.size[0], h = bench->values.size[1], first = bench->results.subject_count;
     char sizes[96];
     snprintf(sizes, sizeof sizes, "size=%dx%d,%dx%d,%dx%d", (w + 3) / 4, (h + 3) / 4, (w + 1) / 2,
              (h + 1) / 2, w, h);
-    bench_expect(bench, 7 * subjects->count);
+    bench_expect(bench, 7 * subjects->count + COUNTS);
     if (!bench_time(bench, subjects, REFERENCE_NONE))
         return false;
     for (int i = 0; i < subjects->count; i++)
         print_stages(&bench->results, first + i);
-    return measure_axis(bench, ray_axis, "rays a side") && measure_axis(bench, sizes, "pixels");
+    return measure_axis(bench, ray_axis, "rays a side") && measure_axis(bench, sizes, "pixels") &&
+           measure_lights(bench, &subjects->items[0]);
 }
 
 const struct bench_mode bench_caustics = {
     .name = "caustics",
     .help = "times of airlight and caustics, as in Tables 8.1 and 8.2 of [Dong 2011]\n"
-            "and how they grow with rays and pixels. Without SCENE: ring, pawns and gem.",
+            "and how they grow with rays, pixels and lights. Without SCENE: ring, pawns and gem.",
     .options = "size variant set frames warm-up light" BENCH_CONTEXT,
     .variants = variants,
     .scenes = scenes,
