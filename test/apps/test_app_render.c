@@ -40,6 +40,7 @@ static void test_usage_errors(void **state) {
         {"a.glb", "no output: -o FILE"},
         {"a.glb b.glb -o c.png", "one argument too many: 'b.glb'"},
         {"a.glb -o picture", "picture: no extension"},
+        {"a.glb -o .exr", ".exr: no extension"},
         {"a.glb -o picture.xyz", "picture.xyz"},
         {"a.glb -o b.png --technique radiosity",
          "no technique is called 'radiosity' (there are cluster-lights, clustered, "},

@@ -280,13 +280,63 @@ static void test_others(void **state) {
     }
 }
 
+static void write_bytes(const char *name, const struct file_bytes *parts, int count) {
+    FILE *file = fopen(scratch(name), "wb");
+    assert_non_null(file);
+    for (int i = 0; i < count; i++)
+        assert_int_equal(fwrite(parts[i].data, 1, parts[i].size, file), parts[i].size);
+    assert_int_equal(fclose(file), 0);
+}
+
+#define BYTES(text)                                                                                \
+    { (unsigned char *)(uintptr_t)(text), sizeof(text) - 1 }
+
+/* Texts of a PNG by which OpenImageIO turns it: a tag in small letters, and ImageMagick's profile. */
+static void test_turned_png(void **state) {
+    (void)state;
+    enum { HEADER = 33 };
+    static const struct file_bytes texts[] = {
+        BYTES("\000\000\000\015tEXtorientation\0006\276_\034\217"),
+        BYTES("\000\000\000ftEXtRaw profile type exif\000\nexif\n      32\n4578696600004d4d002a"
+              "00000008000101120003000000010006000000000000\n\007\220\202N"),
+    };
+    struct file_bytes file;
+    struct image image;
+    need_all_formats();
+    check_ok("read", file_read(&file, scratch("rgb.png")));
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+        const struct file_bytes parts[] = {
+            {file.data, HEADER}, texts[i], {file.data + HEADER, file.size - HEADER}};
+        write_bytes("turned.png", parts, 3);
+        check_same_image(scratch("turned.png"), NULL);
+        check_ok("turned", image_read(&image, scratch("turned.png")));
+        assert_true(image.width == HEIGHT && image.height == WIDTH);
+        image_free(&image);
+    }
+    free(file.data);
+}
+
+/* A row that says another width than the picture's. */
+static void test_radiance_row(void **state) {
+    (void)state;
+    static const struct file_bytes parts[] = {
+        BYTES("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n"),
+        BYTES("\2\2\0\7\207\1\207\1\207\1\207\1 and some more bytes than eight pixels"),
+    };
+    struct image image;
+    write_bytes("row.hdr", parts, 2);
+    assert_false(image_read(&image, scratch("row.hdr")));
+    assert_false(image_is_whole(scratch("row.hdr")));
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_threads),       cmocka_unit_test(test_start),
         cmocka_unit_test(test_handed_over),   cmocka_unit_test(test_missing),
         cmocka_unit_test(test_broken),        cmocka_unit_test(test_floats),
         cmocka_unit_test(test_radiance_runs), cmocka_unit_test(test_bitmaps),
-        cmocka_unit_test(test_others),
+        cmocka_unit_test(test_others),        cmocka_unit_test(test_turned_png),
+        cmocka_unit_test(test_radiance_row),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -78,11 +78,11 @@ static char *known_extensions(void) {
     return known.data;
 }
 
-/* "" where the file's name has none. */
+/* "" where the file's name has none, or is one alone: .exr is a hidden file. */
 static const char *extension_of(const char *path) {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path,
                *dot = strrchr(name, '.');
-    return dot ? dot + 1 : "";
+    return dot && dot != name ? dot + 1 : "";
 }
 
 static bool fail_unknown(const char *path, const char *extension) {

@@ -193,7 +193,7 @@ bool exr_read_size(const char *path, int size[2]) {
 
 /* Where the channels of a chunk go: at[i] is the channel of the picture, or -1. */
 struct target {
-    struct image *image;
+    struct image *image; /* NULL where all are -1 */
     const int *at;
     int y;
 };
@@ -284,6 +284,14 @@ static bool read_lines(const struct source *source, struct image *image, const i
     return ok;
 }
 
+/* The places of channels that go nowhere, to be freed. */
+static int *no_channels(const struct source *source) {
+    int *at = mem_alloc((size_t)source->count, sizeof *at);
+    for (int i = 0; i < source->count; i++)
+        at[i] = -1;
+    return at;
+}
+
 /* wanted: channels in the order of their names, ascending. */
 static bool read_channels(const struct source *source, const int *wanted, int count,
                           struct image *image) {
@@ -295,9 +303,7 @@ static bool read_channels(const struct source *source, const int *wanted, int co
     if (line > INT32_MAX)
         return error_set("too large: lines of %llu bytes", (unsigned long long)line);
     const char **names = mem_alloc((size_t)count, sizeof *names);
-    int *at = mem_alloc((size_t)source->count, sizeof *at);
-    for (int i = 0; i < source->count; i++)
-        at[i] = -1;
+    int *at = no_channels(source);
     for (int i = 0; i < count; i++) {
         names[i] = source->names[wanted[i]];
         at[source->order[wanted[i]]] = i;
@@ -355,14 +361,15 @@ bool exr_read(struct image *image, const char *path, const char *layer, int chan
 
 bool exr_check(const struct text *bytes, int size[2]) {
     struct source source;
-    struct image image = {0};
     if (!open_source(&source, "picture", bytes))
         return false;
-    bool ok = read_all(&source, &image);
+    int *nowhere = no_channels(&source);
+    error_set("cannot be decoded");
+    bool ok = read_lines(&source, NULL, nowhere);
     size[0] = source.width;
     size[1] = source.height;
+    free(nowhere);
     close_source(&source);
-    image_free(&image);
     return ok;
 }
 

@@ -120,7 +120,9 @@ static bool read_hdr_row(struct cursor *cursor, unsigned char *row, int width) {
     size_t size = RGBE * (size_t)width;
     bool may_run = width >= RUN_WIDTH_MIN && width <= RUN_WIDTH_MAX && left_of(cursor) >= RGBE;
     const unsigned char *at = cursor->at;
-    if (may_run && at[0] == 2 && at[1] == 2 && (at[2] << 8 | at[3]) == width) {
+    if (may_run && at[0] == 2 && at[1] == 2 && at[2] < 128) {
+        if ((at[2] << 8 | at[3]) != width)
+            return error_set("a row of %d pixels, and not of %d", at[2] << 8 | at[3], width);
         cursor->at += RGBE;
         return read_runs(cursor, row, width);
     }

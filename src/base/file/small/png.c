@@ -7,6 +7,7 @@
 #include <png.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 struct source {
     png_structp png;
@@ -72,7 +73,8 @@ static bool has_tags(const struct source *source) {
     png_get_text(source->png, source->info, &texts, &count);
     for (int i = 0; i < count; i++)
         found = found || strcmp(texts[i].key, "XML:com.adobe.xmp") == 0 ||
-                strcmp(texts[i].key, "Orientation") == 0;
+                strncmp(texts[i].key, "Raw profile type ", 17) == 0 || /* ImageMagick's eXIf */
+                strcasecmp(texts[i].key, "Orientation") == 0;
     return found;
 }
 
