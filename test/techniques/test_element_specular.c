@@ -174,6 +174,63 @@ static void test_changes(void **state) {
     stage_free(&stage);
 }
 
+static PFNGLGETERRORPROC get_error;
+static int calls_left; /* of get_error: the next one tells of no memory */
+
+static GLenum APIENTRY fail_once(void) {
+    return calls_left-- == 0 ? GL_OUT_OF_MEMORY : get_error();
+}
+
+/* A smaller size that finds no GPU memory, at each allocation in turn, leaves the picture as it was. */
+static void test_out_of_memory(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer = {0};
+    int failures = 0;
+    open_stage(&stage, "scenes/gloss.glb");
+    const char *settings = "elements=300 radiosity.bins=4 radiosity.specular=indirect";
+    struct renderer_desc large = desc_of(&stage, "implicit-visibility", settings, 40, 40),
+                         small = desc_of(&stage, "implicit-visibility", settings, 24, 24);
+    struct image before = follow_layers(&renderer, &large);
+    get_error = gl.GetError;
+    calls_left = -1;
+    for (int n = 0; calls_left < 0; n++) {
+        calls_left = n;
+        gl.GetError = fail_once;
+        failures += !renderer_follow(&renderer, &small);
+        gl.GetError = get_error;
+        struct image after = follow_layers(&renderer, &large);
+        assert_true(same_pixels(&before, &after));
+        image_free(&after);
+    }
+    printf("  %d failures\n", failures);
+    assert_true(failures > 10);
+    image_free(&before);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+/* Shaders read no further in a storage than GPUs say. */
+static void test_too_many_links(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer = {0};
+    GLint64 most = 0;
+    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    open_stage(&stage, "scenes/gloss.glb");
+    struct renderer_desc desc = desc_of(&stage, "implicit-visibility",
+                                        "elements=65536 radiosity.bins=32 "
+                                        "radiosity.specular=indirect",
+                                        24, 24);
+    if (most < INT32_MAX) {
+        assert_false(renderer_init(&renderer, &desc));
+        printf("  %s\n", error_get());
+        assert_non_null(strstr(error_get(), "fewer radiosity.elements"));
+    } else
+        printf("  not tried: a storage of this GPU has %.0f MiB\n", (double)most / (1 << 20));
+    stage_free(&stage);
+}
+
 /* Lamps and skies by rays do not come through bins. */
 static void test_refusal(void **state) {
     (void)state;
@@ -192,6 +249,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_ball), cmocka_unit_test(test_sphere),  cmocka_unit_test(test_points),
         cmocka_unit_test(test_lamp), cmocka_unit_test(test_changes), cmocka_unit_test(test_refusal),
+        cmocka_unit_test(test_out_of_memory), cmocka_unit_test(test_too_many_links),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
