@@ -54,10 +54,11 @@ static bool fits_storage(size_t bytes, int element_count, int side) {
     GLint64 most = 0;
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
     return bytes <= (size_t)most ||
-           error_set("radiosity.specular: links of %d surface elements, %d bins a side, are %.0f MiB, "
-                     "and a storage of this GPU has %.0f: use fewer radiosity.elements or "
-                     "radiosity.bins",
-                     element_count, side, (double)bytes / (1 << 20), (double)most / (1 << 20));
+           error_set(
+               "radiosity.specular: links of %d surface elements, %d bins a side, are %.0f MiB, "
+               "and a storage of this GPU has %.0f: use fewer radiosity.elements or "
+               "radiosity.bins",
+               element_count, side, (double)bytes / (1 << 20), (double)most / (1 << 20));
 }
 
 bool specular_pass_fit(struct specular_pass *pass, int element_count) {
