@@ -11,7 +11,7 @@ enum { SIZE = 32 };
 
 static const char direct_settings[] = "elements=1000 radiosity.bins=12 radiosity.lamps=bins "
                                       "radiosity.sky=bins radiosity.specular=direct";
-static const char indirect_settings[] = "elements=1000 radiosity.bins=12 "
+static const char indirect_settings[] = "elements=1000 radiosity.bins=32 " /* the most */
                                         "radiosity.specular=indirect";
 
 /* What white metal reflects of even light: roughness 1 has a closed form, .5 a sum (test_brdf). */
