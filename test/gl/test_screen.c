@@ -38,6 +38,8 @@ static const struct picture {
     {"table", "lightcuts", "vpls=256", 97, 64},
     {"table", "row-column", "vpls=256", 97, 64},
     {"table", "cluster-lights", "vpls=256", 97, 64},
+    {"gloss", "implicit-visibility", "elements=300 radiosity.bins=4 radiosity.specular=indirect",
+     97, 64},
 };
 
 /* All layers, and what a display shows. */

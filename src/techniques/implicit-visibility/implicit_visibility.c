@@ -226,11 +226,22 @@ static bool init(void **state, const struct technique_desc *desc) {
     return true;
 }
 
+/* Both targets or none. */
 static bool resize(void *state, int width, int height) {
     struct implicit_visibility *technique = state;
-    return interpolate_pass_resize(&technique->interpolate, width, height) &&
-           (technique->specular_kind == SPECULAR_OFF ||
-            specular_pass_resize(&technique->specular, width, height));
+    struct irradiance radiance = {0};
+    bool specular = technique->specular_kind != SPECULAR_OFF;
+    if (specular && !specular_target_init(&radiance, width, height))
+        return false;
+    if (!interpolate_pass_resize(&technique->interpolate, width, height)) {
+        irradiance_free(&radiance);
+        return false;
+    }
+    if (specular) {
+        irradiance_free(&technique->specular.radiance);
+        technique->specular.radiance = radiance;
+    }
+    return true;
 }
 
 /* Also called where lights changed, in the same pose. */

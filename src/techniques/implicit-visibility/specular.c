@@ -17,6 +17,10 @@ static int stride_of(int side) {
     return links_stride(side) + 1;
 }
 
+bool specular_target_init(struct irradiance *radiance, int width, int height) {
+    return irradiance_init(radiance, label, GL_RGBA32F, width, height, 1);
+}
+
 bool specular_pass_init(struct specular_pass *pass, int side, int width, int height) {
     char defines[48];
     *pass = (struct specular_pass){.side = side};
@@ -26,7 +30,7 @@ bool specular_pass_init(struct specular_pass *pass, int side, int width, int hei
                          .screen = {"techniques/implicit-visibility/specular.frag"},
                          .defines = defines,
                      }) &&
-        irradiance_init(&pass->radiance, label, GL_RGBA32F, width, height, 1))
+        specular_target_init(&pass->radiance, width, height))
         return true;
     specular_pass_free(pass);
     return false;
@@ -45,13 +49,23 @@ void specular_pass_free(struct specular_pass *pass) {
     *pass = (struct specular_pass){0};
 }
 
-bool specular_pass_resize(struct specular_pass *pass, int width, int height) {
-    return irradiance_resize(&pass->radiance, label, GL_RGBA32F, width, height);
+/* A shader may read no more of a storage. */
+static bool fits_storage(size_t bytes, int element_count, int side) {
+    GLint64 most = 0;
+    gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    return bytes <= (size_t)most ||
+           error_set(
+               "radiosity.specular: links of %d surface elements, %d bins a side, are %.0f MiB, "
+               "and a storage of this GPU has %.0f: use fewer radiosity.elements or "
+               "radiosity.bins",
+               element_count, side, (double)bytes / (1 << 20), (double)most / (1 << 20));
 }
 
 bool specular_pass_fit(struct specular_pass *pass, int element_count) {
     size_t count = (size_t)element_count * (size_t)stride_of(pass->side);
     free_room(pass);
+    if (!fits_storage(count * sizeof *pass->texels, element_count, pass->side))
+        return false;
     if (!mem_check(count * sizeof *pass->texels))
         return error_prefix("specular light of %d surface elements", element_count);
     pass->texels = mem_alloc(count, sizeof *pass->texels);

@@ -20,10 +20,11 @@ struct specular_pass {
 bool specular_pass_init(struct specular_pass *pass, int side, int width, int height);
 void specular_pass_free(struct specular_pass *pass);
 
-/* Error: out of GPU memory; all is as it was. */
-bool specular_pass_resize(struct specular_pass *pass, int width, int height);
+/* What specular_pass_render fills, of another size, to stand in for pass->radiance. Error: out of GPU memory. */
+bool specular_target_init(struct irradiance *radiance, int width, int height);
 
-/* Makes room for the links of so many elements. Error: out of memory; the pass must then be freed. */
+/* Makes room for the links of so many elements. Error: out of memory, or more than a shader may read; the pass must then
+ * be freed. */
 bool specular_pass_fit(struct specular_pass *pass, int element_count);
 
 /* What arrives along links, times scale. Each NULL: nothing. */
