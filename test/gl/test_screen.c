@@ -220,6 +220,16 @@ static void close_masked(struct masked_picture *picture) {
     pixel_mask_free(&picture->mask);
 }
 
+/* All entries of the queue become a pixel that the last pass does not mark: it shows if more than are marked run. */
+static void fill_queue(const struct buffer *queue) {
+    enum { HEAD = 4 };
+    GLuint *entries = mem_alloc(queue->size / sizeof *entries, sizeof *entries);
+    for (size_t i = 0; i < queue->size / sizeof *entries; i++)
+        entries[i] = 1;
+    buffer_write(queue, HEAD * sizeof *entries, queue->size - HEAD * sizeof *entries, entries);
+    free(entries);
+}
+
 static void draw_masked(const struct masked_picture *picture, int x, int y) {
     static const GLuint nowhere[4] = {0xffffffffU};
     struct pass_state state = {.name = "masked",
@@ -232,6 +242,8 @@ static void draw_masked(const struct masked_picture *picture, int x, int y) {
                                .depth = PASS_DEPTH_LESS,
                                .mask = &picture->mask};
     framebuffer_clear_integers(picture->framebuffer, 0, nowhere);
+    if (picture->mask.queue.id)
+        fill_queue(&picture->mask.queue);
     pixel_mask_clear(&picture->mask);
     pass_set_state(&state);
     pass_draw_fullscreen(1);
