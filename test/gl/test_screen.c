@@ -12,6 +12,8 @@
 #include "gl/screen_rows.h"
 
 #include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -333,6 +335,31 @@ static void test_auto(void **state) {
     assert_int_equal(screen_way(), way);
 }
 
+static atomic_bool is_timed;
+
+/* Looks until the timing is over. */
+static void *count_dispatched(void *count) {
+    while (!atomic_load(&is_timed))
+        *(int *)count += screen_way() != SCREEN_FRAGMENT;
+    return NULL;
+}
+
+/* While one thread times both ways, what others make runs in the way that is chosen. */
+static void test_timing_aside(void **state) {
+    (void)state;
+    pthread_t other;
+    struct screen_times times;
+    int dispatched = 0;
+    screen_set_way(SCREEN_FRAGMENT);
+    assert_int_equal(pthread_create(&other, NULL, count_dispatched, &dispatched), 0);
+    bool ok = screen_time_ways(&times);
+    atomic_store(&is_timed, true);
+    pthread_join(other, NULL);
+    screen_set_way(SCREEN_AUTO);
+    check_ok("times", ok);
+    assert_int_equal(dispatched, 0);
+}
+
 /* --- rows -------------------------------------------------------------------------------------- */
 
 static struct dispatched { int width, height, first, count; } dispatches[8];
@@ -370,9 +397,10 @@ static void test_rounds(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places), cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_rounds), cmocka_unit_test(test_viewport),
-        cmocka_unit_test(test_masks),  cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_places),       cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_timing_aside), cmocka_unit_test(test_rounds),
+        cmocka_unit_test(test_viewport),     cmocka_unit_test(test_masks),
+        cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
