@@ -1,10 +1,12 @@
 /* Screen passes (gl/screen.h): drawn and dispatched they have the same bits. */
 #include "render_support.h"
 
+#include "base/error.h"
 #include "base/memory.h"
 #include "gl/context/context.h"
 #include "gl/framebuffer.h"
 #include "gl/glsl.h"
+#include "gl/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "gl/screen.h"
@@ -301,6 +303,25 @@ static void test_masks(void **state) {
     glsl_set_folder(NULL);
 }
 
+/* A mask that the GPU has no memory for leaves nothing. */
+static void test_mask_memory(void **state) {
+    (void)state;
+    size_t memory = gl.memory, before = gpu_memory_total();
+    for (enum screen_way way = SCREEN_FRAGMENT; way <= SCREEN_COMPUTE; way++) {
+        struct pixel_mask mask;
+        screen_set_way(way);
+        gl.memory = 1 << 10;
+        bool fits = pixel_mask_init(&mask, "marked", 64, 64);
+        gl.memory = memory;
+        printf("    %s: %s\n", screen_way_names[way], error_get());
+        assert_false(fits);
+        assert_non_null(strstr(error_get(), "'marked': out of GPU memory"));
+        assert_true(!mask.queue.id && !mask.depth.id && !mask.framebuffer);
+        assert_int_equal(gpu_memory_total(), before);
+    }
+    screen_set_way(SCREEN_AUTO);
+}
+
 /* Messages name the body's file and line, whatever is written before. */
 static void test_places(void **state) {
     (void)state;
@@ -400,7 +421,7 @@ int main(void) {
         cmocka_unit_test(test_places),       cmocka_unit_test(test_auto),
         cmocka_unit_test(test_timing_aside), cmocka_unit_test(test_rounds),
         cmocka_unit_test(test_viewport),     cmocka_unit_test(test_masks),
-        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_mask_memory),  cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
