@@ -13,6 +13,9 @@ const char *const screen_way_names[] = {"auto", "fragment", "compute", NULL};
 /* A setting of the process, so that what one context compiles others may take. */
 static atomic_int chosen = SCREEN_AUTO;
 
+/* What a thread times now: other threads make programs and masks meanwhile, all of which must run in one way. */
+static _Thread_local enum screen_way timed = SCREEN_AUTO;
+
 void screen_set_way(enum screen_way way) {
     atomic_store(&chosen, (int)way);
 }
@@ -44,18 +47,18 @@ static double time_way(enum screen_way way, GLuint framebuffer) {
                                .width = PROBE_SIZE,
                                .height = PROBE_SIZE};
     double time = HUGE_VAL;
-    atomic_store(&chosen, (int)way);
+    timed = way;
     if (program_init(&state.program,
                      &(struct program_desc){.screen = {.body = "screen_probe.frag"}}))
         time = time_pass(&state);
     program_free(&state.program);
+    timed = SCREEN_AUTO;
     return time;
 }
 
 bool screen_time_ways(struct screen_times *times) {
     struct texture target = {0};
     GLuint framebuffer = 0;
-    int before = atomic_load(&chosen);
     *times = (struct screen_times){HUGE_VAL, HUGE_VAL};
     bool ok = texture_init(&target, &(struct texture_desc){.label = "screen probe",
                                                            .format = GL_RGBA32F,
@@ -69,7 +72,6 @@ bool screen_time_ways(struct screen_times *times) {
     }
     framebuffer_free(&framebuffer);
     texture_free(&target);
-    atomic_store(&chosen, before);
     return ok;
 }
 
@@ -82,8 +84,12 @@ static enum screen_way faster_way(void) {
     return times.dispatched < least_gain * times.drawn ? SCREEN_COMPUTE : SCREEN_FRAGMENT;
 }
 
+/* Of threads that time at once the first decides. */
 enum screen_way screen_way(void) {
+    int undecided = SCREEN_AUTO;
+    if (timed != SCREEN_AUTO)
+        return timed;
     if (atomic_load(&chosen) == SCREEN_AUTO)
-        screen_set_way(faster_way());
+        atomic_compare_exchange_strong(&chosen, &undecided, (int)faster_way());
     return (enum screen_way)atomic_load(&chosen);
 }

@@ -148,7 +148,7 @@ struct host_state {
         GLint texture, level, layered, layer, access, format;
     } images[IMAGES];
     struct range blocks[BLOCKS], storages[STORAGES], feedbacks[FEEDBACKS];
-    GLint block, storage, feedback, feedback_object, pack_buffer, unpack_buffer;
+    GLint block, storage, indirect, feedback, feedback_object, pack_buffer, unpack_buffer;
     struct {
         bool blends;
         GLint source_rgb, source_alpha, target_rgb, target_alpha, equation_rgb, equation_alpha;
@@ -231,6 +231,7 @@ static void save_ranges(const struct host_state *state, struct range *ranges, GL
 static void save_buffers(struct host_state *state) {
     state->block = get(state, GL_UNIFORM_BUFFER_BINDING);
     state->storage = get(state, GL_SHADER_STORAGE_BUFFER_BINDING);
+    state->indirect = get(state, GL_DISPATCH_INDIRECT_BUFFER_BINDING);
     state->feedback_object = get(state, GL_TRANSFORM_FEEDBACK_BINDING);
     state->pack_buffer = get(state, GL_PIXEL_PACK_BUFFER_BINDING);
     state->unpack_buffer = get(state, GL_PIXEL_UNPACK_BUFFER_BINDING);
@@ -352,6 +353,7 @@ static void restore_buffers(const struct host_state *state) {
     state->BindTransformFeedback(GL_TRANSFORM_FEEDBACK, (GLuint)state->feedback_object);
     state->BindBuffer(GL_UNIFORM_BUFFER, (GLuint)state->block);
     state->BindBuffer(GL_SHADER_STORAGE_BUFFER, (GLuint)state->storage);
+    state->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, (GLuint)state->indirect);
     state->BindBuffer(GL_PIXEL_PACK_BUFFER, (GLuint)state->pack_buffer);
     state->BindBuffer(GL_PIXEL_UNPACK_BUFFER, (GLuint)state->unpack_buffer);
 }

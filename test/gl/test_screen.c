@@ -1,10 +1,12 @@
 /* Screen passes (gl/screen.h): drawn and dispatched they have the same bits. */
 #include "render_support.h"
 
+#include "base/error.h"
 #include "base/memory.h"
 #include "gl/context/context.h"
 #include "gl/framebuffer.h"
 #include "gl/glsl.h"
+#include "gl/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "gl/screen.h"
@@ -12,6 +14,8 @@
 #include "gl/screen_rows.h"
 
 #include <math.h>
+#include <pthread.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -222,6 +226,16 @@ static void close_masked(struct masked_picture *picture) {
     pixel_mask_free(&picture->mask);
 }
 
+/* All entries of the queue become a pixel that the last pass does not mark: it shows if more than are marked run. */
+static void fill_queue(const struct buffer *queue) {
+    enum { HEAD = 4 };
+    GLuint *entries = mem_alloc(queue->size / sizeof *entries, sizeof *entries);
+    for (size_t i = 0; i < queue->size / sizeof *entries; i++)
+        entries[i] = 1;
+    buffer_write(queue, HEAD * sizeof *entries, queue->size - HEAD * sizeof *entries, entries);
+    free(entries);
+}
+
 static void draw_masked(const struct masked_picture *picture, int x, int y) {
     static const GLuint nowhere[4] = {0xffffffffU};
     struct pass_state state = {.name = "masked",
@@ -234,6 +248,8 @@ static void draw_masked(const struct masked_picture *picture, int x, int y) {
                                .depth = PASS_DEPTH_LESS,
                                .mask = &picture->mask};
     framebuffer_clear_integers(picture->framebuffer, 0, nowhere);
+    if (picture->mask.queue.id)
+        fill_queue(&picture->mask.queue);
     pixel_mask_clear(&picture->mask);
     pass_set_state(&state);
     pass_draw_fullscreen(1);
@@ -289,6 +305,25 @@ static void test_masks(void **state) {
     glsl_set_folder(NULL);
 }
 
+/* A mask that the GPU has no memory for leaves nothing. */
+static void test_mask_memory(void **state) {
+    (void)state;
+    size_t memory = gl.memory, before = gpu_memory_total();
+    for (enum screen_way way = SCREEN_FRAGMENT; way <= SCREEN_COMPUTE; way++) {
+        struct pixel_mask mask;
+        screen_set_way(way);
+        gl.memory = 1 << 10;
+        bool fits = pixel_mask_init(&mask, "marked", 64, 64);
+        gl.memory = memory;
+        printf("    %s: %s\n", screen_way_names[way], error_get());
+        assert_false(fits);
+        assert_non_null(strstr(error_get(), "'marked': out of GPU memory"));
+        assert_true(!mask.queue.id && !mask.depth.id && !mask.framebuffer);
+        assert_int_equal(gpu_memory_total(), before);
+    }
+    screen_set_way(SCREEN_AUTO);
+}
+
 /* Messages name the body's file and line, whatever is written before. */
 static void test_places(void **state) {
     (void)state;
@@ -321,6 +356,31 @@ static void test_auto(void **state) {
     assert_true(times.drawn < HUGE_VAL && times.dispatched < HUGE_VAL);
     assert_true(way == SCREEN_FRAGMENT || (way == SCREEN_COMPUTE && !gl.software));
     assert_int_equal(screen_way(), way);
+}
+
+static atomic_bool is_timed;
+
+/* Looks until the timing is over. */
+static void *count_dispatched(void *count) {
+    while (!atomic_load(&is_timed))
+        *(int *)count += screen_way() != SCREEN_FRAGMENT;
+    return NULL;
+}
+
+/* While one thread times both ways, what others make runs in the way that is chosen. */
+static void test_timing_aside(void **state) {
+    (void)state;
+    pthread_t other;
+    struct screen_times times;
+    int dispatched = 0;
+    screen_set_way(SCREEN_FRAGMENT);
+    assert_int_equal(pthread_create(&other, NULL, count_dispatched, &dispatched), 0);
+    bool ok = screen_time_ways(&times);
+    atomic_store(&is_timed, true);
+    pthread_join(other, NULL);
+    screen_set_way(SCREEN_AUTO);
+    check_ok("times", ok);
+    assert_int_equal(dispatched, 0);
 }
 
 /* --- rows -------------------------------------------------------------------------------------- */
@@ -360,9 +420,10 @@ static void test_rounds(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places), cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_rounds), cmocka_unit_test(test_viewport),
-        cmocka_unit_test(test_masks),  cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_places),       cmocka_unit_test(test_auto),
+        cmocka_unit_test(test_timing_aside), cmocka_unit_test(test_rounds),
+        cmocka_unit_test(test_viewport),     cmocka_unit_test(test_masks),
+        cmocka_unit_test(test_mask_memory),  cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

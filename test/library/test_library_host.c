@@ -3,6 +3,8 @@
 #define _XOPEN_SOURCE 700
 #include "library_support.h"
 
+#include "gl/screen.h"
+
 #define EGL_NO_X11
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
@@ -299,6 +301,7 @@ static void shuffle_bindings(void) {
     gl_.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, some(objects.feedbacks));
     gl_.BindBuffer(GL_UNIFORM_BUFFER, some(objects.buffers));
     gl_.BindBuffer(GL_SHADER_STORAGE_BUFFER, some(objects.buffers));
+    gl_.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, some(objects.buffers));
     gl_.BindBuffer(GL_PIXEL_PACK_BUFFER, some(objects.buffers));
     gl_.BindBuffer(GL_PIXEL_UNPACK_BUFFER, some(objects.buffers));
     gl_.BindFramebuffer(GL_DRAW_FRAMEBUFFER, some(objects.framebuffers));
@@ -380,6 +383,7 @@ static void read_state(struct numbers *numbers) {
                                    GL_PIXEL_UNPACK_BUFFER_BINDING,
                                    GL_ARRAY_BUFFER_BINDING,
                                    GL_DRAW_INDIRECT_BUFFER_BINDING,
+                                   GL_DISPATCH_INDIRECT_BUFFER_BINDING,
                                    GL_COPY_READ_BUFFER_BINDING,
                                    GL_DRAW_FRAMEBUFFER_BINDING,
                                    GL_READ_FRAMEBUFFER_BINDING,
@@ -499,7 +503,8 @@ static void check_state(const char *what) {
     assert_memory_equal(before.values, after.values, before.count * sizeof *before.values);
 }
 
-/* Whatever state the caller has, the picture is the same, and the state after each call is that of before. */
+/* Whatever state the caller has, the picture is the same, and the state after each call is that of before. Screen passes are
+ * drawn and dispatched in turn. */
 static void test_state_stays(void **state) {
     (void)state;
     need_host();
@@ -515,6 +520,7 @@ static void test_state_stays(void **state) {
         struct manylight_renderer *renderer;
         uint32_t texture;
         int width, height;
+        screen_set_way(i % 2 ? SCREEN_COMPUTE : SCREEN_FRAGMENT);
         shuffle(i);
         struct manylight_device *device = adopt(&kept_current);
         check_state("device_create");
@@ -537,6 +543,7 @@ static void test_state_stays(void **state) {
         assert_int_equal(gl_.GetError(), GL_NO_ERROR);
         manylight_image_free(image);
     }
+    screen_set_way(SCREEN_AUTO);
     printf("    %zu numbers of state\n", before.count);
     manylight_image_free(expected);
     manylight_scene_free(scene);
