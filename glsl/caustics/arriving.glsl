@@ -1,4 +1,5 @@
-// A share of the flux of a ray at its end. The shader has included lib/light.glsl, lib/medium.glsl and caustics/rays.glsl.
+// A share of the flux of a ray at its end. The shader has included lib/light.glsl, lib/medium.glsl and
+// caustics/rays.glsl.
 layout(location = LOCATION_LIGHT) uniform int light_index;
 
 vec3 arriving(ivec2 texel, vec4 end, float share) {
