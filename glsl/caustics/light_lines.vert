@@ -4,6 +4,7 @@
 #include "lib/camera.glsl"
 #include "lib/light.glsl"
 #include "lib/random.glsl"
+#include "caustics/range.glsl"
 #include "caustics/rays.glsl"
 
 layout(location = LOCATION_LIGHT) uniform int light_index;
@@ -21,16 +22,18 @@ struct segment {
 };
 
 #ifdef BETWEEN
-segment segment_of(ivec2 texel) {
+segment segment_of(ivec2 texel, float number) {
     vec4 leave = texelFetch(ray_leaves, texel, 0), end = texelFetch(ray_ends, texel, 0);
     float red = floor(end.w / (BETWEEN_LEVELS + 1.0)), green = end.w - red * (BETWEEN_LEVELS + 1.0);
     vec3 shares = vec3(red, green, BETWEEN_LEVELS - red - green) / BETWEEN_LEVELS;
-    return segment(leave.xyz, end.xyz, leave.w * max(shares, 0.0));
+    return segment(leave.xyz, end.xyz, leave.w * shares);
 }
 #else
-segment segment_of(ivec2 texel) {
-    vec4 end = texelFetch(ray_ends, texel, 0);
-    return segment(texelFetch(ray_leaves, texel, 0).xyz, end.xyz, texelFetch(ray_fluxes, texel, 0).rgb);
+segment segment_of(ivec2 texel, float number) {
+    vec3 from = texelFetch(ray_leaves, texel, 0).xyz, to = texelFetch(ray_ends, texel, 0).xyz;
+    vec4 flux = texelFetch(ray_fluxes, texel, 0);
+    float left = comes_by_chance(light_at(light_index), number) - flux.w, metres = distance(from, to);
+    return segment(from, left < metres ? mix(from, to, left / metres) : to, left > 0.0 ? flux.rgb : vec3(0.0));
 }
 #endif
 
@@ -42,15 +45,16 @@ float chance_of(vec3 flux) {
 void main() {
     ivec2 texel = ray_texel(gl_VertexID / 2);
     bool is_end = gl_VertexID % 2 == 1;
-    segment s = segment_of(texel);
+    uint in_pass = floatBitsToUint(params.shift.x); // others in each pass
+    vec2 numbers = random_of(uvec3(texel, uint(LINE_NUMBERS + light_index) ^ in_pass));
+    segment s = segment_of(texel, numbers.y);
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     line_place = line_flux = line_direction = vec3(0.0);
     line_way = 0.0;
     if (dot(s.flux, vec3(1.0)) <= 0.0)
         return;
     float chance = chance_of(s.flux);
-    uint in_pass = floatBitsToUint(params.shift.x); // others in each pass
-    if (random_of(uvec3(texel, uint(light_index) ^ in_pass)).x >= chance)
+    if (numbers.x >= chance)
         return;
     vec3 way = s.to - s.from;
     vec4 clip_a = camera.world_to_clip * vec4(s.from, 1.0), clip_b = camera.world_to_clip * vec4(s.to, 1.0);

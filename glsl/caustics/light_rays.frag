@@ -8,6 +8,7 @@
 #include "caustics/chain.glsl"
 #include "caustics/ray_start.glsl"
 #ifdef HAS_LINES
+#include "caustics/range.glsl"
 #include "caustics/between.glsl"
 #endif
 
@@ -34,11 +35,6 @@ float ends_at(vec3 place, vec3 direction) {
 #endif
 }
 
-// What the light's range leaves of light that has come so far.
-float in_range(light l, float metres) {
-    return light_in_range(l, metres * metres);
-}
-
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     light l = light_at(light_index);
@@ -49,6 +45,10 @@ void main() {
     walk w = walk_from(ray.origin + way * ray.direction, ray.direction, ray.flux, chain, params.chains);
     bool goes = dot(w.flux, vec3(1.0)) > 0.0;
     ray_leave = ray_end = ray_flux = vec4(0.0);
+#ifdef HAS_LINES
+    vec2 chance = numbers_of(ivec2(gl_FragCoord.xy), BETWEEN_NUMBERS);
+    float comes = comes_by_chance(l, chance.y);
+#endif
     for (int event = 0; event <= CHAIN_EVENTS && goes; event++) {
         bvh_hit hit = bvh_meet(w.origin, w.direction, goes);
         int row = smooth_row(hit.triangle);
@@ -57,7 +57,6 @@ void main() {
             float far = lands ? hit.distance : max(ends_at(w.origin, w.direction), 0.0);
             goes = false;
             if (event > 0 && w.inner <= 0 && l.range_inverse2 * way * way < 1.0) {
-                w.flux *= in_range(l, way + hit.distance * float(lands));
                 ray_leave = vec4(w.place, uintBitsToFloat(packSnorm4x8(vec4(hit.normal, 0.5))));
                 ray_end = vec4(w.origin + far * w.direction, lands ? RAY_LANDS : RAY_ESCAPES);
                 ray_flux = vec4(w.flux, way);
@@ -67,7 +66,7 @@ void main() {
             vec2 numbers = numbers_of(ivec2(gl_FragCoord.xy), event);
 #ifdef HAS_LINES
             if (event > 0 && w.inner <= 0 && !is_within(hit, m))
-                between_add(w, hit.distance, in_range(l, way + hit.distance), numbers.y);
+                between_add(w, min(hit.distance, comes - way), numbers.y);
 #endif
             w.flux *= is_within(hit, m) ? exp(-m.absorption * hit.distance)
                                         : passes_outside(w.origin, w.direction, hit.distance);
@@ -77,6 +76,6 @@ void main() {
         }
     }
 #ifdef HAS_LINES
-    between_pack(between_leave, between_end);
+    between_pack(chance.x, between_leave, between_end);
 #endif
 }

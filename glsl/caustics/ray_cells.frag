@@ -1,8 +1,10 @@
 // Cells between four rays that end on one surface, in place of the hierarchical caustic map of [Wyman 2008] that chapter 8
 // of [Dong 2011] takes. A ray gives a quarter of its flux to each of its four cells, of two triangles each. Of a cell that
 // is torn its rays keep their quarters.
+#include "lib/light.glsl"
 #include "lib/medium.glsl"
 #include "caustics/rays.glsl"
+#include "caustics/arriving.glsl"
 
 layout(location = 0) out vec4 first_flux; // of corners 00 10 11, W; w: 1 where the cell is whole
 layout(location = 1) out vec4 second_flux; // of corners 00 11 01
@@ -30,11 +32,6 @@ bool joins(ivec2 texel, ivec2 along) {
         abs(dot(normal_a, step_ab)) <= MOST_RISE * width && abs(dot(normal_b, step_ab)) <= MOST_RISE * width;
 }
 
-vec3 arriving(ivec2 texel, vec4 end) {
-    float metres = distance(texelFetch(ray_leaves, texel, 0).xyz, end.xyz);
-    return texelFetch(ray_fluxes, texel, 0).rgb * medium_passes(metres);
-}
-
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy), right = ivec2(1, 0), up = ivec2(0, 1);
     first_flux = second_flux = vec4(0.0);
@@ -46,7 +43,7 @@ void main() {
         return;
     if (!joins(texel, right) || !joins(texel + up, right) || !joins(texel, up) || !joins(texel + right, up))
         return;
-    vec3 both = 0.125 * (arriving(texel, a) + arriving(texel + right + up, c));
-    first_flux = vec4(both + 0.25 * arriving(texel + right, b), 1.0);
-    second_flux = vec4(both + 0.25 * arriving(texel + up, d), 1.0);
+    vec3 both = 0.125 * (arriving(texel, a, 1.0) + arriving(texel + right + up, c, 1.0));
+    first_flux = vec4(both + 0.25 * arriving(texel + right, b, 1.0), 1.0);
+    second_flux = vec4(both + 0.25 * arriving(texel + up, d, 1.0), 1.0);
 }

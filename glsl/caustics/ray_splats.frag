@@ -1,6 +1,8 @@
 // What is left of each ray's flux for a round splat: a quarter for each of its cells that is torn.
+#include "lib/light.glsl"
 #include "lib/medium.glsl"
 #include "caustics/rays.glsl"
+#include "caustics/arriving.glsl"
 
 layout(binding = UNIT_PATCHES) uniform sampler2D whole_cells;
 
@@ -44,10 +46,9 @@ void main() {
     float left = 0.25 * (torn(texel) + torn(texel - ivec2(1, 0)) + torn(texel - ivec2(0, 1)) + torn(texel - ivec2(1)));
     if (left == 0.0)
         return;
-    vec4 flux = texelFetch(ray_fluxes, texel, 0);
     float metres = distance(texelFetch(ray_leaves, texel, 0).xyz, end.xyz);
-    float spread = sqrt(params.measure) * (params.is_disk ? 1.0 : flux.w + metres);
+    float spread = sqrt(params.measure) * (params.is_disk ? 1.0 : texelFetch(ray_fluxes, texel, 0).w + metres);
     float wide = cell_radius(texel, end.xyz, end_normal(texelFetch(ray_leaves, texel, 0)));
     spread = max(spread, params.points_only ? 0.0 : min(wide, MOST_WIDE * params.reach));
-    splat = vec4(left * flux.rgb * medium_passes(metres), spread);
+    splat = vec4(arriving(texel, end, left), spread);
 }

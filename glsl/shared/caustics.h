@@ -20,6 +20,10 @@
 #define TARGET_BETWEEN_END 4   /* w: red and green over the sum, BETWEEN_LEVELS steps each */
 #define BETWEEN_LEVELS 4095.0  /* two are exact in a float */
 
+/* Numbers of chance of a ray: of each smooth surface from 0 on, of its segment between two, and of its lines by light. */
+#define BETWEEN_NUMBERS (CHAIN_EVENTS + 1)
+#define LINE_NUMBERS (CHAIN_EVENTS + 2)
+
 #define RAY_NONE 0.0
 #define RAY_ESCAPES 1.0 /* meets nothing: the end is the medium's */
 #define RAY_LANDS 2.0   /* on a surface that scatters */

@@ -132,7 +132,15 @@ static void test_no_refraction(void **state) {
 
 /* Light goes up from a mirror to a ceiling, down to a plate, and up again; ceiling and plate scatter or are mirrors. The
  * camera looks at x from there to there, between them. */
-static struct image draw_between(bool mirror_ceiling, bool mirror_plate, float from, float to) {
+struct between {
+    bool mirror_ceiling, mirror_plate;
+    float from, to;
+    float intensity[3]; /* none: 1 W/sr */
+    float range;        /* of the light, metres; 0: none */
+};
+
+static struct image draw_between(const struct between *between) {
+    float from = between->from, to = between->to;
     static const float down[] = {1, 0, -1};
     struct stage stage;
     char nodes[768];
@@ -141,13 +149,16 @@ static struct image draw_between(bool mirror_ceiling, bool mirror_plate, float f
              ", {\"mesh\": %d, \"translation\": [-4, 4, 3], \"rotation\": [1, 0, 0, 0],"
              " \"scale\": [8, 8, 1]},"
              " {\"mesh\": %d, \"translation\": [4, -2, 1], \"scale\": [4, 4, 1]}]",
-             -2., -2., 1., 4., 4., mirror_ceiling, mirror_plate);
+             -2., -2., 1., 4., 4., between->mirror_ceiling, between->mirror_plate);
     open_nodes(&stage, nodes, 0);
     make_mirror(&stage);
     set_medium(&stage, .15F, .02F, .3F);
     struct emitter *light = &stage.emitters.items[0];
     light->cos_outer = cosf(.1F);
     light->cos_inner = cosf(.05F);
+    light->range = between->range > 0 ? between->range : light->range;
+    if (between->intensity[0] > 0)
+        memcpy(light->intensity, between->intensity, sizeof light->intensity);
     emitter_aim(light, down);
     stage.camera = (struct camera){.eye = {(from + to) / 2, -8, 2},
                                    .right = {1, 0, 0},
@@ -177,12 +188,87 @@ static void check_same_volume(const char *what, struct image *drawn, struct imag
  * light's view is fitted to mirrors. Of two such segments a ray draws one by chance, for both. */
 static void test_between_mirrors(void **state) {
     (void)state;
-    struct image one = draw_between(true, false, 1.2F, 2.8F),
-                 expected = draw_between(false, false, 1.2F, 2.8F);
+    struct between between = {.mirror_ceiling = true, .from = 1.2F, .to = 2.8F}, lands = between;
+    lands.mirror_ceiling = false;
+    struct image one = draw_between(&between), expected = draw_between(&lands);
     check_same_volume("one segment", &one, &expected, .003, .06);
-    struct image two = draw_between(true, true, 1.2F, 3.8F);
-    expected = draw_between(true, false, 1.2F, 3.8F);
+    between.to = lands.to = 3.8F;
+    between.mirror_plate = lands.mirror_ceiling = true;
+    struct image two = draw_between(&between);
+    expected = draw_between(&lands);
     check_same_volume("two segments", &two, &expected, .01, .15);
+}
+
+/* Channels of little light are right as well: shares of all light are rounded by chance. */
+static void test_between_colours(void **state) {
+    (void)state;
+    struct between between = {
+        .mirror_ceiling = true, .from = 1.2F, .to = 2.8F, .intensity = {1, 1e-4F, 1e-3F}};
+    struct image drawn = draw_between(&between);
+    between.mirror_ceiling = false;
+    struct image expected = draw_between(&between);
+    check_same_volume("red light", &drawn, &expected, .03, .15);
+}
+
+/* Light of a range of 4 m comes 4.2 m to the ceiling: in the medium it fades with its way, the square root of two times x,
+ * as the light of no range does not. */
+static void test_range(void **state) {
+    (void)state;
+    for (int mirror = 0; mirror < 2; mirror++) {
+        struct between between = {.mirror_ceiling = mirror, .from = 1.2F, .to = 2.8F};
+        struct image all = draw_between(&between);
+        between.range = 4;
+        struct image drawn = draw_between(&between);
+        int red = image_find_channel(&all, "volume.R");
+        double expected = 0;
+        for (int i = 0; i < SIZE * SIZE; i++) {
+            double x = 1.2 + (i % SIZE + .5) / SIZE * 1.6, part2 = 2 * x * x / 16;
+            expected += (double)image_at(&all, i % SIZE, i / SIZE)[red] * (1 - part2 * part2);
+        }
+        printf("    ceiling %s\n", mirror ? "a mirror" : "scatters");
+        check_near("over expected", channel_mean(&drawn, "volume.R") * SIZE * SIZE / expected, 1,
+                   .015);
+        image_free(&all);
+        image_free(&drawn);
+    }
+}
+
+/* Numbers by which a ray goes on do not choose its line: light behind dark glass is the same for the first light as for one
+ * whose number no surface has. */
+static void test_chance(void **state) {
+    (void)state;
+    enum { LIGHTS = 40 };
+    double means[2];
+    for (int last = 0; last < 2; last++) {
+        struct stage stage;
+        open_slab(&stage, 1.5F, 1, .5F);
+        for (int c = 0; c < 3; c++)
+            stage.scene.materials[SMOOTH].absorption[c] = 17;
+        set_medium(&stage, .15F, .02F, .3F);
+        struct emitter light = stage.emitters.items[0];
+        light.cos_outer = cosf(.3F); /* within the slab */
+        light.cos_inner = cosf(.25F);
+        emitters_free(&stage.emitters);
+        stage.emitters =
+            (struct emitters){.items = mem_alloc(LIGHTS, sizeof light), .count = LIGHTS};
+        for (int i = 0; i < LIGHTS; i++) {
+            stage.emitters.items[i] = light;
+            stage.emitters.items[i].number = i;
+            if (i != last * (LIGHTS - 1))
+                memset(stage.emitters.items[i].intensity, 0, sizeof light.intensity);
+        }
+        stage.camera = (struct camera){.eye = {0, -6, .4F},
+                                       .right = {1, 0, 0},
+                                       .up = {0, 0, 1},
+                                       .forward = {0, 1, 0},
+                                       .fov_y = .12F};
+        struct image drawn = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
+                                                " caustics.size=256 caustics.chains=1");
+        means[last] = mean_of(&drawn, "volume");
+        image_free(&drawn);
+        stage_free(&stage);
+    }
+    check_near("first light over the last one", means[0] / means[1], 1, .1);
 }
 
 /* Published lines all have one weight. Across the view it is the square root of two times the right one, at the depth of
@@ -432,21 +518,15 @@ static void test_passes(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mirror),
-        cmocka_unit_test(test_slab),
-        cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_no_refraction),
-        cmocka_unit_test(test_between_mirrors),
-        cmocka_unit_test(test_published),
-        cmocka_unit_test(test_low_light),
-        cmocka_unit_test(test_behind),
-        cmocka_unit_test(test_lamp),
-        cmocka_unit_test(test_no_indirect),
-        cmocka_unit_test(test_more_rays),
-        cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_out_of_view),
-        cmocka_unit_test(test_follow),
-        cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_mirror),          cmocka_unit_test(test_slab),
+        cmocka_unit_test(test_energy),          cmocka_unit_test(test_no_refraction),
+        cmocka_unit_test(test_between_mirrors), cmocka_unit_test(test_between_colours),
+        cmocka_unit_test(test_range),           cmocka_unit_test(test_chance),
+        cmocka_unit_test(test_published),       cmocka_unit_test(test_low_light),
+        cmocka_unit_test(test_behind),          cmocka_unit_test(test_lamp),
+        cmocka_unit_test(test_no_indirect),     cmocka_unit_test(test_more_rays),
+        cmocka_unit_test(test_halves),          cmocka_unit_test(test_out_of_view),
+        cmocka_unit_test(test_follow),          cmocka_unit_test(test_passes),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -263,15 +263,18 @@ static void trace(const struct caustics_pass *pass, const struct frame *frame, i
     timer_end(frame->timers);
 }
 
-static void find_cells(const struct caustics_pass *pass, const struct frame *frame, int side) {
+static void find_cells(const struct caustics_pass *pass, const struct frame *frame, int light,
+                       int side) {
     struct pass_state cells = state_of(pass, frame, "caustics", pass->cell_program),
                       splats = state_of(pass, frame, "caustics", pass->splat_list_program);
     add_rays(pass, &cells);
     draw_rays(&cells, pass, side, pass->cell_framebuffer);
+    pass_set_int(LOCATION_LIGHT, light);
     pass_draw_fullscreen(1);
     add_rays(pass, &splats);
     pass_add_texture(&splats, UNIT_PATCHES, pass->patches[0].id);
     draw_rays(&splats, pass, side, pass->splat_framebuffer);
+    pass_set_int(LOCATION_LIGHT, light);
     pass_draw_fullscreen(1);
 }
 
@@ -296,12 +299,12 @@ static struct pass_state surface_state(const struct caustics_pass *pass, const s
 }
 
 static void draw_surface(const struct caustics_pass *pass, const struct frame *frame,
-                         const struct gbuffer *gbuffer, int side) {
+                         const struct gbuffer *gbuffer, int light, int side) {
     struct pass_state patches = surface_state(pass, frame, gbuffer, pass->patch_program),
                       splats = surface_state(pass, frame, gbuffer, pass->splat_program);
     int rays = side * side * pass->chains;
     timer_begin(frame->timers, "caustics");
-    find_cells(pass, frame, side);
+    find_cells(pass, frame, light, side);
     pass_add_texture(&patches, UNIT_PATCHES, pass->patches[0].id);
     pass_add_texture(&patches, UNIT_PATCHES + 1, pass->patches[1].id);
     pass_add_texture(&splats, UNIT_SPLATS, pass->splats.id);
@@ -350,7 +353,7 @@ void caustics_pass_render(struct caustics_pass *pass, const struct frame *frame,
             continue;
         trace(pass, frame, i, side);
         if (pass->desc.surface)
-            draw_surface(pass, frame, gbuffer, side);
+            draw_surface(pass, frame, gbuffer, i, side);
         if (pass->desc.volume)
             draw_volume(pass, frame, gbuffer, i, side);
     }
