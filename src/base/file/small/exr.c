@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 
 #include <openexr.h>
 
@@ -465,24 +466,62 @@ static void aim_encoder(exr_encode_pipeline_t *encode, const struct image *image
     }
 }
 
-static bool write_chunk(exr_context_t file, const struct image *image, int y) {
-    exr_encode_pipeline_t encode = EXR_ENCODE_PIPELINE_INITIALIZER;
+/* Chunks that are compressed side by side, and then written in order. */
+struct batch {
+    exr_context_t file;
+    const struct image *image;
+    int first, step; /* lines */
+    exr_encode_pipeline_t *chunks;
+    bool *ok;
+};
+
+/* In place of the library's routines, which would write at once and refuse a chunk before its turn. */
+static exr_result_t keep(exr_encode_pipeline_t *encode) {
+    (void)encode;
+    return EXR_ERR_SUCCESS;
+}
+
+static void compress_chunk(void *context, size_t i) {
+    const struct batch *batch = context;
+    exr_encode_pipeline_t *encode = batch->chunks + i;
     exr_chunk_info_t chunk;
-    if (!good(exr_write_scanline_chunk_info(file, 0, y, &chunk)) ||
-        !good(exr_encoding_initialize(file, 0, &chunk, &encode)))
-        return false;
-    aim_encoder(&encode, image, y);
-    bool ok = good(exr_encoding_choose_default_routines(file, 0, &encode)) &&
-              good(exr_encoding_run(file, 0, &encode));
-    exr_encoding_destroy(file, &encode);
+    int y = batch->first + (int)i * batch->step;
+    *encode = (exr_encode_pipeline_t)EXR_ENCODE_PIPELINE_INITIALIZER;
+    batch->ok[i] = good(exr_write_scanline_chunk_info(batch->file, 0, y, &chunk)) &&
+                   good(exr_encoding_initialize(batch->file, 0, &chunk, encode));
+    if (!batch->ok[i])
+        return;
+    aim_encoder(encode, batch->image, y);
+    batch->ok[i] = good(exr_encoding_choose_default_routines(batch->file, 0, encode));
+    encode->yield_until_ready_fn = encode->write_fn = keep;
+    batch->ok[i] = batch->ok[i] && good(exr_encoding_run(batch->file, 0, encode));
+}
+
+static bool write_batch(struct batch *batch, int count) {
+    bool ok = true;
+    parallel_for((size_t)count, 0, compress_chunk, batch);
+    for (int i = 0; i < count; i++) {
+        exr_encode_pipeline_t *encode = batch->chunks + i;
+        ok = ok && batch->ok[i] &&
+             good(exr_write_scanline_chunk(batch->file, 0, batch->first + i * batch->step,
+                                           encode->compressed_buffer, encode->compressed_bytes));
+        exr_encoding_destroy(batch->file, encode);
+    }
     return ok;
 }
 
 static bool write_file(exr_context_t file, const struct image *image) {
-    int step = 0;
-    bool ok = write_header(file, image) && good(exr_get_scanlines_per_chunk(file, 0, &step));
-    for (int y = 0; ok && y < image->height; y += step)
-        ok = write_chunk(file, image, y);
+    struct batch batch = {.file = file, .image = image};
+    int together = parallel_core_count();
+    bool ok = write_header(file, image) && good(exr_get_scanlines_per_chunk(file, 0, &batch.step));
+    batch.chunks = mem_alloc((size_t)together, sizeof *batch.chunks);
+    batch.ok = mem_alloc((size_t)together, sizeof *batch.ok);
+    for (; ok && batch.first < image->height; batch.first += together * batch.step) {
+        int left = (image->height - batch.first + batch.step - 1) / batch.step;
+        ok = write_batch(&batch, left < together ? left : together);
+    }
+    free(batch.chunks);
+    free(batch.ok);
     return ok;
 }
 
