@@ -538,7 +538,9 @@ static void test_cycles(void **state) {
     }
     printf("    %.1f MiB, then %.1f MiB\n", before, mem_resident());
     assert_int_equal(gpu_memory_object_count(), objects);
+#ifndef __SANITIZE_ADDRESS__ /* which keeps freed memory for a while */
     check_at_most("growth of a cycle, MiB", (mem_resident() - before) / (cycles - settling), .5);
+#endif
 }
 
 int main(void) {
