@@ -177,6 +177,8 @@ $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(Q)$(CC) $(C_FLAGS) -c -o $@ $<
 
 -include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
+# Of an older build: sources of C++ that are C now.
+%.cpp: ;
 
 # --- scenes ---------------------------------------------------------------------------------------
 
