@@ -332,11 +332,7 @@ static void test_low_light(void **state) {
 static void test_behind(void **state) {
     (void)state;
     struct stage stage;
-    char nodes[512];
-    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 3, 4);
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-    open_nodes(&stage, nodes, 1);
+    open_squares(&stage, &(struct square){UP_NODE, 3, 4}, 1, 1);
     make_mirror(&stage);
     emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
     struct image drawn = draw(&stage, PATCHES);

@@ -94,16 +94,9 @@ static void test_nested(void **state) {
     static const float indices[] = {1, 1.5F};
     for (int i = 0; i < 2; i++) {
         struct stage stage;
-        static const double heights[] = {1.1, 1, .8, .7};
-        char nodes[1024];
-        int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE);
-        for (int h = 0; h < 4; h++) {
-            used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
-            used += print_square(nodes + used, sizeof nodes - (size_t)used,
-                                 h < 2 ? UP_NODE : DOWN_NODE, heights[h], 1);
-        }
-        snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-        open_nodes(&stage, nodes, .5F);
+        static const struct square squares[] = {
+            {UP_NODE, 1.1, 1}, {UP_NODE, 1, 1}, {DOWN_NODE, .8, 1}, {DOWN_NODE, .7, 1}};
+        open_squares(&stage, squares, 4, .5F);
         make_glass(&stage, indices[i]);
         stage.camera.fov_y = .3F; /* hundreds of cells: chance tears some */
         double n = (double)indices[i], passes = 1 - pow((n - 1) / (n + 1), 2);
@@ -121,11 +114,7 @@ static void test_nested(void **state) {
 static void test_open(void **state) {
     (void)state;
     struct stage stage;
-    char nodes[512];
-    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 1);
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-    open_nodes(&stage, nodes, .5F);
+    open_squares(&stage, &(struct square){UP_NODE, 1, 1}, 1, .5F);
     make_glass(&stage, 1.5F);
     struct image drawn = draw(&stage, PATCHES);
     double open = mean_of(&drawn, "caustic") * GLM_PI;

@@ -152,17 +152,9 @@ static void test_open_and_nested(void **state) {
     (void)state;
     for (int nested = 0; nested < 2; nested++) {
         struct stage stage;
-        char nodes[1024];
-        int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-        used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 4);
-        for (int i = 0; nested && i < 3; i++) {
-            static const double z[] = {.95, .85, .8};
-            used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
-            used += print_square(nodes + used, sizeof nodes - (size_t)used,
-                                 i == 0 ? UP_NODE : DOWN_NODE, z[i], 4);
-        }
-        snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-        open_nodes(&stage, nodes, 2);
+        static const struct square squares[] = {
+            {UP_NODE, 1, 4}, {UP_NODE, .95, 4}, {DOWN_NODE, .85, 4}, {DOWN_NODE, .8, 4}};
+        open_squares(&stage, squares, nested ? 4 : 1, 2);
         make_glass(&stage, 1.5F);
         place_light(&stage, .5F);
         struct image drawn = draw(&stage, SHOWN "caustics.chains=8");

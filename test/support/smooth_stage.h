@@ -74,26 +74,36 @@ static inline void make_glass(struct stage *stage, float index) {
     material->roughness = 0;
 }
 
-/* A mirror above the light, which shines up, and the eye. */
-static inline void open_mirror(struct stage *stage, double width, float eye) {
-    char nodes[512];
-    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, width);
+struct square {
+    const char *node; /* UP_NODE or DOWN_NODE */
+    double z, width;
+};
+
+/* The floor and such squares. */
+static inline void open_squares(struct stage *stage, const struct square *squares, int count,
+                                float eye) {
+    char nodes[1024];
+    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE);
+    for (int i = 0; i < count; i++) {
+        used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
+        used += print_square(nodes + used, sizeof nodes - (size_t)used, squares[i].node,
+                             squares[i].z, squares[i].width);
+    }
     snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
     open_nodes(stage, nodes, eye);
+}
+
+/* A mirror above the light, which shines up, and the eye. */
+static inline void open_mirror(struct stage *stage, double width, float eye) {
+    open_squares(stage, &(struct square){DOWN_NODE, 3, width}, 1, eye);
     make_mirror(stage);
     emitter_aim(&stage->emitters.items[0], (float[]){0, 0, 1});
 }
 
 /* A slab from z = .8 to 1 between light and eye. */
 static inline void open_slab(struct stage *stage, float index, double width, float eye) {
-    char nodes[512];
-    int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, width);
-    used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
-    used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, .8, width);
-    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
-    open_nodes(stage, nodes, eye);
+    const struct square squares[] = {{UP_NODE, 1, width}, {DOWN_NODE, .8, width}};
+    open_squares(stage, squares, 2, eye);
     make_glass(stage, index);
 }
 
