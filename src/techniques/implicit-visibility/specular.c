@@ -2,6 +2,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "gl/program.h"
 #include "passes/frame.h"
 
@@ -87,15 +88,20 @@ static uint32_t octahedral(vec3s n) {
 struct writing {
     const struct links *links;
     const struct specular_light *light;
-    int leaf;
+    uint32_t (*texels)[4]; /* of all leaves */
+};
+
+/* A leaf's part of it. */
+struct leaf_writing {
+    const struct writing *all;
     mat3s to_world;
-    uint32_t (*texels)[4]; /* the leaf's: their number, then they */
+    uint32_t (*texels)[4]; /* their number, then they */
 };
 
 /* Links that bring no light are left out. nodes: NULL: the bin is empty. */
-static void write_link(const struct writing *writing, int bin, const float *node) {
-    const struct bins *bins = &writing->links->bins;
-    const struct specular_light *light = writing->light;
+static void write_link(const struct leaf_writing *writing, int bin, const float *node) {
+    const struct bins *bins = &writing->all->links->bins;
+    const struct specular_light *light = writing->all->light;
     vec3s direction = glms_mat3_mulv(writing->to_world, bins->directions[bin]);
     const float *radiance = node ? node : light->sky[bins_find(bins, direction.raw)];
     float scale = light->scale * bins_solid_angle(bins, bins->directions[bin].raw, 1), scaled[3];
@@ -107,22 +113,24 @@ static void write_link(const struct writing *writing, int bin, const float *node
     texel[3] = octahedral(direction);
 }
 
-static void write_leaf(const struct writing *writing) {
-    const struct links *links = writing->links;
-    const struct link *items = links->items + (size_t)writing->leaf * (size_t)links->stride;
-    writing->texels[0][0] = 0;
-    for (int k = 0; writing->light->nodes && k < links->counts[writing->leaf]; k++)
-        write_link(writing, items[k].bin, writing->light->nodes[items[k].node]);
-    for (int k = 1; writing->light->sky && k <= links->open_counts[writing->leaf]; k++)
-        write_link(writing, items[links->stride - k].bin, NULL);
+static void write_leaf(void *context, size_t leaf) {
+    const struct writing *all = context;
+    const struct links *links = all->links;
+    const struct link *items = links->items + leaf * (size_t)links->stride;
+    const struct leaf_writing writing = {all, links_to_world(links, (int)leaf),
+                                         all->texels + leaf * (size_t)stride_of(links->desc.side)};
+    writing.texels[0][0] = 0;
+    for (int k = 0; all->light->nodes && k < links->counts[leaf]; k++)
+        write_link(&writing, items[k].bin, all->light->nodes[items[k].node]);
+    for (int k = 1; all->light->sky && k <= links->open_counts[leaf]; k++)
+        write_link(&writing, items[links->stride - k].bin, NULL);
 }
 
 void specular_pass_write(struct specular_pass *pass, const struct links *links,
                          const struct specular_light *light) {
     const size_t stride = (size_t)stride_of(pass->side), count = (size_t)links->leaf_count;
-    for (size_t i = 0; i < count; i++)
-        write_leaf(&(struct writing){links, light, (int)i, links_to_world(links, (int)i),
-                                     pass->texels + i * stride});
+    parallel_for(count, links->desc.threads, write_leaf,
+                 &(struct writing){links, light, pass->texels});
     buffer_write(&pass->links, 0, count * stride * sizeof *pass->texels, pass->texels);
 }
 
