@@ -326,10 +326,8 @@ static void test_no_target(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_compute),
-        cmocka_unit_test(test_kept_colors),
-        cmocka_unit_test(test_point_size),
-        cmocka_unit_test(test_writes_wait_for_reads),
+        cmocka_unit_test(test_compute),    cmocka_unit_test(test_kept_colors),
+        cmocka_unit_test(test_point_size), cmocka_unit_test(test_writes_wait_for_reads),
         cmocka_unit_test(test_no_target),
     };
     return cmocka_run_group_tests_name("gl_pass", tests, open_shaders, close_shaders);
