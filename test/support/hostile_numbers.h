@@ -8,7 +8,7 @@
 #define SPOT(cone, fields) LIGHT("\"type\": \"spot\", \"spot\": {" cone "}" fields)
 #define AREA(fields) "\"extensions\": {\"EXT_lights_area\": {\"lights\": [{" fields "}]}},"
 #define PICTURE(uri) "\"images\": [{\"uri\": \"" uri "\"}], \"textures\": [{\"source\": 0}],"
-#define TEXTURED "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]"
+#define TEXTURED BASE_COLOR
 #define BALLS_OF(fields) NODE("\"extras\": {\"metaballs\": {" fields "}}")
 
 static const struct hostile hostile_numbers[] = {
