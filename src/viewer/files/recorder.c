@@ -131,8 +131,8 @@ static bool write_video(struct viewer *viewer) {
     char rate[16];
     snprintf(rate, sizeof rate, "%d", TIMELINE_FPS);
     viewer_read_shown(viewer, &shown);
-    bool ok = recorder->video.path || video_file_begin(&recorder->video, recorder->name,
-                                                       shown.width, shown.height, rate);
+    bool ok = recorder->video.path ||
+              video_file_begin(&recorder->video, recorder->name, shown.width, shown.height, rate);
     ok = ok && video_file_add(&recorder->video, &shown);
     bitmap_free(&shown);
     return ok;
