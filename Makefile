@@ -65,7 +65,9 @@ CXX_FLAGS = -std=c++17 $(LIBRARY_FLAGS) $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) $(if $(filter small,$(PICTURES)),,OpenImageIO) 2>/dev/null))
 PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
-LIBS := $(if $(VIEWER),$(shell pkg-config --libs imgui glfw3 2>/dev/null)) $(PICTURE_LIBS) -lembree3 -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
+# Embree 4 where the compiler finds its header, as src/reference/scene/embree.h.
+EMBREE := -lembree$(shell $(CC) -E -include embree4/rtcore.h -x c /dev/null >/dev/null 2>&1 && echo 4 || echo 3)
+LIBS := $(if $(VIEWER),$(shell pkg-config --libs imgui glfw3 2>/dev/null)) $(PICTURE_LIBS) $(EMBREE) -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
 EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o $(BUILD)/bounds_embedded.o
 BOUNDS := $(sort $(wildcard src/techniques/*/bounds.csv))
