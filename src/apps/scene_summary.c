@@ -228,7 +228,7 @@ static void print_choice(const char *noun, const struct choice_list *list, int l
         return;
     printf("%-10s %d\n", noun, list->count);
     for (int i = 0; i < list->count; i++)
-        printf("  %d  %s%s\n", i, list->names[i], i == list->shown ? ", shown" : "");
+        printf("  %d  %-20s%s\n", i, list->names[i], i == list->shown ? " shown" : "");
 }
 
 bool scene_summary_print(const char *path, const struct scene_choice *choice) {
