@@ -160,10 +160,8 @@ static void test_messages(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_planes),
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_shown),
-        cmocka_unit_test(test_skies),
+        cmocka_unit_test(test_planes),   cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_shown),    cmocka_unit_test(test_skies),
         cmocka_unit_test(test_messages),
     };
     return cmocka_run_group_tests_name("opened cases", tests, NULL, NULL);
