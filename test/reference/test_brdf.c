@@ -168,7 +168,7 @@ static void test_energy(void **state) {
 /* The lobe's albedo where it reflects all (0), or (1 - v.h)^5 (1): an integral over half vectors in doubles, by the turn
  * and by the square of the half vector's tangent over alpha, each by the midpoint rule. */
 static double lobe_albedo_by_half_vectors(double alpha, double cosine, int power) {
-    enum { ACROSS = 200, AROUND = 100 };
+    enum { ACROSS = 400, AROUND = 100 };
     double sine = sqrt(1 - cosine * cosine), sum = 0;
     for (int i = 0; i < ACROSS; i++)
         for (int j = 0; j < AROUND; j++) {
@@ -191,7 +191,7 @@ static void test_lobe_albedo(void **state) {
     double worst[2] = {0};
     for (int r = 0; r < 8; r++)
         for (int c = 0; c < 8; c++) {
-            double roughness = .06 + .92 * r / 7, cosine = .06 + .92 * c / 7;
+            double roughness = .1 + .88 * r / 7, cosine = .1 + .88 * c / 7;
             double alpha = roughness * roughness;
             for (int power = 0; power < 2; power++) {
                 double want = lobe_albedo_by_half_vectors(alpha, cosine, power);
