@@ -40,10 +40,11 @@ static struct trs *animate(const struct scene *scene, double time) {
     }
     const struct channel *channel;
     for (struct channel_place place = {0}; (channel = scene_next_channel(scene, &place));) {
-        struct trs *local = &locals[channel->node];
+        if (channel->path > CHANNEL_SCALE)
+            continue;
+        struct trs *local = &locals[channel->target];
         float *const fields[] = {local->translation, local->rotation, local->scale};
-        if (channel->path != CHANNEL_WEIGHTS)
-            channel_sample(channel, time, fields[channel->path]);
+        channel_sample(channel, time, fields[channel->path]);
     }
     return locals;
 }

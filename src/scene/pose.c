@@ -48,7 +48,8 @@ static void set_weights(struct pose *pose, const struct scene *scene) {
     const struct channel *channel;
     for (struct channel_place place = {0}; (channel = scene_next_channel(scene, &place));)
         if (channel->path == CHANNEL_WEIGHTS)
-            channel_sample(channel, pose->time, pose->weights + pose->first_weight[channel->node]);
+            channel_sample(channel, pose->time,
+                           pose->weights + pose->first_weight[channel->target] + channel->offset);
 }
 
 bool pose_set(struct pose *pose, const struct scene *scene, double time) {

@@ -85,6 +85,8 @@ struct material {
         specular_glossiness; /* the metal-roughness texture has, as KHR_materials_pbrSpecularGlossiness
                                  has them, the specular colour in RGB and the glossiness in A */
     int metal_roughness_mapping, emission_mapping, normal_mapping; /* the base colour's is 0 */
+    bool is_animated, may_shine; /* a clip changes it, or how it reflects: scene/animated.h */
+    float emissive_factor[3], emissive_strength; /* emission is their product */
 };
 
 enum texture_wrap { TEXTURE_WRAP_REPEAT, TEXTURE_WRAP_CLAMP, TEXTURE_WRAP_MIRROR };
@@ -119,8 +121,10 @@ struct scene_light {
     float range;        /* where its light ends, m; infinite: nowhere */
     float size[2];      /* as struct emitter has it */
     enum light_scaling scaling;
-    int slide;      /* of the scene's, one more than its number; 0 = none */
-    int lamp;       /* of emissive surfaces that it is; 0 = none */
+    int slide;                /* of the scene's, one more than its number; 0 = none */
+    float color[3], strength; /* intensity is their product */
+    int material; /* whose emission is a factor of the intensity, one more than its number; 0 = none */
+    int lamp;     /* of emissive surfaces that it is; 0 = none */
     bool stands_in; /* it is what they are like from afar, with others */
 };
 
@@ -151,15 +155,27 @@ struct node {
     float translation[3], rotation[4] /* x y z w */, scale[3];
 };
 
-enum channel_path { CHANNEL_TRANSLATION, CHANNEL_ROTATION, CHANNEL_SCALE, CHANNEL_WEIGHTS };
+enum channel_path {
+    CHANNEL_TRANSLATION, /* of a node, as the next four */
+    CHANNEL_ROTATION,
+    CHANNEL_SCALE,
+    CHANNEL_WEIGHTS,
+    CHANNEL_VISIBLE,
+    CHANNEL_LIGHT, /* numbers of a light, of a camera, of a material */
+    CHANNEL_CAMERA,
+    CHANNEL_MATERIAL,
+};
 enum interpolation { INTERPOLATION_LINEAR, INTERPOLATION_STEP, INTERPOLATION_CUBIC };
 
-/* How one property of a node goes through time. */
+/* How one property goes through time. */
 struct channel {
-    int node; /* has no matrix */
+    int target; /* a node without a matrix, a light, a camera or a material */
     enum channel_path path;
+    size_t
+        offset; /* of the numbers: in the target's struct, bytes; of weights, how many are before */
+    float least, most; /* bounds of numbers of a light, a camera or a material */
     enum interpolation interpolation;
-    int key_count, width; /* width: 3, 4 or the number of morph targets */
+    int key_count, width; /* width: 1 to 4 or the number of morph targets */
     float *times;         /* seconds, increasing */
     float *values;        /* a width for each key; cubic: in-tangent, value and out-tangent */
 };
@@ -185,6 +201,7 @@ struct scene {
     struct node *nodes;
     struct mesh *meshes;
     struct material *materials;
+    struct material *still_materials; /* those of the file, where clips change some; NULL = none */
     struct scene_texture *textures;
     struct scene_light *lights;
     struct slide *slides; /* scene/lights/slide.h */

@@ -171,6 +171,11 @@ bool load_image(Loader &loader, int image, struct bitmap &bitmap);
 /* slide.cpp: the picture that a light's extras name; room for one is there. */
 bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_light &light);
 
+/* pointer.cpp: fills in what a channel moves, but for its keys. Target -1: the scene does not show it. Error: there is
+ * no such object, or it cannot move. */
+bool find_property(const Loader &loader, const std::string &pointer, struct channel &to,
+                   bool &is_known);
+
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);
 bool load_meshes(Loader &loader);

@@ -1,6 +1,7 @@
 #include "scene/lights/emitter.h"
 
 #include "base/memory.h"
+#include "scene/animated.h"
 #include "scene/node.h"
 
 #include <cglm/cglm.h>
@@ -91,7 +92,8 @@ void emitter_place(struct emitter *emitter, const struct scene *scene, int n, do
     int node = node_carrying(scene, NODE_LIGHT, n);
     float world[16];
     node_world(scene, node, time, world);
-    place(emitter, scene, &scene->lights[scene->nodes[node].light], n, world);
+    const struct scene_light light = animated_light(scene, scene->nodes[node].light, time);
+    place(emitter, scene, &light, n, world);
 }
 
 struct emitters emitters_place(const struct scene *scene, double time) {
@@ -101,8 +103,8 @@ struct emitters emitters_place(const struct scene *scene, double time) {
     scene_node_worlds(scene, time, worlds);
     for (int i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].light >= 0) {
-            place(&all.items[all.count], scene, &scene->lights[scene->nodes[i].light], all.count,
-                  worlds[i]);
+            const struct scene_light light = animated_light(scene, scene->nodes[i].light, time);
+            place(&all.items[all.count], scene, &light, all.count, worlds[i]);
             all.count++;
         }
     free(worlds);

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/extremes.h"
 #include "base/memory.h"
+#include "scene/animated.h"
 #include "scene/animation.h"
 #include "scene/mesh/primitive.h"
 #include "scene/shapes/marching_cubes.h"
@@ -61,7 +62,7 @@ static bool has_scale_channel(const struct scene *scene, int node) {
     for (int i = 0; i < scene->clip_count; i++)
         for (int c = 0; c < scene->clips[i].channel_count; c++) {
             const struct channel *channel = &scene->clips[i].channels[c];
-            if (channel->node == node && channel->path == CHANNEL_SCALE)
+            if (channel->path == CHANNEL_SCALE && channel->target == node)
                 return true;
         }
     return false;
@@ -219,7 +220,7 @@ static bool lay_out(struct geometry *geometry, const struct scene *scene) {
     memset(geometry->uv, 0, sizeof geometry->uv);
     geometry->color = NULL;
     geometry->indices = NULL;
-    geometry->laid_out = geometry->pose_count;
+    geometry->laid_out = geometry->painted = geometry->pose_count;
     if (!lay_vertices(geometry, scene))
         return false;
     lay_batches(geometry, scene);
@@ -409,8 +410,14 @@ static bool pose_in_clip(struct geometry *geometry, const struct scene *scene, d
     return pose_at(geometry, scene, time);
 }
 
-bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time) {
-    return pose_in_clip(geometry, scene, time) || error_prefix("%s at %g s", scene->path, time);
+bool geometry_pose(struct geometry *geometry, struct scene *scene, double time) {
+    enum animated_change change = animated_pose_materials(scene, time);
+    bool good = pose_in_clip(geometry, scene, time);
+    if (change != ANIMATED_NOTHING)
+        geometry->painted = geometry->pose_count;
+    if (change == ANIMATED_OPACITY)
+        geometry->laid_out = geometry->pose_count;
+    return good || error_prefix("%s at %g s", scene->path, time);
 }
 
 static bool init(struct geometry *geometry, const struct scene *scene, double time, bool still) {
