@@ -92,7 +92,8 @@ bool load_channel(Loader &loader, const tinygltf::Animation &animation,
         return true;
     bool good = find_property(loader, pointer, to, is_known);
     if (!is_known)
-        lack(loader, "animation of '" + clean(pointer) + "'");
+        lack(loader,
+             "animation of '" + clean(from.target_node < 0 ? pointer : from.target_path) + "'");
     if (good && (!is_known || to.target < 0))
         return true;
     if (!good || !load_keys(loader, animation.samplers[from.sampler], to)) {
