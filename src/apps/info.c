@@ -91,6 +91,12 @@ int app_info(int argc, char **argv) {
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
         return status;
+    const struct option_use uses[] = {
+        {"strict root", scene, "a SCENE"},
+        {"context device screen-passes gl-debug", !scene || values.gl, "--gl"},
+        {NULL}};
+    if (!arguments_check_use(&values.common, uses))
+        return arguments_misuse(argv[0]);
     bool ok =
         (!scene || scene_summary_print(scene)) && ((scene && !values.gl) || print_gl(&values));
     return ok ? STATUS_OK : arguments_fail(argv[0]);
