@@ -66,6 +66,22 @@ void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[1
     free(locals);
 }
 
+void scene_nodes_shown(const struct scene *scene, double time, bool *shown) {
+    const struct channel *channel;
+    for (int i = 0; i < scene->node_count; i++)
+        shown[i] = !scene->nodes[i].dark;
+    for (struct channel_place place = {0}; (channel = scene_next_channel(scene, &place));) {
+        float value;
+        if (channel->path != CHANNEL_VISIBLE)
+            continue;
+        channel_sample(channel, time, &value);
+        shown[channel->target] = value >= .5F;
+    }
+    for (int i = 0; i < scene->node_count; i++)
+        if (scene->nodes[i].parent >= 0)
+            shown[i] &= shown[scene->nodes[i].parent];
+}
+
 bool node_check_worlds(const struct scene *scene, float (*worlds)[16]) {
     for (int i = 0; i < scene->node_count; i++)
         for (int k = 0; k < 16; k++)

@@ -52,16 +52,6 @@ bool load_values(Loader &loader, int index, struct channel &to) {
     return to.path != CHANNEL_ROTATION || check_rotations(to);
 }
 
-/* The JSON pointer of what the channel moves; "" = nothing. */
-std::string pointer_of(const tinygltf::AnimationChannel &from) {
-    auto extension = from.target_extensions.find("KHR_animation_pointer");
-    if (from.target_path == "pointer" && extension != from.target_extensions.end())
-        return extension->second.Get("pointer").Get<std::string>();
-    return from.target_node < 0
-               ? ""
-               : "/nodes/" + std::to_string(from.target_node) + "/" + from.target_path;
-}
-
 enum interpolation find_interpolation(const std::string &name) {
     return name == "STEP"          ? INTERPOLATION_STEP
            : name == "CUBICSPLINE" ? INTERPOLATION_CUBIC

@@ -35,6 +35,7 @@ const Property properties[] = {
     {"/nodes/*/scale", CHANNEL_SCALE, 0, 3, 0, 0},
     {"/nodes/*/weights", CHANNEL_WEIGHTS, 0, 0, 0, 0},
     {"/nodes/*/weights/*", CHANNEL_WEIGHTS, 0, 1, 0, 0},
+    {"/nodes/*/extensions/KHR_node_visibility/visible", CHANNEL_VISIBLE, 0, 1, 0, 0},
     {LIGHTS "color", LIGHT(color), 3, 0, SCENE_LIGHT_MOST},
     {LIGHTS "intensity", LIGHT(strength), 1, 0, SCENE_LIGHT_MOST},
     {LIGHTS "range", LIGHT(range), 1, 0, far_most},
@@ -144,6 +145,15 @@ bool set_target(const Loader &loader, const Property &property, const int number
 }
 
 } // namespace
+
+std::string pointer_of(const tinygltf::AnimationChannel &from) {
+    auto extension = from.target_extensions.find("KHR_animation_pointer");
+    if (from.target_path == "pointer" && extension != from.target_extensions.end())
+        return extension->second.Get("pointer").Get<std::string>();
+    return from.target_node < 0
+               ? ""
+               : "/nodes/" + std::to_string(from.target_node) + "/" + from.target_path;
+}
 
 bool find_property(const Loader &loader, const std::string &pointer, struct channel &to,
                    bool &is_known) {

@@ -62,13 +62,14 @@ static bool has_scale_channel(const struct scene *scene, int node) {
     for (int i = 0; i < scene->clip_count; i++)
         for (int c = 0; c < scene->clips[i].channel_count; c++) {
             const struct channel *channel = &scene->clips[i].channels[c];
-            if (channel->path == CHANNEL_SCALE && channel->target == node)
+            if ((channel->path == CHANNEL_SCALE || channel->path == CHANNEL_VISIBLE) &&
+                channel->target == node)
                 return true;
         }
     return false;
 }
 
-/* Whether a clip scales the node: at the time when casters are made it may be flat, or a point. */
+/* Whether a clip scales the node or hides it: at the time when casters are made it may be flat, or a point. */
 static bool is_scaled(const struct scene *scene, int node) {
     for (; node >= 0; node = scene->nodes[node].parent)
         if (has_scale_channel(scene, node))
@@ -78,7 +79,7 @@ static bool is_scaled(const struct scene *scene, int node) {
 
 static int count_node_parts(const struct scene *scene, int node, bool dynamic) {
     int mesh = scene->nodes[node].mesh;
-    if (mesh < 0 || dynamic != (scene->nodes[node].metaballs >= 0))
+    if (mesh < 0 || scene->nodes[node].hidden || dynamic != (scene->nodes[node].metaballs >= 0))
         return 0;
     return dynamic ? 1 : scene->meshes[mesh].primitive_count;
 }
@@ -247,6 +248,7 @@ static void fill_indices(struct geometry *geometry, const struct geometry_part *
         to[k] = part->first_vertex;
 }
 
+/* A part that is not shown is a point. */
 static bool pose_part(struct geometry *geometry, const struct scene *scene,
                       struct geometry_part *part, bool anew) {
     const struct primitive *primitive = part_primitive(scene, part);
@@ -263,8 +265,11 @@ static bool pose_part(struct geometry *geometry, const struct scene *scene,
     }
     if (surface ? pose_rigid(pose->worlds[part->node], surface->vertex_count, surface->position,
                              surface->normal, position, normal)
-                : pose_vertices(pose, scene, part->node, primitive, position, normal))
+                : pose_vertices(pose, scene, part->node, primitive, position, normal)) {
+        for (uint32_t i = 0; !pose->shown[part->node] && i < part->vertex_count; i++)
+            memcpy(position[i], position[0], sizeof *position);
         return true;
+    }
     int mesh = scene->nodes[part->node].mesh;
     return error_prefix("mesh %d '%s'", mesh, scene->meshes[mesh].name);
 }
