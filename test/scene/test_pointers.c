@@ -61,7 +61,8 @@ static const char *write_clip(const char *channels, const float *values, int wid
                 " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}, {\"translation\":"
                 " [0.5, 0.5, 3], \"extensions\": {\"EXT_lights_area\": {\"light\": 0}}},"
                 " {\"mesh\": 1, \"translation\": [1.2, 0, 0.5]}, {\"mesh\": 0, \"translation\":"
-                " [0, 0, 1], \"rotation\": [0, 0.70710678, 0, 0.70710678]}]",
+                " [0, 0, 1], \"rotation\": [0, 0.70710678, 0, 0.70710678]}, {\"mesh\": 0,"
+                " \"extensions\": {\"KHR_node_visibility\": {\"visible\": false}}}]",
             .extra = &keys,
             .extra_size = sizeof keys});
 }
@@ -96,6 +97,7 @@ static double number_at(const struct stage *stage, const struct row *row) {
 #define PBR "/materials/0/pbrMetallicRoughness/"
 #define STRENGTH "/materials/0/extensions/KHR_materials_emissive_strength/emissiveStrength"
 #define EMITTER(field) offsetof(struct emitter, field)
+#define VISIBLE "/extensions/KHR_node_visibility/visible"
 #define VIEW(field) offsetof(struct camera, field)
 #define SURFACE(field) offsetof(struct material, field)
 
@@ -155,6 +157,35 @@ static void test_nodes(void **state) {
     scene_node_worlds(&stage.scene, 1, worlds);
     check_near("moved by its node", (double)worlds[0][12], 2, 1e-6);
     check_near("scaled", (double)worlds[4][0], 2, 1e-6);
+    stage_free(&stage);
+}
+
+static bool is_point(const struct geometry *geometry, int part) {
+    const struct geometry_part *at = &geometry->parts[part];
+    return memcmp(geometry->position[at->first_vertex], geometry->position[at->first_vertex + 2],
+                  sizeof *geometry->position) == 0;
+}
+
+/* Shown, hidden and shown again with all below, light too; what a clip shows may begin hidden. */
+static void test_visibility(void **state) {
+    (void)state;
+    static const float values[] = {1, 0};
+    struct stage stage;
+    open_stage(&stage, write_clip(TARGET("/nodes/0" VISIBLE) "," TARGET(
+                                      "/nodes/3" VISIBLE) "," TARGET("/nodes/7" VISIBLE),
+                                  values, 1));
+    for (int step = 0; step < 3; step++) {
+        bool is_shown = step != 1;
+        check_ok("pose", stage_pose(&stage, is_shown ? 0 : 2));
+        assert_true(is_point(&stage.geometry, 0) != is_shown);
+        assert_false(is_point(&stage.geometry, 1));
+        assert_true(is_point(&stage.geometry, 3) != is_shown);
+        check_near("spot", (double)stage.emitters.items[0].intensity[0], is_shown ? 3 : 0, 0);
+    }
+    stage.scene.playing_count = 0;
+    check_ok("pose", stage_pose(&stage, 2));
+    assert_true(is_point(&stage.geometry, 3));
+    assert_false(is_point(&stage.geometry, 0));
     stage_free(&stage);
 }
 
@@ -249,6 +280,7 @@ static void test_pictures(void **state) {
         {OF_LIGHT "intensity", 1, {0, 40}},
         {PBR "baseColorFactor", 4, {0, 0, 0, 1, 1, .5F, 0, 1}},
         {PBR "metallicFactor", 1, {0, 1}},
+        {"/nodes/6" VISIBLE, 1, {0, 1}},
         {"/materials/0/emissiveFactor", 3, {0, 0, 0, 3, 3, 0}},
     };
     size_t count = sizeof rows / sizeof *rows;
@@ -263,9 +295,8 @@ static void test_pictures(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),
-        cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_notes),
+        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_nodes),
+        cmocka_unit_test(test_visibility), cmocka_unit_test(test_notes),
         cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);

@@ -83,11 +83,11 @@ bool is_below(const Property &property, const char *list) {
 /* The target's list: its length, and where it begins in the scene's. */
 size_t count_targets(const Loader &loader, const Property &property, size_t &first) {
     const Model &model = loader.model;
-    first = 0;
+    bool is_area = is_below(property, AREA_LIGHTS);
+    first = is_area ? model.lights.size() : 0;
     switch (property.path) {
     case CHANNEL_LIGHT:
-        first = is_below(property, AREA_LIGHTS) ? model.lights.size() : 0;
-        return first ? size_t(loader.scene->light_count) - first : model.lights.size();
+        return is_area ? size_t(loader.scene->light_count) - first : model.lights.size();
     case CHANNEL_CAMERA:
         return model.cameras.size();
     case CHANNEL_MATERIAL:
