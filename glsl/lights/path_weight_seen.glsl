@@ -1,5 +1,5 @@
 // Surfaces that light walks to count for more where pixels of the picture face them, unblocked. A path leaves its flux there
-// rather than outdoors [resampling: Talbot et al. 2005]. Light that no pixel of the few sees is left as well, less often.
+// rather than outdoors [Talbot et al. 2005]. Light that no pixel of the few sees is left as well, less often.
 #include "lights/seen_pixel.glsl"
 
 const int WALK_PIXELS = 4;

@@ -10,7 +10,7 @@
 #include "passes/gather/near_field.h"
 #include "passes/lights/bounce.h"
 #include "passes/lights/importance_map.h"
-#include "passes/lights/path_starts.h"
+#include "techniques/path_starts.h"
 #include "passes/lights/vpl.h"
 #include "passes/picture/geometry.h"
 #include "techniques/technique.h"

@@ -1,6 +1,6 @@
 /* Light of later bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
- * Each of 4 P paths takes an even share of the first bounce's VPLs, or of starts of its light (passes/lights/path_starts.h).
+ * Each of 4 P paths takes an even share of the first bounce's VPLs, or of starts of its light.
  * It follows the light from surface to surface by rays through the scene's triangles (glsl/lights/light_walk.glsl). It
  * leaves the light of all its bounces at one of its surfaces, picked by light: one gather of the picture serves all bounces.
  * What there is of light is right on the mean, whatever the scene is made of: nothing leaks, and nothing is lost between
@@ -70,7 +70,7 @@ void bounce_pass_free(struct bounce_pass *pass);
  * memory for metaballs that have grown is lacking, triangles without an albedo are black. */
 GLuint bounce_pass_follow(struct bounce_pass *pass, const struct geometry *geometry);
 
-/* From the first bounce's VPLs, or from starts of its light (passes/lights/path_starts.h), to pass->vpls. Timer "bounces". */
+/* From the first bounce's VPLs, or from starts of its light, to pass->vpls. Timer "bounces". */
 void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
                         const struct vpl_buffer *vpls);
 

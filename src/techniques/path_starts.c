@@ -1,4 +1,4 @@
-#include "passes/lights/path_starts.h"
+#include "techniques/path_starts.h"
 
 bool path_starts_init(struct path_starts *starts, const struct path_starts_desc *desc) {
     *starts = (struct path_starts){0};

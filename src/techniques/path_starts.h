@@ -5,8 +5,8 @@
  * the light of an even share. One path from the ground before a window then brings more light than the room has. Starts have
  * an importance map of later bounces (passes/lights/importance_map.h), and at most twice the light of an even share.
  */
-#ifndef PASSES_PATH_STARTS_H
-#define PASSES_PATH_STARTS_H
+#ifndef TECHNIQUES_PATH_STARTS_H
+#define TECHNIQUES_PATH_STARTS_H
 
 #include "passes/lights/importance_map.h"
 #include "passes/lights/vpl.h"
