@@ -108,6 +108,8 @@ static const struct option options[] = {
     {"seed", 0, OPTION_INT, offsetof(struct values, tracer.seed), 0, 0, 2147483647,
      .help = "seed of the random numbers; another seed has other noise"},
     STAGE_OPTIONS(struct values, stage),
+    SCENE_OPTION(struct values, stage.choice),
+    VARIANT_OPTION(struct values, stage.choice),
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };

@@ -92,6 +92,8 @@ static const struct option options[] = {
              "with every technique ao (ambient occlusion, by volume.size and volume.ao-distance)",
      .rare = true},
     STAGE_OPTIONS(struct values, stage),
+    SCENE_OPTION(struct values, stage.choice),
+    VARIANT_OPTION(struct values, stage.choice),
     {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
      .help = "frames of a sequence, A..BxN every Nth; frame 0 is at --time; ####, @@@@, %04d or\n"
              "$F4 in the output's name becomes the number of the frame"},

@@ -45,6 +45,8 @@ static const struct option options[] = {
      .help = "materials of surfaces: as near to glTF's as the\n"
              "format has them, or diffuse in their base colour"},
     STAGE_OPTIONS(struct values, stage),
+    SCENE_OPTION(struct values, stage.choice),
+    VARIANT_OPTION(struct values, stage.choice),
     {NULL},
 };
 
