@@ -19,7 +19,7 @@ static const struct place {
     {"compare", "@/a.exr @/b.exr", false},
     {"compare", "@/a.exr @/b.exr -o @/out/o.png", false},
     {"compare", "@/a.exr @/b.exr -o @/out/o.exr -m rmse", false},
-    {"compare", "@/a.png @/b.png --json", false},
+    {"compare", "@/a.png --json @/b.png", false},
     {"export", SCENE "-o @/out/o --environment @/sky.exr", false},
     {"export", SCENE "-o @/out/o --environment @/sky.exr --format pbrt", false},
     {"info", SCENE, false},
@@ -66,7 +66,6 @@ static const char *const without_effect[][2] = {
     {"gl", "all that info tells without a SCENE"},
     {"gl-debug", "OpenGL has no messages"},
     {"glsl", "the same shaders"},
-    {"json", "it is given already"},
     {"materials", "all surfaces are diffuse"},
     {"max-memory", "a bound that is not reached"},
     {"quiet", "commands without notes"},
@@ -154,7 +153,9 @@ static bool is_ignored(const struct place *place, const char *name, const char *
     int status = run_place(place, more, told, sizeof told);
     if (status != 0 && !strstr(told, "manylight "))
         fail_msg("%s %s: status %d without a word", place->command, more, status);
-    bool ignored = status == 0 && strcmp(told, base) == 0 && !may_change_nothing(name);
+    snprintf(more, sizeof more, "--%s ", name);
+    bool ignored = status == 0 && strcmp(told, base) == 0 && !may_change_nothing(name) &&
+                   !strstr(place->base, more); /* the same once more */
     if (ignored)
         printf("    %s %s: --%s is ignored\n", place->command, place->base, name);
     return ignored;
