@@ -4,11 +4,9 @@
 #include "render_support.h"
 #include "tiny_png.h"
 
-#include "base/memory.h"
 #include "quality/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
-#include "scene/texture.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -443,32 +441,6 @@ static void test_high_picture(void **state) {
     free_pictures(&pictures);
 }
 
-/* The mean light stays, of colours and of numbers. */
-static void test_shrunk_mean(void **state) {
-    (void)state;
-    enum { SIDE = 7, MOST = 5 };
-    float srgb_to_linear[256];
-    texture_decode_table(srgb_to_linear);
-    for (int linear = 0; linear < 2; linear++) {
-        struct scene_texture texture = {.linear = linear, .bitmap = {SIDE, SIDE, NULL}};
-        double before = 0, after = 0;
-        texture.bitmap.rgba = mem_alloc((size_t)SIDE * SIDE, 4);
-        for (int i = 0; i < 4 * SIDE * SIDE; i++)
-            texture.bitmap.rgba[i] = (unsigned char)(i * 97 % 256);
-        for (int size = SIDE; size >= MOST; size -= SIDE - MOST) {
-            double *sum = size == SIDE ? &before : &after;
-            assert_int_equal(texture.bitmap.width * texture.bitmap.height, size * size);
-            for (int i = 0; i < size * size; i++) {
-                unsigned char byte = texture.bitmap.rgba[4 * i + 1];
-                *sum += (linear ? byte / 255. : (double)srgb_to_linear[byte]) / (size * size);
-            }
-            texture_shrink(&texture, MOST);
-        }
-        check_near("mean", after, before, 2e-3);
-        bitmap_free(&texture.bitmap);
-    }
-}
-
 /* --- memory ----------------------------------------------------------------------------------- */
 
 /* Vertices have as many coordinates as the material that has most; another mapping is another scene. */
@@ -535,7 +507,7 @@ int main(void) {
         cmocka_unit_test(test_no_such_set),   cmocka_unit_test(test_small_light),
         cmocka_unit_test(test_counts),        cmocka_unit_test(test_cases),
         cmocka_unit_test(test_set_left_over), cmocka_unit_test(test_unlit),
-        cmocka_unit_test(test_high_picture),  cmocka_unit_test(test_shrunk_mean),
+        cmocka_unit_test(test_high_picture),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
