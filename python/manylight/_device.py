@@ -8,13 +8,13 @@ from typing import Any, ContextManager, Iterable, Iterator, List, Mapping, Named
 
 import numpy as np
 
-from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, run
+from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, real, run, width_and_height
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
 from ._image import Layers, layer_names, listed, to_layers
 from ._names import settings_text
 from ._parts import Camera
-from ._scene import Scene, scene_of, view_of
+from ._scene import Scene, camera_text, scene_of, view_of
 
 AnyScene = Union[Scene, str, "os.PathLike[str]"]
 AnyCamera = Union[str, int, Camera, None]
@@ -158,10 +158,10 @@ class Device:
         camera : the camera that gives the default size
         """
         device, opened = self._open(), scene_of(scene)
-        desc = Descriptor("renderer_desc", width=size[0], height=size[1], technique=technique, direct=direct,
+        desc = Descriptor("renderer_desc", **width_and_height(size), technique=technique, direct=direct,
                           quality=quality, settings=settings_text(settings, more), passes=passes,
                           first_pass=first_pass, hide_environment=hide_environment, keep_lights=keep_lights,
-                          timed=timed, camera=None if camera is None else str(camera))
+                          timed=timed, camera=None if camera is None else camera_text(camera))
         return Renderer(device, opened, desc)
 
     def render(self, scene: AnyScene, size: Tuple[int, int] = (0, 0), *, layers: Optional[Iterable[str]] = None,
@@ -203,6 +203,7 @@ class Device:
         Other parameters are those of `render`.
         """
         opened = scene_of(scene)
+        fps, time = real("fps", fps), real("time", time)
         if not fps > 0:
             raise ArgumentError(f"fps: {fps} is not above 0")
         numbers = range(int(opened.info.duration * fps) + 1) if frames is None else frames

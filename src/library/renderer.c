@@ -21,6 +21,7 @@
 struct drawing {
     int first_pass, passes;
     bool is_mean;
+    bool has_direct; /* a method of direct light was named; else lights choose */
 };
 
 struct manylight_renderer {
@@ -60,6 +61,7 @@ static bool resolve_settings(const struct manylight_renderer_desc *desc, struct 
     if (!(to->technique = technique_find(desc->technique)) ||
         (desc->direct && !(to->direct = direct_find(desc->direct))))
         return false;
+    drawing->has_direct = desc->direct != NULL;
     drawing->passes = passes_given ? desc->passes : choice.passes;
     drawing->first_pass = desc->first_pass;
     drawing->is_mean = drawing->passes > 1 || drawing->first_pass > 0 || passes_given;
@@ -68,9 +70,8 @@ static bool resolve_settings(const struct manylight_renderer_desc *desc, struct 
 }
 
 static bool check_numbers(const struct manylight_renderer_desc *desc) {
-    return (desc->passes >= 0 && desc->first_pass >= 0 && desc->passes <= 1000000 &&
-            desc->first_pass <= 1000000) ||
-           error_set("passes and first_pass: a number is not from 0 to 1000000") ||
+    return (desc_check("passes", desc->passes, 0, 1e6) &&
+            desc_check("first_pass", desc->first_pass, 0, 1e6)) ||
            door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
@@ -249,12 +250,21 @@ static bool add_passes(struct call *call) {
     return true;
 }
 
+/* Lights of a view may want another method of direct light than the scene's. */
+static bool show(struct manylight_renderer *renderer) {
+    struct renderer_desc desc = renderer->renderer.desc;
+    desc.emitters = renderer->loan.stage.emitters;
+    desc.camera = renderer->loan.stage.camera;
+    desc.direct = renderer->drawing.has_direct ? desc.direct : NULL;
+    return renderer_update(&renderer->renderer) && renderer_follow(&renderer->renderer, &desc);
+}
+
 /* After a pose that fails its triangles must not be drawn; after an update that fails, the renderer neither. */
 static bool draw(struct call *call) {
     struct manylight_renderer *renderer = call->of;
     if (!check_exists(renderer) || !loan_pose(&renderer->loan, call->view))
         return false;
-    if (!stage_show(&renderer->loan.stage, &renderer->renderer)) {
+    if (!show(renderer)) {
         free_renderer(call);
         return false;
     }

@@ -95,12 +95,22 @@ static void test_broken_parts(void **state) {
     desc.materials = &material;
     desc.material_count = 1;
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "material 0: a number is not finite");
-    material.emission[1] = 0;
+                 "material 0: emission: inf is not finite");
+    material = (struct manylight_material){.size = sizeof material, .base_color = {255, 0, 0, 1}};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "material 0: base_color: 255 is not from 0 to 1");
+    material = (struct manylight_material){
+        .size = sizeof material, .picture = "not a picture", .picture_bytes = 13};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "material 0: picture: its bytes are neither PNG nor JPEG");
+    material = (struct manylight_material){.size = sizeof material};
     desc.lights = &light;
     desc.light_count = 1;
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
-                 "light 0: a number is not finite");
+                 "light 0: intensity: nan is not finite");
+    light = (struct manylight_light){.size = sizeof light, .type = MANYLIGHT_AREA};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "light 0: extent: an area light has a width");
     light = (struct manylight_light){.size = sizeof light, .up = {0, 1, 0}};
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
                  "light 0: up is along direction");
@@ -110,7 +120,11 @@ static void test_broken_parts(void **state) {
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
                  "camera 0: up is along forward");
     camera = (struct manylight_camera){.size = sizeof camera, .near_plane = -1};
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "camera 0: a number");
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "camera 0: near_plane: -1 is below 0");
+    camera = (struct manylight_camera){.size = sizeof camera, .right = {1.5F}};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "camera 0: right is not that of forward and up");
 }
 
 static void test_scene_descriptors(void **state) {
@@ -151,7 +165,7 @@ static const struct {
      "no quality is called 'best' (there is: draft normal high final)",
      {.quality = "best"},
      MANYLIGHT_BAD_SETTING},
-    {"", "passes and first_pass", {.passes = -1}, MANYLIGHT_BAD_ARGUMENT},
+    {"", "passes: -1 is not from 0 to 1e+06", {.passes = -1}, MANYLIGHT_BAD_ARGUMENT},
 };
 
 static void test_settings(void **state) {
@@ -217,7 +231,14 @@ static void test_views(void **state) {
     check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT, "time: -1");
     view = (struct manylight_view){.size = sizeof view, .placed = &camera};
     check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
-                 "camera: a number is not finite");
+                 "camera: eye: nan is not finite");
+    camera = (struct manylight_camera){
+        .size = sizeof camera, .forward = {.2F, 0, -1}, .right = {1}, .up = {0, 1, 0}};
+    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
+                 "camera: right, up and forward are not at right angles");
+    camera = (struct manylight_camera){.size = sizeof camera, .fov_y = 60};
+    check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
+                 "camera: fov_y (radians): 60 is not from 0 to 3.142");
     camera = (struct manylight_camera){.size = sizeof camera, .forward = {0, 1, 0}};
     check_failed(manylight_render(renderer, &view), MANYLIGHT_BAD_ARGUMENT,
                  "camera: up is along forward");
@@ -305,6 +326,12 @@ static void test_reference(void **state) {
     struct manylight_reference_desc desc = {.size = sizeof desc, .samples = 4, .noise = .1F};
     check_words(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
                 "% reference " BOX " -o @/x.exr --spp 4 --noise .1");
+    desc = (struct manylight_reference_desc){.size = sizeof desc, .noise = -1};
+    check_failed(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
+                 "noise: -1 is not from 0 to 1");
+    desc = (struct manylight_reference_desc){.size = sizeof desc, .bounces = 2000};
+    check_failed(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_ARGUMENT,
+                 "bounces: 2000 is not from 0 to 1000");
     desc = (struct manylight_reference_desc){.size = sizeof desc, .settings = "vpls=4"};
     check_words(manylight_reference(scene, &desc, &image), MANYLIGHT_BAD_SETTING,
                 "% reference " BOX " -o @/x.exr --set vpls=4");

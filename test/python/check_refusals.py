@@ -84,7 +84,7 @@ def check_own():
     closed.close()
     refuse(manylight.ArgumentError, "the device is closed", lambda: closed.render(BOX))
     refuse(manylight.ArgumentError, "'a\\x00b' has a zero byte", lambda: manylight.Scene("a\0b"))
-    refuse(manylight.ArgumentError, "positions: shape (2,), not (n, 3)",
+    refuse(manylight.ArgumentError, "mesh 0: positions: shape (2,), not (n, 3)",
            lambda: manylight.Scene(meshes=[manylight.Mesh([1, 2])]))
 
 
