@@ -10,7 +10,7 @@ import numpy as np
 
 from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, real, run, width_and_height
 from ._cffi import ffi, lib
-from ._errors import ArgumentError, text_of
+from ._errors import ArgumentError, DeviceError, text_of
 from ._image import Layers, layer_names, listed, to_layers
 from ._names import settings_text
 from ._parts import Camera
@@ -37,6 +37,7 @@ class Renderer:
     def __init__(self, device: Any, scene: Scene, desc: Descriptor):
         self._handle = made("renderer", lib.manylight_renderer_create, device, scene._handle, desc.pointer)
         self._lock = threading.Lock()
+        self._process = os.getpid()
         self._shape = (0, 0)
         self.scene = scene
 
@@ -53,6 +54,8 @@ class Renderer:
     def _open(self) -> Any:
         if self._handle is None:
             raise ArgumentError("the renderer is closed")
+        if self._process != os.getpid():  # where another thread may have held the lock at the fork, for ever
+            raise DeviceError("the renderer is of another process, which was forked: start processes by spawn")
         return self._handle
 
     def _alone(self) -> ContextManager:

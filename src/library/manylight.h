@@ -28,7 +28,8 @@
  *   - Scenes and images do not change: any threads may use one at the same time.
  *   - Callbacks may come on other threads than the caller's, one at a time. They return before the call does. They
  *     may call functions of images and scenes, but none of the device that is at work (MANYLIGHT_BAD_ARGUMENT).
- *   - A child process after fork() cannot use the handles of its parent.
+ *   - In a child process that was forked after its parent had used a device, each call of devices and renderers is
+ *     MANYLIGHT_NO_DEVICE, and their ..._free do nothing. Scenes, images and manylight_reference work in it.
  *
  * Units. Metres, +Y up, seconds; radiance W/(sr m2), angles in radians. Intensity is W/sr, of area lights W/sr on the
  * axis: radiance times area. That of directional lights is W/m2. Texts of lights have the same units. Row 0 of a

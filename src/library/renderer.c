@@ -158,9 +158,11 @@ static bool free_renderer(void *user) {
 
 void manylight_renderer_free(struct manylight_renderer *renderer) {
     struct door door;
-    if (!renderer)
-        return;
     door_enter(&door);
+    if (!renderer || !device_is_at_home()) {
+        door_leave(&door, true, MANYLIGHT_OK);
+        return;
+    }
     bool ok = device_do(renderer->device, free_renderer, &(struct call){.of = renderer});
     /* A callback of the renderer at work must not pull it away. */
     bool at_work = !ok && door_blamed() == MANYLIGHT_BAD_ARGUMENT;

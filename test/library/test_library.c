@@ -48,6 +48,11 @@ static const struct row {
      "scenes/day.hdr",
      {.hide_environment = 1},
      {0}},
+    {BOX,
+     "--light '+area position=0,5.4,0 size=1,1 intensity=9,9,9'",
+     NULL,
+     {0},
+     {.light = "+area position=0,5.4,0 size=1,1 intensity=9,9,9"}},
 };
 
 static void test_same_bits_as_program(void **state) {

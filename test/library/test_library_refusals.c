@@ -1,9 +1,13 @@
 /* Bad input through the library's door: a status, and the same words as the program's. */
+#define _XOPEN_SOURCE 700
 #include "library_support.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #define BOX "scenes/cornell-box.glb"
 #define SCENE(...)                                                                                 \
@@ -253,6 +257,66 @@ static void test_views(void **state) {
     manylight_device_free(device);
 }
 
+/* What a child does with the handles of its parent; the number of the first wrong answer. */
+static int use_in_child(struct manylight_device *device, struct manylight_scene *scene,
+                        struct manylight_renderer *renderer) {
+    const struct manylight_device_desc desc = {.size = sizeof desc, .allow_software = 1};
+    const struct manylight_reference_desc small = {
+        .size = sizeof small, .width = 4, .height = 4, .samples = 1};
+    struct manylight_device *own;
+    struct manylight_device_info info = {.size = sizeof info};
+    struct manylight_renderer *made;
+    struct manylight_image *image;
+    char text[256];
+    double ms;
+    manylight_list_devices(text, sizeof text);
+    const int answers[] = {manylight_device_create(&desc, &own),
+                           manylight_device_info(device, &info),
+                           manylight_renderer_create(device, scene, NULL, &made),
+                           manylight_renderer_change(renderer, NULL),
+                           manylight_render(renderer, NULL),
+                           manylight_read(renderer, NULL, &image),
+                           manylight_milliseconds(renderer, "frame", &ms)};
+    for (int i = 0; i < (int)(sizeof answers / sizeof *answers); i++)
+        if (answers[i] != MANYLIGHT_NO_DEVICE || !strstr(manylight_error(), "forked"))
+            return i + 1;
+    if (!strstr(text, "forked"))
+        return 20;
+    manylight_renderer_free(renderer);
+    manylight_device_free(device);
+    if (manylight_reference(scene, &small, &image))
+        return 21;
+    manylight_image_free(image);
+    manylight_scene_free(scene);
+    return 0;
+}
+
+/* A child does without the driver's threads: it gets errors, at its end too, and may trace paths. */
+static void test_forked(void **state) {
+    (void)state;
+    int status;
+    struct manylight_device *device = open_device();
+    struct manylight_scene *scene = open_scene(BOX);
+    struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
+    check_call("render", manylight_render(renderer, NULL));
+    fflush(stdout);
+    pid_t child = fork();
+    if (child == 0) {
+        alarm(30);
+        int wrong = use_in_child(device, scene, renderer);
+#ifdef __SANITIZE_ADDRESS__ /* which looks for leaks: the parent's handles stay */
+        _exit(wrong);
+#endif
+        exit(wrong);
+    }
+    assert_int_equal(waitpid(child, &status, 0), child);
+    assert_int_equal(status, 0);
+    check_call("the parent's", manylight_render(renderer, NULL));
+    manylight_renderer_free(renderer);
+    manylight_scene_free(scene);
+    manylight_device_free(device);
+}
+
 /* Machines of tests have OpenGL on the CPU alone, or besides. */
 static void test_devices(void **state) {
     (void)state;
@@ -345,17 +409,12 @@ static void test_reference(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_broken_scenes),
-        cmocka_unit_test(test_broken_arrays),
-        cmocka_unit_test(test_broken_parts),
-        cmocka_unit_test(test_scene_descriptors),
-        cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_refused_change),
-        cmocka_unit_test(test_views),
-        cmocka_unit_test(test_devices),
-        cmocka_unit_test(test_software_not_allowed),
-        cmocka_unit_test(test_too_much_memory),
-        cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_broken_scenes),   cmocka_unit_test(test_broken_arrays),
+        cmocka_unit_test(test_broken_parts),    cmocka_unit_test(test_scene_descriptors),
+        cmocka_unit_test(test_settings),        cmocka_unit_test(test_refused_change),
+        cmocka_unit_test(test_views),           cmocka_unit_test(test_devices),
+        cmocka_unit_test(test_forked),          cmocka_unit_test(test_software_not_allowed),
+        cmocka_unit_test(test_too_much_memory), cmocka_unit_test(test_reference),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -120,6 +120,54 @@ def check_interrupt():
     assert spent < .1, "the work goes on"
 
 
+def ended(child, seconds=20):
+    """The exit status of a child process, which must not hang."""
+    start = time.monotonic()
+    while time.monotonic() - start < seconds:
+        pid, status = os.waitpid(child, os.WNOHANG)
+        if pid:
+            return status
+        time.sleep(.01)
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
+    raise AssertionError("the child hangs")
+
+
+def check_fork(device):
+    """A forked child gets exceptions from devices, may trace paths, and ends as any, with handles of its parent."""
+    scene = manylight.Scene(BOX)
+    renderer = device.renderer(scene, SIZE)
+    expected = renderer.render()["beauty"].tobytes()
+
+    def refused(call):
+        try:
+            call()
+        except manylight.DeviceError as error:
+            return "forked" in str(error)
+        return False
+
+    def use():
+        return (refused(lambda: manylight.Device(allow_software=True)) and refused(lambda: device.render(BOX, SIZE))
+                and refused(lambda: device.info) and refused(renderer.render) and refused(renderer.display)
+                and manylight.reference(scene, (4, 4), samples=1)["direct"].shape == (4, 4, 3))
+
+    busy = threading.Thread(target=lambda: device.render(BOX, SIZE))
+    busy.start()
+    for ends in ("at once", "as a script", "after freeing")[:3 if LONG else 2]:
+        child = os.fork()
+        if child == 0:
+            good = use()
+            if ends == "after freeing":
+                renderer.close()
+                device.close()
+            if ends == "at once":
+                os._exit(0 if good else 1)
+            raise SystemExit(0 if good else 1)
+        assert ended(child) == 0, ends
+    busy.join()
+    assert renderer.render()["beauty"].tobytes() == expected
+
+
 def resident():
     """Bytes of memory that the process has."""
     with open("/proc/self/statm", encoding="utf-8") as statm:
@@ -159,6 +207,7 @@ def main():
         check_gil(device)
         check_threads(device)
         check_progress(device)
+        check_fork(device)
         if not has_sanitizer():
             check_growth(device)
     check_interrupt()
