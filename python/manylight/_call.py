@@ -183,7 +183,7 @@ def made(kind: str, function: Callable[..., int], *arguments: Any) -> Any:
 
 
 def run(work: Work, job: Callable[[], Any]) -> Any:
-    """Does a job whose call has the progress of work. On the main thread, Ctrl-C stops it after the pass at hand."""
+    """Does a job whose call has the progress of work. On the main thread, Ctrl-C stops it."""
     if threading.current_thread() is threading.main_thread():
         job = _beside(work, job)
     try:

@@ -180,7 +180,8 @@ class Device:
         camera : name, number, text as of `manylight render --camera`, or a `Camera`; None: the first
         light : as `manylight render --light`
         time : of the animation, seconds
-        progress : called with the fraction done and a note after each of several passes; its exception stops the work
+        progress : called with the fraction done and a note, after each of several passes and a few times a second; its
+            exception stops the work
         technique, direct, quality, passes, first_pass, hide_environment : as the options of `manylight render`
         settings : dict of further settings by their names, for example {"gather.interleave": 4}
         Other keyword arguments are settings, with `_` for `.` and `-`: `gather_interleave=4`, `vpls=4096`.

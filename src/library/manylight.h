@@ -304,7 +304,9 @@ struct manylight_view {
     const struct manylight_camera *placed; /* in place of camera */
     const char *light;                     /* as render's --light; NULL: as of the scene */
     double time;                           /* of the animation, s */
-    manylight_progress *progress;          /* after each pass; NULL: none */
+    /* After each of several passes. With a device of its own also a few times a second within a pass, so that a long one
+     * can be cancelled. NULL: none. */
+    manylight_progress *progress;
     void *user;
 };
 

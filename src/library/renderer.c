@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/api.h"
+#include "gl/cancel.h"
 #include "inspect/aov.h"
 #include "library/desc.h"
 #include "library/device.h"
@@ -235,21 +236,53 @@ enum manylight_status manylight_renderer_setting(struct manylight_renderer *rend
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-/* Waits for each pass, as a GPU would take hundreds at once. */
-static bool add_passes(struct call *call) {
-    const struct drawing *drawing = &call->of->drawing;
-    const struct manylight_view *view = call->view;
-    for (int i = 0; i < drawing->passes; i++) {
-        char note[64];
-        renderer_add_pass(&call->of->renderer, drawing->first_pass + i);
-        gl.Finish();
-        snprintf(note, sizeof note, "pass %d of %d", i + 1, drawing->passes);
-        if (view->progress && view->progress(view->user, (i + 1.) / drawing->passes, note) != 0) {
-            error_set("cancelled");
-            return door_blame(MANYLIGHT_CANCELLED);
+/* A view being drawn. */
+struct telling {
+    const struct manylight_view *view;
+    int pass, passes; /* those that are done, and all */
+};
+
+/* True: the caller cancels. */
+static bool tell(void *user) {
+    const struct telling *telling = user;
+    const struct manylight_view *view = telling->view;
+    char note[64];
+    snprintf(note, sizeof note, "pass %d of %d", telling->pass, telling->passes);
+    return view->progress &&
+           view->progress(view->user, (double)telling->pass / telling->passes, note) != 0;
+}
+
+static void draw_pass(struct manylight_renderer *renderer, int pass) {
+    const struct drawing *drawing = &renderer->drawing;
+    if (drawing->is_mean)
+        renderer_add_pass(&renderer->renderer, drawing->first_pass + pass);
+    else
+        renderer_render(&renderer->renderer);
+}
+
+/* Waits for each pass, as a GPU would take hundreds at once. Hosts draw in callbacks: none comes to them within a pass. */
+static bool draw_passes(struct call *call) {
+    struct manylight_renderer *renderer = call->of;
+    struct telling telling = {.view = call->view, .passes = renderer->drawing.passes};
+    bool watches = call->view->progress && !device_is_adopted(renderer->device);
+    bool cancelled = false;
+    for (int i = 0; i < telling.passes && !cancelled; i++) {
+        if (watches)
+            cancel_begin(tell, &telling, CANCEL_INTERVAL);
+        draw_pass(renderer, i);
+        if (watches && cancel_end()) {
+            cancelled = true;
+            renderer_forget_frame(&renderer->renderer);
+        } else if (renderer->drawing.is_mean) {
+            gl.Finish();
+            telling.pass = i + 1;
+            cancelled = tell(&telling);
         }
     }
-    return true;
+    if (!cancelled)
+        return true;
+    error_set("cancelled");
+    return door_blame(MANYLIGHT_CANCELLED);
 }
 
 /* Lights of a view may want another method of direct light than the scene's. */
@@ -270,10 +303,7 @@ static bool draw(struct call *call) {
         free_renderer(call);
         return false;
     }
-    if (renderer->drawing.is_mean)
-        return add_passes(call);
-    renderer_render(&renderer->renderer);
-    return true;
+    return draw_passes(call);
 }
 
 /* What files tell of the frame. The camera's text is the caller's. */

@@ -381,10 +381,10 @@ struct steps {
 
 static int step(void *user, double done, const char *note) {
     struct steps *steps = user;
-    steps->count++;
+    steps->count += done > steps->done; /* else it is within a long pass */
     steps->nested = manylight_render(steps->renderer, NULL);
     manylight_renderer_free(steps->renderer); /* refused, too */
-    assert_true(done > steps->done && *note);
+    assert_true(done >= steps->done && *note);
     steps->done = done;
     return steps->count == steps->last;
 }
