@@ -106,7 +106,12 @@ def _image_of(renderer: Any, wanted: Optional[List[str]]) -> Any:
     """The last frame. Names that are no layers of every frame are outputs of the technique."""
     image = made("image", lib.manylight_read, renderer, ffi.NULL)
     outputs = [] if wanted is None else [layer for layer in wanted if layer not in layer_names(image)]
-    return made("image", lib.manylight_read, renderer, encode(",".join(outputs))) if outputs else image
+    if not outputs:
+        return image
+    try:
+        return made("image", lib.manylight_read, renderer, encode(",".join(outputs)))
+    except ArgumentError as error:
+        raise ArgumentError(f"{error}; layers of every frame: {', '.join(layer_names(image))}") from None
 
 
 class Device:

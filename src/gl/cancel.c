@@ -91,6 +91,10 @@ void cancel_begin(cancel_ask *ask, void *user, double interval) {
     gl.DispatchComputeIndirect = dispatch_compute_indirect;
 }
 
+bool cancel_came(void) {
+    return watch.cancelled;
+}
+
 bool cancel_end(void) {
     gl.DrawArrays = watch.draw_arrays;
     gl.DrawArraysInstanced = watch.draw_arrays_instanced;

@@ -15,6 +15,9 @@ typedef bool cancel_ask(void *user);
 /* Watches the draws of this thread's context, until cancel_end. interval: milliseconds from one question to the next. */
 void cancel_begin(cancel_ask *ask, void *user, double interval);
 
+/* Whether the frame was found to be not wanted, within a watch. */
+bool cancel_came(void);
+
 /* Ends the watch. True: what was drawn meanwhile is worthless. */
 bool cancel_end(void);
 

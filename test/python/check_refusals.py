@@ -57,7 +57,18 @@ def check_settings(device):
         expected = words("render", BOX, "-o", out, f"--{option}", "magic")
         refuse(manylight.SettingError, expected, lambda: device.render(BOX, (16, 16), **{option: "magic"}))
     expected = words("render", BOX, "-o", out, "--aov", "magic")
-    refuse(manylight.Error, expected, lambda: device.render(BOX, (16, 16), layers=["magic"]))
+    expected += "; layers of every frame: beauty, Z, albedo, direct, indirect, normal"
+    refuse(manylight.ArgumentError, expected, lambda: device.render(BOX, (16, 16), layers=["magic"]))
+
+
+def check_missing():
+    """Files that do not exist are Python's own error, too."""
+    for call in (manylight.Scene, manylight.read, manylight.reference):
+        try:
+            call(os.path.join(FOLDER, "missing.exr"))
+            raise AssertionError("not missed")
+        except FileNotFoundError as error:
+            assert isinstance(error, manylight.Error) and "missing.exr" in str(error), error
 
 
 def check_devices():
@@ -94,6 +105,7 @@ def main():
         check_settings(device)
         if os.environ.get("MANYLIGHT_LONG"):
             check_memory(device)
+    check_missing()
     check_devices()
     check_own()
 

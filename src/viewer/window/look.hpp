@@ -29,10 +29,7 @@ extern struct look {
         ImVec2 at;
         double since;
     } rest; /* of the mouse, on an item */
-    struct {
-        std::string title;
-        bool in_view;
-    } asked;          /* the section to be opened; no title: none */
+    std::string asked; /* the section to be opened; "": none */
     bool has_keys;    /* a panel has the keyboard */
     bool begins_keys; /* from this frame on: at its first widget */
     bool had_keys;    /* until this frame's Esc, which is not to mean something else, too */
