@@ -12,11 +12,11 @@ struct opened {
     struct geometry geometry;
 };
 
-static bool open_parts(struct opened *opened, const struct gltf_parts *parts,
-                       struct scene_choice choice) {
+static bool open_parts(struct opened *opened, const struct gltf_parts *parts, const char *scene,
+                       const char *variant) {
+    const struct scene_open_desc desc = {.choice = {scene, variant}, .may_be_empty = true};
     hear_notes();
-    bool ok = scene_open(&opened->scene, &opened->geometry, write_parts("shown.glb", parts),
-                         &(struct scene_open_desc){.choice = choice, .may_be_empty = true});
+    bool ok = scene_open(&opened->scene, &opened->geometry, write_parts("shown.glb", parts), &desc);
     end_notes();
     return ok;
 }
@@ -26,71 +26,70 @@ static void close_parts(struct opened *opened) {
     scene_free(&opened->scene);
 }
 
-/* So many quads, the first at a height; the note is there, or none is. */
-static void check_drawn(const char *what, const char *nodes, const char *more, unsigned quads,
-                        double z, const char *note) {
-    struct opened opened;
-    check_ok(what, open_parts(&opened, &(struct gltf_parts){.nodes = nodes, .more = more},
-                              (struct scene_choice){0}));
-    check_near(what, opened.geometry.index_count / 6., quads, 0);
-    if (quads > 0)
-        check_near(what, (double)opened.geometry.position[0][2], z, 0);
-    if (*note ? !strstr(notes, note) : strstr(notes, "drawn once") != NULL)
-        fail_msg("%s: not the note '%s':\n%s", what, note, notes);
-    close_parts(&opened);
-}
-
 /* --- the tree --------------------------------------------------------------------------------- */
 
 #define LIFTED "{\"translation\": [0, 0, 1], \"mesh\": 0}"
 #define ABOVE(children) "{\"translation\": [0, 0, 7], \"children\": [" children "]}"
-#define LISTED(nodes) "\"scenes\": [{\"nodes\": [" nodes "]}],"
-#define ONCE "listed twice, or as roots below a parent, are drawn once, below it: node "
+#define FAMILY "[" ABOVE("1") ", " LIFTED "]"
+
+/* The scene lists those nodes; the quad is drawn once, at a height, with a note of one node or none. */
+static void check_list(const char *nodes, const char *list, double z, int noted) {
+    struct opened opened;
+    char more[128], note[128] = "drawn once";
+    snprintf(more, sizeof more, "\"scenes\": [{\"nodes\": [%s]}],", list);
+    check_ok(list, open_parts(&opened, &(struct gltf_parts){.nodes = nodes, .more = more}, "", ""));
+    check_near("quads", opened.geometry.index_count / 6., 1, 0);
+    check_near(list, (double)opened.geometry.position[0][2], z, 0);
+    if (noted >= 0)
+        snprintf(note, sizeof note, "below a parent, are drawn once, below it: node %d\n", noted);
+    if (!strstr(notes, note) != (noted < 0))
+        fail_msg("%s: a note that is not due, or none:\n%s", list, notes);
+    close_parts(&opened);
+}
 
 static void test_lists(void **state) {
     (void)state;
-    check_drawn("as it should be", "[" ABOVE("1") ", " LIFTED "]", LISTED("0"), 1, 8, "");
-    check_drawn("a parent outside", "[" ABOVE("1") ", " LIFTED "]", LISTED("1"), 1, 1, ONCE "1");
-    check_drawn("a parent inside", "[" ABOVE("1") ", " LIFTED "]", LISTED("0, 1"), 1, 8, ONCE "1");
-    check_drawn("before it", "[" ABOVE("1") ", " LIFTED "]", LISTED("1, 0"), 1, 8, ONCE "1");
-    check_drawn("a grandchild", "[" ABOVE("1") ", {\"children\": [2]}, " LIFTED "]", LISTED("2, 0"),
-                1, 8, ONCE "2");
-    check_drawn("twice a root", "[" LIFTED "]", LISTED("0, 0"), 1, 1, ONCE "0");
-    check_drawn("twice a child", "[" ABOVE("1, 1") ", " LIFTED "]", LISTED("0"), 1, 8, ONCE "1");
-    check_drawn("two parents, one outside", "[" ABOVE("2") ", " ABOVE("2") ", " LIFTED "]",
-                LISTED("1"), 1, 8, "");
-    check_drawn("a loop outside", "[" ABOVE("1") ", " ABOVE("0") ", " LIFTED "]", LISTED("2"), 1, 1,
-                "");
     struct opened opened;
-    check_refused(open_parts(&opened,
-                             &(struct gltf_parts){.nodes = "[" ABOVE("1") ", " ABOVE("0") "]",
-                                                  .more = LISTED("1")},
-                             (struct scene_choice){0}),
-                  "node 1: it is its own ancestor");
+    check_list(FAMILY, "0", 8, -1);
+    check_list(FAMILY, "1", 1, 1); /* the parent is not in the scene */
+    check_list(FAMILY, "0, 1", 8, 1);
+    check_list(FAMILY, "1, 0", 8, 1);
+    check_list("[" ABOVE("1") ", {\"children\": [2]}, " LIFTED "]", "2, 0", 8, 2);
+    check_list("[" LIFTED "]", "0, 0", 1, 0);
+    check_list("[" ABOVE("1, 1") ", " LIFTED "]", "0", 8, 1);
+    check_list("[" ABOVE("2") ", " ABOVE("2") ", " LIFTED "]", "1", 8, -1); /* a second parent */
+    check_list("[" ABOVE("1") ", " ABOVE("0") ", " LIFTED "]", "2", 1, -1); /* a loop outside */
+    const struct gltf_parts loop = {.nodes = "[" ABOVE("1") ", " ABOVE("0") "]",
+                                    .more = "\"scenes\": [{\"nodes\": [1]}],"};
+    check_refused(open_parts(&opened, &loop, "", ""), "node 1: it is its own ancestor");
 }
 
 /* --- visibility ------------------------------------------------------------------------------- */
 
-#define VISIBLE(flag) "\"extensions\": {\"KHR_node_visibility\": {\"visible\": " flag "}}"
-#define REQUIRED "\"extensionsRequired\": [\"KHR_node_visibility\"],"
+#define VISIBLE(flag) "\"extensions\": {\"KHR_node_visibility\": {" flag "}}"
+#define HIDDEN VISIBLE("\"visible\": false")
+
+static void check_visible(const char *nodes, unsigned quads) {
+    struct opened opened;
+    const struct gltf_parts parts = {.nodes = nodes,
+                                     .more = "\"extensionsRequired\": [\"KHR_node_visibility\"],"};
+    check_ok(nodes, open_parts(&opened, &parts, "", ""));
+    check_near("quads", opened.geometry.index_count / 6., quads, 0);
+    close_parts(&opened);
+}
 
 static void test_hidden(void **state) {
     (void)state;
-    check_drawn("hidden", "[{\"mesh\": 0, " VISIBLE("false") "}, " LIFTED "]", REQUIRED, 1, 1, "");
-    check_drawn("shown", "[{\"mesh\": 0, " VISIBLE("true") "}]", REQUIRED, 1, 0, "");
-    check_drawn("by default", "[{\"mesh\": 0, \"extensions\": {\"KHR_node_visibility\": {}}}]", "",
-                1, 0, "");
-    check_drawn("below",
-                "[{\"children\": [1], " VISIBLE("false") "}, {\"children\": [2], " VISIBLE(
-                    "true") "}, {\"mesh\": 0}]",
-                "", 0, 0, "");
-    check_drawn("beside",
-                "[{\"children\": [1, 2]}, {\"mesh\": 0, " VISIBLE("false") "}, " LIFTED "]", "", 1,
-                1, "");
-    check_drawn("instances",
-                "[{\"mesh\": 0, \"extensions\": {\"KHR_node_visibility\": {\"visible\": false},"
-                " \"EXT_mesh_gpu_instancing\": {\"attributes\": {\"TRANSLATION\": 0}}}}]",
-                "", 0, 0, "");
+    check_visible("[{\"mesh\": 0, " HIDDEN "}, " LIFTED "]", 1);
+    check_visible("[{\"mesh\": 0, " VISIBLE("\"visible\": true") "}]", 1);
+    check_visible("[{\"mesh\": 0, " VISIBLE("") "}]", 1);
+    check_visible("[{\"children\": [1], " HIDDEN
+                  "}, {\"children\": [2], " VISIBLE("\"visible\": true") "}, {\"mesh\": 0}]",
+                  0);
+    check_visible("[{\"children\": [1, 2]}, {\"mesh\": 0, " HIDDEN "}, " LIFTED "]", 1);
+    check_visible("[{\"mesh\": 0, \"extensions\": {\"KHR_node_visibility\": {\"visible\": false},"
+                  " \"EXT_mesh_gpu_instancing\": {\"attributes\": {\"TRANSLATION\": 0}}}}]",
+                  0);
 }
 
 /* A lamp, an emissive quad and a camera: only the camera stays. */
@@ -106,16 +105,13 @@ static void test_hidden_lights(void **state) {
             " %s}}}, {\"mesh\": 0}, {\"extensions\": {\"KHR_lights_punctual\": {\"light\":"
             " 0}}}, {\"camera\": 0}]",
             flags[hidden]);
-        check_ok(flags[hidden],
-                 open_parts(&opened,
-                            &(struct gltf_parts){
-                                .nodes = nodes,
-                                .materials = "[{\"emissiveFactor\": [1, 1, 1]}]",
-                                .more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": ["
-                                        "{\"type\": \"point\"}]}}, \"cameras\": [{\"type\":"
-                                        " \"orthographic\", \"orthographic\": {\"xmag\": 1,"
-                                        " \"ymag\": 1, \"znear\": 0, \"zfar\": 9}}],"},
-                            (struct scene_choice){0}));
+        const struct gltf_parts parts = {
+            .nodes = nodes,
+            .materials = "[{\"emissiveFactor\": [1, 1, 1]}]",
+            .more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\":"
+                    " \"point\"}]}}, \"cameras\": [{\"type\": \"perspective\", \"perspective\":"
+                    " {\"yfov\": 1, \"znear\": 1}}],"};
+        check_ok(flags[hidden], open_parts(&opened, &parts, "", ""));
         check_near("lights", emitter_node_count(&opened.scene), hidden ? 0 : 2, 0);
         check_near("cameras", camera_node_count(&opened.scene), 1, 0);
         close_parts(&opened);
@@ -140,8 +136,7 @@ static const struct gltf_parts choices = {
 static void check_choice(const char *scene, const char *variant, unsigned quads, double z,
                          const char *material) {
     struct opened opened;
-    check_ok(scene ? scene : "the default",
-             open_parts(&opened, &choices, (struct scene_choice){scene, variant}));
+    check_ok(material, open_parts(&opened, &choices, scene, variant));
     check_near("quads", opened.geometry.index_count / 6., quads, 0);
     check_near("z", (double)opened.geometry.position[0][2], z, 0);
     int index = opened.scene.meshes[0].primitives[0].material;
@@ -162,11 +157,11 @@ static void test_choice(void **state) {
     check_choice("hall", "1", 1, 0, "blue");
     check_choice("1", "street", 1, 5, "blue");
     check_choice("both", "0", 2, 0, "blue");
-    check_refused(open_parts(&opened, &choices, (struct scene_choice){"3", NULL}),
+    check_refused(open_parts(&opened, &choices, "3", NULL),
                   "no scene '3' (there is: 0=hall 1 2=both)");
-    check_refused(open_parts(&opened, &choices, (struct scene_choice){NULL, "sea"}),
+    check_refused(open_parts(&opened, &choices, NULL, "sea"),
                   "no variant 'sea' (there is: 0=beach 1=street 2=0)");
-    check_refused(open_parts(&opened, &(struct gltf_parts){0}, (struct scene_choice){NULL, "0"}),
+    check_refused(open_parts(&opened, &(struct gltf_parts){0}, NULL, "0"),
                   "no variant '0' (there is: none)");
 }
 
@@ -176,8 +171,7 @@ static void check_name(const char *name, const char *expected, const char *note)
     struct opened opened;
     char nodes[256];
     snprintf(nodes, sizeof nodes, "[{\"name\": \"%s\", \"mesh\": 0}]", name);
-    check_ok(name,
-             open_parts(&opened, &(struct gltf_parts){.nodes = nodes}, (struct scene_choice){0}));
+    check_ok(name, open_parts(&opened, &(struct gltf_parts){.nodes = nodes}, "", ""));
     assert_string_equal(opened.scene.nodes[0].name, expected);
     if (*note ? !strstr(notes, note) : strstr(notes, "UTF-8") != NULL)
         fail_msg("%s: not the note '%s':\n%s", name, note, notes);
@@ -211,8 +205,7 @@ static void test_file_names(void **state) {
         struct opened opened;
         char buffers[128];
         snprintf(buffers, sizeof buffers, "[{\"uri\" : \"%s\", \"byteLength\": 320}]", uris[i]);
-        check_ok(uris[i], open_parts(&opened, &(struct gltf_parts){.buffers = buffers},
-                                     (struct scene_choice){0}));
+        check_ok(uris[i], open_parts(&opened, &(struct gltf_parts){.buffers = buffers}, "", ""));
         close_parts(&opened);
     }
 }
