@@ -20,8 +20,8 @@ from ._parts import Camera, Light, Material, Mesh
 from ._scene import Scene, SceneInfo, reference
 
 __all__ = [
-    "ArgumentError", "Camera", "Cancelled", "Device", "DeviceError", "DeviceInfo", "Error", "FileMissing", "Layers", "Light",
-    "Material", "Mesh", "OutOfMemory", "Renderer", "Scene", "SceneError", "SceneInfo", "Setting", "SettingError",
+    "ArgumentError", "Camera", "Cancelled", "Device", "DeviceError", "DeviceInfo", "Error", "FileMissing", "Layers",
+    "Light", "Material", "Mesh", "OutOfMemory", "Renderer", "Scene", "SceneError", "SceneInfo", "Setting", "SettingError",
     "compare", "devices", "direct_methods", "error_map", "metrics", "qualities", "read", "reference", "settings",
     "techniques", "version", "write",
 ]

@@ -131,7 +131,7 @@ def _picture(picture: Any) -> bytes:
         return array.tobytes()
     if array.dtype == np.uint8 and array.ndim == 3 and array.shape[2] in (3, 4) and array.size:
         return _png(array)
-    raise ArgumentError(f"picture: {described(picture)} is neither the bytes of a file nor uint8 (height, width, 3 or 4)")
+    raise ArgumentError(f"picture: {described(picture)} is neither a file's bytes nor uint8 (height, width, 3 or 4)")
 
 
 def _mesh(mesh: Mesh) -> Descriptor:

@@ -129,9 +129,9 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
     """
     work = Work(progress)
     view = view_of(work, camera, light, time)
-    desc = Descriptor("reference_desc", **width_and_height(size), view=view.pointer, bounces=bounces, samples=samples, noise=noise, paths=paths, seed=seed,
-                      light_paths=light_paths, smooth=smooth, centers=centers, seen=seen, denoise=denoise,
-                      hide_environment=hide_environment, ao_distance=ao_distance, materials=materials,
-                      settings=settings_text(settings, more), threads=threads)
+    desc = Descriptor("reference_desc", **width_and_height(size), view=view.pointer, bounces=bounces, samples=samples,
+                      noise=noise, paths=paths, seed=seed, light_paths=light_paths, smooth=smooth, centers=centers,
+                      seen=seen, denoise=denoise, hide_environment=hide_environment, ao_distance=ao_distance,
+                      materials=materials, settings=settings_text(settings, more), threads=threads)
     handle = scene_of(scene)._handle
     return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), layers))
