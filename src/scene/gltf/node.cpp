@@ -117,11 +117,14 @@ bool is_hidden(const tinygltf::Node &node) {
 
 std::set<int> nodes_that_clips_show(const Model &model) {
     std::set<int> nodes;
-    int node;
     for (const tinygltf::Animation &clip : model.animations)
-        for (const tinygltf::AnimationChannel &channel : clip.channels)
-            if (sscanf(pointer_of(channel).c_str(), "/nodes/%d/extensions/KHR_node_vis", &node) > 0)
+        for (const tinygltf::AnimationChannel &channel : clip.channels) {
+            int node, end = 0;
+            sscanf(pointer_of(channel).c_str(),
+                   "/nodes/%d/extensions/KHR_node_visibility/visible%n", &node, &end);
+            if (end > 0)
                 nodes.insert(node);
+        }
     return nodes;
 }
 

@@ -246,7 +246,9 @@ bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
     *gpu = (struct scene_gpu){.scene = scene};
     if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) && make_blank(gpu) &&
         upload_textures(gpu, scene) && upload_sky(gpu, scene->environment) &&
-        upload_slides(gpu, scene) && (materials_are_plain(scene) || lobes_init(&gpu->lobes)))
+        upload_slides(gpu, scene) &&
+        (materials_are_plain(scene) ||
+         (lobes_init(&gpu->lobes) && lobe_albedos_init(&gpu->lobe_albedos))))
         return true;
     scene_gpu_free(gpu);
     return false;
@@ -263,6 +265,7 @@ void scene_gpu_free(struct scene_gpu *gpu) {
     texture_free(&gpu->sky);
     texture_free(&gpu->slides);
     texture_free(&gpu->lobes);
+    texture_free(&gpu->lobe_albedos);
     free(gpu->normal_room);
     *gpu = (struct scene_gpu){0};
 }
