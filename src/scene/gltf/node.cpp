@@ -226,6 +226,7 @@ bool load_nodes(Loader &loader) {
             !load_node_weights(loader, model.nodes[i], size_t(i), node) ||
             !load_metaballs(model.nodes[i], *scene, node))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
+        load_node_extras(loader, i, parents[i], node);
         place[i] = scene->node_count++;
         if (!load_instances(loader, model.nodes[i]))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
