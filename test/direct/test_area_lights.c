@@ -328,7 +328,7 @@ static void test_extras(void **state) {
                             " \"extras\": {\"radius\": 9}},"
                             " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}},"
                             " \"extras\": {\"radius\": \"wide\"}},"
-                            " {\"extras\": {\"radius\": 0.2}, \"children\": [9]},"
+                            " {\"extras\": {\"radius\": 0.2}, \"children\": [10]},"
                             " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}}}]"});
     static const struct {
         enum emitter_shape shape;
