@@ -86,7 +86,8 @@ vec3s material_reflects(const struct material *material, vec3s base_color,
 }
 
 static bool is_plain(const struct material *material) {
-    return material_is_diffuse(material) && material->normal_texture < 0 && !material->unlit;
+    return material_is_diffuse(material) && material->normal_texture < 0 && !material->unlit &&
+           !material->may_shine;
 }
 
 bool materials_are_plain(const struct scene *scene) {

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
+#include "scene/animated.h"
 #include "scene/animation.h"
 #include "scene/gltf/gltf.h"
 #include "scene/lights/emissive.h"
@@ -21,15 +22,22 @@ static bool check_worlds(const struct scene *scene) {
     return good;
 }
 
-bool scene_load(struct scene *scene, const char *path) {
-    return scene_load_bytes(scene, path, NULL);
+static void add_lights(struct scene *scene) {
+    animated_keep_materials(scene);
+    emissive_add_lights(scene);
+    animated_follow_materials(scene);
 }
 
-bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes) {
+bool scene_load(struct scene *scene, const char *path) {
+    return scene_load_bytes(scene, path, NULL, &(struct scene_choice){0});
+}
+
+bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes,
+                      const struct scene_choice *choice) {
     *scene = (struct scene){0};
-    bool ok = gltf_load(scene, path, bytes);
+    bool ok = gltf_load(scene, path, bytes, choice);
     if (ok)
-        emissive_add_lights(scene);
+        add_lights(scene);
     if (ok && check_worlds(scene))
         return true;
     scene_free(scene);
@@ -68,6 +76,8 @@ void scene_free(struct scene *scene) {
     for (int i = 0; i < scene->slide_count; i++)
         slide_free(&scene->slides[i]);
     free(scene->slides);
+    choice_free(&scene->scenes);
+    choice_free(&scene->variants);
     environment_free(scene->environment);
     free(scene->path);
     free(scene->skins);
@@ -77,6 +87,7 @@ void scene_free(struct scene *scene) {
     free(scene->nodes);
     free(scene->meshes);
     free(scene->materials);
+    free(scene->still_materials);
     free(scene->textures);
     free(scene->lights);
     free(scene->surfaces);

@@ -1,5 +1,7 @@
 #include "scene/texture.h"
 
+#include "base/memory.h"
+
 #include <math.h>
 
 static float decode_srgb(float value) {
@@ -65,4 +67,43 @@ vec4s texture_lookup(const struct scene_texture *texture, const float srgb_to_li
     vec4s below = glms_vec4_lerp(texel(texture, srgb_to_linear, i, j + 1),
                                  texel(texture, srgb_to_linear, i + 1, j + 1), x - 0.5f - left);
     return glms_vec4_lerp(above, below, y - 0.5f - top);
+}
+
+/* --- a smaller picture ------------------------------------------------------------------------ */
+
+static float encode_srgb(float value) {
+    return value <= 0.0031308F ? value * 12.92F : 1.055F * powf(value, 1 / 2.4F) - 0.055F;
+}
+
+/* The mean of as many lookups as there are texels within one of the smaller picture. */
+static vec4s mean_within(const struct scene_texture *texture, const float srgb_to_linear[256],
+                         const struct bitmap *to, int x, int y) {
+    int across = (texture->bitmap.width + to->width - 1) / to->width;
+    int down = (texture->bitmap.height + to->height - 1) / to->height;
+    vec4s sum = {{0, 0, 0, 0}};
+    for (int i = 0; i < across * down; i++) {
+        vec2s uv = {{((float)x + ((float)(i % across) + .5F) / (float)across) / (float)to->width,
+                     ((float)y + ((float)(i / across) + .5F) / (float)down) / (float)to->height}};
+        sum = glms_vec4_add(sum, texture_lookup(texture, srgb_to_linear, uv));
+    }
+    return glms_vec4_scale(sum, 1 / (float)(across * down));
+}
+
+void texture_shrink(struct scene_texture *texture, int most) {
+    struct bitmap *from = &texture->bitmap, to = {from->width, from->height, NULL};
+    float srgb_to_linear[256];
+    to.width = to.width < most ? to.width : most;
+    to.height = to.height < most ? to.height : most;
+    to.rgba = mem_alloc((size_t)to.width * (size_t)to.height, 4);
+    texture_decode_table(srgb_to_linear);
+    unsigned char *out = to.rgba;
+    for (int y = 0; y < to.height; y++)
+        for (int x = 0; x < to.width; x++, out += 4) {
+            vec4s mean = mean_within(texture, srgb_to_linear, &to, x, y);
+            for (int c = 0; c < 4; c++)
+                out[c] = (unsigned char)lrintf(
+                    255 * (texture->linear || c == 3 ? mean.raw[c] : encode_srgb(mean.raw[c])));
+        }
+    bitmap_free(from);
+    *from = to;
 }

@@ -145,7 +145,7 @@ static bool init_albedos(struct bounce_pass *pass, const struct geometry *geomet
     triangle_albedos_find(albedos, &colors);
     bool ok = buffer_init(&pass->albedos, "albedos of triangles", count * sizeof *albedos, albedos);
     free(albedos);
-    pass->laid_out = geometry->laid_out;
+    pass->painted = geometry->painted;
     if (!ok)
         return false;
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->albedo_texels);
@@ -200,7 +200,7 @@ void bounce_pass_free(struct bounce_pass *pass) {
 /* --- the frame -------------------------------------------------------------------------------- */
 
 GLuint bounce_pass_follow(struct bounce_pass *pass, const struct geometry *geometry) {
-    if (pass->laid_out != geometry->laid_out) {
+    if (pass->painted != geometry->painted) {
         free_albedos(pass);
         init_albedos(pass, geometry);
     }

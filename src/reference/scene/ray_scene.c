@@ -1,13 +1,13 @@
 #include "reference/scene/ray_scene.h"
 
 #include "base/error.h"
+#include "reference/scene/embree.h"
 
-#include <embree3/rtcore.h>
 #include <math.h>
 
 /* What a filter sees besides the hit: the Embree context comes first. */
 struct ray_context {
-    struct RTCIntersectContext embree;
+    embree_context embree;
     const struct ray_scene *rays;
 };
 
@@ -95,7 +95,7 @@ bool ray_scene_init(struct ray_scene *rays, const struct hit_table *table) {
     rays->scene = rtcNewScene(rays->device);
     /* Watertight edges: a ray through a crack would see the far side's light. Of rays aimed at the
      * edges of a closed sphere 1.5 % escape without this flag, which costs some 10 % of the time. */
-    rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST | EMBREE_QUERY_FILTERS);
     uint32_t opaque = geometry->opaque_index_count, masked = geometry->index_count - opaque;
     if (opaque > 0)
         attach_triangles(rays, GEOMETRY_OPAQUE, 0, opaque, NULL);
@@ -117,13 +117,6 @@ void ray_scene_free(struct ray_scene *rays) {
     *rays = (struct ray_scene){0};
 }
 
-static struct ray_context make_context(const struct ray_scene *rays, RTCFilterFunctionN filter) {
-    struct ray_context context = {.rays = rays};
-    rtcInitIntersectContext(&context.embree);
-    context.embree.filter = filter;
-    return context;
-}
-
 static struct RTCRay make_ray(vec3s origin, vec3s direction, float length) {
     return (struct RTCRay){
         .org_x = origin.x,
@@ -139,11 +132,11 @@ static struct RTCRay make_ray(vec3s origin, vec3s direction, float length) {
 
 static bool trace(const struct ray_scene *rays, vec3s origin, vec3s direction, const float ends[2],
                   RTCFilterFunctionN filter, struct hit *hit) {
-    struct ray_context context = make_context(rays, filter);
+    struct ray_context context = {.rays = rays};
     struct RTCRayHit query = {.ray = make_ray(origin, direction, ends[1]),
                               .hit.geomID = RTC_INVALID_GEOMETRY_ID};
     query.ray.tnear = ends[0];
-    rtcIntersect1(rays->scene, &context.embree, &query);
+    embree_intersect(rays->scene, &context.embree, filter, &query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
         return false;
     struct triangle_point point = point_of(rays, &query.hit);
@@ -162,18 +155,18 @@ bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s dire
 
 bool ray_scene_camera_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
                               const float ends[2]) {
-    struct ray_context context = make_context(rays, let_pass_hidden);
+    struct ray_context context = {.rays = rays};
     struct RTCRay ray = make_ray(origin, direction, ends[1]);
     ray.tnear = ends[0];
-    rtcOccluded1(rays->scene, &context.embree, &ray);
+    embree_occluded(rays->scene, &context.embree, let_pass_hidden, &ray);
     return ray.tfar >= 0;
 }
 
 bool ray_scene_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
                        float distance) {
-    struct ray_context context = make_context(rays, NULL);
+    struct ray_context context = {.rays = rays};
     struct RTCRay ray = make_ray(origin, direction, distance);
-    rtcOccluded1(rays->scene, &context.embree, &ray);
+    embree_occluded(rays->scene, &context.embree, NULL, &ray);
     return ray.tfar >= 0;
 }
 
@@ -193,7 +186,7 @@ static void set_ray(struct RTCRay4 *packet, int i, const struct RTCRay *ray) {
 
 void ray_scene_visible_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
                          bool visible[4]) {
-    struct ray_context context = make_context(rays, NULL);
+    struct ray_context context = {.rays = rays};
     struct RTCRay4 packet = {0};
     int traced[4] __attribute__((aligned(16))); /* -1 = yes, as Embree wants it */
     for (int i = 0; i < 4; i++) {
@@ -203,7 +196,7 @@ void ray_scene_visible_4(const struct ray_scene *rays, vec3s from, const vec3s t
         struct RTCRay ray = make_ray(from, direction, 1 - rays->clearance / distance);
         set_ray(&packet, i, &ray);
     }
-    rtcOccluded4(traced, rays->scene, &context.embree, &packet);
+    embree_occluded_4(traced, rays->scene, &context.embree, NULL, &packet);
     for (int i = 0; i < 4; i++)
         visible[i] = visible[i] && (!traced[i] || packet.tfar[i] >= 0);
 }

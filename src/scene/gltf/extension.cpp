@@ -8,14 +8,16 @@ namespace gltf {
 namespace {
 
 /* What a scene lacks where an extension is not read; NULL = nothing, as it is read or changes no
- * picture. */
+ * picture, or as textures have another picture: texture.cpp. */
 const struct Known {
     const char *name, *lack;
 } known[] = {
     {"EXT_lights_area", nullptr},
     {"EXT_mesh_gpu_instancing", nullptr},
     {"EXT_meshopt_compression", nullptr},
+    {"EXT_texture_avif", nullptr},
     {"EXT_texture_webp", nullptr},
+    {"KHR_animation_pointer", nullptr},
     {"KHR_draco_mesh_compression", nullptr},
     {"KHR_lights_punctual", nullptr},
     {"KHR_materials_emissive_strength", nullptr},
@@ -24,10 +26,13 @@ const struct Known {
     {"KHR_materials_specular", nullptr},
     {"KHR_materials_unlit", nullptr},
     {"KHR_mesh_quantization", nullptr},
+    {"KHR_meshopt_compression", nullptr},
+    {"KHR_node_visibility", nullptr},
+    {"KHR_texture_basisu", nullptr},
     {"KHR_texture_transform", nullptr},
     {"KHR_xmp", nullptr},
     {"KHR_xmp_json_ld", nullptr},
-    {"KHR_animation_pointer", "animation of other than nodes"},
+    {"MSFT_texture_dds", nullptr},
     {"KHR_materials_anisotropy", "anisotropy"},
     {"KHR_materials_clearcoat", "clear coat"},
     {"KHR_materials_diffuse_transmission", "diffuse transmission"},
@@ -35,9 +40,8 @@ const struct Known {
     {"KHR_materials_iridescence", "iridescence"},
     {"KHR_materials_sheen", "sheen"},
     {"KHR_materials_transmission", nullptr},
-    {"KHR_materials_variants", "variants but the first"},
+    {"KHR_materials_variants", nullptr},
     {"KHR_materials_volume", nullptr},
-    {"KHR_node_visibility", "hiding of nodes"},
 };
 
 const Known *find_known(const std::string &extension) {

@@ -40,7 +40,7 @@ using tinygltf::Model;
 
 /* A mapping: a texture's way from TEXCOORD_n to uv. */
 struct UvSource {
-    int set = 0;
+    int set = 0, own_set = 0; /* the transform's, and the texture's in case there is no such one */
     double offset[2] = {0, 0}, rotation = 0, scale[2] = {1, 1};
 };
 
@@ -109,6 +109,9 @@ struct Loader {
     uint64_t memory = 0;                     /* bytes that the scene may still take */
 };
 
+/* One format; the second name has a newer version besides. */
+const char *const meshopt_names[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
+
 /* packed.cpp: fills absent buffers with what their views have packed, and gives accessors of packed
  * primitives buffers of their own. */
 bool unpack_views(Loader &loader);
@@ -170,6 +173,20 @@ bool load_image(Loader &loader, int image, struct bitmap &bitmap);
 
 /* slide.cpp: the picture that a light's extras name; room for one is there. */
 bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_light &light);
+
+/* pointer.cpp: the JSON pointer of what the channel moves; "" = nothing. */
+std::string pointer_of(const tinygltf::AnimationChannel &from);
+
+/* Fills in what a channel moves, but for its keys. Target -1: the scene does not show it. Error: there is
+ * no such object, or it cannot move. */
+bool find_property(const Loader &loader, const std::string &pointer, struct channel &to,
+                   bool &is_known);
+
+/* choice.cpp: lists scenes and variants, and makes the chosen scene the model's default. */
+bool load_choice(Loader &loader, const struct scene_choice &choice);
+
+/* The material that the primitive has in the chosen variant; -1 = none. */
+int material_of(const Loader &loader, const tinygltf::Primitive &primitive);
 
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);

@@ -291,8 +291,19 @@ static void update_indices(const struct scene_gpu *gpu, const struct geometry_pa
                  geometry->indices + part->first_index);
 }
 
+/* All but their glow. */
+static void write_materials(const struct scene_gpu *gpu) {
+    for (int m = 0; m < gpu->scene->material_count; m++) {
+        struct material_block block = block_of(&gpu->scene->materials[m], gpu->smooth_black);
+        memcpy(block.emission, gpu->glow[m], sizeof block.emission);
+        buffer_write(&gpu->materials, (size_t)m * MATERIAL_STRIDE, sizeof block, &block);
+    }
+}
+
 bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
     unsigned seen = gpu->pose;
+    if (geometry->painted > seen)
+        write_materials(gpu);
     if (geometry->laid_out > seen) {
         free_geometry(gpu);
         return init_geometry(gpu, geometry);
@@ -332,9 +343,8 @@ void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, 
         bool unlit = unlit_too && gpu->scene->materials[m].unlit;
         const float *emission = unlit ? one : gpu->scene->materials[m].emission;
         float glow[3] = {0};
-        if (glm_vec3_max((float *)emission) <= 0)
-            continue;
-        bool lit = unlit || is_lit(gpu->scene, m, emitters);
+        bool lit =
+            glm_vec3_max((float *)emission) > 0 && (unlit || is_lit(gpu->scene, m, emitters));
         for (int c = 0; c < 3 && lit; c++)
             glow[c] = fminf(scale * emission[c], most);
         if (memcmp(glow, gpu->glow[m], sizeof glow) == 0)
@@ -350,11 +360,7 @@ void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
     if (black == gpu->smooth_black)
         return;
     gpu->smooth_black = black;
-    for (int m = 0; m < gpu->scene->material_count; m++) {
-        struct material_block block = block_of(&gpu->scene->materials[m], black);
-        memcpy(block.emission, gpu->glow[m], sizeof block.emission);
-        buffer_write(&gpu->materials, (size_t)m * MATERIAL_STRIDE, sizeof block, &block);
-    }
+    write_materials(gpu);
 }
 
 /* --- drawing ---------------------------------------------------------------------------------- */

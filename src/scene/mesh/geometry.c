@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/extremes.h"
 #include "base/memory.h"
+#include "scene/animated.h"
 #include "scene/animation.h"
 #include "scene/mesh/primitive.h"
 #include "scene/shapes/marching_cubes.h"
@@ -61,13 +62,14 @@ static bool has_scale_channel(const struct scene *scene, int node) {
     for (int i = 0; i < scene->clip_count; i++)
         for (int c = 0; c < scene->clips[i].channel_count; c++) {
             const struct channel *channel = &scene->clips[i].channels[c];
-            if (channel->node == node && channel->path == CHANNEL_SCALE)
+            if ((channel->path == CHANNEL_SCALE || channel->path == CHANNEL_VISIBLE) &&
+                channel->target == node)
                 return true;
         }
     return false;
 }
 
-/* Whether a clip scales the node: at the time when casters are made it may be flat, or a point. */
+/* Whether a clip scales the node or hides it: at the time when casters are made it may be flat, or a point. */
 static bool is_scaled(const struct scene *scene, int node) {
     for (; node >= 0; node = scene->nodes[node].parent)
         if (has_scale_channel(scene, node))
@@ -77,7 +79,7 @@ static bool is_scaled(const struct scene *scene, int node) {
 
 static int count_node_parts(const struct scene *scene, int node, bool dynamic) {
     int mesh = scene->nodes[node].mesh;
-    if (mesh < 0 || dynamic != (scene->nodes[node].metaballs >= 0))
+    if (mesh < 0 || scene->nodes[node].hidden || dynamic != (scene->nodes[node].metaballs >= 0))
         return 0;
     return dynamic ? 1 : scene->meshes[mesh].primitive_count;
 }
@@ -219,7 +221,7 @@ static bool lay_out(struct geometry *geometry, const struct scene *scene) {
     memset(geometry->uv, 0, sizeof geometry->uv);
     geometry->color = NULL;
     geometry->indices = NULL;
-    geometry->laid_out = geometry->pose_count;
+    geometry->laid_out = geometry->painted = geometry->pose_count;
     if (!lay_vertices(geometry, scene))
         return false;
     lay_batches(geometry, scene);
@@ -246,6 +248,7 @@ static void fill_indices(struct geometry *geometry, const struct geometry_part *
         to[k] = part->first_vertex;
 }
 
+/* A part that is not shown is a point. */
 static bool pose_part(struct geometry *geometry, const struct scene *scene,
                       struct geometry_part *part, bool anew) {
     const struct primitive *primitive = part_primitive(scene, part);
@@ -262,8 +265,11 @@ static bool pose_part(struct geometry *geometry, const struct scene *scene,
     }
     if (surface ? pose_rigid(pose->worlds[part->node], surface->vertex_count, surface->position,
                              surface->normal, position, normal)
-                : pose_vertices(pose, scene, part->node, primitive, position, normal))
+                : pose_vertices(pose, scene, part->node, primitive, position, normal)) {
+        for (uint32_t i = 0; !pose->shown[part->node] && i < part->vertex_count; i++)
+            memcpy(position[i], position[0], sizeof *position);
         return true;
+    }
     int mesh = scene->nodes[part->node].mesh;
     return error_prefix("mesh %d '%s'", mesh, scene->meshes[mesh].name);
 }
@@ -409,8 +415,14 @@ static bool pose_in_clip(struct geometry *geometry, const struct scene *scene, d
     return pose_at(geometry, scene, time);
 }
 
-bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time) {
-    return pose_in_clip(geometry, scene, time) || error_prefix("%s at %g s", scene->path, time);
+bool geometry_pose(struct geometry *geometry, struct scene *scene, double time) {
+    enum animated_change change = animated_pose_materials(scene, time);
+    bool good = pose_in_clip(geometry, scene, time);
+    if (change != ANIMATED_NOTHING)
+        geometry->painted = geometry->pose_count;
+    if (change == ANIMATED_OPACITY)
+        geometry->laid_out = geometry->pose_count;
+    return good || error_prefix("%s at %g s", scene->path, time);
 }
 
 static bool init(struct geometry *geometry, const struct scene *scene, double time, bool still) {
