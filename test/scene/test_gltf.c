@@ -344,15 +344,16 @@ static void test_materials(void **state) {
                 " \"normalTexture\": {\"index\": 0, \"scale\": 0.5}, \"extensions\":"
                 " {\"KHR_materials_emissive_strength\": {\"emissiveStrength\": 20},"
                 " \"KHR_materials_ior\": {\"ior\": 2}, \"KHR_materials_specular\":"
-                " {\"specularFactor\": 0.5, \"specularColorFactor\": [0.9, 18, 0]},"
-                " \"KHR_materials_unlit\": {}}}, {\"pbrMetallicRoughness\": {\"metallicFactor\": "
+                " {\"specularFactor\": 0.5, \"specularColorFactor\": [0.9, 18, 0]}}}, "
+                "{\"pbrMetallicRoughness\": {\"metallicFactor\": "
                 "0},"
                 " \"extensions\": {\"KHR_materials_transmission\": {\"transmissionFactor\": 0.75},"
                 " \"KHR_materials_ior\": {\"ior\": 1.25}, \"KHR_materials_volume\":"
                 " {\"thicknessFactor\": 0.1, \"attenuationDistance\": 2,"
                 " \"attenuationColor\": [1, 0.5, 0.25]}}},"
                 " {\"extensions\": {\"KHR_materials_transmission\":"
-                " {\"transmissionFactor\": 0.5}}}]"});
+                " {\"transmissionFactor\": 0.5}}}, {\"extensions\": {\"KHR_materials_unlit\": "
+                "{}}}]"});
     const struct material *plain = &scene.materials[0], *lamp = &scene.materials[1];
     check_near("metalness", plain->metalness, .25, 0);
     check_near("roughness", plain->roughness, .75, 0);
@@ -370,7 +371,7 @@ static void test_materials(void **state) {
     check_near("scale of normals", lamp->normal_scale, .5, 0);
     check_values("reflectance", lamp->specular_f0, 3, (double[]){.05, .5, 0}, 1e-7);
     check_near("grazing", lamp->specular_f90, .5, 0);
-    assert_true(lamp->unlit && !plain->unlit);
+    assert_true(scene.materials[4].unlit && !lamp->unlit);
     const struct material *glass = &scene.materials[2], *pane = &scene.materials[3];
     check_near("transmission", glass->transmission, .75, 0);
     check_values("absorption", glass->absorption, 3, (double[]){0, log(2) / 2, log(2)}, 1e-6);
