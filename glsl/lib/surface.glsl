@@ -17,7 +17,7 @@ surface surface_fetch(view v, sampler2DArray depths, sampler2DArray normals, ive
     return s;
 }
 
-// Albedo is stored as its square root, so that ten bits serve dark colours too.
+// Albedo is stored as its square root, so that sixteen bits serve dark colours too.
 vec3 albedo_fetch(sampler2DArray albedos, ivec3 texel) {
     vec3 root = texelFetch(albedos, texel, 0).rgb;
     return root * root;

@@ -24,7 +24,6 @@ static size_t texel_bytes(GLenum format) {
     case GL_RG16F:
     case GL_RGBA8:
     case GL_SRGB8_ALPHA8:
-    case GL_RGB10_A2:
     case GL_DEPTH_COMPONENT32F:
         return 4;
     case GL_RGBA16:

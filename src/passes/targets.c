@@ -24,7 +24,7 @@ bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
     const struct texture *emission = desc->has_emission ? &gbuffer->emission : NULL;
     const struct texture *specular = desc->has_specular ? &gbuffer->specular : NULL;
     if (init_layer(&gbuffer->normal, label, "normal", GL_RG16, gbuffer) &&
-        init_layer(&gbuffer->albedo, label, "albedo", desc->facets ? GL_RGBA16F : GL_RGB10_A2,
+        init_layer(&gbuffer->albedo, label, "albedo", desc->facets ? GL_RGBA16F : GL_RGBA16,
                    gbuffer) &&
         init_layer(&gbuffer->depth, label, "depth", GL_DEPTH_COMPONENT32F, gbuffer) &&
         (!desc->has_emission ||

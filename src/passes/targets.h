@@ -12,12 +12,12 @@
  * LIGHT_MAP_KINDS, a layer each view; without textures where there are none of the kind). Arrays of
  * layers:
  *   normal  RG16      world normal, octahedral
- *   albedo  RGB10_A2  square root of the albedo; A = 1 where something is. RGBA16F of facets: of what a
+ *   albedo  RGBA16    square root of the albedo; A = 1 where something is. RGBA16F of facets: of what a
  *                     triangle receives, over what meets its plane, times the albedo; normal is the triangle's
  *   depth   D32F      reversed (shared/view.h); 0 where nothing is
  *   emission RGBA16F  radiance times irradiance_scale; in the camera's view alone, if a material
  *                     is emissive or not plain (scene/material.h)
- *   specular RGBA8    specular reflectance (lib/specular.glsl), if a material is not plain: in the camera's view,
+ *   specular RGBA16   specular reflectance (lib/specular.glsl), if a material is not plain: in the camera's view,
  *                     and in lights' views if rays read it. The normal is then the bent one. The
  *                     albedo is the diffuse part's. Lights' views add what the specular part
  *                     reflects, as if it were diffuse.

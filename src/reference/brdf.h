@@ -3,7 +3,7 @@
  * f = albedo/pi T + nu D (f0 + (f90 - f0) w). D is the GGX distribution of normals, nu = G / (4 n.l n.v) the
  * height-correlated visibility of Smith, w = (1 - v.h)^5.
  *
- * The diffuse part has the light that the lobe leaves [Ashikhmin and Shirley 2000; Kulla and Conty 2017]: with E the
+ * The diffuse part has the light that the lobe leaves [Kulla and Conty 2017]: with E the
  * lobe's directional albedo (scene/lobe_albedo.h) and <E> its mean, it is base/pi (1 - E(v)) (1 - E(l)) / (1 - <E>).
  * glTF's mix, base/pi (1 - F(v.h)), makes up to 1.35 of the light of it: half vectors do not graze where v does. This
  * one is as reciprocal, and a white dielectric reflects all light, from and to everywhere. albedo is base (1 - E(v)), T
