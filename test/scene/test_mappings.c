@@ -33,25 +33,27 @@ static const char accessors[] = "[" ACCESSOR(0, 4, 5126, "VEC3") "," ACCESSOR(
 
 /* The textures, by their numbers: all white; the first texel white, the others black; the first rough
  * metal, the others rough; a hole in the first; normals that lean along X, and along Y; the first without
- * reflectance, the others with one of a half, all rough. And two as the second, clamped and mirrored. */
-static const unsigned char texels[][2][4] = {{{255, 255, 255, 255}, {255, 255, 255, 255}},
-                                             {{255, 255, 255, 255}, {0, 0, 0, 0}},
-                                             {{0, 255, 255, 255}, {0, 255, 0, 255}},
-                                             {{255, 255, 255, 0}, {255, 255, 255, 255}},
-                                             {{218, 128, 218, 255}, {218, 128, 218, 255}},
-                                             {{128, 218, 218, 255}, {128, 218, 218, 255}},
-                                             {{0, 0, 0, 0}, {188, 188, 188, 0}}};
+ * reflectance, the others with one of a half, all rough. Then two as the second, clamped and mirrored, and two of codes
+ * of sRGB. */
+static const unsigned char texels[][2][4] = {
+    {{255, 255, 255, 255}, {255, 255, 255, 255}}, {{255, 255, 255, 255}, {0, 0, 0, 0}},
+    {{0, 255, 255, 255}, {0, 255, 0, 255}},       {{255, 255, 255, 0}, {255, 255, 255, 255}},
+    {{218, 128, 218, 255}, {218, 128, 218, 255}}, {{128, 218, 218, 255}, {128, 218, 218, 255}},
+    {{0, 0, 0, 0}, {188, 188, 188, 0}},           {{5, 15, 24, 255}, {64, 96, 188, 255}},
+    {{1, 10, 32, 255}, {40, 128, 250, 255}}};
 
 static const char textures[] =
     "\"images\": [{\"uri\": \"0.png\"}, {\"uri\": \"1.png\"}, {\"uri\": \"2.png\"},"
-    " {\"uri\": \"3.png\"}, {\"uri\": \"4.png\"}, {\"uri\": \"5.png\"}, {\"uri\": \"6.png\"}],"
+    " {\"uri\": \"3.png\"}, {\"uri\": \"4.png\"}, {\"uri\": \"5.png\"}, {\"uri\": \"6.png\"},"
+    " {\"uri\": \"7.png\"}, {\"uri\": \"8.png\"}],"
     "\"samplers\": [{\"magFilter\": 9728}, {\"magFilter\": 9728, \"wrapS\": 33071},"
     " {\"magFilter\": 9728, \"wrapS\": 33648}],"
     "\"textures\": [{\"source\": 0, \"sampler\": 0}, {\"source\": 1, \"sampler\": 0},"
     " {\"source\": 2, \"sampler\": 0}, {\"source\": 3, \"sampler\": 0},"
     " {\"source\": 4, \"sampler\": 0}, {\"source\": 5, \"sampler\": 0},"
     " {\"source\": 6, \"sampler\": 0}, {\"source\": 1, \"sampler\": 1},"
-    " {\"source\": 1, \"sampler\": 2}],";
+    " {\"source\": 1, \"sampler\": 2}, {\"source\": 7, \"sampler\": 0},"
+    " {\"source\": 8, \"sampler\": 0}],";
 
 static const char *write_square(const char *material) {
     static char more[4096], name[32];
@@ -499,6 +501,41 @@ static void test_cases(void **state) {
     }
 }
 
+static double decoded(int code) {
+    double value = code / 255.;
+    return value <= .04045 ? value / 12.92 : pow((value + .055) / 1.055, 2.4);
+}
+
+/* A pixel of the drawn albedo, whatever decodes textures and holds albedo. */
+static void check_albedo(const char *material, int quarter, const double expected[3]) {
+    static const char *const channels[] = {"albedo.R", "albedo.G", "albedo.B"};
+    struct stage stage;
+    open_stage(&stage, write_square(material));
+    struct renderer_desc desc = desc_of(&stage, "clustered", "materials=diffuse", SIZE, SIZE);
+    struct image drawn = render_layers(&desc);
+    for (int c = 0; c < 3; c++)
+        check_near(channels[c], value_at(&drawn, channels[c], quarter), expected[c],
+                   .003 * expected[c]);
+    image_free(&drawn);
+    stage_free(&stage);
+}
+
+static void test_dark_albedo(void **state) {
+    (void)state;
+    for (int texture = 7; texture <= 8; texture++)
+        for (int quarter = 0; quarter <= 1; quarter++) {
+            const unsigned char *code = texels[texture][quarter];
+            char material[256];
+            snprintf(material, sizeof material,
+                     "{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": %d}}}",
+                     texture + 2);
+            check_albedo(material, quarter,
+                         (double[]){decoded(code[0]), decoded(code[1]), decoded(code[2])});
+        }
+    check_albedo("{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.002, 0.01, 0.5, 1]}}", 0,
+                 (double[]){.002, .01, .5});
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_emission),      cmocka_unit_test(test_metal),
@@ -507,7 +544,7 @@ int main(void) {
         cmocka_unit_test(test_no_such_set),   cmocka_unit_test(test_small_light),
         cmocka_unit_test(test_counts),        cmocka_unit_test(test_cases),
         cmocka_unit_test(test_set_left_over), cmocka_unit_test(test_unlit),
-        cmocka_unit_test(test_high_picture),
+        cmocka_unit_test(test_high_picture),  cmocka_unit_test(test_dark_albedo),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
