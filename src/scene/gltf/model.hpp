@@ -192,6 +192,10 @@ int material_of(const Loader &loader, const tinygltf::Primitive &primitive);
 bool load_materials(Loader &loader);
 bool load_meshes(Loader &loader);
 bool load_lights(Loader &loader);
+
+/* light.cpp: sizes and the picture of the node's light from the extras of the node, where the light has none. A note
+ * where they are none. */
+void load_node_extras(Loader &loader, int index, int parent, struct node &node);
 bool load_cameras(Loader &loader);
 bool load_nodes(Loader &loader);
 bool load_skins(Loader &loader);
