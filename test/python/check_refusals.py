@@ -60,7 +60,7 @@ def check_settings(device):
         expected = words("render", BOX, "-o", out, f"--{option}", "magic")
         refuse(manylight.SettingError, expected, lambda: device.render(BOX, (16, 16), **{option: "magic"}))
     expected = words("render", BOX, "-o", out, "--aov", "magic")
-    expected += "; layers of every frame: beauty, Z, albedo, direct, indirect, normal"
+    expected += "; layers of every frame: " + ", ".join(device.render(BOX, (16, 16)))
     refuse(manylight.ArgumentError, expected, lambda: device.render(BOX, (16, 16), layers=["magic"]))
 
 
