@@ -30,8 +30,8 @@ vec3 mapped_normal(vec3 normal) {
 }
 
 // The lobe of what the camera sees is as much wider as normals differ within a pixel [Kaplanyan et al. 2016; Tokuyoshi and
-// Kaplanyan 2019]: no highlight falls between the pixels' centres. On a plane nothing changes.
-const float SPREAD_OF_PIXEL = 0.5, MOST_SPREAD = 0.18, NO_SPREAD = 1e-8; // of alpha^2
+// Kaplanyan 2019, 1/pi]: no highlight falls between the pixels' centres. On a plane nothing changes.
+const float SPREAD_OF_PIXEL = 0.318, MOST_SPREAD = 0.18, NO_SPREAD = 1e-8; // of alpha^2
 
 float widened(float roughness, vec3 normal) {
     vec3 right = dFdx(normal), up = dFdy(normal);
