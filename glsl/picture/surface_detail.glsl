@@ -29,17 +29,6 @@ vec3 mapped_normal(vec3 normal) {
     return normalize(turned.x * tangent + turned.y * bitangent + turned.z * normal);
 }
 
-// The lobe of what the camera sees is as much wider as normals differ within a pixel [Kaplanyan et al. 2016; Tokuyoshi and
-// Kaplanyan 2019, 1/pi]: no highlight falls between the pixels' centres. On a plane nothing changes.
-const float SPREAD_OF_PIXEL = 0.318, MOST_SPREAD = 0.18, NO_SPREAD = 1e-8; // of alpha^2
-
-float widened(float roughness, vec3 normal) {
-    vec3 right = dFdx(normal), up = dFdy(normal);
-    float spread = min(SPREAD_OF_PIXEL * (dot(right, right) + dot(up, up)), MOST_SPREAD);
-    float alpha = specular_alpha(roughness);
-    return spread > NO_SPREAD ? pow(alpha * alpha + spread, 0.25) : roughness;
-}
-
 // Of that base colour: the albedo of its diffuse part towards a unit direction; the reflectance from straight on and the
 // roughness of its specular part, and the reflectance grazing. The diffuse part has what the lobe leaves of the light, by
 // its directional albedo, so that a white dielectric reflects all. The same as reference/brdf.c.
@@ -78,8 +67,6 @@ vec3 albedo_of(vec3 base, vec3 normal, vec3 towards, bool of_light, bool is_back
     vec4 specular;
     float grazing, cosine = dot(normal, facing(normal, normalize(towards)));
     vec3 albedo = diffuse_and_specular(base, cosine, specular, grazing);
-    if (!of_light && grazing > 0.0)
-        specular.a = widened(specular.a, normal);
     if (of_light)
         albedo += specular_albedo(specular.rgb, vec3(grazing), specular_alpha(specular.a), cosine);
     if (of_light && is_back)
