@@ -58,7 +58,7 @@ void main() {
         goes = goes && bounce <= params.bounces;
         if (goes) {
             vec3 met = place + hit.distance * direction;
-            carried *= reflected(hit) * medium_passes(hit.distance);
+            carried *= reflected(hit) * medium_passes_along(place, direction, hit.distance);
             float own = dot(carried, vec3(1.0));
             goes = own > 0.0;
             all += own;

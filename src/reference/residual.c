@@ -24,7 +24,8 @@ static vec3s along(const struct residual *residual, const struct hit *x, struct 
     if (share == 0)
         return glms_vec3_zero();
     struct reflected direct = emission_direct(residual->emission, residual->rays, &y, sampler, 1);
-    return glms_vec3_scale(glms_vec3_mul(y.brdf.albedo, direct.diffuse), share);
+    vec3s sent = glms_vec3_mul(y.share, glms_vec3_mul(y.brdf.albedo, direct.diffuse));
+    return glms_vec3_scale(sent, share);
 }
 
 vec3s residual_light(const struct residual *residual, const struct hit *x, uint32_t seed) {

@@ -13,7 +13,10 @@ static int map_size(const struct light_layout *lights) {
 
 bool airlight_init(struct airlight *airlight, const struct airlight_part_desc *desc) {
     *airlight = (struct airlight){0};
-    if (buffer_init(&airlight->medium, "medium", sizeof(struct medium_params), NULL) &&
+    bool ok = buffer_init(&airlight->medium, "medium", sizeof(struct medium_params), NULL);
+    if (ok && desc->steps == 0)
+        return true;
+    if (ok &&
         shadow_map_pass_init(&airlight->maps,
                              &(struct shadow_map_desc){map_size(&desc->lights), desc->lights}) &&
         airlight_pass_init(&airlight->pass, &(struct airlight_desc){desc->width, desc->height,

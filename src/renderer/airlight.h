@@ -7,7 +7,7 @@
 #include "scene/mesh/geometry.h"
 
 struct airlight_part_desc {
-    int width, height, steps;
+    int width, height, steps; /* steps 0: nothing scatters, as of panes alone */
     bool slides;                /* lights may have some */
     struct light_layout lights; /* light samples */
 };

@@ -407,7 +407,8 @@ static void test_lacks(void **state) {
                     " \"KHR_materials_clearcoat\", \"EXT_new\"],"
                     " \"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],",
             .materials =
-                "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\", \"extensions\":"
+                "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\","
+                " \"emissiveFactor\": [1, 1, 1], \"extensions\":"
                 " {\"KHR_materials_specular\": {\"specularTexture\": {\"index\": 0}}}},"
                 " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
                 " {\"index\": 0}}]"});
@@ -471,15 +472,20 @@ static void test_specular_glossiness(void **state) {
     scene_free(&scene);
 }
 
-/* Whoever blends is a hole below half, whatever cutoff there is. */
+/* What blends covers what is behind by its alpha, and nothing where that is 1; what shines is a hole below half. */
 static void test_blending(void **state) {
     (void)state;
     struct scene scene = load(
         "blend.glb",
-        (struct gltf_parts){.materials = "[{\"alphaMode\": \"BLEND\", \"alphaCutoff\": 0.1}]"});
-    assert_true(scene.materials[0].alpha_mask);
-    check_near("cutoff", scene.materials[0].alpha_cutoff, .5, 0);
-    assert_false(scene.materials[1].alpha_mask);
+        (struct gltf_parts){
+            .materials = "[{\"alphaMode\": \"BLEND\", \"alphaCutoff\": 0.1,"
+                         " \"pbrMetallicRoughness\": {\"baseColorFactor\": [1, 1, 1, 0.3]}},"
+                         " {\"alphaMode\": \"BLEND\"},"
+                         " {\"alphaMode\": \"BLEND\", \"emissiveFactor\": [1, 0, 0]}]"});
+    assert_true(scene.materials[0].blends && !scene.materials[0].alpha_mask);
+    assert_false(scene.materials[1].blends || scene.materials[1].alpha_mask);
+    assert_true(scene.materials[2].alpha_mask && !scene.materials[2].blends);
+    check_near("cutoff", scene.materials[2].alpha_cutoff, .5, 0);
     scene_free(&scene);
 }
 

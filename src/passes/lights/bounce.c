@@ -266,8 +266,7 @@ static void trace_paths(const struct bounce_pass *pass, const struct frame *fram
                      {UNIT_PATH_NUMBERS, pass->numbers.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
-    if (frame->medium)
-        pass_add_block(&trace, BLOCK_MEDIUM, frame->medium);
+    frame_add_medium(frame, &trace);
     if (pass->desc.by_power)
         pass_add_texture(&trace, UNIT_PATH_STARTS, pass->starts.id);
     draw_rows(&trace, pass->path_framebuffer, pass->desc.count, BOUNCE_ROWS);

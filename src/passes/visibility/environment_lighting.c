@@ -208,7 +208,6 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
     }
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_medium(frame, &state);
     draw_light(pass, frame, &state);
 }

@@ -174,6 +174,7 @@ bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_ligh
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);
 bool load_meshes(Loader &loader);
+void settle_blending(struct scene &scene); /* of the loaded materials and meshes */
 bool load_lights(Loader &loader);
 bool load_cameras(Loader &loader);
 bool load_nodes(Loader &loader);
