@@ -68,7 +68,7 @@ function has_indirect(device, size,    i, list) {
             return 1
     return 0
 }
-function print_scenes(device, size,    i, noise) {
+function print_scenes(device, size,    i, noise, best, left_out) {
     if (!has_indirect(device, size))
         return
     print ""
@@ -76,10 +76,17 @@ function print_scenes(device, size,    i, noise) {
     print "|---|---|---|---|---|---|---|---|---|---|---|"
     for (i = 1; i <= scene_count; i++) {
         noise = noise_of(scenes[i], size, device)
-        if (noise != "")
-            print "| `" cell(scenes[i]) "` | " shown(noise, 2, 100) told(least(scenes[i], size, device, "indirect-relative-rmse", 1e30)) \
+        best = least(scenes[i], size, device, "indirect-relative-rmse", 1e30)
+        if (noise == "")
+            continue
+        if (best)
+            print "| `" cell(scenes[i]) "` | " shown(noise, 2, 100) told(best) \
                 told(least(scenes[i], size, device, "cpu", .1)) told(least(scenes[i], size, device, "cpu", .25)) " |"
+        else
+            left_out = left_out (left_out ? ", " : "") "`" cell(scenes[i]) "`"
     }
+    if (left_out)
+        print "\nToo much noise in the reference for a row: " left_out "."
 }
 # Other renderers have no settings; most have no layer of indirect light.
 function print_others(device, size,    i, j, row, n) {

@@ -2,7 +2,7 @@
 #include "shared/medium.h"
 
 #ifdef HAS_MEDIUM
-#include "visibility/panes.glsl"
+#include "lib/panes.glsl"
 
 layout(std140, binding = BLOCK_MEDIUM) uniform medium_uniforms {
     medium_params medium;

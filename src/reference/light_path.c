@@ -73,13 +73,13 @@ static void leave_on_surface(const struct walk *walk, const struct hit *hit) {
     vec3s seen = camera_link_sees(link, &view, above);
     if (glms_vec3_max(seen) <= 0)
         return;
-    leave(walk->deposits, &(struct light_deposit){
-                              .pixel = view.pixel,
-                              .light = glms_vec3_scale(flux_at(walk, 0), share),
-                              .albedo = hit->brdf.albedo,
-                              .passes = glms_vec3_mul(
-                                  seen, passes_to_eye(walk, hit->position, &view)),
-                          });
+    leave(walk->deposits,
+          &(struct light_deposit){
+              .pixel = view.pixel,
+              .light = glms_vec3_scale(flux_at(walk, 0), share),
+              .albedo = hit->brdf.albedo,
+              .passes = glms_vec3_mul(seen, passes_to_eye(walk, hit->position, &view)),
+          });
 }
 
 /* --- in a medium ------------------------------------------------------------------------------ */
@@ -160,8 +160,7 @@ static void leave_at(const struct walk *walk, float along, float stands_for) {
         return;
     vec3s light = glms_vec3_mul(flux_at(walk, along), medium->scattering);
     vec3s comes = medium_transmittance(medium, walk->ray.origin, walk->ray.direction, along);
-    vec3s passes =
-        glms_vec3_mul(glms_vec3_mul(comes, seen), passes_to_eye(walk, point, &view));
+    vec3s passes = glms_vec3_mul(glms_vec3_mul(comes, seen), passes_to_eye(walk, point, &view));
     leave(walk->deposits,
           &(struct light_deposit){.pixel = view.pixel,
                                   .is_volume = true,

@@ -270,7 +270,8 @@ struct reflected path_indirect(const struct path_scene *scene, const struct ligh
             has_next = emission_can_be_found(emission, &step.end);
             if (has_next) {
                 next = take_step(scene, &step.end, sampler_next(sampler));
-                along = glms_vec3_add(along, from_found_light(rays, emission, &step.end, &next, p_ray));
+                along =
+                    glms_vec3_add(along, from_found_light(rays, emission, &step.end, &next, p_ray));
             }
         }
         light.diffuse = glms_vec3_add(light.diffuse, glms_vec3_mul(step.share.diffuse, along));

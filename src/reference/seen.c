@@ -54,8 +54,7 @@ static void add_light(struct seen *seen, const struct emission *emission, int n,
         return;
     vec3s weight = rough_light(emission, n, hit);
     seen->all = glms_vec3_add(seen->all, weight);
-    seen->visible =
-        glms_vec3_muladds(weight, tally.do_arrive / tally.could, seen->visible);
+    seen->visible = glms_vec3_muladds(weight, tally.do_arrive / tally.could, seen->visible);
 }
 
 struct seen seen_from(const struct emission *emission, const struct ray_scene *rays,

@@ -85,8 +85,8 @@ static bool is_refined(const struct renderer *renderer) {
     return renderer->pass > 0 && renderer->refining.technique;
 }
 
-/* What the last frame's indirect light is, and the medium before it. */
-static struct contribution last_contribution(const struct renderer *renderer) {
+/* What the last frame's indirect light is, and the medium before it, without panes. */
+static struct contribution contribution_behind(const struct renderer *renderer) {
     const struct refining *refining = &renderer->refining;
     struct contribution contribution = is_refined(renderer)
                                            ? refining->technique->contribution(refining->state)
@@ -94,6 +94,15 @@ static struct contribution last_contribution(const struct renderer *renderer) {
     if (renderer->airlight.pass.in_scatter.id) {
         contribution.in_scatter = &renderer->airlight.pass.in_scatter;
         contribution.transmittance = &renderer->airlight.pass.transmittance;
+    }
+    return contribution;
+}
+
+static struct contribution last_contribution(const struct renderer *renderer) {
+    struct contribution contribution = contribution_behind(renderer);
+    if (renderer->airlight.panes.program) {
+        contribution.in_scatter = &renderer->airlight.panes.own;
+        contribution.transmittance = &renderer->airlight.panes.transmittance;
     }
     contribution.caustic = renderer->caustics.surface.id ? &renderer->caustics.surface : NULL;
     contribution.volume_caustic = renderer->caustics.volume.id ? &renderer->caustics.volume : NULL;
@@ -175,6 +184,10 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     if (renderer->airlight.pass.in_scatter.id)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
                              renderer->airlight.maps.maps, &renderer->desc.emitters);
+    struct contribution behind = contribution_behind(renderer);
+    if (renderer->airlight.panes.program)
+        show_panes_pass_render(&renderer->airlight.panes, frame, &renderer->gbuffer, &behind,
+                               renderer->desc.emitters.sky);
     renderer_render_caustics(renderer, frame);
 }
 

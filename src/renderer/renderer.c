@@ -146,7 +146,7 @@ static bool init_composite(struct renderer *renderer) {
     }
     contributes &= ~(unsigned)(HAS_CAUSTICS | HAS_VOLUME_CAUSTICS);
     contributes |= renderer_caustic_kinds(desc, scatters(desc));
-    contributes |= scatters(desc) ? HAS_MEDIUM : 0U;
+    contributes |= has_medium(desc) ? HAS_MEDIUM : 0U;
     return composite_pass_init(&renderer->composite,
                                &(struct composite_desc){.width = desc->width,
                                                         .height = desc->height,
@@ -162,11 +162,15 @@ static bool init_airlight(struct renderer *renderer) {
         settings_of(struct medium_settings, &desc->settings, &medium_part);
     return !has_medium(desc) ||
            airlight_init(&renderer->airlight,
-                         &(struct airlight_part_desc){.width = desc->width,
-                                                      .height = desc->height,
-                                                      .steps = scatters(desc) ? own->steps : 0,
-                                                      .slides = desc->scene->slide_count > 0,
-                                                      .lights = renderer->plan.sample_layout});
+                         &(struct airlight_part_desc){
+                             .width = desc->width,
+                             .height = desc->height,
+                             .steps = scatters(desc) ? own->steps : 0,
+                             .slides = desc->scene->slide_count > 0,
+                             .sky = desc->scene->environment != NULL,
+                             .irradiance = renderer->composite.desc.contributes & HAS_IRRADIANCE,
+                             .panes = geometry_has_panes(desc->geometry) ? renderer->casters : NULL,
+                             .lights = renderer->plan.sample_layout});
 }
 
 static bool init_caustics(struct renderer *renderer) {
@@ -198,8 +202,7 @@ static bool resize_direct(struct renderer *renderer, int width, int height) {
 }
 
 static bool resize_airlight(struct renderer *renderer, int width, int height) {
-    return !renderer->airlight.pass.in_scatter.id ||
-           airlight_pass_resize(&renderer->airlight.pass, width, height);
+    return airlight_resize(&renderer->airlight, width, height);
 }
 
 static bool resize_technique(struct renderer *renderer, int width, int height) {
@@ -363,14 +366,8 @@ static bool plan_lights(struct light_plan *plan, const struct renderer *renderer
     return true;
 }
 
-/* Caustics need the triangles of glass where other frames have panes: the order of batches stays as it is. */
-static bool block_glass(const struct renderer_desc *desc) {
-    return geometry_block_glass((struct geometry *)(uintptr_t)desc->geometry, desc->scene,
-                                desc->settings.part_count > 0 && renderer_has_caustics(desc));
-}
-
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
-    block_glass(desc);
+    renderer_block_glass(desc);
     *renderer = (struct renderer){.desc = *desc,
                                   .casters = caster_pool_create(desc->scene, desc->geometry),
                                   .light_search = light_search_create(),
@@ -496,7 +493,8 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         settings_of(struct picture_settings, &desc->settings, &picture_part);
     unsigned parts = 0;
     if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
-        parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
+        parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER |
+                 (geometry_has_panes(desc->geometry) ? PART_AIRLIGHT : 0U);
     if (desc->direct != old->direct ||
         !renderer_settings_same(&desc->settings, &old->settings, desc->direct->parts))
         parts |= PART_DIRECT;
@@ -544,7 +542,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     struct light_plan plan;
     set_defaults(&desc);
     bool has_caustics = renderer_has_caustics(&renderer->desc);
-    bool other_panes = has_caustics != renderer_has_caustics(&desc) && block_glass(&desc);
+    bool other_panes = has_caustics != renderer_has_caustics(&desc) && renderer_block_glass(&desc);
     if (!plan_lights(&plan, renderer, &desc) ||
         (other_panes && !(scene_gpu_update(&renderer->scene, desc.geometry) &&
                           caster_pool_update(renderer->casters))))

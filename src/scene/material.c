@@ -69,8 +69,7 @@ static float plate_passes(float index, float cosine) {
 
 struct pane_color material_pane_color(const struct material *material, vec4s base_color) {
     float covers = material->blends ? glm_clamp(base_color.a, 0, 1) : 1;
-    struct pane_color pane = {.base = 1 - covers,
-                              .index = fmaxf(material->index_of_refraction, 1)};
+    struct pane_color pane = {.base = 1 - covers, .index = fmaxf(material->index_of_refraction, 1)};
     for (int c = 0; c < 3; c++)
         pane.glass.raw[c] = covers * material_transmits(material) *
                             glm_clamp(base_color.raw[c], 0, 1) *

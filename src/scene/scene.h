@@ -126,9 +126,11 @@ struct scene_light {
     bool stands_in; /* it is what they are like from afar, with others */
 };
 
-/* A primitive of a node's mesh that emits light, as part of a lamp: scene/lights/emissive.h. */
+/* Triangles of a node's mesh that emit light, as part of a lamp: scene/lights/emissive.h. */
 struct emissive_surface {
-    int node, primitive, lamp;
+    int node, primitive;
+    int first, end; /* of the primitive's indices */
+    int lamp;
 };
 
 /* Looks along the node's -Z, +Y up. */

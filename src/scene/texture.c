@@ -1,5 +1,7 @@
 #include "scene/texture.h"
 
+#include "base/memory.h"
+
 #include <math.h>
 
 static float decode_srgb(float value) {
@@ -65,4 +67,57 @@ vec4s texture_lookup(const struct scene_texture *texture, const float srgb_to_li
     vec4s below = glms_vec4_lerp(texel(texture, srgb_to_linear, i, j + 1),
                                  texel(texture, srgb_to_linear, i + 1, j + 1), x - 0.5f - left);
     return glms_vec4_lerp(above, below, y - 0.5f - top);
+}
+
+/* --- a smaller picture ------------------------------------------------------------------------ */
+
+static float encode_srgb(float value) {
+    return value <= 0.0031308F ? value * 12.92F : 1.055F * powf(value, 1 / 2.4F) - 0.055F;
+}
+
+/* A span of source texels that a texel covers along one axis. */
+struct span {
+    float from, to;
+};
+
+static struct span span_of(int i, int size, int source_size) {
+    float texels = (float)source_size / (float)size;
+    return (struct span){(float)i * texels, fminf((float)(i + 1) * texels, (float)source_size)};
+}
+
+static float covered(struct span span, int i) {
+    return fminf(span.to, (float)(i + 1)) - fmaxf(span.from, (float)i);
+}
+
+static vec4s mean_of(const struct scene_texture *texture, const float srgb_to_linear[256],
+                     struct span across, struct span down) {
+    vec4s sum = {{0, 0, 0, 0}};
+    float weight = 0;
+    for (int y = (int)down.from; (float)y < down.to; y++)
+        for (int x = (int)across.from; (float)x < across.to; x++) {
+            float part = covered(across, x) * covered(down, y);
+            sum = glms_vec4_muladds(texel(texture, srgb_to_linear, x, y), part, sum);
+            weight += part;
+        }
+    return glms_vec4_scale(sum, 1 / weight);
+}
+
+void texture_shrink(struct scene_texture *texture, int most) {
+    struct bitmap *from = &texture->bitmap, to = {from->width, from->height, NULL};
+    float srgb_to_linear[256];
+    to.width = to.width < most ? to.width : most;
+    to.height = to.height < most ? to.height : most;
+    to.rgba = mem_alloc((size_t)to.width * (size_t)to.height, 4);
+    texture_decode_table(srgb_to_linear);
+    unsigned char *out = to.rgba;
+    for (int y = 0; y < to.height; y++)
+        for (int x = 0; x < to.width; x++, out += 4) {
+            vec4s mean = mean_of(texture, srgb_to_linear, span_of(x, to.width, from->width),
+                                 span_of(y, to.height, from->height));
+            for (int c = 0; c < 4; c++)
+                out[c] = (unsigned char)lrintf(
+                    255 * (texture->linear || c == 3 ? mean.raw[c] : encode_srgb(mean.raw[c])));
+        }
+    bitmap_free(from);
+    *from = to;
 }

@@ -29,6 +29,15 @@ static const struct shader {
                     "}\n"},
     {"ones.frag", "layout(location = 0) out vec4 color;\n"
                   "void main() { color = vec4(1.0); }\n"},
+    {"block.frag", "layout(std140, binding = 2) uniform values { vec4 value; };\n"
+                   "layout(location = 0) out vec4 color;\n"
+                   "void main() { color = value; }\n"},
+    {"ones.vert", "layout(xfb_buffer = 0, xfb_stride = 16) out;\n"
+                  "layout(xfb_offset = 0) out vec4 captured;\n"
+                  "void main() { captured = vec4(1.0); }\n"},
+    {"ones.comp", "layout(local_size_x = 1) in;\n"
+                  "layout(std430, binding = 1) writeonly buffer values { vec4 value; };\n"
+                  "void main() { value = vec4(1.0); }\n"},
     {"nothing.frag", "layout(std430, binding = 1) buffer counts { uint count; };\n"
                      "void main() { atomicAdd(count, 1u); }\n"},
     /* A volume of sums of coordinates, scaled by a uniform block. */
@@ -240,6 +249,60 @@ static void test_point_size(void **state) {
     close_target(&target);
 }
 
+static void draw_block(GLuint program, const struct target *target, const struct buffer *values) {
+    pass_set_state(&(struct pass_state){
+        .name = "block",
+        .program = program,
+        .framebuffer = target->framebuffer,
+        .width = 8,
+        .height = 8,
+        .blocks = {{2, values}},
+        .barriers = GL_UNIFORM_BARRIER_BIT,
+    });
+    pass_draw_fullscreen(1);
+}
+
+static void write_by_feedback(GLuint program, const struct buffer *values) {
+    pass_set_state(&(struct pass_state){.name = "feedback", .program = program});
+    pass_feedback(values->id, 0, 1);
+}
+
+static void write_by_dispatch(GLuint program, const struct buffer *values) {
+    pass_set_state(
+        &(struct pass_state){.name = "dispatch", .program = program, .storages = {{1, values}}});
+    pass_dispatch(1, 1, 1);
+}
+
+/* A queued draw reads the block as it was when the draw was called. */
+static void check_write(GLuint writer, void (*write)(GLuint, const struct buffer *)) {
+    const float zeros[4] = {0};
+    unsigned char pixels[8][8][4];
+    struct target before, after;
+    struct buffer values;
+    GLuint reader = open_program("triangle.vert", "block.frag", NULL);
+    open_target(&before);
+    open_target(&after);
+    check_ok("values", buffer_init(&values, "values", sizeof zeros, zeros));
+    draw_block(reader, &before, &values);
+    write(writer, &values);
+    draw_block(reader, &after, &values);
+    read_target(&before, pixels);
+    check_near("value before the write", pixels[7][7][0], 0, 0);
+    read_target(&after, pixels);
+    check_near("value after it", pixels[7][7][0], 255, 0);
+    buffer_free(&values);
+    close_target(&after);
+    close_target(&before);
+    program_free(&reader);
+    program_free(&writer);
+}
+
+static void test_writes_wait_for_reads(void **state) {
+    (void)state;
+    check_write(open_program("ones.vert", NULL, NULL), write_by_feedback);
+    check_write(open_program(NULL, NULL, "ones.comp"), write_by_dispatch);
+}
+
 /* Without a target what is drawn still becomes fragments, as many as the viewport has pixels. */
 static void test_no_target(void **state) {
     (void)state;
@@ -266,6 +329,7 @@ int main(void) {
         cmocka_unit_test(test_compute),
         cmocka_unit_test(test_kept_colors),
         cmocka_unit_test(test_point_size),
+        cmocka_unit_test(test_writes_wait_for_reads),
         cmocka_unit_test(test_no_target),
     };
     return cmocka_run_group_tests_name("gl_pass", tests, open_shaders, close_shaders);

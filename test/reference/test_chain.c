@@ -64,7 +64,7 @@ static void test_glow(void **state) {
     (void)state;
     enum { LAMP = 1 };
     struct world world;
-    struct emissive_surface surface = {.lamp = LAMP};
+    struct emissive_surface surface = {.end = 6, .lamp = LAMP};
     struct geometry_part part = {.first_index = 6, .index_count = 6};
     world_init(&world);
     make_mirror(&world.materials[MATERIAL_SMOOTH], .7F);

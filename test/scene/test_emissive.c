@@ -32,7 +32,7 @@ static void light_batch(struct lit_world *lit, int batch, float radiance) {
         material->emission[c] = radiance * (float)(1 << c);
     lit->part =
         (struct geometry_part){.first_index = from->first_index, .index_count = from->index_count};
-    lit->surface = (struct emissive_surface){0, 0, 1};
+    lit->surface = (struct emissive_surface){0, 0, 0, (int)from->index_count, 1};
     world->geometry.parts = &lit->part;
     world->geometry.part_count = 1;
     world->scene.surfaces = &lit->surface;

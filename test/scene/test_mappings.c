@@ -4,9 +4,11 @@
 #include "render_support.h"
 #include "tiny_png.h"
 
+#include "base/memory.h"
 #include "quality/picture.h"
 #include "scene/hash.h"
 #include "scene/material.h"
+#include "scene/texture.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -345,6 +347,67 @@ static void test_no_such_set(void **state) {
     free_pictures(&pictures);
 }
 
+/* Optimisers leave the number of a set that is gone in KHR_texture_transform: the texture's own one counts. */
+static void test_set_left_over(void **state) {
+    (void)state;
+    static const struct row rows[] = {
+        {"own set 1",
+         GLOW "\"index\": 1, \"texCoord\": 1, " TRANSFORM "\"texCoord\": 7}}}}",
+         "R",
+         {.5, 1.5, .5, .5}},
+        {"own set 0, moved",
+         GLOW "\"index\": 1, " TRANSFORM "\"texCoord\": 4, \"offset\": [0.5, 0]}}}}",
+         "R",
+         {.5, 1.5, .5, .5}},
+        {"of a base colour",
+         "{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorTexture\": {\"index\": 1,"
+         " \"texCoord\": 2, " TRANSFORM "\"texCoord\": 4}}}}}",
+         "R",
+         {0, 0, 1, 0}},
+    };
+    hear_notes();
+    check_rows(rows, sizeof rows / sizeof *rows);
+    end_notes();
+    assert_non_null(strstr(notes, "mesh 0: primitive 0: TEXCOORD_7"));
+    assert_null(strstr(notes, "(zeros)"));
+}
+
+/* --- what is unlit ---------------------------------------------------------------------------- */
+
+#define UNLIT ", \"extensions\": {\"KHR_materials_unlit\": {}"
+
+/* The base colour alone, and no lamp is made of it. */
+static void test_unlit(void **state) {
+    (void)state;
+    static const struct row rows[] = {
+        {"emission", "{" BASE UNLIT "}, \"emissiveFactor\": [1, 1, 1]}", "R", {.5, .5, .5, .5}},
+        {"emissive texture",
+         GLOW "\"index\": 1}" UNLIT ", \"KHR_materials_emissive_strength\": {\"emissiveStrength\":"
+              " 9}}}",
+         "R",
+         {.5, .5, .5, .5}},
+        {"metal, normals, transmission",
+         "{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 1},"
+         " \"metallicRoughnessTexture\": {\"index\": 2}}, \"normalTexture\": {\"index\": 4}" UNLIT
+         ", \"KHR_materials_transmission\": {\"transmissionFactor\": 1}}}",
+         "R",
+         {1, 0, 0, 0}},
+        {"specular glossiness",
+         "{\"emissiveFactor\": [1, 1, 1]" UNLIT ", \"KHR_materials_pbrSpecularGlossiness\":"
+         " {\"diffuseFactor\": [0.25, 0.5, 0.5, 1], \"specularGlossinessTexture\": {\"index\":"
+         " 6}}}}",
+         "R",
+         {.25, .25, .25, .25}},
+    };
+    check_rows(rows, sizeof rows / sizeof *rows);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct stage stage;
+        open_stage(&stage, write_square(rows[i].material));
+        assert_int_equal(stage.emitters.count, 1);
+        stage_free(&stage);
+    }
+}
+
 /* --- small lights of large triangles ---------------------------------------------------------- */
 
 /* One texel of 64 x 64 glows: it is found, and shows. */
@@ -359,6 +422,51 @@ static void test_small_light(void **state) {
     make_pictures(path, &pictures);
     check_quarters("light", &pictures, "R", (double[]){1.5, .5, .5, .5});
     free_pictures(&pictures);
+}
+
+/* --- large pictures --------------------------------------------------------------------------- */
+
+/* Higher than OpenGL has them: half white, half black, for the renderer and the path tracer. */
+static void test_high_picture(void **state) {
+    (void)state;
+    enum { HEIGHT = 20000 };
+    static unsigned char rgba[HEIGHT][4];
+    struct pictures pictures;
+    const char *path = write_square(GLOW "\"index\": 1}}");
+    memset(rgba, 255, sizeof rgba / 2);
+    write_tiny_png(scratch("1.png"), rgba[0], 1, HEIGHT);
+    hear_notes();
+    make_pictures(path, &pictures);
+    end_notes();
+    check_quarters("half", &pictures, "R", (double[]){1.5, 1.5, .5, .5});
+    assert_non_null(strstr(notes, "image 1: its 1x20000 pixels are scaled down to 1x16384"));
+    free_pictures(&pictures);
+}
+
+/* The mean light stays, of colours and of numbers. */
+static void test_shrunk_mean(void **state) {
+    (void)state;
+    enum { SIDE = 7, MOST = 5 };
+    float srgb_to_linear[256];
+    texture_decode_table(srgb_to_linear);
+    for (int linear = 0; linear < 2; linear++) {
+        struct scene_texture texture = {.linear = linear, .bitmap = {SIDE, SIDE, NULL}};
+        double before = 0, after = 0;
+        texture.bitmap.rgba = mem_alloc((size_t)SIDE * SIDE, 4);
+        for (int i = 0; i < 4 * SIDE * SIDE; i++)
+            texture.bitmap.rgba[i] = (unsigned char)(i * 97 % 256);
+        for (int size = SIDE; size >= MOST; size -= SIDE - MOST) {
+            double *sum = size == SIDE ? &before : &after;
+            assert_int_equal(texture.bitmap.width * texture.bitmap.height, size * size);
+            for (int i = 0; i < size * size; i++) {
+                unsigned char byte = texture.bitmap.rgba[4 * i + 1];
+                *sum += (linear ? byte / 255. : (double)srgb_to_linear[byte]) / (size * size);
+            }
+            texture_shrink(&texture, MOST);
+        }
+        check_near("mean", after, before, 2e-3);
+        bitmap_free(&texture.bitmap);
+    }
 }
 
 /* --- memory ----------------------------------------------------------------------------------- */
@@ -421,11 +529,13 @@ static void test_cases(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_emission),    cmocka_unit_test(test_metal),
-        cmocka_unit_test(test_normals),     cmocka_unit_test(test_all),
-        cmocka_unit_test(test_glossiness),  cmocka_unit_test(test_means),
-        cmocka_unit_test(test_no_such_set), cmocka_unit_test(test_small_light),
-        cmocka_unit_test(test_counts),      cmocka_unit_test(test_cases),
+        cmocka_unit_test(test_emission),      cmocka_unit_test(test_metal),
+        cmocka_unit_test(test_normals),       cmocka_unit_test(test_all),
+        cmocka_unit_test(test_glossiness),    cmocka_unit_test(test_means),
+        cmocka_unit_test(test_no_such_set),   cmocka_unit_test(test_small_light),
+        cmocka_unit_test(test_counts),        cmocka_unit_test(test_cases),
+        cmocka_unit_test(test_set_left_over), cmocka_unit_test(test_unlit),
+        cmocka_unit_test(test_high_picture),  cmocka_unit_test(test_shrunk_mean),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -11,7 +11,33 @@
 #define TEXTURED "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]"
 #define BALLS_OF(fields) NODE("\"extras\": {\"metaballs\": {" fields "}}")
 
+#define REQUIRED(extension) "\"extensionsRequired\": [\"" extension "\"],"
+#define KTX2 "data:image/ktx2;base64,q0tUWCAyMLsNChoK"
+#define GREEN                                                                                      \
+    "data:image/"                                                                                  \
+    "png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNg+M8AAAICAQB7"          \
+    "CYF4AAAAAElFTkSuQmCC"
+/* A texture whose picture has that format; more: a source besides, image 1 is a PNG. */
+#define IN_FORMAT_OF(extension, uri, more)                                                         \
+    "\"images\": [{\"uri\": \"" uri "\"}, {\"uri\": \"" GREEN "\"}], \"textures\": [{" more        \
+    "\"extensions\": {\"" extension "\": {\"source\": 0}}}],"
+
 static const struct hostile hostile_numbers[] = {
+    {"required KTX2",
+     "image 0: the required extension 'KHR_texture_basisu': KTX2 is not read; convert it to PNG",
+     {.materials = TEXTURED,
+      .more = REQUIRED("KHR_texture_basisu") IN_FORMAT_OF("KHR_texture_basisu", KTX2, "")}},
+    {"required DDS",
+     "image 0: the required extension 'MSFT_texture_dds': not a picture of a known format",
+     {.materials = TEXTURED,
+      .more = REQUIRED("MSFT_texture_dds")
+          IN_FORMAT_OF("MSFT_texture_dds", "data:;base64,RERTIA==", "")}},
+    {"required KTX2 that is none of the images",
+     "texture 0: extensions: KHR_texture_basisu: source: 7, but there are 1 images",
+     {.materials = TEXTURED,
+      .more = REQUIRED(
+          "KHR_texture_basisu") "\"images\": [{\"uri\": \"a\"}], \"textures\":"
+                                " [{\"extensions\": {\"KHR_texture_basisu\": {\"source\": 7}}}],"}},
     {"size that is no list",
      "extras: size: these are no two lengths",
      {.more = SPOT("", ", \"extras\": {\"size\": 3}")}},

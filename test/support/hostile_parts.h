@@ -51,11 +51,6 @@ static const struct hostile hostile[] = {
     {"required extension",
      "it requires the extension 'KHR_unheard_of', which is not read",
      {.more = "\"extensionsRequired\": [\"KHR_unheard_of\"],"}},
-    {"KTX2",
-     "texture 0: its picture is in the format of KHR_texture_basisu, which is not read",
-     {.materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",
-      .more = "\"images\": [{\"uri\": \"lion.ktx2\"}], \"textures\": [{\"extensions\":"
-              " {\"KHR_texture_basisu\": {\"source\": 0}}}],"}},
 
     {"buffer of another type", "buffers: 7 is not an array", {.buffers = "7"}},
     {"empty buffer",

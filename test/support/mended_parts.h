@@ -215,6 +215,15 @@ static const struct mended mended[] = {
     {"texture without a source",
      "textures without a picture are left out: texture 0",
      {.materials = TEXTURED, .more = "\"textures\": [{}],"}},
+    {"KTX2 that is not required",
+     "colours by a magenta checker: image 0: KTX2 is not read",
+     {.materials = TEXTURED, .more = IN_FORMAT_OF("KHR_texture_basisu", KTX2, "")}},
+    {"KTX2 as it is",
+     "colours by a magenta checker: image 0: KTX2 is not read",
+     {.materials = TEXTURED, .more = REQUIRED("KHR_texture_basisu") PICTURE(KTX2)}},
+    {"AVIF that is not required",
+     "colours by a magenta checker: image 0: not a picture of a known format",
+     {.materials = TEXTURED, .more = IN_FORMAT_OF("EXT_texture_avif", "data:;base64,AAAA", "")}},
     {"missing picture that nobody uses", "", {.more = PICTURE("none.png")}},
 };
 
@@ -228,6 +237,14 @@ static const struct mended valid[] = {
      "",
      {.more = CAMERA("orthographic", FLAT ", \"znear\": 0, \"zfar\": 9")}},
     {"nothing else", "", {0}},
+    {"KTX2 beside a PNG",
+     "",
+     {.materials = TEXTURED,
+      .more = REQUIRED("KHR_texture_basisu")
+          IN_FORMAT_OF("KHR_texture_basisu", KTX2, "\"source\": 1, ")}},
+    {"required KTX2 that nobody uses",
+     "",
+     {.more = REQUIRED("KHR_texture_basisu") IN_FORMAT_OF("KHR_texture_basisu", KTX2, "")}},
     {"unused objects",
      "",
      {.more = "\"images\": [{\"uri\": \"none.png\"}], \"textures\": [{\"source\": 0}],"

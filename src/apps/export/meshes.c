@@ -3,6 +3,7 @@
 #include "base/file/output_file.h"
 #include "base/halton.h"
 #include "base/memory.h"
+#include "scene/lights/emissive.h"
 #include "scene/mesh/corners.h"
 
 #include <stdlib.h>
@@ -26,12 +27,9 @@ static bool *find_shining(const struct stage *stage) {
     bool *shines = mem_alloc(geometry->index_count / 3, sizeof *shines);
     for (int s = 0; s < stage->scene.surface_count; s++) {
         const struct emissive_surface *surface = &stage->scene.surfaces[s];
-        for (int p = 0; p < geometry->part_count; p++) {
-            const struct geometry_part *part = &geometry->parts[p];
-            if (part->node == surface->node && part->primitive == surface->primitive &&
-                lamp_shines(&stage->emitters, surface->lamp))
-                memset(&shines[part->first_index / 3], true, part->index_count / 3);
-        }
+        struct emissive_span span = emissive_find(geometry, surface);
+        if (lamp_shines(&stage->emitters, surface->lamp))
+            memset(shines + span.first, true, span.end - span.first);
     }
     return shines;
 }

@@ -29,7 +29,8 @@ struct hit {
     /* Glass or a mirror, which is black then, where the table tells these apart (hit_table_find_smooth); else NULL. */
     const struct material *smooth;
     vec3s tint; /* of those: the base colour */
-    vec3s share; /* of what it sends along the ray: by panes on the way, over the chance to meet it */
+    vec3s
+        share; /* of what it sends along the ray: by panes on the way, over the chance to meet it */
     uint32_t triangle;
     bool is_back; /* of it */
 };

@@ -2,8 +2,8 @@
 
 #include "base/error.h"
 #include "reference/sampler.h"
+#include "reference/scene/embree.h"
 
-#include <embree3/rtcore.h>
 #include <math.h>
 #include <string.h>
 
@@ -12,7 +12,7 @@ enum { PANES_MOST = 32 };
 
 /* What a filter sees besides the hit: the Embree context comes first. */
 struct ray_context {
-    struct RTCIntersectContext embree;
+    embree_context embree;
     const struct ray_scene *rays;
     vec3s *passes;               /* of shadow rays, by their ids: what panes let pass */
     uint32_t passed[PANES_MOST]; /* panes, of other rays */
@@ -134,7 +134,7 @@ bool ray_scene_init(struct ray_scene *rays, const struct hit_table *table) {
     rays->scene = rtcNewScene(rays->device);
     /* Watertight edges: a ray through a crack would see the far side's light. Of rays aimed at the
      * edges of a closed sphere 1.5 % escape without this flag, which costs some 10 % of the time. */
-    rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION);
+    rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST | EMBREE_QUERY_FILTERS);
     for (int b = 0; b < geometry->batch_count; b++)
         rays->has_panes |= hit_is_pane(table, geometry->batches[b].first_index / 3);
     uint32_t opaque = geometry->opaque_index_count, masked = geometry->index_count - opaque;
@@ -156,13 +156,6 @@ void ray_scene_free(struct ray_scene *rays) {
     if (rays->device)
         rtcReleaseDevice(rays->device);
     *rays = (struct ray_scene){0};
-}
-
-static struct ray_context make_context(const struct ray_scene *rays, RTCFilterFunctionN filter) {
-    struct ray_context context = {.rays = rays};
-    rtcInitIntersectContext(&context.embree);
-    context.embree.filter = filter;
-    return context;
 }
 
 static struct RTCRay make_ray(vec3s origin, vec3s direction, float length) {
@@ -208,7 +201,7 @@ struct way {
 
 static bool trace(const struct ray_scene *rays, const struct way *way, RTCFilterFunctionN filter,
                   struct hit *hit) {
-    struct ray_context context = make_context(rays, filter);
+    struct ray_context context = {.rays = rays};
     struct RTCRayHit query = {.ray = make_ray(way->origin, way->direction, way->ends[1]),
                               .hit.geomID = RTC_INVALID_GEOMETRY_ID};
     vec3s share = glms_vec3_one();
@@ -216,7 +209,7 @@ static bool trace(const struct ray_scene *rays, const struct way *way, RTCFilter
     query.ray.tnear = way->ends[0];
     bool hits = false;
     for (int more = 1; more && context.passed_count < PANES_MOST;) {
-        rtcIntersect1(rays->scene, &context.embree, &query);
+        embree_intersect(rays->scene, &context.embree, filter, &query);
         struct triangle_point point = point_of(rays, &query.hit);
         hits = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
         more = hits && rays->has_panes && hit_is_pane(rays->table, point.triangle) &&
@@ -247,10 +240,10 @@ bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s dire
 }
 
 static vec3s open_to(const struct ray_scene *rays, RTCFilterFunctionN filter, struct RTCRay *ray) {
-    struct ray_context context = make_context(rays, filter);
+    struct ray_context context = {.rays = rays};
     vec3s passes = glms_vec3_one();
     context.passes = &passes;
-    rtcOccluded1(rays->scene, &context.embree, ray);
+    embree_occluded(rays->scene, &context.embree, filter, ray);
     return ray->tfar >= 0 ? passes : glms_vec3_zero();
 }
 
@@ -284,8 +277,8 @@ static void set_ray(struct RTCRay4 *packet, int i, const struct RTCRay *ray) {
 }
 
 void ray_scene_passes_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
-                         const bool asked[4], vec3s passes[4]) {
-    struct ray_context context = make_context(rays, NULL);
+                        const bool asked[4], vec3s passes[4]) {
+    struct ray_context context = {.rays = rays};
     struct RTCRay4 packet = {0};
     int traced[4] __attribute__((aligned(16))); /* -1 = yes, as Embree wants it */
     context.passes = passes;
@@ -297,7 +290,7 @@ void ray_scene_passes_4(const struct ray_scene *rays, vec3s from, const vec3s to
         set_ray(&packet, i, &ray);
         passes[i] = glms_vec3_one();
     }
-    rtcOccluded4(traced, rays->scene, &context.embree, &packet);
+    embree_occluded_4(traced, rays->scene, &context.embree, NULL, &packet);
     for (int i = 0; i < 4; i++)
         if (!asked[i] || (traced[i] && packet.tfar[i] < 0))
             passes[i] = glms_vec3_zero();

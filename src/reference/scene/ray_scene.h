@@ -36,7 +36,7 @@ bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s dire
 
 /* What passes along such a ray between two distances: from 0, where something blocks, to 1. */
 vec3s ray_scene_camera_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
-                              const float ends[2]);
+                               const float ends[2]);
 
 /* What passes between two points. */
 vec3s ray_scene_passes(const struct ray_scene *rays, vec3s from, vec3s to);
@@ -51,7 +51,7 @@ vec3s ray_scene_is_open(const struct ray_scene *rays, vec3s origin, vec3s direct
 
 /* As ray_scene_passes from one point to four, of those that are asked for. */
 void ray_scene_passes_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
-                         const bool asked[4], vec3s passes[4]);
+                        const bool asked[4], vec3s passes[4]);
 
 /* The point above the surface where rays begin and end; the same of a geometric normal alone. */
 vec3s ray_scene_departure(const struct ray_scene *rays, const struct hit *hit);

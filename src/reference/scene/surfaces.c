@@ -4,6 +4,7 @@
 
 #include "base/halton.h"
 #include "base/memory.h"
+#include "scene/lights/emissive.h"
 #include "scene/mesh/corners.h"
 
 #include <math.h>
@@ -24,15 +25,6 @@ static bool find_lamp(const struct emitters *emitters, int lamp, bool *is_stood_
             return true;
         }
     return false;
-}
-
-static const struct geometry_part *find_part(const struct geometry *geometry,
-                                             const struct emissive_surface *surface) {
-    for (int i = 0; i < geometry->part_count; i++)
-        if (geometry->parts[i].node == surface->node &&
-            geometry->parts[i].primitive == surface->primitive)
-            return &geometry->parts[i];
-    return NULL;
 }
 
 /* A point in the triangle, even in its area. */
@@ -78,10 +70,10 @@ static void add_triangle(struct surfaces *surfaces, uint32_t triangle, double *p
     }
 }
 
-static void add_part(struct surfaces *surfaces, const struct geometry_part *part, bool listed,
-                     double *powers) {
-    uint32_t first = part->first_index / 3, count = part->index_count / 3;
-    for (uint32_t i = first; i < first + count; i++) {
+static void add_surface(struct surfaces *surfaces, const struct emissive_surface *surface,
+                        bool listed, double *powers) {
+    struct emissive_span span = emissive_find(surfaces->table->geometry, surface);
+    for (uint32_t i = span.first; i < span.end; i++) {
         surfaces->shines[i] = true;
         if (listed)
             add_triangle(surfaces, i, powers);
@@ -114,10 +106,9 @@ void surfaces_init(struct surfaces *surfaces, const struct hit_table *table,
     for (size_t i = 0; i < triangles; i++)
         surfaces->first[i] = -1;
     for (int i = 0; i < scene->surface_count; i++) {
-        const struct geometry_part *part = find_part(table->geometry, &scene->surfaces[i]);
         bool listed;
-        if (part && find_lamp(emitters, scene->surfaces[i].lamp, &listed))
-            add_part(surfaces, part, listed, powers);
+        if (find_lamp(emitters, scene->surfaces[i].lamp, &listed))
+            add_surface(surfaces, &scene->surfaces[i], listed, powers);
     }
     finish_list(surfaces, powers);
     free(powers);

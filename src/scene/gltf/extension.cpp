@@ -8,13 +8,14 @@ namespace gltf {
 namespace {
 
 /* What a scene lacks where an extension is not read; NULL = nothing, as it is read or changes no
- * picture. */
+ * picture, or as textures have another picture: texture.cpp. */
 const struct Known {
     const char *name, *lack;
 } known[] = {
     {"EXT_lights_area", nullptr},
     {"EXT_mesh_gpu_instancing", nullptr},
     {"EXT_meshopt_compression", nullptr},
+    {"EXT_texture_avif", nullptr},
     {"EXT_texture_webp", nullptr},
     {"KHR_draco_mesh_compression", nullptr},
     {"KHR_lights_punctual", nullptr},
@@ -24,9 +25,11 @@ const struct Known {
     {"KHR_materials_specular", nullptr},
     {"KHR_materials_unlit", nullptr},
     {"KHR_mesh_quantization", nullptr},
+    {"KHR_texture_basisu", nullptr},
     {"KHR_texture_transform", nullptr},
     {"KHR_xmp", nullptr},
     {"KHR_xmp_json_ld", nullptr},
+    {"MSFT_texture_dds", nullptr},
     {"KHR_animation_pointer", "animation of other than nodes"},
     {"KHR_materials_anisotropy", "anisotropy"},
     {"KHR_materials_clearcoat", "clear coat"},

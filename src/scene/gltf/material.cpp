@@ -53,9 +53,24 @@ tinygltf::Material as_metallic_roughness(const tinygltf::Material &from) {
     return to;
 }
 
+/* Leaves an unlit material its base colour, as KHR_materials_unlit has everything else ignored. */
+tinygltf::Material without_ignored(const tinygltf::Material &from) {
+    auto unlit = from.extensions.find("KHR_materials_unlit");
+    if (unlit == from.extensions.end())
+        return from;
+    tinygltf::Material to = from;
+    to.extensions = {*unlit};
+    to.pbrMetallicRoughness.metallicRoughnessTexture = {};
+    to.emissiveTexture = {};
+    to.emissiveFactor = {0, 0, 0};
+    to.normalTexture = {};
+    to.occlusionTexture = {};
+    return to;
+}
+
 UvSource uv_source(const tinygltf::TextureInfo &info) {
     UvSource source;
-    source.set = info.texCoord;
+    source.set = source.own_set = info.texCoord;
     auto found = info.extensions.find("KHR_texture_transform");
     if (found == info.extensions.end())
         return source;
@@ -70,7 +85,7 @@ UvSource uv_source(const tinygltf::TextureInfo &info) {
 }
 
 bool same_place(const UvSource &a, const UvSource &b) {
-    return a.set == b.set && a.rotation == b.rotation &&
+    return a.set == b.set && a.own_set == b.own_set && a.rotation == b.rotation &&
            std::equal(a.offset, a.offset + 2, b.offset) &&
            std::equal(a.scale, a.scale + 2, b.scale);
 }
@@ -345,8 +360,8 @@ bool load_materials(Loader &loader) {
     scene->material_count = int(from.size()) + 1;
     loader.mappings.resize(from.size() + 1);
     for (size_t i = 0; i < from.size(); i++) {
-        if (!load_material(loader, as_metallic_roughness(from[i]), scene->materials[i],
-                           loader.mappings[i]))
+        if (!load_material(loader, without_ignored(as_metallic_roughness(from[i])),
+                           scene->materials[i], loader.mappings[i]))
             return error_prefix("%s", label("material", i, from[i].name).c_str());
     }
     make_default(scene->materials[from.size()]);

@@ -78,13 +78,30 @@ void transform_uv(const UvSource &source, float (*uv)[2], size_t count) {
     }
 }
 
+/* Chooses a mapping's coordinates. Some optimisers renumber sets and leave the transforms' numbers. */
+bool find_set(Loader &loader, const tinygltf::Primitive &from, const UvSource &mapping,
+              const std::string &object, std::string &name) {
+    const std::string own = "TEXCOORD_" + std::to_string(mapping.own_set);
+    name = "TEXCOORD_" + std::to_string(mapping.set);
+    if (from.attributes.count(name) || !from.attributes.count(own))
+        return true;
+    bool good = mend(loader,
+                     "the texture's own texCoord replaces one of KHR_texture_transform "
+                     "that the mesh lacks",
+                     object + ": " + name);
+    name = own;
+    return good;
+}
+
 /* Of each mapping of its material. Where the file has no such coordinates, all are zero. */
-bool load_uvs(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
+bool load_uvs(Loader &loader, const tinygltf::Primitive &from, const std::string &object,
+              struct primitive &to) {
     const std::vector<UvSource> &mappings = loader.mappings[size_t(to.material)];
     size_t count = size_t(to.vertex_count);
     for (size_t m = 0; m < mappings.size(); m++) {
-        std::string name = "TEXCOORD_" + std::to_string(mappings[m].set);
-        if (!load_attribute(loader, from, name, count, &to.uv[m]))
+        std::string name;
+        if (!find_set(loader, from, mappings[m], object, name) ||
+            !load_attribute(loader, from, name, count, &to.uv[m]))
             return false;
         if (to.uv[m])
             transform_uv(mappings[m], to.uv[m], count);
@@ -94,12 +111,13 @@ bool load_uvs(Loader &loader, const tinygltf::Primitive &from, struct primitive 
     return true;
 }
 
-bool load_attributes(Loader &loader, const tinygltf::Primitive &from, struct primitive &to) {
+bool load_attributes(Loader &loader, const tinygltf::Primitive &from, const std::string &object,
+                     struct primitive &to) {
     size_t count = size_t(to.vertex_count);
     if (!load_attribute(loader, from, "NORMAL", count, &to.normal) ||
         !load_attribute(loader, from, "COLOR_0", count, &to.color))
         return false;
-    return load_uvs(loader, from, to);
+    return load_uvs(loader, from, object, to);
 }
 
 bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_count,
@@ -113,7 +131,7 @@ bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_
     if (!load_indices(loader, from.indices, to) || !mend_indices(loader, from, object, to) ||
         !primitive_check(&to) ||
         !primitive_unroll(&to, static_cast<enum primitive_mode>(from.mode)) ||
-        !load_attributes(loader, from, to) || !load_joints(loader, from, object, to) ||
+        !load_attributes(loader, from, object, to) || !load_joints(loader, from, object, to) ||
         !load_targets(loader, from, target_count, to))
         return false;
     if (to.normal) {

@@ -40,7 +40,7 @@ using tinygltf::Model;
 
 /* A mapping: a texture's way from TEXCOORD_n to uv. */
 struct UvSource {
-    int set = 0;
+    int set = 0, own_set = 0; /* the transform's, and the texture's in case there is no such one */
     double offset[2] = {0, 0}, rotation = 0, scale[2] = {1, 1};
 };
 

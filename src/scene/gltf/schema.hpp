@@ -314,10 +314,13 @@ const Field node[] = {
 
 const Field scene[] = {{"nodes", Optional, Kind::Indices, "/nodes"}, end};
 
-const Field texture_webp[] = {{"source", Optional, Kind::Index, "/images"}, end};
+const Field texture_format[] = {{"source", Optional, Kind::Index, "/images"}, end};
 
 const Field texture_extensions[] = {
-    {"EXT_texture_webp", Optional, Kind::Object, nullptr, texture_webp},
+    {"EXT_texture_webp", Optional, Kind::Object, nullptr, texture_format},
+    {"EXT_texture_avif", Optional, Kind::Object, nullptr, texture_format},
+    {"KHR_texture_basisu", Optional, Kind::Object, nullptr, texture_format},
+    {"MSFT_texture_dds", Optional, Kind::Object, nullptr, texture_format},
     end,
 };
 

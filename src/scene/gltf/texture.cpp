@@ -13,9 +13,18 @@ enum class Outcome {
     Refused /* the whole scene; error: why */
 };
 
+bool is_ktx2(const void *bytes, size_t size) {
+    const char mark[] = "\xABKTX 20\xBB";
+    return size > strlen(mark) && memcmp(bytes, mark, strlen(mark)) == 0;
+}
+
 Outcome decode(Loader &loader, const void *bytes, size_t size, struct bitmap &bitmap) {
     uint64_t memory;
-    if (!bitmap_measure(bytes, size, &memory))
+    bool is_known = is_ktx2(bytes, size)
+                        ? error_set("KTX2 is not read; convert it to PNG, as by gltf-transform's "
+                                    "ktxdecompress")
+                        : bitmap_measure(bytes, size, &memory);
+    if (!is_known)
         return Outcome::Broken;
     if (!spend(loader, memory, 1) || !mem_check(memory))
         return Outcome::Refused;
@@ -92,14 +101,37 @@ enum texture_wrap wrap_mode(int gl) {
                                                          : TEXTURE_WRAP_REPEAT;
 }
 
-/* Its picture is in a format of an extension alone, or nowhere. */
-bool do_without(Loader &loader, const tinygltf::Texture &texture, int index) {
-    for (const auto &extension : texture.extensions)
-        if (extension.second.Has("source"))
-            return error_set("texture %d: its picture is in the format of %s, which is not read",
-                             index, clean(extension.first).c_str());
-    return mend(loader, "textures without a picture are left out",
-                "texture " + std::to_string(index));
+/* The formats of pictures that extensions bring. The first is read. */
+const char *const formats[] = {"EXT_texture_webp", "EXT_texture_avif", "KHR_texture_basisu",
+                               "MSFT_texture_dds"};
+
+/* The extension that a texture's only picture is in the format of; nullptr: it needs none. */
+const char *find_format(const tinygltf::Texture &texture) {
+    for (const char *format : formats) {
+        auto found = texture.extensions.find(format);
+        if (texture.source < 0 && found != texture.extensions.end() && found->second.Has("source"))
+            return format;
+    }
+    return nullptr;
+}
+
+/* Whether the file cannot do without the texture's format, which is not read. */
+bool is_needed(const Model &model, const char *format) {
+    const auto &names = model.extensionsRequired;
+    return format && format != formats[0] &&
+           std::find(names.begin(), names.end(), format) != names.end();
+}
+
+/* Every driver of OpenGL 4.5 takes textures up to this size. */
+const int side_most = 16384;
+
+void limit_size(const Loader &loader, const std::string &object, struct scene_texture &made) {
+    const struct bitmap before = made.bitmap;
+    if (before.width <= side_most && before.height <= side_most)
+        return;
+    texture_shrink(&made, side_most);
+    log_note("%s: %s: its %dx%d pixels are scaled down to %dx%d", loader.scene->path,
+             object.c_str(), before.width, before.height, made.bitmap.width, made.bitmap.height);
 }
 
 /* The picture, or its stand-in. */
@@ -107,10 +139,15 @@ bool load_picture(Loader &loader, int index, int source, struct scene_texture &m
     const std::string object =
         label("image", size_t(source), loader.model.images[size_t(source)].name);
     Outcome outcome = decode_picture(loader, loader.pictures[size_t(source)], made.bitmap);
-    if (outcome == Outcome::Decoded)
+    if (outcome == Outcome::Decoded) {
+        limit_size(loader, object, made);
         return true;
+    }
+    const char *format = find_format(loader.model.textures[size_t(index)]);
     if (outcome == Outcome::Refused)
         return error_prefix("%s", object.c_str());
+    if (is_needed(loader.model, format))
+        return error_prefix("%s: the required extension '%s'", object.c_str(), format);
     if (!mend(loader,
               "pictures that are missing or broken are replaced, colours by a magenta checker",
               object + ": " + error_get()) ||
@@ -132,10 +169,8 @@ bool load_image(Loader &loader, int image, struct bitmap &bitmap) {
 }
 
 int texture_source(const tinygltf::Texture &texture) {
-    auto webp = texture.extensions.find("EXT_texture_webp");
-    if (texture.source >= 0 || webp == texture.extensions.end() || !webp->second.Has("source"))
-        return texture.source;
-    return webp->second.Get("source").GetNumberAsInt();
+    const char *format = find_format(texture);
+    return format ? texture.extensions.at(format).Get("source").GetNumberAsInt() : texture.source;
 }
 
 /* A picture used with one sampler is decoded once, or twice where it holds colours here and numbers
@@ -146,7 +181,8 @@ bool load_texture(Loader &loader, int index, bool linear, int &out) {
     int source = texture_source(texture);
     out = -1;
     if (source < 0)
-        return do_without(loader, texture, index);
+        return mend(loader, "textures without a picture are left out",
+                    "texture " + std::to_string(index));
     auto &keys = loader.texture_keys;
     TextureKey key = {source, texture.sampler, linear};
     auto known = std::find_if(keys.begin(), keys.end(), [&](const TextureKey &other) {

@@ -12,8 +12,8 @@
 
 static void plant(struct bvh *tree, bool of_panes, const struct scene *scene,
                   const struct geometry *geometry) {
-    struct opaque_triangles list = of_panes ? pane_triangles_of(scene, geometry)
-                                            : opaque_triangles_of(scene, geometry);
+    struct opaque_triangles list =
+        of_panes ? pane_triangles_of(scene, geometry) : opaque_triangles_of(scene, geometry);
     bvh_init(tree, list.items, list.count);
 }
 

@@ -5,8 +5,10 @@
 #include "base/memory.h"
 #include "base/names.h"
 #include "scene/lights/flat_shape.h"
+#include "scene/lights/islands.h"
 #include "scene/lights/lamp_parts.h"
 #include "scene/lights/lamp_triangles.h"
+#include "scene/texture.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -14,16 +16,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An emissive surface of the scene, and how it becomes lights. */
+/* An emissive surface of the scene, an island of a primitive, and how it becomes lights. */
 struct finding {
     int node;
     const struct primitive *primitive;
-    int number; /* of the primitive in its mesh */
+    int number;              /* of the primitive in its mesh */
+    struct primitive island; /* of the primitive's triangles these alone: all arrays are its */
     const struct material *material;
     bool is_flat; /* a rectangle or a disk of one colour */
     struct flat_shape shape;
-    double power; /* of all sides, over pi, the sum of RGB, W */
-    int lights;   /* that it gets; 0: it is of the rest */
+    float radiance[3]; /* of a flat one, W/(sr m2) */
+    double power;      /* of all sides, over pi, the sum of RGB, W */
+    int lights;        /* that it gets; 0: it is of the rest */
 };
 
 struct findings {
@@ -31,10 +35,15 @@ struct findings {
     float (*worlds)[16]; /* at time 0 */
     struct finding *items;
     int count, room;
-    bool *told;     /* each material: it is among the names */
-    uint32_t looks; /* left, as struct lamp_triangles has them */
+    struct islands **islands; /* of each mesh's primitives; without ends where not needed yet */
+    bool *told;               /* each material: it is among the names */
+    uint32_t looks;           /* left, as struct lamp_triangles has them */
+    float srgb_to_linear[256];
     struct names dark;
 };
+
+/* Findings from which on a primitive is one, however many islands it has. */
+enum { FINDINGS_MAX = 1 << 16 };
 
 /* --- surfaces --------------------------------------------------------------------------------- */
 
@@ -42,18 +51,45 @@ static int sides_of(const struct finding *finding) {
     return finding->material->double_sided ? 2 : 1;
 }
 
-static bool is_uniform(const struct material *material) {
-    return material->emission_texture < 0 && !material->alpha_mask;
+/* Adds the triangles of a finding. */
+static void add_triangles(struct lamp_triangles *triangles, const struct findings *findings,
+                          const struct finding *finding) {
+    triangles->srgb_to_linear = findings->srgb_to_linear;
+    lamp_triangles_add(triangles, findings->scene, &finding->island,
+                       findings->worlds[finding->node]);
 }
 
-static double power_of(struct findings *findings, const struct finding *finding) {
+/* Finds power, shape and colour. */
+static void measure(struct findings *findings, struct finding *finding) {
     struct lamp_triangles triangles = {.looks = findings->looks};
-    lamp_triangles_add(&triangles, findings->scene, finding->primitive,
-                       findings->worlds[finding->node]);
-    double power = lamp_triangles_power(&triangles);
+    add_triangles(&triangles, findings, finding);
+    finding->power = lamp_triangles_power(&triangles);
+    finding->is_flat = lamp_triangles_color(&triangles, finding->radiance) &&
+                       flat_shape_of(&finding->shape, &finding->island);
     findings->looks = triangles.looks;
     lamp_triangles_free(&triangles);
-    return power;
+}
+
+static void add_finding(struct findings *findings, const struct finding *finding) {
+    if (findings->count == findings->room) {
+        findings->room = 2 * findings->room + 16;
+        findings->items =
+            mem_resize(findings->items, (size_t)findings->room, sizeof *findings->items);
+    }
+    findings->items[findings->count] = *finding;
+    measure(findings, &findings->items[findings->count]);
+    findings->count += findings->items[findings->count].power > 0;
+}
+
+static const struct islands *islands_of(struct findings *findings, int mesh, int number) {
+    const struct mesh *of = &findings->scene->meshes[mesh];
+    if (!findings->islands[mesh])
+        findings->islands[mesh] =
+            mem_alloc((size_t)of->primitive_count, sizeof **findings->islands);
+    struct islands *islands = &findings->islands[mesh][number];
+    if (!islands->ends)
+        islands_init(islands, &of->primitives[number]);
+    return islands;
 }
 
 static void find_surface(struct findings *findings, int node, int mesh, int number) {
@@ -70,16 +106,15 @@ static void find_surface(struct findings *findings, int node, int mesh, int numb
         findings->told[primitive->material] = true;
         return;
     }
-    finding.power = power_of(findings, &finding);
-    if (!(finding.power > 0))
-        return;
-    finding.is_flat = is_uniform(material) && flat_shape_of(&finding.shape, primitive);
-    if (findings->count == findings->room) {
-        findings->room = 2 * findings->room + 16;
-        findings->items =
-            mem_resize(findings->items, (size_t)findings->room, sizeof *findings->items);
+    const struct islands *islands = islands_of(findings, mesh, number);
+    bool whole = islands->count > FINDINGS_MAX - findings->count;
+    for (int i = 0; i < (whole ? 1 : islands->count); i++) {
+        int end = islands->ends[whole ? islands->count : i + 1];
+        finding.island = *primitive;
+        finding.island.indices += islands->ends[i];
+        finding.island.index_count = end - islands->ends[i];
+        add_finding(findings, &finding);
     }
-    findings->items[findings->count++] = finding;
 }
 
 static void find_surfaces(struct findings *findings) {
@@ -192,7 +227,7 @@ static struct scene_light area_light(const float radiance[3], const float size[2
 static void add_flat_lights(struct scene *scene, const struct finding *finding, int lamp) {
     const struct flat_shape *shape = &finding->shape;
     const struct material *material = finding->material;
-    struct scene_light light = area_light(material->emission, shape->size, lamp);
+    struct scene_light light = area_light(finding->radiance, shape->size, lamp);
     for (int i = 0; i < sides_of(finding); i++) {
         float side = i ? -1 : 1;
         vec3 center, right, normal;
@@ -243,8 +278,7 @@ static void add_lamp(struct findings *findings, const struct finding *finding, i
         return;
     }
     struct lamp_triangles triangles = {.looks = LAMP_LOOKS};
-    lamp_triangles_add(&triangles, findings->scene, finding->primitive,
-                       findings->worlds[finding->node]);
+    add_triangles(&triangles, findings, finding);
     add_stand_ins(findings, &triangles, finding->node, finding->material->name, lamp,
                   finding->lights);
     lamp_triangles_free(&triangles);
@@ -258,8 +292,7 @@ static void add_rest(struct findings *findings, int lamp) {
         const struct finding *finding = &findings->items[i];
         if (finding->lights > 0)
             continue;
-        lamp_triangles_add(&triangles, findings->scene, finding->primitive,
-                           findings->worlds[finding->node]);
+        add_triangles(&triangles, findings, finding);
         rest++;
     }
     if (rest > 0) {
@@ -271,25 +304,52 @@ static void add_rest(struct findings *findings, int lamp) {
     lamp_triangles_free(&triangles);
 }
 
+/* Lists which triangles are of the lamp. Triangles that look dark are of the lamp before them. */
+static void add_surface(struct scene *scene, const struct finding *finding, int lamp) {
+    int count = scene->surface_count;
+    struct emissive_surface surface = {finding->node, finding->number, 0,
+                                       finding->primitive->index_count, lamp};
+    struct emissive_surface *last = count > 0 ? &scene->surfaces[count - 1] : NULL;
+    if (last && last->node == surface.node && last->primitive == surface.primitive) {
+        if (last->lamp == lamp)
+            return;
+        surface.first = last->end = (int)(finding->island.indices - finding->primitive->indices);
+    }
+    scene->surfaces[scene->surface_count++] = surface;
+}
+
 static void add_lamps(struct findings *findings) {
     struct scene *scene = findings->scene;
     int count = findings->count, rest = count + 1; /* the number of their lamp */
     scene->surfaces = mem_alloc((size_t)count, sizeof *scene->surfaces);
-    scene->surface_count = count;
     for (int i = 0; i < count; i++) {
         const struct finding *finding = &findings->items[i];
         int lamp = finding->lights > 0 ? i + 1 : rest;
-        scene->surfaces[i] = (struct emissive_surface){finding->node, finding->number, lamp};
+        add_surface(scene, finding, lamp);
         if (finding->lights > 0)
             add_lamp(findings, finding, lamp);
     }
     add_rest(findings, rest);
 }
 
+static void findings_free(struct findings *findings) {
+    for (int m = 0; m < findings->scene->mesh_count; m++) {
+        for (int p = 0; findings->islands[m] && p < findings->scene->meshes[m].primitive_count; p++)
+            free(findings->islands[m][p].ends);
+        free(findings->islands[m]);
+    }
+    free(findings->islands);
+    free(findings->items);
+    free(findings->worlds);
+    free(findings->told);
+}
+
 void emissive_add_lights(struct scene *scene) {
     struct findings findings = {.scene = scene, .looks = LAMP_LOOKS};
     findings.worlds = mem_alloc((size_t)scene->node_count, sizeof *findings.worlds);
     findings.told = mem_alloc((size_t)scene->material_count, sizeof *findings.told);
+    findings.islands = mem_alloc((size_t)scene->mesh_count, sizeof *findings.islands);
+    texture_decode_table(findings.srgb_to_linear);
     scene_node_worlds(scene, 0, findings.worlds);
     find_surfaces(&findings);
     if (findings.dark.length)
@@ -304,7 +364,17 @@ void emissive_add_lights(struct scene *scene) {
         give_more(&findings, give_least(&findings));
         add_lamps(&findings);
     }
-    free(findings.items);
-    free(findings.worlds);
-    free(findings.told);
+    findings_free(&findings);
+}
+
+struct emissive_span emissive_find(const struct geometry *geometry,
+                                   const struct emissive_surface *surface) {
+    for (int i = 0; i < geometry->part_count; i++) {
+        const struct geometry_part *part = &geometry->parts[i];
+        uint32_t first = part->first_index + (uint32_t)surface->first;
+        if (part->node == surface->node && part->primitive == surface->primitive)
+            return (struct emissive_span){first / 3,
+                                          (part->first_index + (uint32_t)surface->end) / 3};
+    }
+    return (struct emissive_span){0, 0};
 }

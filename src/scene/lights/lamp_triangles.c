@@ -14,11 +14,14 @@
  * all dark triangles of a primitive. */
 enum { PLACES = 16, CLOSE_PLACES = 1 << 12, CLOSE_PLACES_OF_ALL = 3 << 21 };
 
+/* Colours that differ by less are one: filters round. */
+static const double likeness = 1e-4;
+
 struct source {
     const struct scene *scene;
     const struct primitive *primitive;
     const struct material *material;
-    float srgb_to_linear[256];
+    const float *srgb_to_linear;
 };
 
 static vec2s uv_at(float (*uvs)[2], const uint32_t index[3], const float weight[3]) {
@@ -48,19 +51,27 @@ static bool is_hole(const struct source *source, const uint32_t index[3], const 
     return material_is_hole(material, alpha);
 }
 
-/* The mean of the texture over so many places, black in holes. */
-static void average_places(const struct source *source, const uint32_t index[3], uint32_t places,
+/* The mean of the texture over so many places, black in holes; whether all are alike. */
+static bool average_places(const struct source *source, const uint32_t index[3], uint32_t places,
                            double mean[3]) {
     const struct material *material = source->material;
+    vec3s first = glms_vec3_zero();
+    bool alike = true;
     memset(mean, 0, 3 * sizeof *mean);
     for (uint32_t i = 0; i < places; i++) {
         float x = sqrtf(((float)i + .5F) / (float)places), y = (float)radical_inverse(2, i);
         const float weight[3] = {1 - x, x * (1 - y), x * y};
-        vec4s texel =
-            look_up(source, material->emission_texture, material->emission_mapping, index, weight);
-        for (int c = 0; c < 3 && !is_hole(source, index, weight); c++)
+        vec3s texel = glms_vec3(
+            look_up(source, material->emission_texture, material->emission_mapping, index, weight));
+        if (is_hole(source, index, weight))
+            texel = glms_vec3_zero();
+        first = i == 0 ? texel : first;
+        alike =
+            alike && glms_vec3_distance(texel, first) <= (float)likeness * glms_vec3_norm(first);
+        for (int c = 0; c < 3; c++)
             mean[c] += (double)texel.raw[c] / places;
     }
+    return alike;
 }
 
 /* One for each texel of the emission that the triangle covers, so that no small light of a large one is
@@ -78,13 +89,14 @@ static uint32_t close_places(const struct source *source, const uint32_t index[3
     return (uint32_t)fmin(area * bitmap->width * bitmap->height, most);
 }
 
-/* Over the triangle. One that looks dark is looked at closely. */
-static void average(const struct source *source, const uint32_t index[3], uint32_t *looks,
+/* Over the triangle; whether it is of one colour. One that looks dark is looked at closely. */
+static bool average(const struct source *source, const uint32_t index[3], uint32_t *looks,
                     double radiance[3]) {
     const struct material *material = source->material;
     double mean[3] = {1, 1, 1};
+    bool alike = true;
     if (material->emission_texture >= 0 || material->alpha_mask) {
-        average_places(source, index, PLACES, mean);
+        alike = average_places(source, index, PLACES, mean);
         uint32_t close = mean[0] + mean[1] + mean[2] > 0 ? 0 : close_places(source, index, *looks);
         if (close > PLACES) {
             average_places(source, index, close, mean);
@@ -93,6 +105,7 @@ static void average(const struct source *source, const uint32_t index[3], uint32
     }
     for (int c = 0; c < 3; c++)
         radiance[c] = (double)material->emission[c] * mean[c];
+    return alike;
 }
 
 /* False where it has no area. */
@@ -135,15 +148,18 @@ static void add(struct lamp_triangles *triangles, const struct lamp_triangle *tr
 
 void lamp_triangles_add(struct lamp_triangles *triangles, const struct scene *scene,
                         const struct primitive *primitive, const float world[16]) {
-    struct source source = {scene, primitive, &scene->materials[primitive->material], {0}};
-    texture_decode_table(source.srgb_to_linear);
+    struct source source = {scene, primitive, &scene->materials[primitive->material],
+                            triangles->srgb_to_linear};
     size_t most = (size_t)triangles->count + 2 * (size_t)primitive->index_count / 3;
     triangles->items = mem_resize(triangles->items, most, sizeof *triangles->items);
     for (int i = 0; i + 2 < primitive->index_count; i += 3) {
         struct lamp_triangle triangle;
-        average(&source, &primitive->indices[i], &triangles->looks, triangle.radiance);
-        if (!place(&source, &primitive->indices[i], world, &triangle) ||
-            !(triangle.radiance[0] + triangle.radiance[1] + triangle.radiance[2] > 0))
+        if (!place(&source, &primitive->indices[i], world, &triangle))
+            continue;
+        bool alike = average(&source, &primitive->indices[i], &triangles->looks, triangle.radiance);
+        bool shines = triangle.radiance[0] + triangle.radiance[1] + triangle.radiance[2] > 0;
+        triangles->has_detail |= !alike || !shines;
+        if (!shines)
             continue;
         add(triangles, &triangle, 1);
         if (source.material->double_sided)
@@ -164,4 +180,16 @@ double lamp_triangles_power(const struct lamp_triangles *triangles) {
             power += triangle->area * triangle->radiance[c];
     }
     return power;
+}
+
+bool lamp_triangles_color(const struct lamp_triangles *triangles, float radiance[3]) {
+    const struct lamp_triangle *items = triangles->items;
+    bool alike = triangles->count > 0 && !triangles->has_detail;
+    for (int i = 3; alike && i < 3 * triangles->count; i++) {
+        double first = items->radiance[i % 3];
+        alike = fabs(items[i / 3].radiance[i % 3] - first) <= likeness * first;
+    }
+    for (int c = 0; alike && c < 3; c++)
+        radiance[c] = (float)items->radiance[c];
+    return alike;
 }

@@ -10,7 +10,9 @@
 struct lamp_triangles {
     struct lamp_triangle *items;
     int count;
-    uint32_t looks; /* how many texels may still be looked at closely */
+    bool has_detail;             /* a texture's, over one of them */
+    uint32_t looks;              /* how many texels may still be looked at closely */
+    const float *srgb_to_linear; /* texture_decode_table's */
 };
 
 /* Looks for all surfaces of a scene, however often each is there. */
@@ -26,5 +28,8 @@ void lamp_triangles_free(struct lamp_triangles *triangles);
 
 /* Area x the sum of RGB, W/sr. */
 double lamp_triangles_power(const struct lamp_triangles *triangles);
+
+/* The radiance that all of them have all over, W/(sr m2); false where there is none. */
+bool lamp_triangles_color(const struct lamp_triangles *triangles, float radiance[3]);
 
 #endif

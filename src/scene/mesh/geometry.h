@@ -46,8 +46,8 @@ struct geometry {
     uint32_t *indices;
     struct geometry_batch *batches;
     int batch_count;
-    int mapping_count;           /* from 1 on */
-    uint32_t opaque_index_count; /* indices of the batches without alpha mask: [0, this) */
+    int mapping_count;             /* from 1 on */
+    uint32_t opaque_index_count;   /* indices of the batches without alpha mask: [0, this) */
     uint32_t blocking_index_count; /* of all but panes: [0, this) */
     int blocking_batch_count;
     bool glass_blocks; /* glass is no pane */

@@ -21,16 +21,22 @@ static vec4s mean_color(const struct scene *scene, const struct geometry *geomet
     return glms_vec4_scale(sum, 1.F / PLACES);
 }
 
-/* What passes is base + color x plate, or its root: of the cosine and the index. */
+static uint32_t unorm_of(float share) {
+    return (uint32_t)lrintf(share * 65535);
+}
+
+/* Shares of light that go past it and that enter it, in 16 bits each; the index; the colour. */
 static void pack(struct bvh_triangle *triangle, const struct material *material, vec4s color) {
     struct pane_color pane = material_pane_color(material, color);
-    memcpy(&triangle->opaque[0], &pane.base, sizeof pane.base);
+    float enters = (1 - pane.base) * material_transmits(material);
     float index = material->thin_walled ? pane.index : -pane.index;
+    triangle->opaque[0] = unorm_of(pane.base) | unorm_of(enters) << 16;
     memcpy(&triangle->opaque[1], &index, sizeof index);
     triangle->number = 0;
-    for (int c = 0; c < 3; c++)
-        triangle->number |= (uint32_t)lrintf(pane.glass.raw[c] * PANE_COLOR_MOST)
-                            << PANE_COLOR_BITS * c;
+    for (int c = 0; c < 3; c++) {
+        float own = enters > 0 ? pane.glass.raw[c] / enters : glm_clamp(color.raw[c], 0, 1);
+        triangle->number |= (uint32_t)lrintf(own * PANE_COLOR_MOST) << PANE_COLOR_BITS * c;
+    }
 }
 
 struct opaque_triangles pane_triangles_of(const struct scene *scene,

@@ -1,4 +1,4 @@
-/* Panes as triangles for rays of shaders (glsl/visibility/panes.glsl): in place of the 64 bits of masks and the number each
+/* Panes as triangles for rays of shaders (glsl/lib/panes.glsl): in place of the 64 bits of masks and the number each
  * has what it lets pass, by the mean of its base colour.
  */
 #ifndef SCENE_MESH_PANE_TRIANGLES_H

@@ -1,18 +1,21 @@
 #include "techniques/implicit-visibility/lamps.h"
 
 #include "base/memory.h"
+#include "scene/lights/emissive.h"
 
 #include <stdlib.h>
 
-static int lamp_of(const struct scene *scene, const struct geometry *geometry, uint32_t vertex) {
-    const struct geometry_part *part = geometry->parts, *end = part + geometry->part_count;
-    while (part < end && vertex - part->first_vertex >= part->vertex_room)
-        part++;
-    for (int i = 0; part < end && i < scene->surface_count; i++)
-        if (scene->surfaces[i].node == part->node &&
-            scene->surfaces[i].primitive == part->primitive)
-            return scene->surfaces[i].lamp;
-    return 0;
+static void find_elements(struct lamps *lamps, const struct scene *scene,
+                          const struct geometry *geometry, const struct elements *elements) {
+    int *of_vertices = mem_alloc(geometry->vertex_count, sizeof *of_vertices);
+    for (int s = 0; s < scene->surface_count; s++) {
+        struct emissive_span span = emissive_find(geometry, &scene->surfaces[s]);
+        for (uint32_t i = 3 * span.first; i < 3 * span.end; i++)
+            of_vertices[geometry->indices[i]] = scene->surfaces[s].lamp;
+    }
+    for (int i = 0; i < elements->count; i++)
+        lamps->of_elements[i] = of_vertices[elements->items[i].corners[0]];
+    free(of_vertices);
 }
 
 static void add_up(double (*sums)[3], int count, const struct emitters *emitters) {
@@ -38,8 +41,7 @@ void lamps_init(struct lamps *lamps, const struct scene *scene, const struct geo
     lamps->share = mem_alloc((size_t)lamps->count, sizeof *lamps->share);
     lamps->of_elements = mem_alloc((size_t)elements->count, sizeof *lamps->of_elements);
     add_up(lamps->own, lamps->count, &emitters);
-    for (int i = 0; i < elements->count; i++)
-        lamps->of_elements[i] = lamp_of(scene, geometry, elements->items[i].corners[0]);
+    find_elements(lamps, scene, geometry, elements);
     emitters_free(&emitters);
 }
 

@@ -1,11 +1,14 @@
-/* What the files of the bridge to Dear ImGui share: the one place that names it. */
+/* What the files of the bridge to Dear ImGui share. */
 #ifndef VIEWER_WINDOW_LOOK_HPP
 #define VIEWER_WINDOW_LOOK_HPP
 
+#include "viewer/window/imgui_versions.hpp"
 #include "viewer/window/ui.h"
 
-#include <imgui.h>
-#include <imgui_internal.h>
+extern "C" {
+#include "viewer/window/window.h"
+}
+
 #include <string>
 #include <vector>
 
@@ -46,7 +49,7 @@ extern struct look {
 } look;
 
 inline float units(float of_line) {
-    return of_line * look.normal->FontSize;
+    return of_line * imgui_font_size(look.normal);
 }
 
 ImU32 look_color(ui_tone tone);
@@ -68,9 +71,9 @@ void look_follow_letters(void);
 /* The text itself, whose letters the fonts will have in the next frame. */
 const char *look_read(const char *text);
 
-/* Gives the keyboard to the panel, or takes it away, before a frame begins; and when it has begun:
- * viewer/window/ui_keys.cpp. */
-void look_follow_keys(void);
+/* Gives mouse and keyboard to Dear ImGui before a frame begins, and the keyboard to the panel or takes it away; and
+ * when the frame has begun: viewer/window/ui_keys.cpp. */
+void look_take_input(const struct input *input);
 void look_begin_keys(void);
 
 /* A tooltip for the last item, where the mouse rests on it. */

@@ -3,14 +3,9 @@
 
 extern "C" {
 #include "base/error.h"
-#include "viewer/window/window.h"
 }
 
-#include <backends/imgui_impl_glfw.h>
-#include <backends/imgui_impl_opengl3.h>
-
 #include <algorithm>
-#include <cfloat>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -174,26 +169,6 @@ void ui_free(void) {
     ImGui::DestroyContext();
 }
 
-/* In place of what the backend has polled, which knows no order. */
-static void take_input(ImGuiIO &io, const struct input *input) {
-    bool held = false;
-    for (int i = 0; i < BUTTON_COUNT; i++) {
-        io.MouseDown[i] = input->held[i];
-        held |= input->held[i];
-    }
-    ImVec2 scale = io.DisplayFramebufferScale;
-    io.MousePos = ImVec2(-FLT_MAX, -FLT_MAX);
-    if ((input->inside || held) && scale.x > 0 && scale.y > 0)
-        io.MousePos = ImVec2((float)input->x / scale.x, (float)input->y / scale.y);
-    io.MouseWheel = (float)input->scroll;
-    std::copy_n(input->down, std::min(input->down_count, IM_ARRAYSIZE(io.KeysDown)), io.KeysDown);
-    io.KeyCtrl = input->control;
-    io.KeyShift = input->shift;
-    io.KeyAlt = input->alt;
-    for (int i = 0; i < input->text_count; i++)
-        io.AddInputCharacter(input->text[i]);
-}
-
 /* The window has come to another monitor, or the user wants it so. */
 static void follow_scale(float scale) {
     if (scale == look.scale)
@@ -210,8 +185,7 @@ void ui_frame_begin(const struct input *input) {
     look_follow_letters();
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
-    take_input(ImGui::GetIO(), input);
-    look_follow_keys();
+    look_take_input(input); /* in place of what the backend has polled, which knows no order */
     ImGui::NewFrame();
     look_begin_keys();
     /* A row that is not there any more opens nothing. */
@@ -259,7 +233,7 @@ void ui_show_cursor(ui_cursor cursor) {
 }
 
 float ui_line_height(void) {
-    return look.normal->FontSize;
+    return imgui_font_size(look.normal);
 }
 
 /* --- areas --- */
@@ -369,7 +343,7 @@ void ui_disabled_end(void) {
 void ui_text(ui_tone tone, const char *format, ...) {
     LOOK_FORMAT(text, 2048, format);
     ImGui::PushStyleColor(ImGuiCol_Text, look_color(tone));
-    ImGui::PushFont(tone == UI_TITLE ? look.title : look.normal);
+    imgui_push_font(tone == UI_TITLE ? look.title : look.normal);
     ImGui::PushTextWrapPos(look.in_dialog ? units(40) : 0);
     ImGui::TextUnformatted(look_read(text));
     ImGui::PopTextWrapPos();

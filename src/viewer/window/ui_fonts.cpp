@@ -6,8 +6,6 @@ extern "C" {
 #include "base/log.h"
 }
 
-#include <backends/imgui_impl_opengl3.h>
-
 #include <cstring>
 #include <unistd.h>
 
@@ -99,9 +97,7 @@ const char *look_read(const char *text) {
 }
 
 void look_reload_fonts(void) {
-    ImGui_ImplOpenGL3_DestroyFontsTexture();
-    look_load_fonts();
-    ImGui_ImplOpenGL3_CreateFontsTexture();
+    imgui_reload_fonts(look_load_fonts);
 }
 
 /* From the radicals on, letters are East Asian, and emoji. */

@@ -2,6 +2,9 @@
  * arrows and Space mean its widgets; else they are the picture's. */
 #include "viewer/window/look.hpp"
 
+#include <algorithm>
+#include <cfloat>
+
 static ImGuiWindow *panel(void) {
     ImGuiWindow *window = ImGui::FindWindowByName("panel");
     return window && window->WasActive ? window : nullptr;
@@ -15,37 +18,58 @@ static void enter(ImGuiWindow *window) {
 
 static void leave(void) {
     ImGui::GetIO().ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-    ImGui::GetCurrentContext()->NavDisableHighlight = true;
+    imgui_show_highlight(false);
     look.had_keys = true;
     look.has_keys = false;
 }
 
 /* All widgets lie below each other: Dear ImGui's own Tab goes to those alone into which one types. */
-static void go_on(ImGuiIO &io) {
-    if (io.WantTextInput)
+static void go_on(bool shift, bool keys[WIDGET_KEY_COUNT]) {
+    if (ImGui::GetIO().WantTextInput)
         ImGui::ClearActiveID();
-    io.KeysDown[io.KeyMap[io.KeyShift ? ImGuiKey_UpArrow : ImGuiKey_DownArrow]] = true;
+    keys[shift ? WIDGET_KEY_UpArrow : WIDGET_KEY_DownArrow] = true;
 }
 
-void look_follow_keys(void) {
-    ImGuiIO &io = ImGui::GetIO();
-    int tab = io.KeyMap[ImGuiKey_Tab], escape = io.KeyMap[ImGuiKey_Escape];
-    bool tabbed = io.KeysDown[tab] && !look.tab_before && !io.KeyCtrl && !io.KeyAlt;
-    bool escaped = io.KeysDown[escape] && !look.escape_before;
-    bool holds = io.KeysDown[tab] && look.tab_enters; /* the one that entered */
-    bool is_open = ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 || io.WantTextInput;
+static void follow_keys(const struct input *input, bool keys[WIDGET_KEY_COUNT]) {
+    bool tab = keys[WIDGET_KEY_Tab];
+    bool tabbed = tab && !look.tab_before && !input->control && !input->alt;
+    bool escaped = keys[WIDGET_KEY_Escape] && !look.escape_before;
+    bool holds = tab && look.tab_enters; /* the one that entered */
+    bool is_open =
+        ImGui::GetCurrentContext()->OpenPopupStack.Size > 0 || ImGui::GetIO().WantTextInput;
     look.tab_enters = holds;
-    look.tab_before = io.KeysDown[tab];
-    look.escape_before = io.KeysDown[escape];
+    look.tab_before = tab;
+    look.escape_before = keys[WIDGET_KEY_Escape];
     look.had_keys = false;
-    if (look.has_keys && (!panel() || io.MouseDown[0] || (escaped && !is_open)))
+    if (look.has_keys && (!panel() || input->held[BUTTON_LEFT] || (escaped && !is_open)))
         leave();
     else if (!look.has_keys && tabbed && !is_open && panel())
         enter(panel());
-    else if (look.has_keys && io.KeysDown[tab] && !holds)
-        go_on(io);
+    else if (look.has_keys && tab && !holds)
+        go_on(input->shift, keys);
     if (look.has_keys)
-        io.KeysDown[tab] = false;
+        keys[WIDGET_KEY_Tab] = false;
+}
+
+static ImVec2 mouse_of(const struct input *input) {
+    bool held = std::any_of(input->held, input->held + BUTTON_COUNT, [](bool is) { return is; });
+    ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    if ((!input->inside && !held) || scale.x <= 0 || scale.y <= 0)
+        return ImVec2(-FLT_MAX, -FLT_MAX);
+    return ImVec2((float)input->x / scale.x, (float)input->y / scale.y);
+}
+
+void look_take_input(const struct input *input) {
+    bool keys[WIDGET_KEY_COUNT];
+    std::copy_n(input->widget_keys, (int)WIDGET_KEY_COUNT, keys);
+    follow_keys(input, keys);
+    imgui_set_mouse(mouse_of(input), input->held, BUTTON_COUNT, (float)input->scroll);
+    imgui_set_modifiers(input->control, input->shift, input->alt);
+#define SET_KEY(name, code) imgui_set_key(ImGuiKey_##name, keys[WIDGET_KEY_##name]);
+    WIDGET_KEYS(SET_KEY)
+#undef SET_KEY
+    for (int i = 0; i < input->text_count; i++)
+        ImGui::GetIO().AddInputCharacter(input->text[i]);
 }
 
 /* NewFrame would forget it. */
@@ -53,7 +77,7 @@ void look_begin_keys(void) {
     ImGuiWindow *window = panel();
     if (look.begins_keys && window) {
         ImGui::NavInitWindow(window, true);
-        ImGui::GetCurrentContext()->NavDisableHighlight = false;
+        imgui_show_highlight(true);
     }
     look.begins_keys = false;
 }
@@ -61,6 +85,6 @@ void look_begin_keys(void) {
 bool ui_is_entered(void) {
     const ImGuiIO &io = ImGui::GetIO();
     return !io.WantTextInput && !look.has_keys &&
-           (ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_Enter], false) ||
-            ImGui::IsKeyPressed(io.KeyMap[ImGuiKey_KeyPadEnter], false));
+           (imgui_is_pressed(ImGuiKey_Enter, false) ||
+            imgui_is_pressed(ImGuiKey_KeypadEnter, false));
 }

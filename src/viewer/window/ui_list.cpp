@@ -42,10 +42,6 @@ int leave_arrows(ImGuiInputTextCallbackData *) {
     return 0;
 }
 
-bool is_pressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
-}
-
 ui_search pressed_key() {
     const struct {
         ImGuiKey key;
@@ -55,7 +51,7 @@ ui_search pressed_key() {
                 {ImGuiKey_PageUp, UI_SEARCH_PAGE_UP},
                 {ImGuiKey_PageDown, UI_SEARCH_PAGE_DOWN}};
     for (const auto &entry : keys)
-        if (is_pressed(entry.key))
+        if (imgui_is_pressed(entry.key, true))
             return entry.search;
     return UI_SEARCH_NOTHING;
 }
@@ -89,7 +85,7 @@ ui_search ui_search_field(const char *id, char *text, size_t size, const char *h
     look_mark(hint);
     if (entered)
         return UI_SEARCH_ENTERED;
-    if (has_keys && was_empty && is_pressed(ImGuiKey_Backspace))
+    if (has_keys && was_empty && imgui_is_pressed(ImGuiKey_Backspace, true))
         return UI_SEARCH_BACK;
     return ImGui::IsItemEdited() ? UI_SEARCH_EDITED : has_keys ? pressed_key() : UI_SEARCH_NOTHING;
 }

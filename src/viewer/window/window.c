@@ -322,8 +322,9 @@ const struct input *window_poll(struct window *window, double wait, bool holds) 
     input->shift = either(window, GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
     input->control = either(window, GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     input->alt = either(window, GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT);
-    input->down = window->down;
-    input->down_count = GLFW_KEY_LAST + 1;
+#define TAKE_KEY(name, code) input->widget_keys[WIDGET_KEY_##name] = window->down[GLFW_KEY_##code];
+    WIDGET_KEYS(TAKE_KEY)
+#undef TAKE_KEY
     free(window->input.dropped);
     window->input = *input;
     *input = next_of(input);

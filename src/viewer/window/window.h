@@ -30,6 +30,38 @@ enum window_key {
     KEY_WITH_SHIFT = 1 << 11,   /* and Shift, too */
 };
 
+/* Keys of widgets: Dear ImGui's name, and GLFW's. */
+#define WIDGET_KEYS(KEY)                                                                           \
+    KEY(Tab, TAB)                                                                                  \
+    KEY(LeftArrow, LEFT)                                                                           \
+    KEY(RightArrow, RIGHT)                                                                         \
+    KEY(UpArrow, UP)                                                                               \
+    KEY(DownArrow, DOWN)                                                                           \
+    KEY(PageUp, PAGE_UP)                                                                           \
+    KEY(PageDown, PAGE_DOWN)                                                                       \
+    KEY(Home, HOME)                                                                                \
+    KEY(End, END)                                                                                  \
+    KEY(Insert, INSERT)                                                                            \
+    KEY(Delete, DELETE)                                                                            \
+    KEY(Backspace, BACKSPACE)                                                                      \
+    KEY(Space, SPACE)                                                                              \
+    KEY(Enter, ENTER)                                                                              \
+    KEY(KeypadEnter, KP_ENTER)                                                                     \
+    KEY(Escape, ESCAPE)                                                                            \
+    KEY(A, A)                                                                                      \
+    KEY(C, C)                                                                                      \
+    KEY(V, V)                                                                                      \
+    KEY(X, X)                                                                                      \
+    KEY(Y, Y)                                                                                      \
+    KEY(Z, Z)
+
+enum widget_key {
+#define WIDGET_KEY(name, code) WIDGET_KEY_##name,
+    WIDGET_KEYS(WIDGET_KEY)
+#undef WIDGET_KEY
+        WIDGET_KEY_COUNT
+};
+
 enum window_button { BUTTON_LEFT, BUTTON_RIGHT, BUTTON_MIDDLE, BUTTON_COUNT };
 
 /* What happened in a turn: as much as has no order (viewer/window/events.h). Positions are in pixels of
@@ -47,11 +79,10 @@ struct input {
     int key_count;
     unsigned text[EVENTS_OF_TURN]; /* characters typed */
     int text_count;
-    const bool *down; /* whether each key is held, by the system's own codes */
-    int down_count;
-    char *dropped; /* a file's path, or NULL */
-    bool any;      /* anything at all happened */
-    bool close;    /* asked for by the window manager */
+    bool widget_keys[WIDGET_KEY_COUNT]; /* held */
+    char *dropped;                      /* a file's path, or NULL */
+    bool any;                           /* anything at all happened */
+    bool close;                         /* asked for by the window manager */
 };
 
 struct window_desc {
