@@ -3,7 +3,7 @@
 
 DEB := build/deb
 DEB_SOURCE := $(DEB)/manylight-$(VERSION)
-DEB_PACKAGES := debhelper dh-python dpkg-dev fakeroot lintian pybuild-plugin-pyproject python3-cffi python3-dev python3-mesonpy
+DEB_PACKAGES := build-essential debhelper dh-python dpkg-dev fakeroot lintian pybuild-plugin-pyproject python3-cffi python3-dev python3-mesonpy
 
 # Debian's Python and tools, and no others of the user's.
 DEB_PATH := /usr/sbin:/usr/bin:/sbin:/bin

@@ -81,7 +81,7 @@ tests: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
 
 # A folder, and an archive of it, that runs on a bare Linux machine with a driver of OpenGL: program, test programs, scenes
 # and libraries, without the viewer (bundle/README). It is built apart, in BUNDLE_BUILD.
-BUNDLE_PACKAGES := $(filter-out libopenimageio-dev libglfw3-dev libimgui-dev libx11-dev gnuplot-nox xvfb xdotool,$(PACKAGES)) \
+BUNDLE_PACKAGES := $(filter-out libopenimageio-dev libglfw3-dev libimgui-dev libx11-dev gnuplot-nox xvfb xauth xdotool,$(PACKAGES)) \
     patchelf
 BUNDLE := build/bundle
 BUNDLE_BUILD := build/bundle-parts

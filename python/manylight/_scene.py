@@ -32,7 +32,7 @@ class Scene:
     source : path of a .glb or .gltf file, or the file's bytes; None: from meshes
     path : with bytes, the path whose folder has the files that they name
     meshes, materials, lights, cameras : parts of a scene from arrays (`Mesh`, `Material`, `Light`, `Camera`)
-    light, clip, environment, environment_turn (degrees), environment_strength, strict, root : as the options of
+    light, clip, environment, environment_turn (degrees), environment_strength, strict, root, scene, variant : as the options of
         `manylight render`
     """
 
@@ -42,10 +42,11 @@ class Scene:
                  light: Optional[str] = None, clip: Optional[str] = None,
                  environment: "str | os.PathLike[str] | None" = None, environment_turn: float = 0,
                  environment_strength: float = 0, strict: bool = False,
-                 root: "str | os.PathLike[str] | None" = None):
+                 root: "str | os.PathLike[str] | None" = None, scene: Optional[str] = None,
+                 variant: Optional[str] = None):
         desc = Descriptor("scene_desc", path=path, light=light, clip=clip, environment=environment,
                           environment_turn=environment_turn, environment_strength=environment_strength,
-                          strict=strict, root=root)
+                          strict=strict, root=root, scene=scene, variant=variant)
         if isinstance(source, (bytes, bytearray, memoryview)):
             memory = desc.keep(ffi.from_buffer(source))
             desc.set("memory", memory)

@@ -6,6 +6,7 @@
 #include "base/events.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/words.h"
 #include "scene/read_rules.h"
 
 #include <stdlib.h>
@@ -105,6 +106,21 @@ static void print_help(const struct arguments *arguments, const struct option *t
         printf("\nmanylight %s --help-all lists all options and settings.\n", name);
 }
 
+bool arguments_check_use(const struct common_values *common, const struct option_use *uses) {
+    for (const struct option_use *use = uses; use->options; use++)
+        for (int i = 0; i < common->given.count; i++)
+            for (struct word word = {.at = use->options}; !use->applies && word_next(&word);)
+                if (word_is(&word, common->given.items[i]))
+                    return error_set("--%s is for %s", common->given.items[i], use->place);
+    return true;
+}
+
+/* Of the options that all subcommands have. */
+static bool check_common(const struct common_values *common) {
+    return arguments_check_use(
+        common, (struct option_use[]){{"verbose", !common->quiet, "runs without --quiet"}, {NULL}});
+}
+
 static bool apply(int argc, char **argv, const struct arguments *arguments,
                   const struct common_values *common) {
     if (arguments->shows_progress && common->progress == 1)
@@ -132,6 +148,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     for (int i = 0; i < arguments->max_positional; i++)
         positional[i] = NULL;
     struct option *table = join_tables(arguments);
+    struct common_values *common = values;
     options_set_defaults(table, values);
     bool go_on = false;
     if (reading) {
@@ -139,11 +156,13 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
         *status = STATUS_OK;
     } else if (asks_for_help(argc, argv, values)) {
         options_parse_arguments(table, values, argc, argv, positional, arguments->max_positional,
-                                positional_count);
+                                positional_count, NULL);
         print_help(arguments, table, argv[0], values);
         *status = STATUS_OK;
     } else if (!options_parse_arguments(table, values, argc, argv, positional,
-                                        arguments->max_positional, positional_count)) {
+                                        arguments->max_positional, positional_count,
+                                        &common->given) ||
+               !check_common(common)) {
         *status = arguments_misuse(argv[0]);
     } else if (*positional_count < arguments->min_positional) {
         error_set("arguments are missing: %s", arguments->synopsis);

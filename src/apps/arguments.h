@@ -30,6 +30,7 @@ struct common_values {
     int progress;     /* an index of progress_names */
     bool strict;      /* this and root: of scene/read_rules.h */
     const char *root;
+    struct text_list given; /* names of the options on the command line */
 };
 
 struct arguments {
@@ -48,6 +49,16 @@ struct arguments {
  * over and returns *status, after --help has been printed or a usage error. */
 bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
                      const char **positional, int *positional_count, int *status);
+
+/* Options that have an effect at a place alone. */
+struct option_use {
+    const char *options; /* words */
+    bool applies;        /* whether this command line has the place */
+    const char *place;   /* "--frames" */
+};
+
+/* Refuses options that are given and do not apply; the table ends with a NULL. Error: names the option and its place. */
+bool arguments_check_use(const struct common_values *common, const struct option_use *uses);
 
 /* In place of each subcommand's run, until it is NULL again: gets the arguments, with the common options in the table,
  * and defaults as values. */

@@ -131,6 +131,18 @@ static bool ask_bounded(struct report *report, const char *text) {
     return true;
 }
 
+/* What an option needs to have an effect. */
+static bool check_use(const struct report *report, const struct values *values, bool is_picture) {
+    bool has_flip = values->metrics.count == 0;
+    for (int i = 0; i < METRIC_COUNT; i++)
+        has_flip |= report->measurements[i].asked && strstr(metrics[i].name, "flip");
+    return arguments_check_use(
+        &values->common,
+        (struct option_use[]){{"ppd", has_flip, "hdr-flip and ldr-flip"},
+                              {"top", is_picture, "a picture in false colours: -o FILE.png"},
+                              {NULL}});
+}
+
 /* Everything that the arguments alone can get wrong. */
 static bool report_init(struct report *report, const struct values *values) {
     *report = (struct report){0};
@@ -141,14 +153,14 @@ static bool report_init(struct report *report, const struct values *values) {
     for (int i = 0; i < values->bounds.count; i++)
         if (!ask_bounded(report, values->bounds.items[i]))
             return error_prefix("max");
-    bool is_float;
+    bool is_float = true;
     if (!outputs_use_format(&values->output, 1, values->format))
         return false;
     if (values->output && !image_format_is_float(values->output, &is_float))
         return false;
     if (values->output && report->pictured && report->pictured->higher_is_better)
         return error_set("%s has no picture; put another --metric first", report->pictured->name);
-    return true;
+    return check_use(report, values, !is_float);
 }
 
 /* The two layers, linear, and whether either file stores integers. */

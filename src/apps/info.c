@@ -11,12 +11,15 @@
 struct values {
     struct common_values common;
     bool gl;
+    struct scene_choice choice;
     struct context_desc context;
 };
 
 static const struct option options[] = {
     {"gl", 0, OPTION_FLAG, offsetof(struct values, gl),
      .help = "print the OpenGL implementation, its limits, and the EGL devices"},
+    SCENE_OPTION(struct values, choice),
+    VARIANT_OPTION(struct values, choice),
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
@@ -91,7 +94,13 @@ int app_info(int argc, char **argv) {
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &scene, &count, &status))
         return status;
-    bool ok =
-        (!scene || scene_summary_print(scene)) && ((scene && !values.gl) || print_gl(&values));
+    const struct option_use uses[] = {
+        {"strict root scene variant", scene, "a SCENE"},
+        {"context device screen-passes gl-debug", !scene || values.gl, "--gl"},
+        {NULL}};
+    if (!arguments_check_use(&values.common, uses))
+        return arguments_misuse(argv[0]);
+    bool ok = (!scene || scene_summary_print(scene, &values.choice)) &&
+              ((scene && !values.gl) || print_gl(&values));
     return ok ? STATUS_OK : arguments_fail(argv[0]);
 }

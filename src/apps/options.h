@@ -48,6 +48,14 @@ struct technique_values {
     "size of the picture, pixels [800x800; 800 along the longer side for a camera with an\n"       \
     "aspect ratio]; the vertical field of view stays the camera's"
 
+/* Which parts of the file are shown: the member is a struct scene_choice. */
+#define SCENE_OPTION(type, member)                                                                 \
+    {"scene", 0, OPTION_TEXT, offsetof(type, member.scene), .value_name = "NAME|N",                \
+     .help = "scene of the file by name or number [the file's default]"}
+#define VARIANT_OPTION(type, member)                                                               \
+    {"variant", 0, OPTION_TEXT, offsetof(type, member.variant), .value_name = "NAME|N",            \
+     .help = "material variant by name or number [none] (manylight info lists them)"}
+
 /* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
  * stage_desc. */
 #define STAGE_OPTIONS(type, member)                                                                \

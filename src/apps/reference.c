@@ -105,6 +105,8 @@ static const struct option options[] = {
     {"seed", 0, OPTION_INT, offsetof(struct values, tracer.seed), 0, 0, 2147483647,
      .help = "seed of the random numbers; another seed has other noise"},
     STAGE_OPTIONS(struct values, stage),
+    SCENE_OPTION(struct values, stage.choice),
+    VARIANT_OPTION(struct values, stage.choice),
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
@@ -136,17 +138,31 @@ static bool ao_is_auto(const struct values *values) {
 }
 
 static bool parse_ao(struct values *values) {
-    if (values->ao && values->technique != TECHNIQUE_PATH)
-        return error_set("--ao is for --technique path");
     return !values->ao || ao_is_auto(values) || option_parse(&ao_distance, values, values->ao);
+}
+
+/* Sums of VPLs have one bounce, and settings of their own for the rest. */
+static bool check_use(const struct values *values) {
+    bool path = values->technique == TECHNIQUE_PATH, cut = values->technique == TECHNIQUE_LIGHTCUTS;
+    return arguments_check_use(
+        &values->common,
+        (struct option_use[]){
+            {"bounces spp paths noise centers background seen ao denoise smooth "
+             "light-paths materials",
+             path, "--technique path"},
+            {"paths denoise", values->tracer.bounces > 0, "--bounces of 1 or more"},
+            {"context device screen-passes gl-debug", !path,
+             "--technique vpl-raytraced and lightcuts, which use OpenGL"},
+            {"tolerance", cut, "--technique lightcuts"},
+            {"seed", path || cut || values->compensation > 0,
+             "--technique path, lightcuts and --compensation"},
+            {NULL}});
 }
 
 /* Of the options for glass and mirrors; light paths need the picture that shows both. */
 static bool check_light_paths(struct values *values) {
     values->tracer.smooth |= values->light_paths > 0;
     const char *option = values->light_paths > 0 ? "--light-paths" : "--smooth";
-    if (values->tracer.smooth && values->technique != TECHNIQUE_PATH)
-        return error_set("%s is for --technique path", option);
     return !values->tracer.smooth || values->tracer.materials == MATERIALS_FULL ||
            error_set("%s is for --materials full, which has glass and mirrors", option);
 }
@@ -160,11 +176,7 @@ static bool check_values(struct values *values) {
         return false;
     if (values->noise > 0 && values->tracer.samples > 0)
         return error_set("--spp and --noise exclude each other");
-    if (values->technique != TECHNIQUE_PATH && values->tracer.denoise)
-        return error_set("--denoise is for --technique path");
-    if (values->technique != TECHNIQUE_PATH && values->tracer.materials)
-        return error_set("--materials is for --technique path");
-    if (!check_light_paths(values))
+    if (!check_use(values) || !check_light_paths(values))
         return false;
     if (!parse_ao(values) || !background_parse(&background, values->background) ||
         !background_check(&background, &values->output, 1))

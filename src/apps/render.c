@@ -43,7 +43,9 @@ struct values {
     const char *format, *background, *frames, *glsl, *aov;
     int quality, passes, first_pass;
     bool passes_given; /* by --passes, and not by a quality */
-    float max_error, budget, fps;
+    float max_error, budget;
+    const char *fps;
+    struct frame_rate rate; /* of fps */
     bool skip_existing, stats, shipped_costs;
     struct costs costs;        /* of this machine, where something is chosen by them */
     struct in_time in_time;    /* where budget */
@@ -90,11 +92,15 @@ static const struct option options[] = {
              "with every technique ao (ambient occlusion, by volume.size and volume.ao-distance)",
      .rare = true},
     STAGE_OPTIONS(struct values, stage),
+    SCENE_OPTION(struct values, stage.choice),
+    VARIANT_OPTION(struct values, stage.choice),
     {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
-     .help = "frames of a sequence; frame 0 is at --time; #### in\n"
-             "the output's name becomes the number of the frame"},
-    {"fps", 0, OPTION_FLOAT, offsetof(struct values, fps), 25, .001, 1e6,
-     .help = "frames per second of a sequence", .rare = true},
+     .help = "frames of a sequence, A..BxN every Nth; frame 0 is at --time; ####, @@@@, %04d or\n"
+             "$F4 in the output's name becomes the number of the frame"},
+    {"fps", 0, OPTION_TEXT, offsetof(struct values, fps), .value_name = "X|N/M",
+     .help = "frames per second of a sequence; 24000/1001, or 23.976, 29.97 and 59.94 for the\n"
+             "rates of NTSC [25]",
+     .rare = true},
     {"passes", 0, OPTION_INT, offsetof(struct values, passes), 0, 0, 1000000,
      .help = "number of passes, each with its own VPLs and pixel positions; the\n"
              "picture is their mean and converges; passes after the first have own\n"
@@ -161,10 +167,9 @@ static bool check_name(const struct values *values, const char *name, int frame_
         return error_set("-o -: standard output takes one picture, without --frames and "
                          "--skip-existing");
     if (!values->frames && numbered)
-        return error_set("%s: '#' stands for the number of a frame, and there is no --frames",
-                         name);
+        return frame_name_refuse(name, "there is no --frames");
     if (frame_count > 1 && !numbered)
-        return error_set("%s: %d frames need #### in the file's name", name, frame_count);
+        return error_set("%s: %d frames need #### or %%04d in the file's name", name, frame_count);
     return true;
 }
 
@@ -178,8 +183,7 @@ static bool check_videos(const struct values *values) {
         if (!values->frames)
             return error_set("%s: a video needs --frames A..B", paths->items[i]);
         if (frame_name_is_numbered(paths->items[i]))
-            return error_set("%s: '#' stands for the number of a frame, and a video has all frames",
-                             paths->items[i]);
+            return frame_name_refuse(paths->items[i], "a video has all frames");
         if (values->skip_existing)
             return error_set("%s: a video is made of all frames, and --skip-existing leaves some "
                              "out; write numbered pictures: -o frame.####.png",
@@ -198,8 +202,22 @@ static bool check_background(const struct values *values, const struct backgroun
            background_check(background, values->outputs.items, values->outputs.count);
 }
 
+/* What an option needs to have an effect. exr: how many outputs are of that format. */
+static bool check_use(const struct values *values, int exr) {
+    bool chooses = values->max_error > 0 || values->budget > 0;
+    int all = values->outputs.count + values->videos.paths.count;
+    return arguments_check_use(
+        &values->common,
+        (struct option_use[]){{"fps", values->frames, "--frames"},
+                              {"shipped-costs", chooses, "--max-error and --budget"},
+                              {"layer", exr < all, "formats of one layer; EXR holds all of them"},
+                              {"aov", exr > 0, "formats that hold all layers: -o FILE.exr"},
+                              {NULL}});
+}
+
 static bool check_outputs(const struct values *values, int frame_count) {
-    bool is_float, any_float = false;
+    bool is_float;
+    int exr = 0;
     if (values->aov && has_mean(values))
         return error_set("aov: outputs of a technique are of one pass, and not of a mean");
     if (values->outputs.count + values->videos.paths.count == 0)
@@ -210,9 +228,9 @@ static bool check_outputs(const struct values *values, int frame_count) {
     for (int i = 0; i < values->outputs.count; i++) {
         if (!check_name(values, values->outputs.items[i], frame_count, &is_float))
             return false;
-        any_float = any_float || is_float;
+        exr += image_name_holds_layers(values->outputs.items[i]);
     }
-    return !values->aov || any_float || error_set("aov: no output that holds layers: -o FILE.exr");
+    return check_use(values, exr);
 }
 
 typedef bool visit_output(const struct values *values, struct renderer *renderer, const char *path);
@@ -230,7 +248,7 @@ static bool each_output(const struct values *values, struct renderer *renderer, 
 }
 
 static double frame_time(const struct values *values, int frame) {
-    return (double)values->stage.time + frame / (double)values->fps;
+    return (double)values->stage.time + frame / values->rate.fps;
 }
 
 static bool check_file(const struct values *values, struct renderer *renderer, const char *path) {
@@ -263,7 +281,8 @@ static bool write_output(const struct values *values, struct renderer *renderer,
         return false;
     if (is_float) {
         struct image image = {0};
-        ok = read_image(values, renderer, &image) && image_write(&image, path);
+        ok = read_image(values, renderer, &image) &&
+             image_write_layer(&image, path, shown_layer_prefix(values->layer));
         image_free(&image);
     } else {
         struct bitmap bitmap;
@@ -422,7 +441,7 @@ static bool render(struct values *values, const struct frames *frames,
     if (!renderer_init(&renderer, desc))
         return false;
     bool ok = aov_check(&renderer, values->aov) &&
-              videos_begin(&values->videos, desc->width, desc->height, (double)values->fps) &&
+              videos_begin(&values->videos, desc->width, desc->height, values->rate.text) &&
               render_frames(values, frames, &renderer, stage);
     ok = videos_end(&values->videos, ok) && ok;
     for (int i = 0; ok && i < values->videos.paths.count; i++)
@@ -541,7 +560,8 @@ static bool resolve(struct values *values, const struct frames *frames,
     desc->progressive = has_mean(values);
     desc->timed = values->stats || values->budget > 0;
     values->in_time.texts = &named->settings;
-    return check_outputs(values, frames->count) &&
+    return frame_rate_parse(&values->rate, values->fps ? values->fps : "25") &&
+           check_outputs(values, frames->count) &&
            background_parse(&desc->background, values->background) &&
            check_background(values, &desc->background) &&
            technique_values_resolve(named, &desc->technique, &desc->direct, &desc->settings) &&

@@ -34,7 +34,11 @@ static void print_meshes(const struct scene *scene) {
             triangles += mesh->primitives[p].index_count / 3;
         }
     }
-    printf("nodes      %d\n", scene->node_count);
+    int hidden = 0;
+    for (int i = 0; i < scene->node_count; i++)
+        hidden += scene->nodes[i].hidden;
+    printf("nodes      %d", scene->node_count);
+    printf(hidden ? " (hidden %d)\n" : "\n", hidden);
     printf("meshes     %d (primitives %d), %ld vertices, %ld triangles\n", scene->mesh_count,
            primitives, vertices, triangles);
 }
@@ -218,13 +222,24 @@ static void print_clips(const struct scene *scene) {
         printf("metaballs  %d\n", scene->metaballs_count);
 }
 
-bool scene_summary_print(const char *path) {
+/* Of the file, where there is a choice. */
+static void print_choice(const char *noun, const struct choice_list *list, int least) {
+    if (list->count < least)
+        return;
+    printf("%-10s %d\n", noun, list->count);
+    for (int i = 0; i < list->count; i++)
+        printf("  %d  %-20s%s\n", i, list->names[i], i == list->shown ? " shown" : "");
+}
+
+bool scene_summary_print(const char *path, const struct scene_choice *choice) {
     struct scene scene;
     struct geometry geometry;
-    const struct scene_open_desc desc = {.may_be_empty = true};
+    const struct scene_open_desc desc = {.may_be_empty = true, .choice = *choice};
     bool ok = scene_open(&scene, &geometry, path, &desc);
     if (ok) {
         printf("scene      %s\n", path);
+        print_choice("scenes", &scene.scenes, 2);
+        print_choice("variants", &scene.variants, 1);
         print_meshes(&scene);
         print_left_out(&scene);
         print_geometry(&geometry);

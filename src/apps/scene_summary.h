@@ -2,9 +2,9 @@
 #ifndef APPS_SCENE_SUMMARY_H
 #define APPS_SCENE_SUMMARY_H
 
-#include <stdbool.h>
+#include "scene/choice.h"
 
 /* On stdout. Error: the scene cannot be loaded, or nothing in it can be drawn. */
-bool scene_summary_print(const char *path);
+bool scene_summary_print(const char *path, const struct scene_choice *choice);
 
 #endif

@@ -22,11 +22,11 @@ bool videos_check(const struct videos *videos) {
     return ok;
 }
 
-bool videos_begin(struct videos *videos, int width, int height, double fps) {
+bool videos_begin(struct videos *videos, int width, int height, const char *rate) {
     bool ok = true;
     while (ok && videos->begun < videos->paths.count) {
         int i = videos->begun++;
-        ok = video_file_begin(&videos->files[i], videos->paths.items[i], width, height, fps);
+        ok = video_file_begin(&videos->files[i], videos->paths.items[i], width, height, rate);
     }
     return ok;
 }

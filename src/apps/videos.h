@@ -19,7 +19,7 @@ void videos_take(struct videos *videos, struct text_list *outputs);
 bool videos_check(const struct videos *videos);
 
 /* Error: video_file_begin's and video_file_add's; videos_end is then to be called. */
-bool videos_begin(struct videos *videos, int width, int height, double fps);
+bool videos_begin(struct videos *videos, int width, int height, const char *rate);
 bool videos_add(struct videos *videos, const struct bitmap *frame);
 
 /* ok false: no video is kept, and no new error set. */

@@ -28,6 +28,8 @@ static const struct option options[] = {
              "--set, from the times of the frames before; 0: off"},
     TECHNIQUE_OPTIONS(struct values, technique),
     STAGE_OPTIONS(struct values, viewer),
+    SCENE_OPTION(struct values, viewer.choice),
+    VARIANT_OPTION(struct values, viewer.choice),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, viewer.layer), .choices = shown_layer_names,
      .help = "light to show"},
     {"passes", 0, OPTION_INT, offsetof(struct values, viewer.passes), 0, 0, 1000000,

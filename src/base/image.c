@@ -65,6 +65,18 @@ struct image image_copy(const struct image *image) {
     return copy;
 }
 
+struct image image_pick(const struct image *image, const int *channels, const char *const *names,
+                        int count) {
+    struct image picked;
+    image_init_named(&picked, image->width, image->height, names, count);
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < pixels; i++)
+        for (int c = 0; c < count; c++)
+            picked.pixels[i * (size_t)count + (size_t)c] =
+                image->pixels[i * (size_t)image->channel_count + (size_t)channels[c]];
+    return picked;
+}
+
 void image_add_channels(struct image *image, const char *channel_names) {
     int old_count = image->channel_count;
     add_names(image, channel_names);

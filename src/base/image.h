@@ -40,6 +40,9 @@ struct image {
     int part_count;
     struct image_attribute *attributes; /* attribute_count of them, to be written */
     int attribute_count;
+    /* Of a file while it is read: x and y of its red, green, blue and white (IMAGE_CHROMATICITIES), and what 1 stands
+     * for. Zeros are BT.709 and 1. */
+    float primaries[8], unit;
     /* Of a file: the whole picture, and where in it there are pixels. */
     struct image_window display, data;
 };
@@ -63,6 +66,10 @@ void image_init_named(struct image *image, int width, int height, const char *co
 
 /* Of the same size, channels and pixels. */
 struct image image_copy(const struct image *image);
+
+/* Copies `count` channels of the image, under these names. */
+struct image image_pick(const struct image *image, const int *channels, const char *const *names,
+                        int count);
 
 /* More channels, of zeros, after those that are there. */
 void image_add_channels(struct image *image, const char *channel_names);
@@ -90,6 +97,10 @@ int image_find_channel(const struct image *image, const char *name);
  * (beauty, rgba, Combined ...), then the first part with R G B, then the only layer of three. Parts
  * named as normals and the like come last. Error: lists the layers there are. */
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
+
+/* Multiplies R, G and B of each layer by the matrix and by `scale`, and luminance by `scale`. Layers of normals, depths
+ * and the like stay. Returns how many layers changed. */
+int image_convert_colours(struct image *image, double matrix[3][3], double scale);
 
 /* A sentence of which layer that is, to be freed; NULL where it is the one named, or an unnamed
  * picture where none is. */

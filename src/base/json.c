@@ -3,8 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* Bytes of the character as UTF-8 has it [RFC 3629 §4]; 0: none begins here. */
-static int utf8_length(const unsigned char *c) {
+int utf8_length(const unsigned char *c) {
     if (*c < 0x80)
         return 1;
     int length = *c >= 0xc2 && *c < 0xe0 ? 2 : *c >= 0xe0 && *c < 0xf0 ? 3 : 4;

@@ -4,6 +4,9 @@
 
 #include <stdio.h>
 
+/* Bytes of the character as UTF-8 has it [RFC 3629 §4]; 0: none begins here. A zero follows the text. */
+int utf8_length(const unsigned char *c);
+
 /* In quotes, escaped; U+FFFD for each byte that is not UTF-8. */
 void json_print_text(FILE *out, const char *text);
 

@@ -263,8 +263,18 @@ static const struct option *find_argument(const struct option *table, const char
     return option_find(table, name);
 }
 
+/* Once, however often it is given. */
+static void add_given(struct text_list *given, const char *name) {
+    for (int i = 0; i < given->count; i++)
+        if (strcmp(given->items[i], name) == 0)
+            return;
+    if (given->count < TEXT_LIST_MAX)
+        given->items[given->count++] = name;
+}
+
 bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
-                             const char **positional, int max_positional, int *positional_count) {
+                             const char **positional, int max_positional, int *positional_count,
+                             struct text_list *given) {
     bool only_positional = false;
     *positional_count = 0;
     for (int i = 1; i < argc; i++) {
@@ -287,6 +297,8 @@ bool options_parse_arguments(const struct option *table, void *values, int argc,
                 return error_set("--%s needs a value", option->name);
             if (!option_parse(option, values, value))
                 return false;
+            if (given)
+                add_given(given, option->name);
         }
     }
     return true;

@@ -71,10 +71,11 @@ void option_format(const struct option *option, const void *values, char *text, 
 bool option_equal(const struct option *option, const void *a, const void *b);
 
 /* Parses a command line: --name value, --name=value, -o value, flags, and up to max_positional
- * other arguments ("--" ends the options). argv[0] is skipped. Error: unknown option, missing
- * value... */
+ * other arguments ("--" ends the options). argv[0] is skipped. given gets the names of the options
+ * that are there, unless it is NULL. Error: unknown option, missing value... */
 bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
-                             const char **positional, int max_positional, int *positional_count);
+                             const char **positional, int max_positional, int *positional_count,
+                             struct text_list *given);
 
 /* "N", "WxH": the word for a value in help; "" of a flag. */
 const char *option_value_word(const struct option *option);

@@ -84,6 +84,13 @@ static void bind_all(const struct pass_state *state) {
         bind_image(&state->images[i]);
 }
 
+/* Lets what is queued read buffers and images before a pass writes them: llvmpipe from Mesa 25 on reads uniform blocks
+ * only when it draws what is queued. */
+static void wait_for_reads(void) {
+    gl.MemoryBarrier(GL_UNIFORM_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                     GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TRANSFORM_FEEDBACK_BARRIER_BIT);
+}
+
 static _Thread_local GLuint current_program;
 
 void pass_set_state(const struct pass_state *state) {
@@ -96,6 +103,8 @@ void pass_set_state(const struct pass_state *state) {
         set_primitives(state);
     }
     bind_all(state);
+    if (state->storages[0].buffer || state->images[0].texture)
+        wait_for_reads();
     if (state->barriers)
         gl.MemoryBarrier(state->barriers);
 }
@@ -191,6 +200,7 @@ void pass_draw(GLenum primitive, int count, int instances) {
 }
 
 void pass_feedback(GLuint buffer, int first, int count) {
+    wait_for_reads();
     /* Only for this draw: discarding would swallow later clears too. */
     gl.Enable(GL_RASTERIZER_DISCARD);
     gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);

@@ -113,11 +113,10 @@ void voxel_light_read(struct voxel_light *light, struct renderer *renderer, cons
     const struct volume_grid *grid = &volume->grid;
     for (int c = 0; c < 3; c++)
         place[c] = (position[c] - grid->corner[c]) / grid->voxel + 1.5F * normal[c];
-    if (!find_voxel(volume, place, voxel))
+    if (!find_voxel(volume, place, voxel) || !texel_of(grid, voxel, texel))
         return;
     light->order = volume->desc.order;
     for (int c = 0; c < 3; c++)
         light->middle[c] = grid->corner[c] + grid->voxel * ((float)voxel[c] + .5F);
-    texel_of(grid, voxel, texel);
     read_coefficients(light, volume, texel, renderer_frame(renderer).irradiance_scale);
 }

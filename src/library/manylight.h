@@ -230,6 +230,7 @@ struct manylight_scene_desc {
     float environment_turn, environment_strength;
     int strict;
     const char *root;
+    const char *scene, *variant; /* as render's --scene and --variant */
 };
 
 /* Error: names file, object and reason. */

@@ -54,6 +54,7 @@ static bool open_stage(struct manylight_scene *scene, const struct manylight_sce
                 : desc->memory ? "memory"
                                : "arrays",
         .bytes = bytes->data ? bytes : NULL,
+        .choice = {desc->scene, desc->variant},
         .light = scene->light,
         .clip = desc->clip,
         .environment = {desc->environment, desc->environment_turn,

@@ -1,14 +1,12 @@
 #include "renderer/about.h"
 
+#include "base/primaries.h"
 #include "base/text.h"
 #include "renderer/settings.h"
 #include "version.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-/* x and y of red, green, blue and white: BT.709, in which scenes have their colours. */
-static const float chromaticities[8] = {.64F, .33F, .3F, .6F, .15F, .06F, .3127F, .329F};
 
 static const char *file_name(const char *path) {
     const char *slash = strrchr(path, '/');
@@ -52,7 +50,7 @@ void about_add(struct image *image, const struct about *about) {
     image_add_text(image, "manylight:technique", about->technique);
     image_add_text(image, "manylight:settings", settings ? settings : "");
     image_add_numbers(image, "manylight:time", IMAGE_NUMBER, &(float){(float)about->time});
-    image_add_numbers(image, "chromaticities", IMAGE_CHROMATICITIES, chromaticities);
+    image_add_numbers(image, "chromaticities", IMAGE_CHROMATICITIES, primaries_bt709);
     add_camera(image, about->placed);
     free(comments.data);
     free(settings);

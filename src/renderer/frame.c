@@ -12,6 +12,10 @@
 const char *const shown_layer_names[] = {
     [LAYER_BEAUTY] = "full", [LAYER_DIRECT] = "direct", [LAYER_INDIRECT] = "indirect", NULL};
 
+const char *shown_layer_prefix(int layer) {
+    return layer == LAYER_BEAUTY ? "" : shown_layer_names[layer];
+}
+
 /* Near the irradiance that the light could make across the scene. A narrow cone lights little, and
  * less than its intensity says. */
 static float typical_irradiance(const struct emitter *light, float radius) {

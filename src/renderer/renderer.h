@@ -26,6 +26,9 @@
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
 extern const char *const shown_layer_names[];
 
+/* The layer's name in an image (renderer_read_layers): "" for the beauty. */
+const char *shown_layer_prefix(int layer);
+
 /* Zero means default. */
 struct renderer_desc {
     int width, height;                  /* required */

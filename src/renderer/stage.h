@@ -12,7 +12,8 @@
 struct stage_desc {
     const char *path;
     const struct file_bytes
-        *bytes;                 /* in place of the file, as of scene_load_bytes; NULL = the file */
+        *bytes; /* in place of the file, as of scene_load_bytes; NULL = the file */
+    struct scene_choice choice;
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all; must live
                                    on */
     const char *clip;           /* as scene/clips.h has it; NULL = the default */

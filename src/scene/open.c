@@ -41,7 +41,8 @@ static bool change(struct scene *scene, const struct scene_open_desc *desc) {
 
 static bool has_triangles(const struct scene *scene) {
     for (int i = 0; i < scene->node_count; i++)
-        if (scene->nodes[i].mesh >= 0 && scene->meshes[scene->nodes[i].mesh].primitive_count > 0)
+        if (!scene->nodes[i].hidden && scene->nodes[i].mesh >= 0 &&
+            scene->meshes[scene->nodes[i].mesh].primitive_count > 0)
             return true;
     return false;
 }
@@ -49,7 +50,10 @@ static bool has_triangles(const struct scene *scene) {
 bool scene_open(struct scene *scene, struct geometry *geometry, const char *path,
                 const struct scene_open_desc *desc) {
     *geometry = (struct geometry){0};
-    if (scene_load_bytes(scene, path, desc ? desc->bytes : NULL) && change(scene, desc)) {
+    const struct scene_open_desc usual = {0};
+    if (scene_load_bytes(scene, path, desc ? desc->bytes : NULL,
+                         desc ? &desc->choice : &usual.choice) &&
+        change(scene, desc)) {
         bool is_empty = desc && desc->may_be_empty && !has_triangles(scene);
         if (is_empty || lay_out(scene, geometry, desc ? desc->light : NULL))
             return true;

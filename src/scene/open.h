@@ -2,12 +2,14 @@
 #ifndef SCENE_OPEN_H
 #define SCENE_OPEN_H
 
+#include "scene/choice.h"
 #include "scene/lights/environment.h"
 #include "scene/mesh/geometry.h"
 
 struct scene_open_desc {
     const struct file_bytes
-        *bytes;        /* in place of the file, as of scene_load_bytes; NULL = the file */
+        *bytes; /* in place of the file, as of scene_load_bytes; NULL = the file */
+    struct scene_choice choice;
     const char *light; /* those that shine, as scene/placing.h has it; NULL = all */
     const char *clip;  /* those that play, as scene/clips.h has it; NULL = the default */
     struct environment_desc environment;

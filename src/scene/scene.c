@@ -22,12 +22,13 @@ static bool check_worlds(const struct scene *scene) {
 }
 
 bool scene_load(struct scene *scene, const char *path) {
-    return scene_load_bytes(scene, path, NULL);
+    return scene_load_bytes(scene, path, NULL, &(struct scene_choice){0});
 }
 
-bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes) {
+bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes,
+                      const struct scene_choice *choice) {
     *scene = (struct scene){0};
-    bool ok = gltf_load(scene, path, bytes);
+    bool ok = gltf_load(scene, path, bytes, choice);
     if (ok)
         emissive_add_lights(scene);
     if (ok && check_worlds(scene))
@@ -68,6 +69,8 @@ void scene_free(struct scene *scene) {
     for (int i = 0; i < scene->slide_count; i++)
         slide_free(&scene->slides[i]);
     free(scene->slides);
+    choice_free(&scene->scenes);
+    choice_free(&scene->variants);
     environment_free(scene->environment);
     free(scene->path);
     free(scene->skins);

@@ -8,6 +8,7 @@
 #define SCENE_SCENE_H
 
 #include "base/image.h"
+#include "scene/choice.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -145,7 +146,8 @@ struct scene_camera {
 
 struct node {
     char name[SCENE_NAME_SIZE];
-    int parent; /* < own index; -1 = a root */
+    int parent;  /* < own index; -1 = a root */
+    bool hidden; /* it or one above: its mesh is not drawn, and it has no light */
     int mesh, light, camera, skin;
     int metaballs;  /* their surface replaces the mesh's, in the material of its first primitive */
     float *weights; /* of the mesh's morph targets; NULL = the mesh's */
@@ -200,7 +202,8 @@ struct scene {
     int node_count, mesh_count, material_count, texture_count, light_count, camera_count;
     int slide_count;
     int surface_count;
-    char **files; /* beside path: the buffers and pictures that it names */
+    struct choice_list scenes, variants; /* of the file */
+    char **files;                        /* beside path: the buffers and pictures that it names */
     int skin_count, metaballs_count, clip_count, file_count;
     /* Of the file, which are not drawn. */
     int point_primitives, line_primitives;
@@ -215,9 +218,11 @@ struct scene {
 /* Reads what a .gltf or .glb file holds; scene/open.h makes it ready to be shown. Error: names file, object and reason; the scene is then zeroed. */
 bool scene_load(struct scene *scene, const char *path);
 
-/* The same of bytes in memory: path only tells the folder of files that they name; a name without a folder has none. */
+/* The same of bytes in memory, unless that is NULL: path only tells the folder of files that they name; a name without a
+ * folder has none. Error, too: the file has nothing that is chosen. */
 struct file_bytes;
-bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes);
+bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes,
+                      const struct scene_choice *choice);
 
 /* Accepts zeroed and half-built scenes. */
 void scene_free(struct scene *scene);

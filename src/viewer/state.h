@@ -43,8 +43,9 @@ struct viewer_desc {
     struct settings settings;
     const struct text_list *given; /* those of them that the budget leaves alone; NULL = none */
     float budget;                  /* that a frame may take, ms; 0 = whatever it takes */
-    const char *camera, *light;    /* as scene/placing.h has it; NULL = the first, and all */
-    const char *clip;              /* as scene/clips.h has it; NULL = the default */
+    struct scene_choice choice;
+    const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all */
+    const char *clip;           /* as scene/clips.h has it; NULL = the default */
     struct environment_desc environment;
     float time;            /* of the animation, seconds */
     int layer;             /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */

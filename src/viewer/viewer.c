@@ -325,9 +325,9 @@ static bool begin(struct viewer *viewer) {
 
 /* A command line that says how the scene is to look means that. */
 static bool is_given(const struct viewer_desc *desc) {
-    return desc->camera || desc->light || desc->clip || desc->session || desc->time != 0 ||
-           desc->environment.path || desc->reference || desc->direct || desc->layer ||
-           desc->passes > 0 || desc->budget > 0 ||
+    return desc->camera || desc->light || desc->clip || desc->choice.scene ||
+           desc->choice.variant || desc->session || desc->time != 0 || desc->environment.path ||
+           desc->reference || desc->direct || desc->layer || desc->passes > 0 || desc->budget > 0 ||
            (desc->technique && desc->technique != technique_default) ||
            (desc->given && desc->given->count > 0);
 }

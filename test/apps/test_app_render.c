@@ -56,7 +56,7 @@ static void test_usage_errors(void **state) {
          "no direct light is called 'soft' (there is hard, pcss, samples, vssm, msm, cssm)"},
         {"a.glb -o b.png --set vpls=63 --set interleave=8", "interleave=8 needs at least 64 VPLs"},
         {"a.glb -o b.png --context cuda", "context"},
-        {"a.glb -o b.png --aov val", "aov: no output that holds layers"},
+        {"a.glb -o b.png --aov val", "--aov is for formats that hold all layers"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         expect_command(2, "render", cases[i].arguments);

@@ -148,8 +148,8 @@ static void test_misuse(void **state) {
         const char *arguments, *message;
         int status;
     } cases[] = {
-        {"-o a.png --frames 0..4", "a.png: 5 frames need #### in the file's name", 2},
-        {"-o a.##.png", "'#' stands for the number of a frame, and there is no --frames", 2},
+        {"-o a.png --frames 0..4", "a.png: 5 frames need #### or %04d in the file's name", 2},
+        {"-o a.##.png", "'##' stands for the number of a frame, and there is no --frames", 2},
         {"-o a.##.png --frames 4..1", "frames: '4..1' is not like 0..249 or 1,5,9", 2},
         {"-o a.png --fps 0", "fps", 2},
         {"-o a.png --clip walk", "no clip 'walk' (there is: none)", 1},

@@ -42,7 +42,8 @@ static void test_options(void **state) {
                     "-thi", "--set", "k=1",       "--set", "l=2",      "--",  "-b"};
     const char *positional[2];
     int count;
-    check_ok("parse", options_parse_arguments(table, &values, 15, argv, positional, 2, &count));
+    check_ok("parse",
+             options_parse_arguments(table, &values, 15, argv, positional, 2, &count, NULL));
     assert_int_equal(count, 2);
     assert_string_equal(positional[1], "-b");
     assert_true(values.flag && values.count == 7 && values.choice == 0 && values.size[0] == 4);
@@ -143,7 +144,8 @@ static void test_bad_arguments(void **state) {
         for (; argc < 4 && bad[i].arguments[argc - 1]; argc++)
             argv[argc] = (char *)bad[i].arguments[argc - 1];
         options_set_defaults(table, &values);
-        assert_false(options_parse_arguments(table, &values, argc, argv, positional, 2, &count));
+        assert_false(
+            options_parse_arguments(table, &values, argc, argv, positional, 2, &count, NULL));
         printf("    %s\n", error_get());
         assert_non_null(strstr(error_get(), bad[i].message));
     }

@@ -112,7 +112,8 @@ static void fuzz_arguments(char *text) {
     const char *positional[3];
     int positional_count;
     options_set_defaults(table, &values);
-    if (options_parse_arguments(table, &values, count, words, positional, 3, &positional_count))
+    if (options_parse_arguments(table, &values, count, words, positional, 3, &positional_count,
+                                NULL))
         require(positional_count <= 3 && values.number >= 0 && values.number <= 9 &&
                 values.real >= 0 && values.real <= 1 && values.size[0] >= 1 &&
                 values.size[1] <= 64);

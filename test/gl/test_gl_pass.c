@@ -262,19 +262,26 @@ static void draw_block(GLuint program, const struct target *target, const struct
     pass_draw_fullscreen(1);
 }
 
-static void write_by_feedback(GLuint program, const struct buffer *values) {
-    pass_set_state(&(struct pass_state){.name = "feedback", .program = program});
+/* With the target of the draw before: a change of targets would draw what is queued. */
+static void write_by_feedback(GLuint program, const struct target *target,
+                              const struct buffer *values) {
+    pass_set_state(&(struct pass_state){
+        .name = "feedback", .program = program, .framebuffer = target->framebuffer});
     pass_feedback(values->id, 0, 1);
 }
 
-static void write_by_dispatch(GLuint program, const struct buffer *values) {
-    pass_set_state(
-        &(struct pass_state){.name = "dispatch", .program = program, .storages = {{1, values}}});
+static void write_by_dispatch(GLuint program, const struct target *target,
+                              const struct buffer *values) {
+    pass_set_state(&(struct pass_state){.name = "dispatch",
+                                        .program = program,
+                                        .framebuffer = target->framebuffer,
+                                        .storages = {{1, values}}});
     pass_dispatch(1, 1, 1);
 }
 
 /* A queued draw reads the block as it was when the draw was called. */
-static void check_write(GLuint writer, void (*write)(GLuint, const struct buffer *)) {
+static void check_write(GLuint writer,
+                        void (*write)(GLuint, const struct target *, const struct buffer *)) {
     const float zeros[4] = {0};
     unsigned char pixels[8][8][4];
     struct target before, after;
@@ -284,7 +291,7 @@ static void check_write(GLuint writer, void (*write)(GLuint, const struct buffer
     open_target(&after);
     check_ok("values", buffer_init(&values, "values", sizeof zeros, zeros));
     draw_block(reader, &before, &values);
-    write(writer, &values);
+    write(writer, &before, &values);
     draw_block(reader, &after, &values);
     read_target(&before, pixels);
     check_near("value before the write", pixels[7][7][0], 0, 0);
@@ -326,10 +333,8 @@ static void test_no_target(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_compute),
-        cmocka_unit_test(test_kept_colors),
-        cmocka_unit_test(test_point_size),
-        cmocka_unit_test(test_writes_wait_for_reads),
+        cmocka_unit_test(test_compute),    cmocka_unit_test(test_kept_colors),
+        cmocka_unit_test(test_point_size), cmocka_unit_test(test_writes_wait_for_reads),
         cmocka_unit_test(test_no_target),
     };
     return cmocka_run_group_tests_name("gl_pass", tests, open_shaders, close_shaders);

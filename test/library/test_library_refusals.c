@@ -133,6 +133,10 @@ static void test_scene_descriptors(void **state) {
                  "it is a pipe");
     check_failed(manylight_scene_open(SCENE(.path = BOX, .root = "no-folder"), &scene),
                  MANYLIGHT_BAD_SCENE, "no-folder: ");
+    check_failed(manylight_scene_open(SCENE(.path = BOX, .scene = "hall"), &scene),
+                 MANYLIGHT_BAD_SCENE, BOX ": no scene 'hall' (there is: 0");
+    check_failed(manylight_scene_open(SCENE(.path = BOX, .variant = "red"), &scene),
+                 MANYLIGHT_BAD_SCENE, BOX ": no variant 'red' (there is: none)");
 }
 
 static const struct {

@@ -42,6 +42,9 @@ def check_scenes(device):
         expected = words("render", file, "-o", out)
         refuse(manylight.SceneError, expected, lambda: device.render(file))
         refuse(manylight.SceneError, expected, lambda: manylight.reference(file))
+    for option in ("scene", "variant"):
+        expected = words("render", BOX, "-o", out, f"--{option}", "nothing")
+        refuse(manylight.SceneError, expected, lambda: manylight.Scene(BOX, **{option: "nothing"}))
     for option in ("camera", "light"):
         expected = words("render", BOX, "-o", out, f"--{option}", "nobody")
         refuse(manylight.Error, expected, lambda: device.render(BOX, (16, 16), **{option: "nobody"}))

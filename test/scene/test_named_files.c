@@ -135,6 +135,9 @@ static void test_paths(void **state) {
     check_shown("%2e%2E/textures%2Fx.png");
     check_shown("..\\\\textures\\\\x.png");
     check_shown("a\\\\y.png");
+    check_shown("a/y.png?v=2");
+    check_shown("../textures\\\\x.png#sharp?v=2");
+    check_shown("a b+%41.png?width=9&height=9");
     check_shown("link.png");
     check_shown("linked/x.png");
     check_shown("a%20b+%2541.png");

@@ -45,6 +45,8 @@ static const struct option options[] = {
      .help = "materials of surfaces: as near to glTF's as the\n"
              "format has them, or diffuse in their base colour"},
     STAGE_OPTIONS(struct values, stage),
+    SCENE_OPTION(struct values, stage.choice),
+    VARIANT_OPTION(struct values, stage.choice),
     {NULL},
 };
 
@@ -113,10 +115,12 @@ int app_export(int argc, char **argv) {
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))
         return status;
-    if (!values.output) {
+    const struct option_use uses[] = {
+        {"spp", values.format != FORMAT_PACK, "--format mitsuba and pbrt"}, {NULL}};
+    if (!values.output)
         error_set("-o FOLDER is missing");
+    if (!values.output || !arguments_check_use(&values.common, uses))
         return arguments_misuse(argv[0]);
-    }
     if (!stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
     bool ok = export_stage(&values, &stage);

@@ -90,7 +90,8 @@ static const struct {
 
 static bool list_by_name(const struct option *option, struct text *words) {
     for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-        if (strcmp(lists[i].option, option->name) == 0) {
+        if (strcmp(lists[i].option, option->name) == 0 &&
+            (option->type == OPTION_LIST || lists[i].list != list_variants)) {
             lists[i].list(words);
             return true;
         }

@@ -48,6 +48,7 @@ static const struct option options[] = {
     {"cache", 0, OPTION_TEXT, VALUE(cache), .value_name = "DIR",
      .help = "folder of the reference [$XDG_CACHE_HOME/manylight]"},
     STAGE_OPTIONS(struct values, stage),
+    SCENE_OPTION(struct values, stage.choice),
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };

@@ -8,8 +8,11 @@
 #include "base/file/image_plugin.h"
 #include "base/file/output_file.h"
 #include "base/file/small/small.h"
+#include "base/log.h"
 #include "base/memory.h"
+#include "base/primaries.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -204,20 +207,14 @@ static bool keep_layer(struct image *image, const char *path, const char *layer,
     tell_layer(image, path, layer);
     int count = sort_channels(channels, wanted), before = image->channel_count;
     const char *names[3];
-    struct image kept;
     for (int i = 0; i < count; i++)
         names[i] = image->names[wanted[i]];
     if (count == before)
         return true;
-    image_init_named(&kept, image->width, image->height, names, count);
+    struct image kept = image_pick(image, wanted, names, count);
     kept.display = image->display;
     kept.data = image->data;
     kept.encoded = image->encoded;
-    size_t pixels = (size_t)image->width * (size_t)image->height;
-    for (size_t i = 0; i < pixels; i++)
-        for (int c = 0; c < count; c++)
-            kept.pixels[i * (size_t)count + (size_t)c] =
-                image->pixels[i * (size_t)before + (size_t)wanted[c]];
     image_free(image);
     *image = kept;
     return true;
@@ -247,14 +244,50 @@ static const struct image_plugin *other_bridge(const char *path) {
     return plugin;
 }
 
-static bool read_any(struct image *image, const char *path, const char *layer, int channels[3]) {
+/* The other bridge reads all kinds of Radiance's files, too, but not their exposures: the refusal stands. */
+static bool is_for_small_alone(const char *path) {
+    return format_of_file(path) == formats + HDR;
+}
+
+static bool read_stored(struct image *image, const char *path, const char *layer, int channels[3]) {
     *image = (struct image){0};
     if (!file_can_be_read(path))
         return false;
     if (read_small(image, path, layer, channels))
         return true;
+    if (is_for_small_alone(path))
+        return error_prefix("%s", path);
     const struct image_plugin *plugin = other_bridge(path);
     return plugin && image_plugin_end(plugin, plugin->read(image, path, layer, channels));
+}
+
+/* As the file says what its colours are. */
+static void convert_colours(struct image *image, const char *path) {
+    static const float none[PRIMARIES_NUMBERS];
+    const bool has_unit = image->unit > 0 && isfinite(image->unit) && image->unit != 1,
+               has_own = memcmp(image->primaries, none, sizeof none) != 0 &&
+                         !primaries_are_bt709(image->primaries);
+    double matrix[3][3], unit = has_unit ? (double)image->unit : 1;
+    if (!has_own && !has_unit)
+        return;
+    bool spans = primaries_matrix(has_own ? image->primaries : primaries_bt709, matrix);
+    if (!spans)
+        primaries_matrix(primaries_bt709, matrix);
+    if (image_convert_colours(image, matrix, unit) == 0)
+        return;
+    if (has_own)
+        log_note("%s: its chromaticities %s", path,
+                 spans ? "are not those of BT.709; its colours are converted"
+                       : "span no colours; those of BT.709 are taken");
+    if (has_unit)
+        log_note("%s: its values are multiplied by its whiteLuminance, %g", path, unit);
+}
+
+static bool read_any(struct image *image, const char *path, const char *layer, int channels[3]) {
+    if (!read_stored(image, path, layer, channels))
+        return false;
+    convert_colours(image, path);
+    return true;
 }
 
 bool image_read(struct image *image, const char *path) {
@@ -293,6 +326,8 @@ bool image_is_whole(const char *path) {
         return error_set("%s: ends too soon", path);
     if (is_whole_small(path))
         return true;
+    if (is_for_small_alone(path))
+        return error_prefix("%s", path);
     const struct image_plugin *plugin = other_bridge(path);
     return plugin && image_plugin_end(plugin, plugin->check(path));
 }
@@ -328,6 +363,8 @@ static bool read_size_small(const char *path, int size[2]) {
 bool image_size(const char *path, int size[2]) {
     if (read_size_small(path, size))
         return true;
+    if (is_for_small_alone(path))
+        return error_prefix("%s", path);
     const struct image_plugin *plugin = other_bridge(path);
     return plugin && image_plugin_end(plugin, plugin->read_size(path, size));
 }
@@ -359,11 +396,13 @@ static bool write_other(const char *path, struct file_bytes *file, bool ok) {
     return ok;
 }
 
-static bool encode(const struct format *format, struct text *file, const struct image *image) {
+/* Formats that hold one layer, and have no names for it, get that one. */
+static bool encode(const struct format *format, struct text *file, const struct image *image,
+                   const char *layer) {
     int channels[3];
     if (format == formats + EXR)
         return exr_write(file, image);
-    if (!image_find_layer(image, "", channels))
+    if (!image_find_layer(image, layer, channels))
         return false;
     if (format == formats + PFM)
         pfm_write(file, image, channels);
@@ -372,14 +411,14 @@ static bool encode(const struct format *format, struct text *file, const struct 
     return true;
 }
 
-bool image_write(const struct image *image, const char *path) {
+static bool write_floats(const struct image *image, const char *path, const char *layer) {
     const struct format *format = find_format(path);
     struct text text = {0};
     struct file_bytes file = {0};
     if (!format)
         return false;
     if (is_small(format) && format->is_float) {
-        bool ok = encode(format, &text, image) &&
+        bool ok = encode(format, &text, image, layer) &&
                   is_encoded_well(format, &text, image->width, image->height);
         return write_text(path, &text, ok);
     }
@@ -389,6 +428,36 @@ bool image_write(const struct image *image, const char *path) {
         return false;
     return write_other(path, &file,
                        image_plugin_end(plugin, plugin->encode(&file, image, path, format->name)));
+}
+
+bool image_write(const struct image *image, const char *path) {
+    return write_floats(image, path, "");
+}
+
+/* R, G and B of the layer, and the picture's alpha, which belongs to the beauty alone. */
+static bool take_layer(struct image *taken, const struct image *image, const char *layer) {
+    static const char *const names[] = {"R", "G", "B", "A"};
+    int channels[4], count = 3;
+    if (!image_find_layer(image, layer, channels))
+        return false;
+    channels[3] = *layer ? -1 : image_find_channel(image, "A");
+    count += channels[3] >= 0;
+    if (!image_fits(image->width, image->height, count))
+        return false;
+    *taken = image_pick(image, channels, names, count);
+    return true;
+}
+
+bool image_write_layer(const struct image *image, const char *path, const char *layer) {
+    const struct format *format = find_format(path);
+    struct image taken;
+    if (!format || is_small(format))
+        return format && write_floats(image, path, layer);
+    if (!take_layer(&taken, image, layer))
+        return error_prefix("%s", path);
+    bool ok = image_write(&taken, path);
+    image_free(&taken);
+    return ok;
 }
 
 static bool encode_png(struct text *file, const struct bitmap *bitmap, int channels) {

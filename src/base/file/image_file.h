@@ -31,6 +31,10 @@ bool image_read_layer(struct image *image, const char *path, const char *layer, 
  * decoded again, then written as base/file/output_file.h does. */
 bool image_write(const struct image *image, const char *path);
 
+/* Writes all channels as EXR; other formats hold R, G and B of the layer alone, "" for the beauty, which TIFF stores
+ * with A. */
+bool image_write_layer(const struct image *image, const char *path, const char *layer);
+
 /* Writes an 8-bit picture (PNG, JPEG, ...) without its alpha. */
 bool bitmap_write(const struct bitmap *bitmap, const char *path);
 

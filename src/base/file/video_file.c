@@ -70,24 +70,43 @@ static int spawn(struct video_file *video, char *const *arguments, int from) {
 
 /* Frames are sRGB of full range. The video's colours are those of BT.709, and say so: players else guess. Without -xerror
  * ffmpeg ends well although the disk is full. */
-static bool start(struct video_file *video, double fps, int from) {
+static bool start(struct video_file *video, const char *rate, int from) {
     static char filter[] = "scale=out_color_matrix=bt709:out_range=limited,format=yuv420p";
-    char size[32], rate[32], output[32], container[16];
+    char size[32], output[32], container[16];
     snprintf(size, sizeof size, "%dx%d", video->width + video->width % 2,
              video->height + video->height % 2);
-    snprintf(rate, sizeof rate, "%.7g", fps); /* 29.97, though a float is 29.9699993 */
     snprintf(output, sizeof output, "/proc/self/fd/%d", PART_FILE);
     snprintf(container, sizeof container, "%s", find_container(video->path)->name);
-    char *arguments[] = {"ffmpeg",       "-loglevel",  "error",
-                         "-xerror",      "-y",         "-f",
-                         "rawvideo",     "-pix_fmt",   "rgb0",
-                         "-s",           size,         "-r",
-                         rate,           "-i",         "pipe:0",
-                         "-an",          "-vf",        filter,
-                         "-colorspace",  "bt709",      "-color_primaries",
-                         "bt709",        "-color_trc", "iec61966-2-1",
-                         "-color_range", "tv",         "-f",
-                         container,      output,       NULL};
+    char *arguments[] = {"ffmpeg",
+                         "-loglevel",
+                         "error",
+                         "-xerror",
+                         "-y",
+                         "-f",
+                         "rawvideo",
+                         "-pix_fmt",
+                         "rgb0",
+                         "-s",
+                         size,
+                         "-r",
+                         (char *)(uintptr_t)rate,
+                         "-i",
+                         "pipe:0",
+                         "-an",
+                         "-vf",
+                         filter,
+                         "-colorspace",
+                         "bt709",
+                         "-color_primaries",
+                         "bt709",
+                         "-color_trc",
+                         "iec61966-2-1",
+                         "-color_range",
+                         "tv",
+                         "-f",
+                         container,
+                         output,
+                         NULL};
     int reason = spawn(video, arguments, from);
     if (reason != 0)
         video->encoder = 0;
@@ -119,7 +138,7 @@ static int wait_for(struct video_file *video) {
 /* --- a video ---------------------------------------------------------------------------------- */
 
 bool video_file_begin(struct video_file *video, const char *path, int width, int height,
-                      double fps) {
+                      const char *rate) {
     int ends[2];
     *video = (struct video_file){.path = path, .pipe = -1, .width = width, .height = height};
     if (!video_file_check(path) || !output_part_begin(&video->part, path))
@@ -128,7 +147,7 @@ bool video_file_begin(struct video_file *video, const char *path, int width, int
         return error_set("%s: no pipe: %s", path, strerror(errno));
     video->pipe = ends[1];
     signal(SIGPIPE, SIG_IGN); /* an ffmpeg that has ended is noticed by its pipe */
-    bool ok = start(video, fps, ends[0]);
+    bool ok = start(video, rate, ends[0]);
     close(ends[0]);
     if (ok && (width % 2 || height % 2))
         video->even = mem_alloc((size_t)(width + 1) * (size_t)(height + 1), 4);

@@ -2,7 +2,7 @@
  * As other files, a video appears whole or not at all.
  *
  *     struct video_file video;
- *     bool ok = video_file_begin(&video, "clip.mp4", 320, 200, 25);
+ *     bool ok = video_file_begin(&video, "clip.mp4", 320, 200, "25");
  *     for (...)
  *         ok = ok && video_file_add(&video, &bitmap);
  *     ok = video_file_end(&video, ok) && ok;
@@ -31,9 +31,9 @@ bool video_file_is(const char *path);
 /* Call it before long work. Error: ffmpeg is missing. */
 bool video_file_check(const char *path);
 
-/* Error: names the path and the reason. Call video_file_end in any case. */
+/* rate: frames per second as ffmpeg reads them, "24000/1001". Error: names the path and the reason. Call video_file_end in any case. */
 bool video_file_begin(struct video_file *video, const char *path, int width, int height,
-                      double fps);
+                      const char *rate);
 
 /* Adds a frame, without its alpha. Error: ffmpeg has ended, and how. */
 bool video_file_add(struct video_file *video, const struct bitmap *frame);

@@ -50,7 +50,14 @@ void remember_uri(Loader &loader, const std::string &uri) {
 
 namespace {
 
-const json::json_pointer packed_mark("/extensions/EXT_meshopt_compression");
+/* What tells where a view is packed, or nullptr. */
+const json *find_packed(const json &view) {
+    auto extensions = view.find("extensions");
+    for (const char *name : meshopt_names)
+        if (extensions != view.end() && extensions->contains(name))
+            return &(*extensions)[name];
+    return nullptr;
+}
 
 /* Whether bytes of a buffer are read, and whether views of it are packed elsewhere. */
 struct Use {
@@ -61,12 +68,12 @@ std::vector<Use> find_uses(const json &root) {
     std::vector<Use> uses(list_size(root, "/buffers"));
     for (size_t i = 0; i < list_size(root, "/bufferViews"); i++) {
         const json &view = root["bufferViews"][i];
-        bool is_packed = view.contains(packed_mark);
+        const json *packed = find_packed(view);
         Use &use = uses[view["buffer"].get<size_t>()];
-        use.is_fallback |= is_packed;
-        use.is_used |= !is_packed;
-        if (is_packed)
-            uses[view[packed_mark]["buffer"].get<size_t>()].is_used = true;
+        use.is_fallback |= packed != nullptr;
+        use.is_used |= !packed;
+        if (packed)
+            uses[(*packed)["buffer"].get<size_t>()].is_used = true;
     }
     return uses;
 }
@@ -120,11 +127,7 @@ bool check_stride(Loader &loader, size_t index, size_t stride) {
 bool take_view(Loader &loader, json &view, size_t index, const json &buffers) {
     size_t buffer = view["buffer"], offset = view.value("byteOffset", size_t(0));
     size_t size = view["byteLength"], available = loader.buffers[buffer].size();
-    if (loader.is_absent[buffer] &&
-        view.contains("/extensions/KHR_meshopt_compression"_json_pointer))
-        return error_set(
-            "its bytes are in the format of KHR_meshopt_compression, which is not read");
-    if (loader.is_absent[buffer] && !view.contains(packed_mark))
+    if (loader.is_absent[buffer] && !find_packed(view))
         return error_set("its buffer %zu has no uri, and there is no BIN chunk for it", buffer);
     if (offset > available || size > available - offset)
         return error_set("%zu bytes at %zu are outside buffer %zu of %zu bytes", size, offset,

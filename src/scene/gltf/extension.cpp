@@ -25,6 +25,8 @@ const struct Known {
     {"KHR_materials_specular", nullptr},
     {"KHR_materials_unlit", nullptr},
     {"KHR_mesh_quantization", nullptr},
+    {"KHR_meshopt_compression", nullptr},
+    {"KHR_node_visibility", nullptr},
     {"KHR_texture_basisu", nullptr},
     {"KHR_texture_transform", nullptr},
     {"KHR_xmp", nullptr},
@@ -38,9 +40,8 @@ const struct Known {
     {"KHR_materials_iridescence", "iridescence"},
     {"KHR_materials_sheen", "sheen"},
     {"KHR_materials_transmission", nullptr},
-    {"KHR_materials_variants", "variants but the first"},
+    {"KHR_materials_variants", nullptr},
     {"KHR_materials_volume", nullptr},
-    {"KHR_node_visibility", "hiding of nodes"},
 };
 
 const Known *find_known(const std::string &extension) {

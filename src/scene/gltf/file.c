@@ -142,15 +142,22 @@ static void slashes_for_backslashes(char *path) {
             *path = '/';
 }
 
-/* The same of a name with backslashes, as they are or as slashes. */
+/* "a.png?v=2" asks a server for a.png. */
+static void cut_query(char *path) {
+    path[strcspn(path, "?#")] = '\0';
+}
+
+/* The same of a name as it is, else with slashes for backslashes, else without a query besides. */
 static enum file_lack resolve_either(const char *folder, const char *root, char *path,
                                      char **place) {
+    static void (*const changes[])(char *) = {slashes_for_backslashes, cut_query};
     enum file_lack lack = resolve(folder, root, path, place);
-    if (lack == FILE_FOUND || !strchr(path, '\\'))
-        return lack;
-    free(*place);
-    slashes_for_backslashes(path);
-    return resolve(folder, root, path, place);
+    for (int i = 0; i < 2 && lack != FILE_FOUND; i++) {
+        free(*place);
+        changes[i](path);
+        lack = resolve(folder, root, path, place);
+    }
+    return lack;
 }
 
 char *file_find_named(const char *folder, const char *name, enum file_lack *lack) {

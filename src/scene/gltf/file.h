@@ -15,7 +15,7 @@ extern const char file_no_folder[];
 
 /* The path, without links, of a file that a scene in the folder names; free() frees. folder is "" or
  * ends in a slash. The name may be absolute, lead upward and go through links; backslashes are slashes
- * where there is no such file otherwise. The file lies below the root: that of scene/read_rules.h, or
+ * where there is no such file otherwise, and "?v=2" is cut off. The file lies below the root: that of scene/read_rules.h, or
  * the parent of the folder, or the folder itself where the parent is "/". NULL and an error: lack tells
  * which. An absolute name that leads out of the root counts as missing: it is of another machine. */
 char *file_find_named(const char *folder, const char *name, enum file_lack *lack);

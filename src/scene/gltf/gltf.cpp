@@ -104,8 +104,8 @@ bool load_parts(Loader &loader) {
 } // namespace
 } // namespace gltf
 
-extern "C" bool gltf_load(struct scene *scene, const char *path,
-                          const struct file_bytes *bytes) try {
+extern "C" bool gltf_load(struct scene *scene, const char *path, const struct file_bytes *bytes,
+                          const struct scene_choice *choice) try {
     using namespace gltf;
     MemoryEnds ends;
     Loader loader;
@@ -117,7 +117,7 @@ extern "C" bool gltf_load(struct scene *scene, const char *path,
     scene->path = mem_strdup(path);
     if (!parse(loader, path, bytes))
         return false;
-    if (!load_parts(loader))
+    if (!load_choice(loader, *choice) || !load_parts(loader))
         return error_prefix("%s", path);
     settle_blending(*scene);
     list_files(loader);

@@ -48,6 +48,7 @@ void make_place(struct node &place, const struct node &parent, int index, int ta
     memcpy(place.name, parent.name, sizeof place.name);
     place.parent = index;
     place.mesh = parent.mesh;
+    place.hidden = parent.hidden;
     place.light = place.camera = place.skin = place.metaballs = -1;
     place.rotation[3] = place.scale[0] = place.scale[1] = place.scale[2] = 1;
     if (parent.weights) {

@@ -20,6 +20,10 @@ std::string quote(const json &value);
 /* "mesh 3 'name'" of an element that may be anything. */
 std::string label_of(const char *noun, size_t index, const json &element);
 
+/* text.cpp: writes U+FFFD for each byte and escape that is not Unicode; in a URI the byte itself, by a
+ * percent sign. Returns the place of the first one, or npos. */
+size_t replace_bad_text(const std::string &text, std::string &out);
+
 /* extension.cpp: refuses a version or a required extension that is not read. */
 bool check_asset(Loader &loader, json &root);
 

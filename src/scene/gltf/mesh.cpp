@@ -123,7 +123,9 @@ bool load_attributes(Loader &loader, const tinygltf::Primitive &from, const std:
 bool load_primitive(Loader &loader, const tinygltf::Primitive &from, int target_count,
                     const std::string &object, struct primitive &to) {
     const Model &model = loader.model;
-    to.material = from.material >= 0 ? from.material : int(model.materials.size());
+    to.material = material_of(loader, from);
+    if (to.material < 0)
+        to.material = int(model.materials.size());
     size_t count = model.accessors[from.attributes.at("POSITION")].count;
     if (!load_attribute(loader, from, "POSITION", count, &to.position))
         return false;

@@ -109,6 +109,9 @@ struct Loader {
     uint64_t memory = 0;                     /* bytes that the scene may still take */
 };
 
+/* One format; the second name has a newer version besides. */
+const char *const meshopt_names[] = {"EXT_meshopt_compression", "KHR_meshopt_compression"};
+
 /* packed.cpp: fills absent buffers with what their views have packed, and gives accessors of packed
  * primitives buffers of their own. */
 bool unpack_views(Loader &loader);
@@ -170,6 +173,12 @@ bool load_image(Loader &loader, int image, struct bitmap &bitmap);
 
 /* slide.cpp: the picture that a light's extras name; room for one is there. */
 bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_light &light);
+
+/* choice.cpp: lists scenes and variants, and makes the chosen scene the model's default. */
+bool load_choice(Loader &loader, const struct scene_choice &choice);
+
+/* The material that the primitive has in the chosen variant; -1 = none. */
+int material_of(const Loader &loader, const tinygltf::Primitive &primitive);
 
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);

@@ -3,53 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <set>
 
 namespace gltf {
 namespace {
 
-/* Each node's parent, or -1. */
-bool find_parents(const Model &model, std::vector<int> &parents) {
-    parents.assign(model.nodes.size(), -1);
-    for (size_t i = 0; i < model.nodes.size(); i++)
-        for (int child : model.nodes[i].children) {
-            if (parents[child] >= 0)
-                return error_set("%s: it has two parents, nodes %d and %zu",
-                                 label("node", child, model.nodes[child].name).c_str(),
-                                 parents[child], i);
-            parents[child] = int(i);
-        }
-    return true;
+/* The nodes that the scene lists: the default one or the first. All, where there is no scene. */
+std::vector<int> listed_nodes(const Model &model) {
+    if (!model.scenes.empty())
+        return model.scenes[size_t(std::max(model.defaultScene, 0))].nodes;
+    std::vector<int> all(model.nodes.size());
+    std::iota(all.begin(), all.end(), 0);
+    return all;
 }
 
-std::vector<int> parentless(const std::vector<int> &parents) {
-    std::vector<int> roots;
-    for (size_t i = 0; i < parents.size(); i++)
-        if (parents[i] < 0)
-            roots.push_back(int(i));
-    return roots;
-}
-
-/* The nodes to begin with: the default scene's, the first scene's, or all without a parent. */
-bool find_roots(const Model &model, const std::vector<int> &parents, std::vector<int> &roots) {
-    roots = parentless(parents);
-    if (model.scenes.empty())
-        return true;
-    int scene = std::max(model.defaultScene, 0);
-    std::set<int> allowed(roots.begin(), roots.end());
-    roots = model.scenes[scene].nodes;
-    for (int node : roots)
-        if (allowed.erase(node) == 0)
-            return error_set("scene %d: node %d has a parent or is listed twice", scene, node);
-    return true;
-}
-
-/* Parents before children, siblings in the file's order. */
+/* Each node once, parents before children, siblings in the file's order. */
 std::vector<int> order_nodes(const Model &model, const std::vector<int> &roots) {
     std::vector<int> order, stack(roots.rbegin(), roots.rend());
+    std::vector<bool> is_known(model.nodes.size());
     while (!stack.empty()) {
         int node = stack.back();
         stack.pop_back();
+        if (is_known[node])
+            continue;
+        is_known[node] = true;
         order.push_back(node);
         const std::vector<int> &children = model.nodes[node].children;
         stack.insert(stack.end(), children.rbegin(), children.rend());
@@ -57,17 +35,58 @@ std::vector<int> order_nodes(const Model &model, const std::vector<int> &roots) 
     return order;
 }
 
+bool mend_place(Loader &loader, int node) {
+    return mend(loader,
+                "nodes that are listed twice, or as roots below a parent, are drawn once, below it",
+                label("node", size_t(node), loader.model.nodes[node].name));
+}
+
+/* Each listed node's parent and that of nodes below, or -1. Parents that hang on no listed node count
+ * for none: a scene is drawn from its list downwards. */
+bool find_parents(Loader &loader, const std::vector<int> &listed, std::vector<int> &parents) {
+    const Model &model = loader.model;
+    parents.assign(model.nodes.size(), -1);
+    for (int i : order_nodes(model, listed))
+        for (int child : model.nodes[i].children) {
+            if (parents[child] >= 0 && parents[child] != i)
+                return error_set("%s: it has two parents, nodes %d and %d",
+                                 label("node", child, model.nodes[child].name).c_str(),
+                                 std::min(i, parents[child]), std::max(i, parents[child]));
+            if (parents[child] == i && !mend_place(loader, child))
+                return false;
+            parents[child] = i;
+        }
+    return true;
+}
+
+/* The listed nodes that hang on no other. */
+bool find_roots(Loader &loader, const std::vector<int> &listed, const std::vector<int> &parents,
+                std::vector<int> &roots) {
+    const Model &model = loader.model;
+    std::vector<bool> has_parent(model.nodes.size()), is_known(model.nodes.size());
+    for (const tinygltf::Node &node : model.nodes)
+        for (int child : node.children)
+            has_parent[child] = true;
+    for (int node : listed) {
+        bool is_odd = !model.scenes.empty() && (has_parent[node] || is_known[node]);
+        if (is_odd && !mend_place(loader, node))
+            return false;
+        if (parents[node] < 0 && !is_known[node])
+            roots.push_back(node);
+        is_known[node] = true;
+    }
+    return true;
+}
+
 /* A loop of nodes hangs on no root. */
-bool check_loops(const Model &model, const std::vector<int> &parents) {
-    std::vector<int> reached = order_nodes(model, parentless(parents));
-    if (reached.size() == parents.size())
-        return true;
-    std::set<int> good(reached.begin(), reached.end());
-    int node = 0;
-    while (good.count(node))
-        node++;
-    return error_set("%s: it is its own ancestor",
-                     label("node", node, model.nodes[node].name).c_str());
+bool check_loops(const Model &model, const std::vector<int> &listed,
+                 const std::vector<int> &order) {
+    std::set<int> good(order.begin(), order.end());
+    for (int node : order_nodes(model, listed))
+        if (good.count(node) == 0)
+            return error_set("%s: it is its own ancestor",
+                             label("node", node, model.nodes[node].name).c_str());
+    return true;
 }
 
 bool load_transform(const tinygltf::Node &from, struct node &to) {
@@ -89,6 +108,13 @@ int node_light(const tinygltf::Node &node, const char *extension) {
     return found == node.extensions.end() ? -1 : found->second.Get("light").GetNumberAsInt();
 }
 
+/* KHR_node_visibility */
+bool is_hidden(const tinygltf::Node &node) {
+    auto found = node.extensions.find("KHR_node_visibility");
+    return found != node.extensions.end() && found->second.Has("visible") &&
+           !found->second.Get("visible").Get<bool>();
+}
+
 /* Of a node with one of each kind, which shine alike, the area light. */
 void load_node_light(const Model &model, const tinygltf::Node &from, struct node &to) {
     int area = node_light(from, "EXT_lights_area");
@@ -100,7 +126,9 @@ bool load_node(const Model &model, const tinygltf::Node &from, struct node &to) 
     copy_name(to.name, from.name);
     to.mesh = from.mesh;
     to.camera = from.camera;
-    load_node_light(model, from, to);
+    to.light = -1;
+    if (!to.hidden)
+        load_node_light(model, from, to);
     to.skin = from.skin;
     to.metaballs = -1;
     return load_transform(from, to);
@@ -164,20 +192,24 @@ bool load_nodes(Loader &loader) {
     const Model &model = loader.model;
     struct scene *scene = loader.scene;
     std::vector<int> parents, roots;
-    if (!find_parents(model, parents) || !check_loops(model, parents) ||
-        !find_roots(model, parents, roots))
+    const std::vector<int> listed = listed_nodes(model);
+    if (!find_parents(loader, listed, parents) || !find_roots(loader, listed, parents, roots))
         return false;
     std::vector<int> order = order_nodes(model, roots), &place = loader.node_places;
+    if (!check_loops(model, listed, order))
+        return false;
     place.assign(model.nodes.size(), -1);
     if (!allocate_nodes(loader, order))
         return false;
     for (int i : order) {
         struct node &node = scene->nodes[scene->node_count];
+        node.parent = parents[i] >= 0 ? place[parents[i]] : -1;
+        node.hidden =
+            is_hidden(model.nodes[i]) || (node.parent >= 0 && scene->nodes[node.parent].hidden);
         if (!load_node(model, model.nodes[i], node) ||
             !load_node_weights(loader, model.nodes[i], size_t(i), node) ||
             !load_metaballs(model.nodes[i], *scene, node))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
-        node.parent = parents[i] >= 0 ? place[parents[i]] : -1;
         place[i] = scene->node_count++;
         if (!load_instances(loader, model.nodes[i]))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());

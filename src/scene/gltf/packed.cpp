@@ -10,7 +10,6 @@ extern "C" {
 namespace gltf {
 namespace {
 
-const char *const meshopt = "EXT_meshopt_compression";
 const char *const draco = "KHR_draco_mesh_compression";
 
 size_t size_of(const tinygltf::Value &object, const char *key) {
@@ -46,6 +45,7 @@ bool unpack_view(Loader &loader, const tinygltf::BufferView &view, const tinyglt
     packed.filter = filter == "OCTAHEDRAL"    ? FILTER_OCTAHEDRAL
                     : filter == "QUATERNION"  ? FILTER_QUATERNION
                     : filter == "EXPONENTIAL" ? FILTER_EXPONENTIAL
+                    : filter == "COLOR"       ? FILTER_COLOR
                                               : FILTER_NONE;
     if (packed.stride == 0 || packed.count > view.byteLength / packed.stride)
         return error_set("%zu elements of %zu bytes in %zu bytes", packed.count, packed.stride,
@@ -178,10 +178,12 @@ bool unpack_views(Loader &loader) {
     const Model &model = loader.model;
     for (size_t i = 0; i < model.bufferViews.size(); i++) {
         const tinygltf::BufferView &view = model.bufferViews[i];
-        auto found = view.extensions.find(meshopt);
-        if (found != view.extensions.end() && loader.is_absent[view.buffer] &&
-            !unpack_view(loader, view, found->second))
-            return error_prefix("buffer view %zu: %s", i, meshopt);
+        for (const char *meshopt : meshopt_names) {
+            auto found = view.extensions.find(meshopt);
+            if (found != view.extensions.end() && loader.is_absent[view.buffer] &&
+                !unpack_view(loader, view, found->second))
+                return error_prefix("buffer view %zu: %s", i, meshopt);
+        }
     }
     return true;
 }

@@ -83,10 +83,18 @@ bool is_nested_deeper(const char *text, size_t size, int most) {
 }
 
 /* The reason without the library's own name in brackets. */
-bool parse_json(const char *text, size_t size, json &root) try {
+bool parse_json(Loader &loader, const char *text, size_t size, json &root) try {
     if (is_nested_deeper(text, size, 64))
         return error_set("the JSON is nested too deep");
-    root = json::parse(text, text + size);
+    root = json::parse(text, text + size, nullptr, false);
+    if (root.is_discarded()) {
+        std::string mended;
+        size_t bad = replace_bad_text(std::string(text, size), mended);
+        root = json::parse(mended);
+        if (bad != std::string::npos && !mend(loader, "text that is not UTF-8 is read as U+FFFD",
+                                              "byte " + std::to_string(bad) + " of the JSON"))
+            return false;
+    }
     return root.is_object() || error_set("the JSON is not an object");
 } catch (const json::exception &error) {
     std::string reason = error.what();
@@ -129,7 +137,7 @@ bool parse_bytes(Loader &loader, const struct file_bytes &bytes) {
     if (binary ? !glb_check(&bytes, &chunks) || !mend_container(loader, chunks)
                : !check_kind(bytes))
         return false;
-    if (!parse_json(chunks.json, chunks.json_size, root) || !check_asset(loader, root) ||
+    if (!parse_json(loader, chunks.json, chunks.json_size, root) || !check_asset(loader, root) ||
         !check_schema(loader, root) || !mend_numbers(loader, root))
         return false;
     if (!take_buffers(loader, root, chunks.bin, chunks.bin_size))

@@ -87,12 +87,13 @@ const Field meshopt_view[] = {
     {"byteStride", Required, Kind::Int},
     {"count", Required, Kind::Int},
     {"mode", Required, Kind::Choice, " ATTRIBUTES TRIANGLES INDICES"},
-    {"filter", Optional, Kind::Choice, " NONE OCTAHEDRAL QUATERNION EXPONENTIAL"},
+    {"filter", Optional, Kind::Choice, " NONE OCTAHEDRAL QUATERNION EXPONENTIAL COLOR"},
     end,
 };
 
 const Field view_extensions[] = {
     {"EXT_meshopt_compression", Optional, Kind::Object, nullptr, meshopt_view},
+    {"KHR_meshopt_compression", Optional, Kind::Object, nullptr, meshopt_view},
     end,
 };
 
@@ -234,7 +235,18 @@ const Field draco[] = {
     end,
 };
 
+const char *const variants = "/extensions/KHR_materials_variants/variants";
+
+const Field mapping[] = {
+    {"material", Required, Kind::Index, "/materials"},
+    {"variants", Required, Kind::Indices, variants},
+    end,
+};
+
+const Field primitive_variants[] = {{"mappings", Required, Kind::Objects, "mapping", mapping}, end};
+
 const Field primitive_extensions[] = {
+    {"KHR_materials_variants", Optional, Kind::Object, nullptr, primitive_variants},
     {"KHR_draco_mesh_compression", Optional, Kind::Object, nullptr, draco},
     end,
 };
@@ -289,12 +301,15 @@ const char *const area_lights = "/extensions/EXT_lights_area/lights";
 const Field node_light[] = {{"light", Required, Kind::Index, lights}, end};
 const Field node_area_light[] = {{"light", Required, Kind::Index, area_lights}, end};
 
+const Field visibility[] = {{"visible", Optional, Kind::Flag}, end};
+
 const Field instancing[] = {{"attributes", Required, Kind::IndexMap, "/accessors"}, end};
 
 const Field node_extensions[] = {
     {"KHR_lights_punctual", Optional, Kind::Object, nullptr, node_light},
     {"EXT_lights_area", Optional, Kind::Object, nullptr, node_area_light},
     {"EXT_mesh_gpu_instancing", Optional, Kind::Object, nullptr, instancing},
+    {"KHR_node_visibility", Optional, Kind::Object, nullptr, visibility},
     end,
 };
 
@@ -362,7 +377,12 @@ const Field area_light[] = {
 
 const Field area[] = {{"lights", Required, Kind::Objects, "area light", area_light}, end};
 
+const Field variant[] = {{"name", Required, Kind::Text}, end};
+
+const Field file_variants[] = {{"variants", Required, Kind::Objects, "variant", variant}, end};
+
 const Field file_extensions[] = {
+    {"KHR_materials_variants", Optional, Kind::Object, nullptr, file_variants},
     {"KHR_lights_punctual", Optional, Kind::Object, nullptr, punctual},
     {"EXT_lights_area", Optional, Kind::Object, nullptr, area},
     end,

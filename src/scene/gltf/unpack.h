@@ -6,9 +6,15 @@
 #include <stddef.h>
 
 enum packed_mode { PACKED_ATTRIBUTES, PACKED_TRIANGLES, PACKED_INDICES };
-enum packed_filter { FILTER_NONE, FILTER_OCTAHEDRAL, FILTER_QUATERNION, FILTER_EXPONENTIAL };
+enum packed_filter {
+    FILTER_NONE,
+    FILTER_OCTAHEDRAL,
+    FILTER_QUATERNION,
+    FILTER_EXPONENTIAL,
+    FILTER_COLOR
+};
 
-/* EXT_meshopt_compression, of one buffer view. */
+/* EXT_meshopt_compression and KHR_meshopt_compression, of one buffer view. */
 struct packed_view {
     const unsigned char *bytes;
     size_t size;
@@ -20,6 +26,13 @@ struct packed_view {
 /* Writes count x stride bytes. Error: sizes that the mode or the filter does not have, or bytes that
  * are not such data. */
 bool unpack_meshopt(const struct packed_view *view, unsigned char *to);
+
+/* The same of attributes whose stream is of version 1, without the filter. */
+enum { MESHOPT_V1 = 0xa1 }; /* the first byte */
+bool unpack_meshopt_v1(const struct packed_view *view, unsigned char *to);
+
+/* Undoes the colour filter in place. */
+void unpack_meshopt_color(const struct packed_view *view, unsigned char *to);
 
 /* A mesh of KHR_draco_mesh_compression. */
 struct packed_mesh;

@@ -120,7 +120,7 @@ static void find_surface(struct findings *findings, int node, int mesh, int numb
 static void find_surfaces(struct findings *findings) {
     const struct scene *scene = findings->scene;
     for (int n = 0; n < scene->node_count; n++) {
-        int mesh = scene->nodes[n].mesh;
+        int mesh = scene->nodes[n].hidden ? -1 : scene->nodes[n].mesh;
         for (int p = 0; mesh >= 0 && p < scene->meshes[mesh].primitive_count; p++)
             find_surface(findings, n, mesh, p);
     }

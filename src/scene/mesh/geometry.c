@@ -78,7 +78,7 @@ static bool is_scaled(const struct scene *scene, int node) {
 
 static int count_node_parts(const struct scene *scene, int node, bool dynamic) {
     int mesh = scene->nodes[node].mesh;
-    if (mesh < 0 || dynamic != (scene->nodes[node].metaballs >= 0))
+    if (mesh < 0 || scene->nodes[node].hidden || dynamic != (scene->nodes[node].metaballs >= 0))
         return 0;
     return dynamic ? 1 : scene->meshes[mesh].primitive_count;
 }

@@ -24,7 +24,8 @@
 void viewer_open(struct viewer *viewer, const char *path) {
     char *whole = path_of_user(path);
     messages_forget_errors(&viewer->host.messages);
-    const struct scene_open_desc desc = {.light = viewer->desc.light,
+    const struct scene_open_desc desc = {.choice = viewer->desc.choice,
+                                         .light = viewer->desc.light,
                                          .environment = viewer->desc.environment};
     loader_start(&viewer->opening.loader, whole, &desc);
     viewer->opening.since = window_time();
@@ -70,6 +71,7 @@ static void forget_given(struct viewer *viewer) {
     struct viewer_desc *desc = &viewer->desc;
     viewer->opening.is_given = false;
     desc->camera = desc->light = desc->clip = desc->session = NULL;
+    desc->choice = (struct scene_choice){0};
     desc->environment = (struct environment_desc){0};
     desc->time = 0;
 }

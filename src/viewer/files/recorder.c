@@ -128,9 +128,11 @@ static bool write_picture(struct viewer *viewer) {
 static bool write_video(struct viewer *viewer) {
     struct recorder *recorder = &viewer->recorder;
     struct bitmap shown;
+    char rate[16];
+    snprintf(rate, sizeof rate, "%d", TIMELINE_FPS);
     viewer_read_shown(viewer, &shown);
-    bool ok = recorder->video.path || video_file_begin(&recorder->video, recorder->name,
-                                                       shown.width, shown.height, TIMELINE_FPS);
+    bool ok = recorder->video.path ||
+              video_file_begin(&recorder->video, recorder->name, shown.width, shown.height, rate);
     ok = ok && video_file_add(&recorder->video, &shown);
     bitmap_free(&shown);
     return ok;

@@ -61,7 +61,8 @@ bool viewer_write_picture(struct viewer *viewer, const char *path) {
         return false;
     if (is_float) {
         struct image image = {0};
-        ok = renderer_read_layers(&viewer->shown.renderer, &image) && image_write(&image, path);
+        ok = renderer_read_layers(&viewer->shown.renderer, &image) &&
+             image_write_layer(&image, path, shown_layer_prefix(viewer->shown.layer));
         image_free(&image);
     } else {
         struct bitmap bitmap;

@@ -13,7 +13,7 @@ static bool read_renderer(struct viewer *viewer, struct renderer *renderer, int 
     struct image all = {0}, layer = {0};
     bool ok = x < renderer->desc.width && y < renderer->desc.height &&
               renderer_read_pixel(renderer, x, y, &all) &&
-              layer_extract(&layer, &all, compare_layer_name(viewer->shown.layer));
+              layer_extract(&layer, &all, shown_layer_prefix(viewer->shown.layer));
     if (ok)
         memcpy(rgb, layer.pixels, 3 * sizeof *rgb);
     image_free(&all);

@@ -62,10 +62,6 @@ bool compare_render(struct compare *compare) {
     return true;
 }
 
-const char *compare_layer_name(int layer) {
-    return layer == LAYER_DIRECT ? "direct" : layer == LAYER_INDIRECT ? "indirect" : "";
-}
-
 const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,
                                       int layer) {
     switch (compare->mode) {
@@ -76,7 +72,7 @@ const struct texture *compare_compose(struct compare *compare, const struct rend
         return &compare->other.composite.display;
     case COMPARE_REFERENCE:
         if (!compare->reference.framebuffer ||
-            !reference_show(&compare->reference, compare_layer_name(layer),
+            !reference_show(&compare->reference, shown_layer_prefix(layer),
                             &renderer->desc.settings))
             return NULL;
         return &compare->reference.display;
@@ -93,7 +89,7 @@ static bool read_layer(struct renderer *renderer, int layer, struct image *rgb) 
     struct image all = {0};
     *rgb = (struct image){0};
     bool ok =
-        renderer_read_layers(renderer, &all) && layer_extract(rgb, &all, compare_layer_name(layer));
+        renderer_read_layers(renderer, &all) && layer_extract(rgb, &all, shown_layer_prefix(layer));
     image_free(&all);
     return ok;
 }

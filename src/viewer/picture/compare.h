@@ -58,9 +58,6 @@ bool compare_render(struct compare *compare);
 const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,
                                       int layer);
 
-/* "direct", "indirect", or "" of LAYER_BEAUTY. */
-const char *compare_layer_name(int layer);
-
 /* Measures the errors, and draws the map; begins with the metrics of whole neighbourhoods where those are
  * wanted. wake: called from another thread when those are there, and compare_follow_measuring is to
  * take them. Error: the sizes differ, or a value is not finite. */

@@ -77,6 +77,7 @@ static bool trace(struct reference_tracer *tracer) {
     const struct session *session = &tracer->session;
     struct stage_desc desc = {
         .path = tracer->scene,
+        .choice = {session->shown_scene, session->variant},
         .camera = session->camera,
         .light = session->lights,
         .clip = *session->clip ? session->clip : NULL,

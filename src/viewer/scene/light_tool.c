@@ -276,7 +276,7 @@ static void draw_outline(const struct light_stage *stage, const float middle[3],
                          const float right[3], const float up[3], bool round) {
     enum { POINTS = 32 };
     const int step = round ? 1 : POINTS / 4;
-    float before[2], at[2];
+    float before[2] = {0}, at[2];
     bool was = false;
     for (int i = 0; i <= POINTS; i += step) {
         float turn = 2 * GLM_PIf * ((float)i + (round ? 0 : .5F * (float)step)) / POINTS;

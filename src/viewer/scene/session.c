@@ -131,6 +131,10 @@ char *session_command(const struct session *session) {
         setting_format(&setting, &session->settings, value, sizeof value);
         append(&text, mem_printf(" --set %s=%s", name, value));
     }
+    if (*session->shown_scene)
+        append_quoted(&text, "--scene", session->shown_scene);
+    if (*session->variant)
+        append_quoted(&text, "--variant", session->variant);
     append_quoted(&text, "--camera", session->camera);
     append_quoted(&text, "--light", session->lights);
     if (*session->clip)

@@ -13,7 +13,8 @@
 enum { SESSION_VIEWS = 9 };
 
 struct session {
-    const char *scene;            /* path */
+    const char *scene;                                             /* path */
+    char shown_scene[CHOICE_TEXT_SIZE], variant[CHOICE_TEXT_SIZE]; /* as scene/choice.h has it */
     char *sky;                    /* path of the environment; NULL = none */
     float sky_turn, sky_strength; /* as struct environment has them; 0 and 1 without one */
     int width, height;

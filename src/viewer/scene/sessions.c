@@ -29,6 +29,8 @@ struct session viewer_session(const struct viewer *viewer) {
         .layer = viewer->shown.layer,
         .time = (float)viewer->placed.time,
     };
+    choice_to_text(&scene->scenes, session.shown_scene);
+    choice_to_text(&scene->variants, session.variant);
     clips_to_text(scene, session.clip);
     session_set_sky(&session, scene->environment);
     viewer_full_size(viewer, &session.width, &session.height);

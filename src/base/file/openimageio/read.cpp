@@ -119,12 +119,9 @@ bool name_channels(Source &source) {
     return true;
 }
 
-/* OpenImageIO counts two orders of Radiance's lines the wrong way round: +X +Y and -X -Y. Viewers
- * show EXR as it is stored. */
+/* Viewers show EXR as it is stored. */
 int orientation_of(const ImageSpec &spec, const char *format) {
     int orientation = spec.get_int_attribute("Orientation", 1);
-    if (strcmp(format, "hdr") == 0 && (orientation == 6 || orientation == 8))
-        return 14 - orientation;
     bool is_known = orientation >= 1 && orientation <= 8 && strcmp(format, "openexr") != 0;
     return is_known ? orientation : 1;
 }
@@ -321,6 +318,8 @@ void take_header(const Source &source, struct image *image) {
     const std::string passes = spec.get_string_attribute(passes_attribute);
     image->passes = passes.empty() ? NULL : mem_strdup(passes.c_str());
     image->weight = spec.get_float_attribute(weight_attribute);
+    image->unit = spec.get_float_attribute("whiteLuminance");
+    spec.getattribute("chromaticities", TypeDesc(TypeDesc::FLOAT, 8), image->primaries);
     if (source.names.size() == size_t(spec.nchannels))
         return;
     image->parts = static_cast<char **>(mem_alloc(source.parts.size(), sizeof *image->parts));

@@ -277,6 +277,21 @@ static void take_passes(const struct source *source, struct image *image) {
     image->weight = weight;
 }
 
+_Static_assert(sizeof(exr_attr_chromaticities_t) == 8 * sizeof(float), "x and y of four colours");
+
+/* What the file says of its colours; the attributes are optional. */
+static void take_colours(const struct source *source, struct image *image) {
+    exr_attr_chromaticities_t colours;
+    const exr_attribute_t *attribute = NULL;
+    exr_get_attribute_by_name(source->file, 0, "chromaticities", &attribute);
+    if (attribute && good(exr_attr_get_chromaticities(source->file, 0, "chromaticities", &colours)))
+        memcpy(image->primaries, &colours, sizeof image->primaries);
+    attribute = NULL;
+    exr_get_attribute_by_name(source->file, 0, "whiteLuminance", &attribute);
+    if (attribute)
+        exr_attr_get_float(source->file, 0, "whiteLuminance", &image->unit);
+}
+
 static bool read_lines(const struct source *source, struct image *image, const int *at) {
     int step = 0;
     bool ok = good(exr_get_scanlines_per_chunk(source->file, 0, &step)) && step > 0;
@@ -313,6 +328,7 @@ static bool read_channels(const struct source *source, const int *wanted, int co
     image->display = image->data = (struct image_window){source->window.min.x, source->window.min.y,
                                                          source->width, source->height};
     take_passes(source, image);
+    take_colours(source, image);
     error_set("cannot be decoded");
     bool ok = read_lines(source, image, at);
     free(names);

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/memory.h"
+#include "base/primaries.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -17,12 +18,12 @@ static size_t left_of(const struct cursor *cursor) {
     return (size_t)(cursor->end - cursor->at);
 }
 
-/* The next line without its end; false: there is none, or it is too long. */
+/* The next line without its end, as much of it as there is room for; false: there is none. */
 static bool next_line(struct cursor *cursor, char *line, size_t size) {
     const unsigned char *end = memchr(cursor->at, '\n', left_of(cursor));
-    if (!end || (size_t)(end - cursor->at) >= size)
+    if (!end)
         return false;
-    size_t length = (size_t)(end - cursor->at);
+    size_t length = (size_t)(end - cursor->at) < size ? (size_t)(end - cursor->at) : size - 1;
     memcpy(line, cursor->at, length);
     line[length] = '\0';
     cursor->at = end + 1;
@@ -77,22 +78,81 @@ enum { RGBE = 4, EXPONENT_BIAS = 128 + 8, RUN_WIDTH_MIN = 8, RUN_WIDTH_MAX = 327
 /* Of a run that is told as one; of one told at once, and of values told one by one. */
 enum { RUN_MIN = 4, RUN_MAX = 127, VALUES_MAX = 128 };
 
-static bool read_hdr_header(struct cursor *cursor, int *width, int *height) {
+/* What the lines before the pixels say. */
+struct hdr_header {
+    int width, height;
+    bool by_columns;    /* the first of the stored lines is a column */
+    bool from_end[2];   /* stored lines come from the right or bottom; the pixels of a line do */
+    double exposure[3]; /* by which values have been multiplied */
+    bool is_xyz;        /* pixels are CIE XYZ, whose white is D65 */
+    float primaries[8]; /* of the pixels; zeros: BT.709 */
+};
+
+/* Multiplies by the numbers of "NAME=1.5" or "NAME= 1 1 .9". FreeImage writes 0 for "unknown", which is 1. */
+static void take_exposure(double exposure[3], const char *numbers) {
+    double by[3];
+    int count = sscanf(numbers, "%lf %lf %lf", by, by + 1, by + 2);
+    for (int c = 0; c < 3 && (count == 1 || count == 3); c++) {
+        double factor = by[count == 1 ? 0 : c];
+        exposure[c] *= factor > 0 && isfinite(factor) ? factor : 1;
+    }
+}
+
+static void take_primaries(float primaries[8], const char *numbers) {
+    float given[8];
+    int count = sscanf(numbers, "%f %f %f %f %f %f %f %f", given, given + 1, given + 2, given + 3,
+                       given + 4, given + 5, given + 6, given + 7);
+    if (count == 8)
+        memcpy(primaries, given, sizeof given);
+}
+
+/* What a line of the header sets. Without a FORMAT it is RGBE. */
+static bool take_line(struct hdr_header *header, const char *line) {
+    const char *value = strchr(line, '=');
+    size_t name = value ? (size_t)(value++ - line) : 0;
+    if (name == 8 && memcmp(line, "EXPOSURE", name) == 0) {
+        take_exposure(header->exposure, value);
+    } else if (name == 9 && memcmp(line, "COLORCORR", name) == 0) {
+        take_exposure(header->exposure, value);
+    } else if (name == 9 && memcmp(line, "PRIMARIES", name) == 0) {
+        take_primaries(header->primaries, value);
+    } else if (name == 6 && memcmp(line, "FORMAT", name) == 0) {
+        char format[32] = "";
+        sscanf(value, "%31s", format);
+        header->is_xyz = strcmp(format, "32-bit_rle_xyze") == 0;
+        return header->is_xyz || strcmp(format, "32-bit_rle_rgbe") == 0 ||
+               error_set("a Radiance picture in the format '%s', neither RGBE nor XYZE", value);
+    }
+    return true;
+}
+
+/* "-Y 8 +X 16": lines of 16 pixels from the top, and of these from the left. */
+static bool take_size(struct hdr_header *header, const char *line) {
+    char signs[2], axes[2];
+    int sizes[2];
+    if (sscanf(line, "%c%c %d %c%c %d", signs, axes, sizes, signs + 1, axes + 1, sizes + 1) != 6 ||
+        !strchr("+-", signs[0]) || !strchr("+-", signs[1]) || axes[0] + axes[1] != 'X' + 'Y' ||
+        (axes[0] != 'X' && axes[0] != 'Y'))
+        return error_set("a Radiance picture whose resolution is '%s', and not like -Y 8 +X 16",
+                         line);
+    header->by_columns = axes[0] == 'X';
+    for (int i = 0; i < 2; i++) /* Y counts up, rows here down */
+        header->from_end[i] = signs[i] == (axes[i] == 'X' ? '-' : '+');
+    header->width = sizes[header->by_columns ? 0 : 1];
+    header->height = sizes[header->by_columns ? 1 : 0];
+    return check_picture_size(header->width, header->height);
+}
+
+static bool read_hdr_header(struct cursor *cursor, struct hdr_header *header) {
     char line[256];
-    bool is_rgbe = false;
+    *header = (struct hdr_header){.exposure = {1, 1, 1}};
     if (!next_line(cursor, line, sizeof line) || strncmp(line, "#?", 2) != 0)
         return error_set("not a Radiance picture");
     while (next_line(cursor, line, sizeof line) && line[0])
-        if (strncmp(line, "FORMAT=", 7) == 0)
-            is_rgbe = strcmp(line + 7, "32-bit_rle_rgbe") == 0;
-    if (!is_rgbe)
-        return error_set("a Radiance picture that is not RGBE, which this build does not read");
-    if (!next_line(cursor, line, sizeof line))
-        return error_set("ends too soon");
-    if (sscanf(line, "-Y %d +X %d", height, width) != 2)
-        return error_set("a Radiance picture that is turned ('%s'), which this build does not read",
-                         line);
-    return check_picture_size(*width, *height);
+        if (!take_line(header, line))
+            return false;
+    return next_line(cursor, line, sizeof line) ? take_size(header, line)
+                                                : error_set("ends too soon");
 }
 
 /* One byte of each pixel after another, as runs: above 128 a run of one value, else so many values. */
@@ -116,8 +176,26 @@ static bool read_runs(struct cursor *cursor, unsigned char *row, int width) {
     return true;
 }
 
+/* Pixels one by one. In files of before 1991 three ones mean that the pixel before comes so often again; another such
+ * mark counts 256 times as much. */
+static bool read_pixels(struct cursor *cursor, unsigned char *row, int width) {
+    int shift = 0;
+    for (int x = 0; x < width; cursor->at += RGBE) {
+        const unsigned char *at = cursor->at;
+        if (left_of(cursor) < RGBE)
+            return error_set("ends too soon");
+        bool repeats = x > 0 && at[0] == 1 && at[1] == 1 && at[2] == 1;
+        int64_t count = repeats ? (int64_t)at[3] << shift : 1;
+        if (shift > 16 || count > width - x)
+            return error_set("a run of pixels leaves its row");
+        for (int64_t i = 0; i < count; i++, x++)
+            memcpy(row + RGBE * x, repeats ? row + RGBE * (x - 1) : at, RGBE);
+        shift = repeats ? shift + 8 : 0;
+    }
+    return true;
+}
+
 static bool read_hdr_row(struct cursor *cursor, unsigned char *row, int width) {
-    size_t size = RGBE * (size_t)width;
     bool may_run = width >= RUN_WIDTH_MIN && width <= RUN_WIDTH_MAX && left_of(cursor) >= RGBE;
     const unsigned char *at = cursor->at;
     if (may_run && at[0] == 2 && at[1] == 2 && at[2] < 128) {
@@ -126,51 +204,82 @@ static bool read_hdr_row(struct cursor *cursor, unsigned char *row, int width) {
         cursor->at += RGBE;
         return read_runs(cursor, row, width);
     }
-    if (left_of(cursor) < size)
-        return error_set("ends too soon");
-    memcpy(row, cursor->at, size);
-    cursor->at += size;
-    return true;
+    return read_pixels(cursor, row, width);
 }
 
-static void decode_rgbe(float rgb[3], const unsigned char rgbe[RGBE]) {
-    float scale = rgbe[3] ? (float)ldexp(1, rgbe[3] - EXPONENT_BIAS) : 0;
+static void decode_rgbe(float rgb[3], const unsigned char rgbe[RGBE],
+                        const struct hdr_header *header, double xyz_to_rgb[3][3]) {
+    double scale = rgbe[3] ? ldexp(1, rgbe[3] - EXPONENT_BIAS) : 0, value[3];
     for (int c = 0; c < 3; c++)
-        rgb[c] = (float)rgbe[c] * scale;
+        value[c] = rgbe[c] * scale / header->exposure[c];
+    for (int c = 0; c < 3; c++)
+        rgb[c] =
+            (float)(header->is_xyz ? xyz_to_rgb[c][0] * value[0] + xyz_to_rgb[c][1] * value[1] +
+                                         xyz_to_rgb[c][2] * value[2]
+                                   : value[c]);
 }
 
-bool hdr_read(struct image *image, const unsigned char *bytes, size_t size) {
-    struct cursor cursor = {bytes, bytes + size};
-    int width, height;
-    if (!read_hdr_header(&cursor, &width, &height))
-        return false;
-    /* A row of runs has at least 8 bytes for each 127 pixels. */
-    if ((uint64_t)left_of(&cursor) * 127 < (uint64_t)width * (uint64_t)height)
-        return error_set("ends too soon");
-    if (!open_rgb(image, width, height))
-        return false;
-    unsigned char *row = mem_alloc((size_t)width, RGBE);
+/* The pixel of the picture that is the n-th of a stored line. */
+static float *find_pixel(const struct image *image, const struct hdr_header *header, int line,
+                         int n) {
+    int columns = header->by_columns;
+    int across = header->from_end[!columns] ? image->width - 1 - (columns ? line : n)
+                 : columns                  ? line
+                                            : n;
+    int down = header->from_end[columns] ? image->height - 1 - (columns ? n : line)
+               : columns                 ? n
+                                         : line;
+    return image_at(image, across, down);
+}
+
+static bool read_hdr_lines(struct cursor *cursor, const struct hdr_header *header,
+                           struct image *image) {
+    int lines = header->by_columns ? image->width : image->height,
+        length = header->by_columns ? image->height : image->width;
+    unsigned char *row = mem_alloc((size_t)length, RGBE);
+    double matrix[3][3];
     bool ok = true;
-    for (int y = 0; ok && y < height; y++) {
-        ok = read_hdr_row(&cursor, row, width);
-        for (int x = 0; ok && x < width; x++)
-            decode_rgbe(image_at(image, x, y), row + RGBE * x);
+    primaries_matrix_of_xyz(matrix);
+    for (int line = 0; ok && line < lines; line++) {
+        ok = read_hdr_row(cursor, row, length);
+        for (int n = 0; ok && n < length; n++)
+            decode_rgbe(find_pixel(image, header, line, n), row + RGBE * n, header, matrix);
     }
     free(row);
-    if (!ok)
-        image_free(image);
     return ok;
 }
 
+bool hdr_read(struct image *image, const unsigned char *bytes, size_t size) {
+    enum { PIXELS_OF_A_BYTE = 1 << 14 }; /* at most: two marks for 255 * 256 pixels */
+    struct cursor cursor = {bytes, bytes + size};
+    struct hdr_header header;
+    if (!read_hdr_header(&cursor, &header))
+        return false;
+    if ((uint64_t)left_of(&cursor) * PIXELS_OF_A_BYTE <
+        (uint64_t)header.width * (uint64_t)header.height)
+        return error_set("ends too soon");
+    if (!open_rgb(image, header.width, header.height))
+        return false;
+    if (!header.is_xyz)
+        memcpy(image->primaries, header.primaries, sizeof image->primaries);
+    if (read_hdr_lines(&cursor, &header, image))
+        return true;
+    image_free(image);
+    return false;
+}
+
+/* The mantissas are rounded: cut ones would make the picture .4 % too dark. */
 static void encode_rgbe(unsigned char rgbe[RGBE], const float rgb[3]) {
-    float most = fmaxf(rgb[0], fmaxf(rgb[1], rgb[2]));
+    const float largest = 0x1.fep126f; /* 255 with the greatest exponent */
+    float most = fminf(fmaxf(rgb[0], fmaxf(rgb[1], rgb[2])), largest);
     int exponent;
     memset(rgbe, 0, RGBE);
     if (!(most >= 1e-32f))
         return;
-    float scale = frexpf(most, &exponent) * 256 / most;
+    if (roundf(256 * frexpf(most, &exponent)) > 255)
+        exponent++;
     for (int c = 0; c < 3; c++)
-        rgbe[c] = (unsigned char)fminf(fmaxf(rgb[c] * scale, 0), 255);
+        rgbe[c] = (unsigned char)roundf(ldexpf(fminf(fmaxf(rgb[c], 0), largest), 8 - exponent));
     rgbe[3] = (unsigned char)(exponent + 128);
 }
 
