@@ -2,6 +2,7 @@
 //     L = 1/n sum_j  f_r cos_x / p(l_j)  rho I cos_y / (pi d^2)  share_j
 // A draw fills one tile, whose pixels take the same lights, as in the near field.
 #include "lib/gbuffer_specular.glsl"
+#include "lib/lobe_albedo.glsl"
 #include "lib/medium.glsl"
 #include "gather/receiver_all.glsl"
 #include "gather/specular_weight.glsl"
@@ -39,21 +40,22 @@ vec2 sample_of(ivec2 pixel, int ray) {
     return fract(fract(shift) + params.start + float(ray) * STEP);
 }
 
-vec4 hit_specular(march_hit hit) {
+vec4 hit_specular_code(march_hit hit) {
     ivec3 place = ivec3(hit.texel, hit.seen_by.layer);
-    return specular_decode(hit.seen_by.kind == LIGHT_MAP_FACE ? texelFetch(rsm_speculars[LIGHT_MAP_FACE], place, 0)
-                                                              : texelFetch(rsm_speculars[LIGHT_MAP_SINGLE], place, 0));
+    return hit.seen_by.kind == LIGHT_MAP_FACE ? texelFetch(rsm_speculars[LIGHT_MAP_FACE], place, 0)
+                                              : texelFetch(rsm_speculars[LIGHT_MAP_SINGLE], place, 0);
 }
 
 // What of the light's irradiance the hit surface sends to the receiver, 1/sr times the light's cosine there. Few rays of a
 // rough receiver would find a highlight, as spots: its lobe is as much wider as the receiver's is [Kaplanyan and
-// Dachsbacher 2013].
+// Dachsbacher 2013]. Diffuse is what the map's albedo has beside the specular part (picture/surface_detail.glsl).
 vec3 hit_reflects(march_hit hit, vec3 to_light, vec3 to_receiver, float cosine, float receiver_alpha) {
-    vec4 specular = hit_specular(hit);
-    vec3 diffuse = max(rsm_albedo(hit.seen_by, hit.texel) - evenly_reflected(specular), 0.0);
+    vec4 code = hit_specular_code(hit), specular = specular_decode(code);
+    vec3 f90 = specular_grazing(code), light_away = facing(hit.end.normal, to_light);
+    vec3 lobe = specular_albedo(specular.rgb, f90, specular_alpha(specular.a), dot(hit.end.normal, light_away));
+    vec3 diffuse = max(rsm_albedo(hit.seen_by, hit.texel) - lobe, 0.0);
     float alpha = min(length(vec2(specular.a * specular.a, receiver_alpha)), 1.0);
-    specular_surface s = specular_surface(specular.rgb, reflectance_grazing(specular.rgb), alpha, hit.end.normal,
-                                          facing(hit.end.normal, to_receiver));
+    specular_surface s = specular_surface(specular.rgb, f90, alpha, hit.end.normal, facing(hit.end.normal, to_receiver));
     return diffuse * (cosine / 3.14159265) + (specular.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
 }
 

@@ -5,7 +5,7 @@
 #include "lib/octahedral.glsl"
 #include "picture/base_color.glsl"
 
-in vec3 surface_normal, surface_position;
+in vec3 surface_normal, surface_position, surface_to_other;
 
 #ifdef LIGHT_VIEW
 const bool OF_LIGHT = true;
@@ -64,7 +64,7 @@ void main() {
     vec3 sent = sent_by_facet(color.rgb, normal);
     normal_code = octahedral_encode(normal);
     write_emission(sent);
-    vec3 albedo = albedo_of(sent, OF_LIGHT, is_back);
+    vec3 albedo = albedo_of(sent, normal, surface_to_other, OF_LIGHT, is_back);
     albedo_root = vec4(sqrt(clamp(albedo, 0.0, ALBEDO_MOST)), 1.0);
     if (!kept)
         discard;

@@ -2,17 +2,20 @@
 #ifdef LIGHT_VIEW
 #include "lib/light_target.glsl"
 
-out vec3 surface_to_light;
+out vec3 surface_to_other; // the light
 
 void set_place(vec3 position) {
     view v = light_view_at(target_view()).view;
     gl_Position = v.world_to_clip * vec4(position, 1.0);
-    surface_to_light = v.orthographic ? -v.forward : v.origin - position;
+    surface_to_other = v.orthographic ? -v.forward : v.origin - position;
 }
 #else
 #include "picture/camera_range.glsl"
 
+out vec3 surface_to_other; // the camera
+
 void set_place(vec3 position) {
+    surface_to_other = camera.orthographic ? -camera.forward : camera.origin - position;
     gl_Position = camera.world_to_clip * vec4(position, 1.0);
     cut_by_range(gl_Position);
 }

@@ -1,6 +1,7 @@
 // What a material's textures say beyond its colour. Who includes it has the material's block, and their uv.
+#include "lib/brdf.glsl"
+#include "lib/lobe_albedo.glsl"
 #include "lib/specular.glsl"
-#include "shared/brdf.h"
 
 layout(binding = UNIT_METAL_ROUGHNESS) uniform sampler2D metal_roughness_texture;
 layout(binding = UNIT_NORMAL_MAP) uniform sampler2D normal_texture;
@@ -28,10 +29,12 @@ vec3 mapped_normal(vec3 normal) {
     return normalize(turned.x * tangent + turned.y * bitangent + turned.z * normal);
 }
 
-// Of that base colour: the albedo of its diffuse part, and the reflectance from straight on and the roughness of its
-// specular part. The same as reference/brdf.c.
-vec3 diffuse_and_specular(vec3 base, out vec4 specular) {
+// Of that base colour: the albedo of its diffuse part towards a unit direction; the reflectance from straight on and the
+// roughness of its specular part, and the reflectance grazing. The diffuse part has what the lobe leaves of the light, by
+// its directional albedo, so that a white dielectric reflects all. The same as reference/brdf.c.
+vec3 diffuse_and_specular(vec3 base, float cosine, out vec4 specular, out float grazing) {
     specular = vec4(0.0);
+    grazing = 0.0;
     if (material.unlit)
         return vec3(0.0);
     if (material.diffuse)
@@ -49,21 +52,25 @@ vec3 diffuse_and_specular(vec3 base, out vec4 specular) {
     float outer_f0 = max(f0.r, max(f0.g, f0.b));
     float f90 = material.specular_glossiness ? min(BRDF_GRAZING_OF * outer_f0, 1.0) : material.specular_f90;
     specular = vec4(mix(f0, base, metal_rough.x), metal_rough.y);
-    return base * ((1.0 - metal_rough.x) * (1.0 - mix(outer_f0, f90, BRDF_MEAN_SCHLICK)));
+    grazing = mix(f90, 1.0, metal_rough.x);
+    float reflected = specular_albedo(vec3(outer_f0), vec3(f90), specular_alpha(metal_rough.y), cosine).r;
+    return base * ((1.0 - metal_rough.x) * (1.0 - reflected));
 }
 
 bool is_unlit() {
     return material.unlit;
 }
 
-// Of the diffuse part; of what lights see, with what the rest reflects, as if evenly. Writes specular_code.
-vec3 albedo_of(vec3 base, bool of_light, bool is_back) {
+// Of the diffuse part, towards the eye or light; of what lights see, all that is reflected of light from there. Writes
+// specular_code.
+vec3 albedo_of(vec3 base, vec3 normal, vec3 towards, bool of_light, bool is_back) {
     vec4 specular;
-    vec3 albedo = diffuse_and_specular(base, specular);
+    float grazing, cosine = dot(normal, facing(normal, normalize(towards)));
+    vec3 albedo = diffuse_and_specular(base, cosine, specular, grazing);
     if (of_light)
-        albedo += evenly_reflected(specular);
+        albedo += specular_albedo(specular.rgb, vec3(grazing), specular_alpha(specular.a), cosine);
     if (of_light && is_back)
         albedo = specular.rgb = vec3(0.0);
-    specular_code = specular_encode(specular);
+    specular_code = specular_encode(specular, grazing);
     return albedo;
 }

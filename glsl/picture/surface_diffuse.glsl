@@ -7,6 +7,6 @@ bool is_unlit() {
     return false;
 }
 
-vec3 albedo_of(vec3 base, bool of_light, bool is_back) {
+vec3 albedo_of(vec3 base, vec3 normal, vec3 towards, bool of_light, bool is_back) {
     return base;
 }

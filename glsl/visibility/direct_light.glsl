@@ -12,6 +12,12 @@ layout(location = TARGET_RESULT) out vec4 direct;
 #include "lib/unshadowed_specular.glsl"
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
+
+// By the light's middle; where it shines from below the horizon, at the horizon.
+float diffuse_share(specular_surface seen, vec3 direction) {
+    float f0 = max(seen.f0.r, max(seen.f0.g, seen.f0.b)), cosine = max(-dot(seen.normal, direction), BRDF_LEAST_COSINE);
+    return let_through(f0, seen.f90.r, seen.alpha, cosine);
+}
 #endif
 
 // Whether the triangle is turned away from all of the light, of which nothing is farther from its middle than its sides.
@@ -42,8 +48,9 @@ void main() {
     if (share <= 0.0)
         return;
     float lit = arriving(s, l, direction);
-    vec3 reflected = unshadowed_specular(l, gbuffer_specular(s, pixel), s.position, direction, distance2);
-    direct.rgb = l.radiance * (share * lit);
+    specular_surface seen = gbuffer_specular(s, pixel);
+    vec3 reflected = unshadowed_specular(l, seen, s.position, direction, distance2);
+    direct.rgb = l.radiance * (share * lit * diffuse_share(seen, direction));
     specular.rgb = l.radiance * reflected * lit * in_range;
 #else
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);

@@ -27,9 +27,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum reference_technique { TECHNIQUE_PATH, TECHNIQUE_VPL_RAYTRACED, TECHNIQUE_LIGHTCUTS };
+enum reference_technique { TECHNIQUE_PATH, TECHNIQUE_VPL_RAYTRACED };
 
-static const char *const reference_techniques[] = {"path", "vpl-raytraced", "lightcuts", NULL};
+static const char *const reference_techniques[] = {"path", "vpl-raytraced", NULL};
 
 struct values {
     struct common_values common;
@@ -38,8 +38,8 @@ struct values {
     struct path_tracer_desc tracer;
     struct text_list settings;
     const char *output, *format, *background, *ao;
-    float noise, tolerance;
-    int technique, compensation, light_paths;
+    float noise;
+    int technique, light_paths;
 };
 
 OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
@@ -52,15 +52,7 @@ static const struct option options[] = {
     {"technique", 0, OPTION_CHOICE, offsetof(struct values, technique),
      .choices = reference_techniques,
      .help = "path tracing, or the one-bounce sum over the VPLs of\n"
-             "render with ray-traced visibility: over all VPLs, or\n"
-             "over cuts through a tree of VPLs"},
-    {"tolerance", 0, OPTION_FLOAT, offsetof(struct values, tolerance), .02, 0, 1,
-     .value_name = "X%",
-     .help = "error bound of a tree node, as a fraction of a\n"
-             "pixel's sum; 0: all VPLs; with --technique lightcuts"},
-    {"compensation", 0, OPTION_INT, offsetof(struct values, compensation), 0, 0, 1e6,
-     .help = "rays per pixel that add the light cut off by the bound, exact on average;\n"
-             "0: none; with vpl-raytraced or lightcuts and --set clamp=value"},
+             "render with ray-traced visibility"},
     {"set", 0, OPTION_LIST, offsetof(struct values, settings), .value_name = "KEY=VALUE",
      .help = "with --technique path a setting of the medium, for example medium.scatter;\n"
              "else of the VPLs, for example vpls, seed or clamp (render --help-all); repeatable"},
@@ -120,8 +112,7 @@ static const struct arguments arguments = {
         "emitted, the radiance of environment and lamps. Specular surfaces add specular, the sum\n"
         "of direct.specular and indirect.specular, and standard_error.specular; the other layers\n"
         "are diffuse. A medium adds airlight and standard_error.airlight. Light paths add caustic\n"
-        "and volume, and their standard errors. Lightcuts add bound, the largest error against\n"
-        "the sum of all VPLs, and nodes, the number of lights of a pixel.\n"
+        "and volume, and their standard errors.\n"
         "SCENE - is standard input; -o - is standard output, with --format exr.",
     .options = options,
     .opens_scenes = true,
@@ -143,19 +134,16 @@ static bool parse_ao(struct values *values) {
 
 /* Sums of VPLs have one bounce, and settings of their own for the rest. */
 static bool check_use(const struct values *values) {
-    bool path = values->technique == TECHNIQUE_PATH, cut = values->technique == TECHNIQUE_LIGHTCUTS;
+    bool path = values->technique == TECHNIQUE_PATH;
     return arguments_check_use(
         &values->common,
         (struct option_use[]){
             {"bounces spp paths noise centers background seen ao denoise smooth "
-             "light-paths materials",
+             "light-paths materials seed",
              path, "--technique path"},
             {"paths denoise", values->tracer.bounces > 0, "--bounces of 1 or more"},
             {"context device screen-passes gl-debug", !path,
-             "--technique vpl-raytraced and lightcuts, which use OpenGL"},
-            {"tolerance", cut, "--technique lightcuts"},
-            {"seed", path || cut || values->compensation > 0,
-             "--technique path, lightcuts and --compensation"},
+             "--technique vpl-raytraced, which uses OpenGL"},
             {NULL}});
 }
 
@@ -251,52 +239,20 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     return ok && trace_light(values, stage, &desc.medium, image);
 }
 
-/* Of the pixels that show a surface. */
-static void note_nodes(const struct image *image) {
-    size_t pixels = (size_t)image->width * (size_t)image->height, count = 0;
-    float *nodes = mem_alloc(pixels, sizeof *nodes);
-    double sum = 0;
-    for (size_t i = 0; i < pixels; i++) {
-        const float *pixel = image->pixels + i * (size_t)image->channel_count;
-        if (pixel[CHANNEL_ALPHA] > 0)
-            sum += (double)(nodes[count++] = pixel[CHANNEL_NODES]);
-    }
-    if (count > 0)
-        log_note("cuts of %.0f nodes in the mean, %.0f in the median, %.0f at the 95th percentile",
-                 sum / (double)count, (double)quantile(nodes, count, .5),
-                 (double)quantile(nodes, count, .95));
-    free(nodes);
-}
-
 static bool trace_vpls(const struct values *values, const struct stage *stage,
                        struct measure_desc *desc, struct image *image) {
     struct context *context = context_create(&values->context);
-    struct vpl_sum_cuts cuts = {.tolerance = values->tolerance, .seed = values->tracer.seed};
-    struct vpl_sum_compensation compensation = {values->compensation, values->tracer.seed};
-    bool cut = values->technique == TECHNIQUE_LIGHTCUTS;
     struct progress progress;
     if (!context)
         return false;
     desc->stage = stage;
     progress_start(&progress, "vpls");
-    bool ok = picture_trace(desc, cut ? &cuts : NULL, compensation.rays ? &compensation : NULL,
-                            &progress, image);
+    bool ok = picture_trace(desc, &progress, image);
     double seconds = progress_end(&progress);
     if (ok)
         log_note("VPLs summed in %.1f s", seconds);
-    if (ok && cut)
-        note_nodes(image);
     context_free(context);
     return ok;
-}
-
-static bool check_compensation(const struct values *values, const struct measure_desc *desc) {
-    const struct gather_settings *gather =
-        settings_of(struct gather_settings, &desc->settings, &gather_part);
-    return values->compensation == 0 ||
-           (values->technique != TECHNIQUE_PATH && gather->clamp == GATHER_CLAMP_VALUE) ||
-           error_set("--compensation is for --technique vpl-raytraced and lightcuts with "
-                     "--set clamp=value");
 }
 
 /* Paths know of the medium alone, and sums of VPLs know no medium. */
@@ -307,7 +263,7 @@ static bool check_given(const struct values *values, const struct settings *sett
         if (!settings->given[i] || (part == &medium_part) == is_path)
             continue;
         return error_set(is_path
-                             ? "--set %s...: for --technique vpl-raytraced and lightcuts; "
+                             ? "--set %s...: for --technique vpl-raytraced; "
                                "paths take settings of the medium alone"
                              : "--set %s...: for --technique path; sums of VPLs ignore a medium",
                          part->owner);
@@ -318,8 +274,7 @@ static bool check_given(const struct values *values, const struct settings *sett
 static bool parse_settings(const struct values *values, struct measure_desc *desc) {
     *desc = measure_default(NULL, values->tracer.width, values->tracer.height);
     return measure_assign_all(desc, values->settings.items, values->settings.count) &&
-           check_given(values, &desc->settings) && measure_check(desc) &&
-           check_compensation(values, desc);
+           check_given(values, &desc->settings) && measure_check(desc);
 }
 
 /* Where the options tell none. */

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/names.h"
-#include "base/old_names.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -132,10 +131,8 @@ bool settings_find(const struct settings *settings, const char *name, struct set
             count++;
         }
     }
-    if (count == 0) {
-        const char *now = old_name_follow(name);
-        return now && settings_find(settings, now, setting);
-    }
+    if (count == 0)
+        return error_set("no setting is called '%s' (--help-all lists them)", name);
     return count == 1 || refuse_ambiguous(settings, name);
 }
 

@@ -65,7 +65,7 @@ static bool assign(struct tracing *tracing) {
     for (int i = 0; i < settings->part_count; i++)
         if (settings->given[i] && settings->parts[i] != &medium_part) {
             error_set(
-                "--set %s...: for --technique vpl-raytraced and lightcuts; paths take settings of "
+                "--set %s...: for --technique vpl-raytraced; paths take settings of "
                 "the medium alone",
                 settings->parts[i]->owner);
             return door_blame(MANYLIGHT_BAD_SETTING);

@@ -69,7 +69,7 @@ static bool init_rows(struct smooth_surfaces *surfaces, const struct geometry *g
     bool ok = buffer_init(&surfaces->rows, "rows of triangles", count * sizeof *rows, rows);
     free(rows);
     free(marked);
-    surfaces->laid_out = geometry->laid_out;
+    surfaces->painted = geometry->painted;
     if (ok)
         init_texels(&surfaces->row_texels, GL_R32UI, surfaces->rows.id);
     return ok;
@@ -107,9 +107,10 @@ void smooth_surfaces_free(struct smooth_surfaces *surfaces) {
 /* Where there is no memory for metaballs that have grown, none is smooth. */
 void smooth_surfaces_follow(struct smooth_surfaces *surfaces, const struct scene_gpu *gpu,
                             const struct geometry *geometry) {
-    if (surfaces->laid_out != geometry->laid_out) {
+    if (surfaces->painted != geometry->painted) {
         free_rows(surfaces);
-        if (!init_rows(surfaces, geometry))
+        buffer_free(&surfaces->materials);
+        if (!init_materials(surfaces) || !init_rows(surfaces, geometry))
             surfaces->vertex_count = 0;
     }
     init_texels(&surfaces->corner_texels, GL_R32UI, gpu->indices.id);

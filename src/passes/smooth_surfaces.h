@@ -12,7 +12,7 @@ struct smooth_surfaces {
     bool has_glass;
     uint32_t *vertices; /* of the geometry, those of smooth triangles */
     uint32_t vertex_count;
-    unsigned laid_out; /* of the geometry, that they are of */
+    unsigned painted; /* of the geometry, that they are of */
     struct buffer rows, materials;
     GLuint row_texels, material_texels, corner_texels, position_texels, normal_texels;
 };

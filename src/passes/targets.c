@@ -30,7 +30,7 @@ bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
         (!desc->has_emission ||
          init_layer(&gbuffer->emission, label, "emission", GL_RGBA16F, gbuffer)) &&
         (!desc->has_specular ||
-         init_layer(&gbuffer->specular, label, "specular", GL_RGBA8, gbuffer)) &&
+         init_layer(&gbuffer->specular, label, "specular", GL_RGBA16, gbuffer)) &&
         framebuffer_init(
             &gbuffer->framebuffer,
             &(struct framebuffer_desc){.label = label,

@@ -45,8 +45,7 @@ static const enum geometry_bound bounds[] = {
     [GATHER_CLAMP_PATCH] = GEOMETRY_DISK,     [GATHER_CLAMP_RECTANGLE_NEAR] = GEOMETRY_DISK,
 };
 
-bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *cuts,
-                   const struct vpl_sum_compensation *compensation, struct progress *progress,
+bool picture_trace(const struct measure_desc *desc, struct progress *progress,
                    struct image *image) {
     const struct stage *stage = desc->stage;
     struct lights lights;
@@ -69,8 +68,6 @@ bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *c
                                .height = desc->height,
                                .term = {.bound = bounds[gather->clamp],
                                         .clamp_value = many_lights_clamp_value / (radius * radius)},
-                               .cuts = cuts,
-                               .compensation = compensation,
                                .materials = surface->materials,
                                .progress = show,
                                .user = progress},

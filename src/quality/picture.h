@@ -14,11 +14,9 @@ bool picture_render(const struct measure_desc *desc, struct image *image);
 
 /* The sum over all VPLs of such a frame, exact but for the bound near a VPL: visibility by ray
  * tracing, no interleaving, no blur. `clamp` bounds the geometry term; `near` is taken as `disk`,
- * as the near field is no sum over VPLs. cuts and compensation, which is of `clamp=value`, NULL = none
- * (reference/vpl_sum.h), progress NULL = none shown. Error: the technique has no VPLs; of the renderer or the tracer. */
-bool picture_trace(const struct measure_desc *desc, const struct vpl_sum_cuts *cuts,
-                   const struct vpl_sum_compensation *compensation, struct progress *progress,
-                   struct image *image);
+ * as the near field is no sum over VPLs. progress NULL = none shown. Error: the technique has no VPLs; of the
+ * renderer or the tracer. */
+bool picture_trace(const struct measure_desc *desc, struct progress *progress, struct image *image);
 
 /* As path_tracer_render, with scene, geometry, camera and lights of the stage. */
 bool picture_trace_paths(const struct stage *stage, const struct path_tracer_desc *desc,

@@ -1,6 +1,7 @@
 #include "reference/brdf.h"
 
 #include "reference/warp.h"
+#include "scene/lobe_albedo.h"
 #include "shared/brdf.h"
 
 #include <math.h>
@@ -29,9 +30,20 @@ struct brdf brdf_of(const struct material *material, vec3s base_color,
         .outer_f0 = glms_vec3_max(reflectance->f0),
         .outer_f90 = reflectance->f90,
     };
-    brdf.transmitted = reflectance_transmits(reflectance);
-    brdf.albedo = glms_vec3_scale(base_color, (1 - metalness) * brdf.transmitted);
+    brdf.transmitted = fmaxf(reflectance_transmits(reflectance), (float)BRDF_LEAST_THROUGH);
+    brdf.below = glms_vec3_scale(base_color, 1 - metalness);
+    brdf.albedo = glms_vec3_scale(brdf.below, brdf.transmitted);
     return brdf;
+}
+
+/* The fraction of light from or to that angle that the interface lets through. */
+static float let_through(const struct brdf *brdf, float cosine) {
+    return fmaxf(1 - lobe_albedo(brdf->outer_f0, brdf->outer_f90, brdf->alpha, cosine), 0);
+}
+
+void brdf_turn(struct brdf *brdf, vec3s n, vec3s v) {
+    if (!brdf->diffuse)
+        brdf->albedo = glms_vec3_scale(brdf->below, let_through(brdf, glms_vec3_dot(n, v)));
 }
 
 /* --- value ------------------------------------------------------------------------------------ */
@@ -73,11 +85,8 @@ struct brdf_value brdf_eval(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) 
     float visibility =
         .5F / (n_v * smith_root(brdf->alpha, n_l) + n_l * smith_root(brdf->alpha, n_v));
     float lobe = visibility * distribution(brdf->alpha, n, h);
-    /* Where all is reflected outside, the albedo is 0 and this may be anything that is finite. */
-    bool transmits = brdf->transmitted > 0;
     return (struct brdf_value){
-        .diffuse =
-            transmits ? (1 - glm_lerp(brdf->outer_f0, brdf->outer_f90, w)) / brdf->transmitted : 1,
+        .diffuse = let_through(brdf, n_l) / brdf->transmitted,
         .specular = glms_vec3_scale(glms_vec3_lerp(brdf->f0, brdf->f90, w), lobe),
     };
 }

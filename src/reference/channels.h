@@ -12,7 +12,6 @@
 #define CHANNELS_OF_PATH_TRACER                                                                    \
     CHANNELS_COMMON " standard_error.R standard_error.G standard_error.B "                         \
                     "emitted.R emitted.G emitted.B"
-#define CHANNELS_OF_CUTS CHANNELS_COMMON " bound.R bound.G bound.B nodes.R nodes.G nodes.B"
 #define CHANNELS_OF_SEEN                                                                           \
     "unshadowed.R unshadowed.G unshadowed.B visibility.R visibility.G visibility.B "               \
     "standard_error.direct.Y standard_error.visibility.Y"
@@ -55,13 +54,6 @@ enum film_channel {
         29, /* standard errors of the means over RGB of direct light and visibility */
     CHANNEL_VISIBILITY_ERROR = 30,
     CHANNEL_END = 31,
-};
-
-/* The same, of the sum over VPLs by cuts. */
-enum cut_channel {
-    CHANNEL_BOUND = CHANNEL_COMMON_END, /* the indirect layer is off the whole sum's by no more */
-    CHANNEL_NODES = 20,                 /* how many lights of the tree are summed */
-    CHANNEL_CUTS_END = 23,
 };
 
 /* The same, from where the layers of specular reflection begin: radiance, W/(sr m2). */

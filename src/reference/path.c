@@ -41,6 +41,7 @@ static vec3s sent_to(const struct light_vertices *lights, uint32_t i, const stru
     const struct arrival *arrival = &lights->specular[i].arrival;
     struct hit y = lights->specular[i].hit;
     y.towards = glms_vec3_normalize(glms_vec3_sub(x->position, y.position));
+    brdf_turn(&y.brdf, y.normal, y.towards);
     if (arrival->picked > 0)
         *light_found =
             hit_density(&y, arrival->direction, glms_vec3_dot(y.normal, arrival->direction)) /

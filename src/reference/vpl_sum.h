@@ -16,19 +16,6 @@
 #include "scene/mesh/geometry.h"
 #include "shared/vpl.h"
 
-/* Lightcuts in place of the whole sum at each pixel [Walter et al. 2005]: fewer lights and rays, and
- * an error that is known to be below a bound. */
-struct vpl_sum_cuts {
-    float tolerance; /* of a node's error, over the sum; 0: the whole sum, to the last bit */
-    uint32_t seed;   /* of the choice of representatives */
-};
-
-/* What the bound takes is added, found by rays (reference/residual.h): the sum is then without bias. */
-struct vpl_sum_compensation {
-    int rays;      /* of a pixel */
-    uint32_t seed; /* another one, another noise */
-};
-
 /* Zero is the default of all but the first five. */
 struct vpl_sum_desc {
     const struct scene *scene; /* its materials and textures */
@@ -39,9 +26,7 @@ struct vpl_sum_desc {
     struct emitters emitters; /* for the direct layer; may be none */
     int width, height;        /* default 800 */
     struct geometry_term term;
-    bool unshadowed;                                 /* V = 1 */
-    const struct vpl_sum_cuts *cuts;                 /* NULL: none, each pixel sums all VPLs */
-    const struct vpl_sum_compensation *compensation; /* of GEOMETRY_CLAMPED; NULL: none */
+    bool unshadowed; /* V = 1 */
     /* Rays end this far above a VPL's surface, metres: as far as its position may be off. Default:
      * a thousandth of the scene's radius. */
     float vpl_clearance;
@@ -52,7 +37,7 @@ struct vpl_sum_desc {
     void *user;
 };
 
-/* Renders into a new image with CHANNELS_COMMON, or CHANNELS_OF_CUTS. Error: Embree's own, or "cancelled"; the image is
+/* Renders into a new image with CHANNELS_COMMON. Error: Embree's own, or "cancelled"; the image is
  * then zeroed. */
 bool vpl_sum_render(const struct vpl_sum_desc *desc, struct image *image);
 

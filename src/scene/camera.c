@@ -1,5 +1,6 @@
 #include "scene/camera.h"
 
+#include "scene/animated.h"
 #include "scene/node.h"
 
 #include <cglm/cglm.h>
@@ -25,14 +26,14 @@ int camera_find(const struct scene *scene, const char *text) {
 
 void camera_place(struct camera *camera, const struct scene *scene, int n, double time) {
     int node = node_carrying(scene, NODE_CAMERA, n);
-    const struct scene_camera *source = &scene->cameras[scene->nodes[node].camera];
+    const struct scene_camera source = animated_camera(scene, scene->nodes[node].camera, time);
     float world[16];
     node_world(scene, node, time, world);
-    *camera = (struct camera){.orthographic = source->orthographic,
-                              .fov_y = source->fov_y,
-                              .y_extent = source->y_extent,
-                              .near = source->near,
-                              .far = source->far};
+    *camera = (struct camera){.orthographic = source.orthographic,
+                              .fov_y = source.fov_y,
+                              .y_extent = source.y_extent,
+                              .near = source.near,
+                              .far = source.far};
     memcpy(camera->eye, &world[12], sizeof camera->eye);
     node_frame(world, camera->right, camera->up, camera->forward);
 }

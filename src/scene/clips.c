@@ -10,28 +10,46 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PATHS = CHANNEL_WEIGHTS + 1 };
-
 /* --- the default ------------------------------------------------------------------------------ */
 
+enum { NODE_PATHS = CHANNEL_VISIBLE + 1 };
+
+/* Everything that channels move has a place in a row: of all nodes, all lights, all cameras, all materials. */
+static size_t place_of(const struct scene *scene, const struct channel *channel) {
+    const size_t target = (size_t)channel->target, lights = (size_t)scene->node_count * NODE_PATHS,
+                 cameras = lights + (size_t)scene->light_count * sizeof(struct scene_light),
+                 materials = cameras + (size_t)scene->camera_count * sizeof(struct scene_camera);
+    switch (channel->path) {
+    case CHANNEL_LIGHT:
+        return lights + target * sizeof(struct scene_light) + channel->offset;
+    case CHANNEL_CAMERA:
+        return cameras + target * sizeof(struct scene_camera) + channel->offset;
+    case CHANNEL_MATERIAL:
+        return materials + target * sizeof(struct material) + channel->offset;
+    default:
+        return target * NODE_PATHS + channel->path;
+    }
+}
+
 /* Whether none of its channels moves what is taken. */
-static bool is_free(const struct clip *clip, const bool *taken) {
+static bool is_free(const struct scene *scene, const struct clip *clip, const bool *taken) {
     for (int i = 0; i < clip->channel_count; i++)
-        if (taken[clip->channels[i].node * PATHS + (int)clip->channels[i].path])
+        if (taken[place_of(scene, &clip->channels[i])])
             return false;
     return true;
 }
 
 /* Into room for all clips. */
 static int find_default(const struct scene *scene, int *playing) {
-    bool *taken = mem_alloc((size_t)scene->node_count * PATHS, sizeof *taken);
+    const struct channel end = {.path = CHANNEL_MATERIAL, .target = scene->material_count};
+    bool *taken = mem_alloc(place_of(scene, &end), sizeof *taken);
     int count = 0;
     for (int n = 0; n < scene->clip_count; n++) {
         const struct clip *clip = &scene->clips[n];
-        if (!is_free(clip, taken))
+        if (!is_free(scene, clip, taken))
             continue;
         for (int i = 0; i < clip->channel_count; i++)
-            taken[clip->channels[i].node * PATHS + (int)clip->channels[i].path] = true;
+            taken[place_of(scene, &clip->channels[i])] = true;
         playing[count++] = n;
     }
     free(taken);

@@ -1,5 +1,6 @@
 #include "scene/material.h"
 
+#include "scene/lobe_albedo.h"
 #include "shared/brdf.h"
 
 #include <math.h>
@@ -110,7 +111,8 @@ struct reflectance material_reflectance_at(const struct material *material, vec4
 }
 
 float reflectance_transmits(const struct reflectance *reflectance) {
-    return 1 - glm_lerp(glms_vec3_max(reflectance->f0), reflectance->f90, (float)BRDF_MEAN_SCHLICK);
+    return 1 - lobe_mean_albedo(glms_vec3_max(reflectance->f0), reflectance->f90,
+                                reflectance->roughness);
 }
 
 vec3s material_reflects(const struct material *material, vec3s base_color,
@@ -122,15 +124,16 @@ vec3s material_reflects(const struct material *material, vec3s base_color,
         return base_color;
     float diffuse = (1 - metalness) * reflectance_transmits(reflectance);
     vec3s f0 = glms_vec3_lerp(reflectance->f0, base_color, metalness);
-    vec3s f90 = glms_vec3_fill(glm_lerp(reflectance->f90, 1, metalness));
+    float f90 = glm_lerp(reflectance->f90, 1, metalness);
     vec3s sum = glms_vec3_scale(base_color, diffuse);
-    sum = glms_vec3_muladds(f0, (float)BRDF_MEAN_LOBE((double)roughness), sum);
-    return glms_vec3_muladds(glms_vec3_sub(f90, f0), (float)BRDF_MEAN_GRAZING((double)roughness),
-                             sum);
+    for (int c = 0; c < 3; c++)
+        sum.raw[c] += lobe_mean_albedo(f0.raw[c], f90, roughness);
+    return sum;
 }
 
 static bool is_plain(const struct material *material) {
-    return material_is_diffuse(material) && material->normal_texture < 0 && !material->unlit;
+    return material_is_diffuse(material) && material->normal_texture < 0 && !material->unlit &&
+           !material->may_shine;
 }
 
 bool materials_are_plain(const struct scene *scene) {

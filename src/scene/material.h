@@ -4,11 +4,12 @@
 
 #include "base/settings.h"
 #include "scene/scene.h"
+#include "shared/brdf.h"
 
 #include <cglm/struct.h>
 
 /* Reflectance from straight on of what has an index of refraction of 1.5. */
-#define DIELECTRIC_F0 .04F
+#define DIELECTRIC_F0 ((float)BRDF_DIELECTRIC_F0)
 
 /* MATERIALS_DIFFUSE: every surface is Lambertian, its albedo the base colour, metals' too; no normal maps, and
  * unlit materials are lit. */
@@ -82,7 +83,7 @@ float reflectance_grazing(float f0);
 vec3s material_reflects(const struct material *material, vec3s base_color,
                         const struct reflectance *reflectance);
 
-/* The share of light that enters what is no metal, to be reflected diffusely. */
+/* The mean share of even light that enters what is no metal, to be reflected diffusely. */
 float reflectance_transmits(const struct reflectance *reflectance);
 
 /* Whether all that meshes have are, and none has a normal map or is unlit: both settings make the same

@@ -40,10 +40,11 @@ static struct trs *animate(const struct scene *scene, double time) {
     }
     const struct channel *channel;
     for (struct channel_place place = {0}; (channel = scene_next_channel(scene, &place));) {
-        struct trs *local = &locals[channel->node];
+        if (channel->path > CHANNEL_SCALE)
+            continue;
+        struct trs *local = &locals[channel->target];
         float *const fields[] = {local->translation, local->rotation, local->scale};
-        if (channel->path != CHANNEL_WEIGHTS)
-            channel_sample(channel, time, fields[channel->path]);
+        channel_sample(channel, time, fields[channel->path]);
     }
     return locals;
 }
@@ -63,6 +64,22 @@ void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[1
         memcpy(worlds[i], world, sizeof world);
     }
     free(locals);
+}
+
+void scene_nodes_shown(const struct scene *scene, double time, bool *shown) {
+    const struct channel *channel;
+    for (int i = 0; i < scene->node_count; i++)
+        shown[i] = !scene->nodes[i].dark;
+    for (struct channel_place place = {0}; (channel = scene_next_channel(scene, &place));) {
+        float value;
+        if (channel->path != CHANNEL_VISIBLE)
+            continue;
+        channel_sample(channel, time, &value);
+        shown[channel->target] = value >= .5F;
+    }
+    for (int i = 0; i < scene->node_count; i++)
+        if (scene->nodes[i].parent >= 0)
+            shown[i] &= shown[scene->nodes[i].parent];
 }
 
 bool node_check_worlds(const struct scene *scene, float (*worlds)[16]) {

@@ -21,6 +21,7 @@ static int node_targets(const struct scene *scene, int node) {
 void pose_init(struct pose *pose, const struct scene *scene) {
     *pose = (struct pose){0};
     pose->worlds = mem_alloc((size_t)scene->node_count, sizeof *pose->worlds);
+    pose->shown = mem_alloc((size_t)scene->node_count, sizeof *pose->shown);
     pose->first_weight = mem_alloc((size_t)scene->node_count, sizeof *pose->first_weight);
     for (int i = 0; i < scene->node_count; i++) {
         pose->first_weight[i] = pose->weight_count;
@@ -31,6 +32,7 @@ void pose_init(struct pose *pose, const struct scene *scene) {
 
 void pose_free(struct pose *pose) {
     free(pose->worlds);
+    free(pose->shown);
     free(pose->weights);
     free(pose->first_weight);
     *pose = (struct pose){0};
@@ -48,12 +50,14 @@ static void set_weights(struct pose *pose, const struct scene *scene) {
     const struct channel *channel;
     for (struct channel_place place = {0}; (channel = scene_next_channel(scene, &place));)
         if (channel->path == CHANNEL_WEIGHTS)
-            channel_sample(channel, pose->time, pose->weights + pose->first_weight[channel->node]);
+            channel_sample(channel, pose->time,
+                           pose->weights + pose->first_weight[channel->target] + channel->offset);
 }
 
 bool pose_set(struct pose *pose, const struct scene *scene, double time) {
     pose->time = time;
     scene_node_worlds(scene, time, pose->worlds);
+    scene_nodes_shown(scene, time, pose->shown);
     set_weights(pose, scene);
     return node_check_worlds(scene, pose->worlds);
 }
@@ -68,6 +72,7 @@ bool pose_differs(const struct pose *a, const struct pose *b, const struct scene
     size_t first = (size_t)a->first_weight[node], count = (size_t)node_targets(scene, node);
     if (memcmp(a->weights + first, b->weights + first, count * sizeof *a->weights) != 0 ||
         memcmp(a->worlds[node], b->worlds[node], sizeof *a->worlds) != 0 ||
+        a->shown[node] != b->shown[node] ||
         (scene->nodes[node].metaballs >= 0 && a->time != b->time))
         return true;
     for (int i = 0; skin && i < skin->joint_count; i++)

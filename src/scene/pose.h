@@ -7,6 +7,7 @@
 struct pose {
     double time;
     float (*worlds)[16]; /* of the nodes */
+    bool *shown;         /* the same */
     float *weights;      /* of the morph targets of all nodes' meshes, node after node */
     int *first_weight;   /* of each node */
     int weight_count;

@@ -26,7 +26,7 @@ static void shift_roots(struct scene *scene) {
     for (int c = 0; c < scene->clip_count; c++)
         for (int i = 0; i < scene->clips[c].channel_count; i++) {
             struct channel *channel = &scene->clips[c].channels[i];
-            if (channel->path == CHANNEL_TRANSLATION && scene->nodes[channel->node].parent < 0)
+            if (channel->path == CHANNEL_TRANSLATION && scene->nodes[channel->target].parent < 0)
                 shift_channel(scene, channel);
         }
 }

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
+#include "scene/animated.h"
 #include "scene/animation.h"
 #include "scene/gltf/gltf.h"
 #include "scene/lights/emissive.h"
@@ -21,6 +22,12 @@ static bool check_worlds(const struct scene *scene) {
     return good;
 }
 
+static void add_lights(struct scene *scene) {
+    animated_keep_materials(scene);
+    emissive_add_lights(scene);
+    animated_follow_materials(scene);
+}
+
 bool scene_load(struct scene *scene, const char *path) {
     return scene_load_bytes(scene, path, NULL, &(struct scene_choice){0});
 }
@@ -30,7 +37,7 @@ bool scene_load_bytes(struct scene *scene, const char *path, const struct file_b
     *scene = (struct scene){0};
     bool ok = gltf_load(scene, path, bytes, choice);
     if (ok)
-        emissive_add_lights(scene);
+        add_lights(scene);
     if (ok && check_worlds(scene))
         return true;
     scene_free(scene);
@@ -80,6 +87,7 @@ void scene_free(struct scene *scene) {
     free(scene->nodes);
     free(scene->meshes);
     free(scene->materials);
+    free(scene->still_materials);
     free(scene->textures);
     free(scene->lights);
     free(scene->surfaces);

@@ -88,6 +88,8 @@ struct material {
     int metal_roughness_mapping, emission_mapping, normal_mapping; /* the base colour's is 0 */
     bool blends;     /* covers what is behind by its alpha; masked, too, where that varies */
     float thickness; /* of a solid that transmits, m */
+    bool is_animated, may_shine; /* a clip changes it, or how it reflects: scene/animated.h */
+    float emissive_factor[3], emissive_strength; /* emission is their product */
 };
 
 enum texture_wrap { TEXTURE_WRAP_REPEAT, TEXTURE_WRAP_CLAMP, TEXTURE_WRAP_MIRROR };
@@ -122,8 +124,10 @@ struct scene_light {
     float range;        /* where its light ends, m; infinite: nowhere */
     float size[2];      /* as struct emitter has it */
     enum light_scaling scaling;
-    int slide;      /* of the scene's, one more than its number; 0 = none */
-    int lamp;       /* of emissive surfaces that it is; 0 = none */
+    int slide;                /* of the scene's, one more than its number; 0 = none */
+    float color[3], strength; /* intensity is their product */
+    int material; /* whose emission is a factor of the intensity, one more than its number; 0 = none */
+    int lamp;     /* of emissive surfaces that it is; 0 = none */
     bool stands_in; /* it is what they are like from afar, with others */
 };
 
@@ -148,6 +152,7 @@ struct node {
     char name[SCENE_NAME_SIZE];
     int parent;  /* < own index; -1 = a root */
     bool hidden; /* it or one above: its mesh is not drawn, and it has no light */
+    bool dark;   /* the same until a clip shows it, for all below too */
     int mesh, light, camera, skin;
     int metaballs;  /* their surface replaces the mesh's, in the material of its first primitive */
     float *weights; /* of the mesh's morph targets; NULL = the mesh's */
@@ -157,15 +162,27 @@ struct node {
     float translation[3], rotation[4] /* x y z w */, scale[3];
 };
 
-enum channel_path { CHANNEL_TRANSLATION, CHANNEL_ROTATION, CHANNEL_SCALE, CHANNEL_WEIGHTS };
+enum channel_path {
+    CHANNEL_TRANSLATION, /* of a node, as the next four */
+    CHANNEL_ROTATION,
+    CHANNEL_SCALE,
+    CHANNEL_WEIGHTS,
+    CHANNEL_VISIBLE,
+    CHANNEL_LIGHT, /* numbers of a light, of a camera, of a material */
+    CHANNEL_CAMERA,
+    CHANNEL_MATERIAL,
+};
 enum interpolation { INTERPOLATION_LINEAR, INTERPOLATION_STEP, INTERPOLATION_CUBIC };
 
-/* How one property of a node goes through time. */
+/* How one property goes through time. */
 struct channel {
-    int node; /* has no matrix */
+    int target; /* a node without a matrix, a light, a camera or a material */
     enum channel_path path;
+    size_t
+        offset; /* of the numbers: in the target's struct, bytes; of weights, how many are before */
+    float least, most; /* bounds of numbers of a light, a camera or a material */
     enum interpolation interpolation;
-    int key_count, width; /* width: 3, 4 or the number of morph targets */
+    int key_count, width; /* width: 1 to 4 or the number of morph targets */
     float *times;         /* seconds, increasing */
     float *values;        /* a width for each key; cubic: in-tangent, value and out-tangent */
 };
@@ -191,6 +208,7 @@ struct scene {
     struct node *nodes;
     struct mesh *meshes;
     struct material *materials;
+    struct material *still_materials; /* those of the file, where clips change some; NULL = none */
     struct scene_texture *textures;
     struct scene_light *lights;
     struct slide *slides; /* scene/lights/slide.h */
@@ -229,6 +247,9 @@ void scene_free(struct scene *scene);
 
 /* An error where writing to the path would destroy one of the scene's own files. */
 bool scene_check_output(const struct scene *scene, const char *path);
+
+/* Of all nodes whether they are shown at a time, as clips of KHR_node_visibility have it. */
+void scene_nodes_shown(const struct scene *scene, double time, bool *shown);
 
 /* World matrices of all nodes at a time in seconds: node_count x 16 floats, column-major. */
 void scene_node_worlds(const struct scene *scene, double time, float (*worlds)[16]);

@@ -75,31 +75,18 @@ static float encode_srgb(float value) {
     return value <= 0.0031308F ? value * 12.92F : 1.055F * powf(value, 1 / 2.4F) - 0.055F;
 }
 
-/* A span of source texels that a texel covers along one axis. */
-struct span {
-    float from, to;
-};
-
-static struct span span_of(int i, int size, int source_size) {
-    float texels = (float)source_size / (float)size;
-    return (struct span){(float)i * texels, fminf((float)(i + 1) * texels, (float)source_size)};
-}
-
-static float covered(struct span span, int i) {
-    return fminf(span.to, (float)(i + 1)) - fmaxf(span.from, (float)i);
-}
-
-static vec4s mean_of(const struct scene_texture *texture, const float srgb_to_linear[256],
-                     struct span across, struct span down) {
+/* The mean of as many lookups as there are texels within one of the smaller picture. */
+static vec4s mean_within(const struct scene_texture *texture, const float srgb_to_linear[256],
+                         const struct bitmap *to, int x, int y) {
+    int across = (texture->bitmap.width + to->width - 1) / to->width;
+    int down = (texture->bitmap.height + to->height - 1) / to->height;
     vec4s sum = {{0, 0, 0, 0}};
-    float weight = 0;
-    for (int y = (int)down.from; (float)y < down.to; y++)
-        for (int x = (int)across.from; (float)x < across.to; x++) {
-            float part = covered(across, x) * covered(down, y);
-            sum = glms_vec4_muladds(texel(texture, srgb_to_linear, x, y), part, sum);
-            weight += part;
-        }
-    return glms_vec4_scale(sum, 1 / weight);
+    for (int i = 0; i < across * down; i++) {
+        vec2s uv = {{((float)x + ((float)(i % across) + .5F) / (float)across) / (float)to->width,
+                     ((float)y + ((float)(i / across) + .5F) / (float)down) / (float)to->height}};
+        sum = glms_vec4_add(sum, texture_lookup(texture, srgb_to_linear, uv));
+    }
+    return glms_vec4_scale(sum, 1 / (float)(across * down));
 }
 
 void texture_shrink(struct scene_texture *texture, int most) {
@@ -112,8 +99,7 @@ void texture_shrink(struct scene_texture *texture, int most) {
     unsigned char *out = to.rgba;
     for (int y = 0; y < to.height; y++)
         for (int x = 0; x < to.width; x++, out += 4) {
-            vec4s mean = mean_of(texture, srgb_to_linear, span_of(x, to.width, from->width),
-                                 span_of(y, to.height, from->height));
+            vec4s mean = mean_within(texture, srgb_to_linear, &to, x, y);
             for (int c = 0; c < 4; c++)
                 out[c] = (unsigned char)lrintf(
                     255 * (texture->linear || c == 3 ? mean.raw[c] : encode_srgb(mean.raw[c])));

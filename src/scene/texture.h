@@ -14,7 +14,7 @@ void texture_decode_table(float srgb_to_linear[256]);
 vec4s texture_lookup(const struct scene_texture *texture, const float srgb_to_linear[256],
                      vec2s uv);
 
-/* Makes no side longer than so many texels. Each texel becomes the mean of the area that it covers. */
+/* Makes no side longer than so many texels. Each texel becomes the mean of the texels that it covers. */
 void texture_shrink(struct scene_texture *texture, int most);
 
 #endif

@@ -25,7 +25,7 @@ struct question {
 static void ask(const char *compute, const struct question *questions, int count,
                 const struct light_block *lights, vec4 *answers) {
     struct buffer light_buffer, question_buffer, answer_buffer;
-    struct texture lobes;
+    struct texture lobes, albedos;
     struct timers untimed = {0};
     GLuint program;
     glsl_set_folder("glsl");
@@ -34,17 +34,17 @@ static void ask(const char *compute, const struct question *questions, int count
                                                            .defines = lights ? "OF_LIGHTS 1"
                                                                              : "OF_LIGHTS 0"}));
     check_ok("lights", buffer_init(&light_buffer, "lights", sizeof *lights, lights));
-    check_ok("lobes", lobes_init(&lobes));
+    check_ok("lobes", lobes_init(&lobes) && lobe_albedos_init(&albedos));
     check_ok("questions", buffer_init(&question_buffer, "questions",
                                       (size_t)count * sizeof *questions, questions));
     check_ok("answers",
              buffer_init(&answer_buffer, "answers", (size_t)count * sizeof *answers, NULL));
-    pass_begin(&untimed,
-               &(struct pass_state){.name = "specular",
-                                    .program = program,
-                                    .textures = {{UNIT_LOBES, lobes.id}},
-                                    .blocks = {{BLOCK_LIGHTS, &light_buffer}},
-                                    .storages = {{0, &question_buffer}, {1, &answer_buffer}}});
+    pass_begin(&untimed, &(struct pass_state){
+                             .name = "specular",
+                             .program = program,
+                             .textures = {{UNIT_LOBES, lobes.id}, {UNIT_LOBE_ALBEDOS, albedos.id}},
+                             .blocks = {{BLOCK_LIGHTS, &light_buffer}},
+                             .storages = {{0, &question_buffer}, {1, &answer_buffer}}});
     pass_dispatch(count, 1, 1);
     pass_end(&untimed);
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -54,6 +54,7 @@ static void ask(const char *compute, const struct question *questions, int count
     buffer_free(&question_buffer);
     buffer_free(&answer_buffer);
     texture_free(&lobes);
+    texture_free(&albedos);
     program_free(&program);
 }
 

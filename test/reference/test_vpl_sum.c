@@ -165,108 +165,11 @@ static void test_against_path_tracer(void **state) {
     world_free(&world);
 }
 
-/* Within a sphere of radius 1 the geometry term is 1/4 everywhere: bounded by b, the sum is its share
- * min(1, 4 b), and each single ray brings the rest. */
-static void test_compensation_in_sphere(void **state) {
-    (void)state;
-    static const float bounds[] = {0, .05F, .2F, .5F};
-    struct world world;
-    struct vpl_sum_compensation compensation = {.rays = 1};
-    world_in_sphere(&world);
-    struct vpl *vpls = trace_vpls(&world, 37);
-    struct vpl_sum_desc desc = sum_desc(&world, vpls, 37, 16);
-    desc.term.bound = GEOMETRY_CLAMPED;
-    for (size_t i = 0; i < sizeof bounds / sizeof *bounds; i++) {
-        struct image bounded, whole;
-        desc.term.clamp_value = bounds[i];
-        desc.compensation = NULL;
-        check_ok("bounded", vpl_sum_render(&desc, &bounded));
-        desc.compensation = &compensation;
-        check_ok("compensated", vpl_sum_render(&desc, &whole));
-        printf("    b = %g:", (double)bounds[i]);
-        check_near("bounded", mean_of(&bounded, CHANNEL_INDIRECT),
-                   .5 * fmin(1, 4 * (double)bounds[i]), 2e-3);
-        check_near("with the rest", mean_of(&whole, CHANNEL_INDIRECT), .5, 2e-3);
-        check_at_most("spread over the pixels", spread_about(&whole, CHANNEL_INDIRECT, .5), 1e-2);
-        image_free(&bounded);
-        image_free(&whole);
-    }
-    free(vpls);
-    world_free(&world);
-}
-
-enum { SETS = 64, SETS_SIZE = 8 };
-
-/* The mean over sets of VPLs, with others in each, and its standard error. */
-static double mean_of_sets(struct world *world, struct vpl_sum_desc *desc, int vpls,
-                           double *error) {
-    double sum = 0, squares = 0;
-    struct vpl *all = trace_vpls(world, vpls * SETS);
-    for (uint32_t set = 0; set < SETS; set++) {
-        struct vpl_sum_compensation compensation = {.rays = 64, .seed = set};
-        struct image image;
-        struct vpl *own = mem_alloc((size_t)vpls, sizeof *own);
-        for (int i = 0; i < vpls; i++) {
-            own[i] = all[(int)set * vpls + i];
-            glm_vec3_scale(own[i].flux, SETS, own[i].flux);
-        }
-        desc->vpls = own;
-        desc->vpl_count = vpls;
-        desc->compensation = &compensation;
-        check_ok("sum", vpl_sum_render(desc, &image));
-        double mean = mean_of(&image, CHANNEL_INDIRECT);
-        sum += mean / SETS;
-        squares += mean * mean / SETS;
-        image_free(&image);
-        free(own);
-    }
-    free(all);
-    *error = sqrt(fmax(squares - sum * sum, 0) / (SETS - 1));
-    return sum;
-}
-
-/* A corner lit by a spot, where the bound takes much: whatever it is, sum and rest are one bounce. */
-static void test_compensation(void **state) {
-    (void)state;
-    static const float bounds[] = {.1F, 1, 10, 100};
-    struct world world;
-    struct image traced;
-    world_init(&world);
-    add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
-    add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0, 0, -1}}, (vec3s){{0, 1, 0}});
-    world_finish(&world);
-    look_down(&world, 0, 0, 1, 3);
-    place_light(&world, EMITTER_SPOT, (vec3s){{.9F, .5F, .5F}}, (vec3s){{-1, -.4F, 0}}, 5);
-    world.light.cos_inner = cosf(.5F);
-    world.light.cos_outer = cosf(.6F);
-    struct path_tracer_desc path_desc = describe(&world, SETS_SIZE, 16384);
-    path_desc.bounces = 1;
-    path_desc.centers = true;
-    double noise = render(&path_desc, &traced).noise, mean = mean_of(&traced, CHANNEL_INDIRECT);
-    struct vpl_sum_desc desc = sum_desc(&world, NULL, 0, SETS_SIZE);
-    desc.term.bound = GEOMETRY_CLAMPED;
-    desc.vpl_clearance = 1e-5F;
-    for (size_t i = 0; i < sizeof bounds / sizeof *bounds; i++) {
-        double error;
-        float radius = world.geometry.radius;
-        desc.term.clamp_value = bounds[i] / (radius * radius);
-        double sum = mean_of_sets(&world, &desc, 64, &error);
-        error = sqrt(error * error + pow(noise * mean / SETS_SIZE, 2));
-        printf("    b R^2 = %g, standard error %.2g:", (double)bounds[i], error);
-        check_near("mean", sum, mean, 3 * error);
-        check_at_most("standard error, over the mean", error / mean, .01);
-    }
-    image_free(&traced);
-    world_free(&world);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sphere),
         cmocka_unit_test(test_one_vpl),
         cmocka_unit_test(test_against_path_tracer),
-        cmocka_unit_test(test_compensation_in_sphere),
-        cmocka_unit_test(test_compensation),
     };
     return cmocka_run_group_tests_name("vpl_sum", tests, NULL, NULL);
 }

@@ -65,7 +65,7 @@ static void slide(struct stage *stage, const char *name, bool others, float far)
         if ((strcmp(scene->nodes[n].name, name) == 0) == others)
             continue;
         struct channel *channel = &clip->channels[clip->channel_count++];
-        *channel = (struct channel){.node = n, .key_count = 2, .width = 3};
+        *channel = (struct channel){.target = n, .key_count = 2, .width = 3};
         channel->times = mem_alloc(2, sizeof *channel->times);
         channel->values = mem_alloc(6, sizeof *channel->values);
         channel->times[1] = 1;

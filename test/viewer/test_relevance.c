@@ -201,41 +201,6 @@ static void test_needs(void **state) {
     assert_true(count > 20);
 }
 
-/* Former names lead to settings, with a note; those of constants are errors. */
-static void test_old_names(void **state) {
-    (void)state;
-    static const char *const old[][2] = {
-        {"gather.detail", "adaptive"},
-        {"detail-times", "adaptive-factor"},
-        {"gather-further-points", "edge-samples"},
-        {"gather.gloss", "specular"},
-        {"ways", "shadow-rays"},
-        {"sky-ways", "shadow-rays"},
-        {"start.directions", "directions"},
-        {"cluster-lights.steps", "iterations"},
-        {"cluster-lights-begin", "start"},
-        {"choice", "seed"},
-    };
-    struct settings settings;
-    struct setting setting;
-    renderer_settings_init(&settings);
-    for (size_t i = 0; i < sizeof old / sizeof *old; i++) {
-        check_ok(old[i][0], settings_find(&settings, old[i][0], &setting));
-        assert_string_equal(setting.option->name, old[i][1]);
-    }
-    static const char *const removed[] = {"lookup.bias", "sky.map-size",
-                                          "cluster-lights.weight-distance",
-                                          "row-column.column-interleave"};
-    for (size_t i = 0; i < sizeof removed / sizeof *removed; i++) {
-        assert_false(settings_find(&settings, removed[i], &setting));
-        char told[128];
-        snprintf(told, sizeof told, "the setting %s was removed", removed[i]);
-        assert_non_null(strstr(error_get(), told));
-    }
-    assert_false(settings_find(&settings, "lookup.detail", &setting));
-    assert_non_null(strstr(error_get(), "no setting is called 'lookup.detail'"));
-}
-
 static int open_all(void **state) {
     int status = open_group_context(state);
     open_stage(&stage, "scenes/cornell-animal.glb");
@@ -250,7 +215,6 @@ static int close_all(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {cmocka_unit_test(test_labels), cmocka_unit_test(test_needs),
-                                       cmocka_unit_test(test_old_names),
                                        cmocka_unit_test(test_hidden), cmocka_unit_test(test_shown)};
     return cmocka_run_group_tests(tests, open_all, close_all);
 }

@@ -57,7 +57,7 @@ static bool init_triangles(struct glass_pass *pass, const struct geometry *geome
                           2 * count * sizeof *texels, texels);
     free(albedos);
     free(texels);
-    pass->laid_out = geometry->laid_out;
+    pass->painted = geometry->painted;
     if (!ok)
         return false;
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->triangle_texels);
@@ -75,7 +75,7 @@ static void free_triangles(struct glass_pass *pass) {
 /* Where there is no memory for metaballs that have grown, what they reflect is black. */
 static void follow(struct glass_pass *pass, const struct frame *frame) {
     bool glows_alike = memcmp(pass->glow, frame->scene->glow, glow_size(pass)) == 0;
-    if (pass->laid_out == frame->geometry->laid_out && glows_alike)
+    if (pass->painted == frame->geometry->painted && glows_alike)
         return;
     memcpy(pass->glow, frame->scene->glow, glow_size(pass));
     free_triangles(pass);

@@ -34,8 +34,8 @@ struct glass_pass {
     GLuint screen_framebuffer;
     struct buffer triangles, params;
     GLuint triangle_texels;
-    unsigned laid_out; /* of the geometry, that the triangles are of */
-    float (*glow)[3];  /* of materials, likewise */
+    unsigned painted; /* of the geometry, that the triangles are of */
+    float (*glow)[3]; /* of materials, likewise */
 };
 
 /* Error: out of GPU memory; shaders. */

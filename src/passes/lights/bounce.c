@@ -150,7 +150,7 @@ static bool init_albedos(struct bounce_pass *pass, const struct geometry *geomet
     triangle_albedos_find(albedos, &colors);
     bool ok = buffer_init(&pass->albedos, "albedos of triangles", count * sizeof *albedos, albedos);
     free(albedos);
-    pass->laid_out = geometry->laid_out;
+    pass->painted = geometry->painted;
     if (!ok)
         return false;
     gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->albedo_texels);
@@ -217,7 +217,7 @@ static void follow(struct bounce_pass *pass, const struct frame *frame, int vpls
                                    .radius = frame->geometry->radius};
     if (pass->dealt_pass != frame->pass)
         deal_numbers(pass, frame->pass);
-    if (pass->laid_out != frame->geometry->laid_out) {
+    if (pass->painted != frame->geometry->painted) {
         free_albedos(pass);
         init_albedos(pass, frame->geometry);
     }

@@ -50,7 +50,7 @@ struct bounce_pass {
     const struct caster_bvh *tree;
     struct buffer albedos; /* struct triangle_albedo of each triangle */
     GLuint albedo_texels;
-    unsigned laid_out;      /* the geometry's, that they are of */
+    unsigned painted;       /* the geometry's, that they are of */
     struct texture numbers; /* P x 4 (1 + bounces), RG32F: shared/bounce.h */
     int dealt_pass;         /* that they are those of */
     struct texture positions, normals, fluxes, nexts; /* P x 4, RGBA32F: what paths leave */

@@ -44,6 +44,8 @@ static void render(struct pass_state state, const struct frame *frame,
     state.width = gbuffer->width;
     state.height = gbuffer->height;
     state.depth = PASS_DEPTH_GREATER;
+    if (gbuffer->specular.id)
+        pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
     pass_set_state(&state);
     framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_NORMAL, zero);
     framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, zero);

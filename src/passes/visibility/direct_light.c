@@ -113,6 +113,7 @@ static void draw_light(const struct direct_light_pass *pass, const struct frame 
     if (pass->target.specular.id) {
         pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
+        pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
     }
     frame_add_light(frame, &state);
     if (inputs->block.buffer)

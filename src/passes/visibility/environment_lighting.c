@@ -206,6 +206,7 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
     if (pass->desc.specular) {
         pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
         pass_add_texture(&state, UNIT_LOBES, frame->scene->lobes.id);
+        pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
     }
     frame_add_medium(frame, &state);

@@ -181,6 +181,7 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
         hit->tint = glms_vec3(base_color(table, material, &corners));
     else
         hit->brdf = reflection_at(table, material, &corners);
+    brdf_turn(&hit->brdf, hit->normal, hit->towards);
     if (from_behind && !has_two_sides(table, material))
         return;
     if (glm_vec3_max((float *)material->emission) > 0)

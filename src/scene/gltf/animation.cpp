@@ -52,28 +52,6 @@ bool load_values(Loader &loader, int index, struct channel &to) {
     return to.path != CHANNEL_ROTATION || check_rotations(to);
 }
 
-/* The width is that of what the channel moves; a path that we do not know has none. */
-bool find_path(const std::string &name, const struct scene &scene, struct channel &to) {
-    const struct node &node = scene.nodes[to.node];
-    to.width = 3;
-    if (name == "translation")
-        to.path = CHANNEL_TRANSLATION;
-    else if (name == "scale")
-        to.path = CHANNEL_SCALE;
-    else if (name == "rotation")
-        to.path = CHANNEL_ROTATION, to.width = 4;
-    else if (name == "weights")
-        to.path = CHANNEL_WEIGHTS,
-        to.width = node.mesh >= 0 ? scene.meshes[node.mesh].target_count : 0;
-    else
-        to.width = -1;
-    if (to.width == 0)
-        return error_set("weights of a node without morph targets");
-    if (to.path != CHANNEL_WEIGHTS && node.has_matrix)
-        return error_set("the node '%s' has a matrix, which cannot be animated", node.name);
-    return true;
-}
-
 enum interpolation find_interpolation(const std::string &name) {
     return name == "STEP"          ? INTERPOLATION_STEP
            : name == "CUBICSPLINE" ? INTERPOLATION_CUBIC
@@ -98,14 +76,16 @@ bool load_channel(Loader &loader, const tinygltf::Animation &animation,
                   const tinygltf::AnimationChannel &from, const std::string &object,
                   struct clip &clip) {
     struct channel &to = clip.channels[clip.channel_count];
-    to.node = from.target_node < 0 ? -1 : loader.node_places[from.target_node];
-    if (to.node < 0)
-        return true; /* of another scene, or of an extension */
-    bool good = find_path(from.target_path, *loader.scene, to);
-    if (good && to.width < 0) {
-        lack(loader, "animation of '" + clean(from.target_path) + "'");
+    const std::string pointer = pointer_of(from);
+    bool is_known = true;
+    if (pointer.empty())
         return true;
-    }
+    bool good = find_property(loader, pointer, to, is_known);
+    if (!is_known)
+        lack(loader,
+             "animation of '" + clean(from.target_node < 0 ? pointer : from.target_path) + "'");
+    if (good && (!is_known || to.target < 0))
+        return true;
     if (!good || !load_keys(loader, animation.samplers[from.sampler], to)) {
         drop_keys(to);
         return mend(loader, bad_clips, object + ": " + error_get());

@@ -62,8 +62,11 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     float color[3] = {1, 1, 1};
     if (!copy_numbers(from.color, color, "color"))
         return false;
-    for (int c = 0; c < 3; c++)
+    for (int c = 0; c < 3; c++) {
+        to.color[c] = color[c];
         to.intensity[c] = float(color[c] * from.intensity);
+    }
+    to.strength = float(from.intensity);
     if (!check_intensity(to.intensity))
         return false;
     to.range = from.range > 0 ? float(from.range) : INFINITY;
@@ -88,8 +91,10 @@ bool load_area_light(const tinygltf::Value &from, struct scene_light &to) {
     to.outer = half_pi;
     to.range = INFINITY;
     to.scaling = LIGHT_SCALED_ALIKE;
+    to.strength = float(number_or(from, "intensity", 1000));
     for (size_t c = 0; c < 3; c++) {
         double color = from.Has("color") ? from.Get("color").Get(int(c)).GetNumberAsDouble() : 1;
+        to.color[c] = float(color);
         to.intensity[c] = float(color * number_or(from, "intensity", 1000));
     }
     if (!check_intensity(to.intensity))

@@ -136,7 +136,9 @@ bool load_emission(const tinygltf::Material &from, struct material &to) {
     auto found = from.extensions.find("KHR_materials_emissive_strength");
     double strength =
         found == from.extensions.end() ? 1 : number_of(found->second, "emissiveStrength", 0, 1);
+    to.emissive_strength = float(strength);
     for (int c = 0; c < 3; c++) {
+        to.emissive_factor[c] = float(from.emissiveFactor[size_t(c)]);
         to.emission[c] = float(from.emissiveFactor[size_t(c)] * strength);
         if (!(to.emission[c] >= 0 && to.emission[c] <= SCENE_LIGHT_MOST))
             return error_set("emissiveFactor: it is negative or above %g",

@@ -174,6 +174,14 @@ bool load_image(Loader &loader, int image, struct bitmap &bitmap);
 /* slide.cpp: the picture that a light's extras name; room for one is there. */
 bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_light &light);
 
+/* pointer.cpp: the JSON pointer of what the channel moves; "" = nothing. */
+std::string pointer_of(const tinygltf::AnimationChannel &from);
+
+/* Fills in what a channel moves, but for its keys. Target -1: the scene does not show it. Error: there is
+ * no such object, or it cannot move. */
+bool find_property(const Loader &loader, const std::string &pointer, struct channel &to,
+                   bool &is_known);
+
 /* choice.cpp: lists scenes and variants, and makes the chosen scene the model's default. */
 bool load_choice(Loader &loader, const struct scene_choice &choice);
 

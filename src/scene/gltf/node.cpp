@@ -115,6 +115,16 @@ bool is_hidden(const tinygltf::Node &node) {
            !found->second.Get("visible").Get<bool>();
 }
 
+std::set<int> nodes_that_clips_show(const Model &model) {
+    std::set<int> nodes;
+    int node;
+    for (const tinygltf::Animation &clip : model.animations)
+        for (const tinygltf::AnimationChannel &channel : clip.channels)
+            if (sscanf(pointer_of(channel).c_str(), "/nodes/%d/extensions/KHR_node_vis", &node) > 0)
+                nodes.insert(node);
+    return nodes;
+}
+
 /* Of a node with one of each kind, which shine alike, the area light. */
 void load_node_light(const Model &model, const tinygltf::Node &from, struct node &to) {
     int area = node_light(from, "EXT_lights_area");
@@ -201,11 +211,14 @@ bool load_nodes(Loader &loader) {
     place.assign(model.nodes.size(), -1);
     if (!allocate_nodes(loader, order))
         return false;
+    const std::set<int> shown = nodes_that_clips_show(model);
     for (int i : order) {
         struct node &node = scene->nodes[scene->node_count];
+        bool is_off = is_hidden(model.nodes[i]);
         node.parent = parents[i] >= 0 ? place[parents[i]] : -1;
+        node.dark = is_off && shown.count(i);
         node.hidden =
-            is_hidden(model.nodes[i]) || (node.parent >= 0 && scene->nodes[node.parent].hidden);
+            (is_off && !node.dark) || (node.parent >= 0 && scene->nodes[node.parent].hidden);
         if (!load_node(model, model.nodes[i], node) ||
             !load_node_weights(loader, model.nodes[i], size_t(i), node) ||
             !load_metaballs(model.nodes[i], *scene, node))

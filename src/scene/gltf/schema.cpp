@@ -290,6 +290,7 @@ bool check_channel(Check &check, json &value, const std::vector<std::string> &sa
         return error_set("%s is not an object", quote(value).c_str());
     if (!check_fields(check, value, channel))
         return false;
+    value["target"].emplace("node", -1); /* tinygltf wants one */
     size_t sampler = value["sampler"].get<size_t>();
     if (sampler >= samplers.size())
         return error_set("its sampler is %zu, but there are %zu", sampler, samplers.size());

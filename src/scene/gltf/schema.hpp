@@ -273,9 +273,17 @@ const Field skin[] = {
     end,
 };
 
+const Field animation_pointer[] = {{"pointer", Required, Kind::Text}, end};
+
+const Field channel_target_extensions[] = {
+    {"KHR_animation_pointer", Optional, Kind::Object, nullptr, animation_pointer},
+    end,
+};
+
 const Field channel_target[] = {
     {"node", Optional, Kind::Index, "/nodes"},
     {"path", Required, Kind::Text},
+    {"extensions", Optional, Kind::Object, nullptr, channel_target_extensions},
     end,
 };
 

@@ -248,7 +248,9 @@ bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
     *gpu = (struct scene_gpu){.scene = scene, .panes.of_panes = true};
     if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) && make_blank(gpu) &&
         upload_textures(gpu, scene) && upload_sky(gpu, scene->environment) &&
-        upload_slides(gpu, scene) && (materials_are_plain(scene) || lobes_init(&gpu->lobes)))
+        upload_slides(gpu, scene) &&
+        (materials_are_plain(scene) ||
+         (lobes_init(&gpu->lobes) && lobe_albedos_init(&gpu->lobe_albedos))))
         return true;
     scene_gpu_free(gpu);
     return false;
@@ -266,6 +268,7 @@ void scene_gpu_free(struct scene_gpu *gpu) {
     texture_free(&gpu->sky);
     texture_free(&gpu->slides);
     texture_free(&gpu->lobes);
+    texture_free(&gpu->lobe_albedos);
     free(gpu->normal_room);
     *gpu = (struct scene_gpu){0};
 }
@@ -294,8 +297,19 @@ static void update_indices(const struct scene_gpu *gpu, const struct geometry_pa
                  geometry->indices + part->first_index);
 }
 
+/* All but their glow. */
+static void write_materials(const struct scene_gpu *gpu) {
+    for (int m = 0; m < gpu->scene->material_count; m++) {
+        struct material_block block = block_of(&gpu->scene->materials[m], gpu->smooth_black);
+        memcpy(block.emission, gpu->glow[m], sizeof block.emission);
+        buffer_write(&gpu->materials, (size_t)m * MATERIAL_STRIDE, sizeof block, &block);
+    }
+}
+
 bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
     unsigned seen = gpu->pose;
+    if (geometry->painted > seen)
+        write_materials(gpu);
     if (geometry->laid_out > seen) {
         free_geometry(gpu);
         return init_geometry(gpu, geometry);
@@ -335,9 +349,8 @@ void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, 
         bool unlit = unlit_too && gpu->scene->materials[m].unlit;
         const float *emission = unlit ? one : gpu->scene->materials[m].emission;
         float glow[3] = {0};
-        if (glm_vec3_max((float *)emission) <= 0)
-            continue;
-        bool lit = unlit || is_lit(gpu->scene, m, emitters);
+        bool lit =
+            glm_vec3_max((float *)emission) > 0 && (unlit || is_lit(gpu->scene, m, emitters));
         for (int c = 0; c < 3 && lit; c++)
             glow[c] = fminf(scale * emission[c], most);
         if (memcmp(glow, gpu->glow[m], sizeof glow) == 0)
@@ -353,11 +366,7 @@ void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
     if (black == gpu->smooth_black)
         return;
     gpu->smooth_black = black;
-    for (int m = 0; m < gpu->scene->material_count; m++) {
-        struct material_block block = block_of(&gpu->scene->materials[m], black);
-        memcpy(block.emission, gpu->glow[m], sizeof block.emission);
-        buffer_write(&gpu->materials, (size_t)m * MATERIAL_STRIDE, sizeof block, &block);
-    }
+    write_materials(gpu);
 }
 
 /* --- drawing ---------------------------------------------------------------------------------- */

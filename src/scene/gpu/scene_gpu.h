@@ -16,8 +16,8 @@ struct scene_gpu {
     int texture_count;
     float (*glow)[3]; /* of each material: what its block has */
     bool smooth_black;
-    struct texture blank;      /* for what a material has not */
-    struct texture lobes;      /* scene/gpu/lobes.h, where materials are not all plain */
+    struct texture blank;               /* for what a material has not */
+    struct texture lobes, lobe_albedos; /* scene/gpu/lobes.h, where materials are not all plain */
     struct texture slides;     /* RGBA16F, a layer each, in its upper left corner; or none */
     struct texture sky;        /* RGB32F, the texels of the scene's environment; or none */
     GLuint shaded_vertices;    /* vertex array of all but the last two */

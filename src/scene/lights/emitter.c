@@ -1,6 +1,7 @@
 #include "scene/lights/emitter.h"
 
 #include "base/memory.h"
+#include "scene/animated.h"
 #include "scene/node.h"
 
 #include <cglm/cglm.h>
@@ -87,11 +88,23 @@ struct emitter emitter_new(enum emitter_type type) {
     return emitter;
 }
 
+/* One that is not shown is black. */
+static struct scene_light light_of(const struct scene *scene, int node, double time) {
+    struct scene_light light = animated_light(scene, scene->nodes[node].light, time);
+    bool *shown = mem_alloc((size_t)scene->node_count, sizeof *shown);
+    scene_nodes_shown(scene, time, shown);
+    if (!shown[node])
+        memset(light.intensity, 0, sizeof light.intensity);
+    free(shown);
+    return light;
+}
+
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time) {
     int node = node_carrying(scene, NODE_LIGHT, n);
     float world[16];
     node_world(scene, node, time, world);
-    place(emitter, scene, &scene->lights[scene->nodes[node].light], n, world);
+    const struct scene_light light = light_of(scene, node, time);
+    place(emitter, scene, &light, n, world);
 }
 
 struct emitters emitters_place(const struct scene *scene, double time) {
@@ -101,8 +114,8 @@ struct emitters emitters_place(const struct scene *scene, double time) {
     scene_node_worlds(scene, time, worlds);
     for (int i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].light >= 0) {
-            place(&all.items[all.count], scene, &scene->lights[scene->nodes[i].light], all.count,
-                  worlds[i]);
+            const struct scene_light light = light_of(scene, i, time);
+            place(&all.items[all.count], scene, &light, all.count, worlds[i]);
             all.count++;
         }
     free(worlds);

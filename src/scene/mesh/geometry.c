@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/extremes.h"
 #include "base/memory.h"
+#include "scene/animated.h"
 #include "scene/animation.h"
 #include "scene/material.h"
 #include "scene/mesh/primitive.h"
@@ -62,13 +63,14 @@ static bool has_scale_channel(const struct scene *scene, int node) {
     for (int i = 0; i < scene->clip_count; i++)
         for (int c = 0; c < scene->clips[i].channel_count; c++) {
             const struct channel *channel = &scene->clips[i].channels[c];
-            if (channel->node == node && channel->path == CHANNEL_SCALE)
+            if ((channel->path == CHANNEL_SCALE || channel->path == CHANNEL_VISIBLE) &&
+                channel->target == node)
                 return true;
         }
     return false;
 }
 
-/* Whether a clip scales the node: at the time when casters are made it may be flat, or a point. */
+/* Whether a clip scales the node or hides it: at the time when casters are made it may be flat, or a point. */
 static bool is_scaled(const struct scene *scene, int node) {
     for (; node >= 0; node = scene->nodes[node].parent)
         if (has_scale_channel(scene, node))
@@ -243,7 +245,7 @@ static bool lay_out(struct geometry *geometry, const struct scene *scene) {
     memset(geometry->uv, 0, sizeof geometry->uv);
     geometry->color = NULL;
     geometry->indices = NULL;
-    geometry->laid_out = geometry->pose_count;
+    geometry->laid_out = geometry->painted = geometry->pose_count;
     if (!lay_vertices(geometry, scene))
         return false;
     lay_batches(geometry, scene);
@@ -270,6 +272,7 @@ static void fill_indices(struct geometry *geometry, const struct geometry_part *
         to[k] = part->first_vertex;
 }
 
+/* A part that is not shown is a point. */
 static bool pose_part(struct geometry *geometry, const struct scene *scene,
                       struct geometry_part *part, bool anew) {
     const struct primitive *primitive = part_primitive(scene, part);
@@ -286,8 +289,11 @@ static bool pose_part(struct geometry *geometry, const struct scene *scene,
     }
     if (surface ? pose_rigid(pose->worlds[part->node], surface->vertex_count, surface->position,
                              surface->normal, position, normal)
-                : pose_vertices(pose, scene, part->node, primitive, position, normal))
+                : pose_vertices(pose, scene, part->node, primitive, position, normal)) {
+        for (uint32_t i = 0; !pose->shown[part->node] && i < part->vertex_count; i++)
+            memcpy(position[i], position[0], sizeof *position);
         return true;
+    }
     int mesh = scene->nodes[part->node].mesh;
     return error_prefix("mesh %d '%s'", mesh, scene->meshes[mesh].name);
 }
@@ -433,8 +439,14 @@ static bool pose_in_clip(struct geometry *geometry, const struct scene *scene, d
     return pose_at(geometry, scene, time);
 }
 
-bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time) {
-    return pose_in_clip(geometry, scene, time) || error_prefix("%s at %g s", scene->path, time);
+bool geometry_pose(struct geometry *geometry, struct scene *scene, double time) {
+    enum animated_change change = animated_pose_materials(scene, time);
+    bool good = pose_in_clip(geometry, scene, time);
+    if (change != ANIMATED_NOTHING)
+        geometry->painted = geometry->pose_count;
+    if (change == ANIMATED_OPACITY)
+        geometry->laid_out = geometry->pose_count;
+    return good || error_prefix("%s at %g s", scene->path, time);
 }
 
 static bool init(struct geometry *geometry, const struct scene *scene, double time, bool still) {

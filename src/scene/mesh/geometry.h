@@ -61,6 +61,7 @@ struct geometry {
     int part_count;
     unsigned pose_count; /* poses so far; geometry_init is the first */
     unsigned laid_out;   /* the pose that last laid the arrays out anew */
+    unsigned painted;    /* the pose that last did so or changed materials */
     bool broken;         /* the last pose failed */
 
     struct geometry_span span;
@@ -79,10 +80,10 @@ bool geometry_init(struct geometry *geometry, const struct scene *scene, double 
 bool geometry_init_still(struct geometry *geometry, const struct scene *scene, double time);
 void geometry_free(struct geometry *geometry);
 
-/* Moves everything to where it is at a time. What stays where it is costs nothing; part->moved and
+/* Moves everything to where it is at a time, and gives the scene its materials of that time. What stays where it is costs nothing; part->moved and
  * part->rewound tell the others. The result depends on the time alone, whatever poses came before.
  * Error: something ends up too far away; the geometry must not be used until a pose succeeds. */
-bool geometry_pose(struct geometry *geometry, const struct scene *scene, double time);
+bool geometry_pose(struct geometry *geometry, struct scene *scene, double time);
 
 /* Says whether glass (SMOOTH_GLASS) counts among what blocks light, as caustics need it; at first it does not. True: that
  * is a new pose. */

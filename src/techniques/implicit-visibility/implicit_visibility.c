@@ -247,7 +247,8 @@ static bool resize(void *state, int width, int height) {
 /* Also called where lights changed, in the same pose. */
 static bool update(void *state, const struct geometry *geometry) {
     struct implicit_visibility *technique = state;
-    bool other = technique->clip_choice != technique->scene->clip_choice;
+    bool other = technique->clip_choice != technique->scene->clip_choice ||
+                 geometry->painted > technique->pose;
     bool moved = technique->pose != geometry->pose_count;
     bool ok = other || (moved && is_dynamic(geometry)) ? make_elements(technique, geometry)
               : moved                                  ? place_elements(technique, geometry)

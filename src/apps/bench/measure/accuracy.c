@@ -99,7 +99,7 @@ static bool trace_centers(const struct run *run, const struct measure_desc *desc
 static bool draw(const struct run *run, const struct step *step, const struct measure_desc *desc,
                  struct image *image) {
     return !step->settings ? trace_centers(run, desc, image)
-           : step->traced  ? picture_trace(desc, NULL, NULL, NULL, image)
+           : step->traced  ? picture_trace(desc, NULL, image)
                            : picture_render(desc, image);
 }
 
@@ -112,7 +112,7 @@ static bool need(struct run *run, int standard) {
             : standard == REFERENCE ? reference_get(run->reference, run->desc, image)
             : standard == CENTERS
                 ? trace_centers(run, run->desc, image)
-                : measure_assign(&exact, HARD) && picture_trace(&exact, NULL, NULL, NULL, image));
+                : measure_assign(&exact, HARD) && picture_trace(&exact, NULL, image));
 }
 
 static bool add_errors(struct run *run, unsigned against, const struct image *picture) {
