@@ -17,7 +17,7 @@ float lit(int map, receiver r, float extent) {
     vec4 search = search_window(map, r, extent, nearest);
     float b = series_receiver(range, mix(d, plane_nearest(r, search), TILT), lookup.shift);
     float argument = blocker_argument(basis_area_of(search), map, b);
-    bool hidden = argument >= 0.0 && nearest < d * (1.0 - lookup.map_bias);
+    bool hidden = argument >= 0.0 && nearest < d * (1.0 - lookup.map_bias) && window_blocks(map, r, extent, search);
     float z = hidden ? clamp(series_depth(range, argument), nearest, d) : d;
     bool contact = hidden && d - z < lookup.contact * d;
     vec4 penumbra = window_within(window(r, extent, z), r.uv, SHADOW_PARTS);

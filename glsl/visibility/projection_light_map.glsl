@@ -37,12 +37,16 @@ bool project(light_map m, vec3 position, vec3 normal, out receiver r) {
     return depth > 0.0;
 }
 
-// Where the receiver's plane is met, metres. Where it is farther than the receiver, the receiver is: in a corner the
-// plane goes on behind the other wall.
-float plane_depth(receiver r, vec2 uv) {
+// Where the receiver's plane is met, metres; no nearer than a share of the receiver's distance. Where it is farther than
+// the receiver, the receiver is: in a corner the plane goes on behind the other wall.
+float plane_depth_from(receiver r, vec2 uv, float share) {
     float beyond = dot(r.slope, light_map_plane(r.plain, uv * 2.0 - 1.0) - r.s);
-    return r.orthographic ? clamp(r.distance - beyond, 0.8 * r.distance, r.distance)
-                          : r.distance / clamp(1.0 + beyond, 1.0, 1.25);
+    return r.orthographic ? clamp(r.distance - beyond, share * r.distance, r.distance)
+                          : r.distance / clamp(1.0 + beyond, 1.0, 1.0 / share);
+}
+
+float plane_depth(receiver r, vec2 uv) {
+    return plane_depth_from(r, uv, 0.8);
 }
 
 float receiver_distance(receiver r, ivec2 texel) {

@@ -14,22 +14,31 @@ layout(binding = UNIT_DEPTH_BOUNDS) uniform sampler2DArray depth_bounds;
 
 const int SQUARES = 4;
 
-vec2 square_bounds(int map, int level, int base, ivec2 square) {
-    ivec2 place = min(square, bounds_side(base, level) - 1) + ivec2(bounds_x(base, level), bounds_y(base, level));
+// Squares of 2^(level + 1) texels, of which a window touches so many a side at most: the fewer, the more of what lies
+// around it they have.
+struct squares {
+    ivec2 first, last;
+    int base, level;
+};
+
+squares window_squares(vec4 window, int most) {
+    ivec2 first = ivec2(window.xy * lookup.map_size), last = ivec2(window.zw * lookup.map_size), width = last - first;
+    int base = int(lookup.map_size) / 2, level = findMSB(max(width.x, width.y) / (most - 1));
+    level = clamp(level, 0, findMSB(base));
+    return squares(first >> (level + 1), last >> (level + 1), base, level);
+}
+
+vec2 square_bounds(int map, squares q, ivec2 square) {
+    ivec2 place = min(square, bounds_side(q.base, q.level) - 1) + ivec2(bounds_x(q.base, q.level), bounds_y(q.base, q.level));
     return texelFetch(depth_bounds, ivec3(place, map), 0).rg;
 }
 
 // Nearest and farthest of what is in the window, and maybe of some around it.
 vec2 window_bounds(int map, vec4 window) {
-    ivec2 first = ivec2(window.xy * lookup.map_size), last = ivec2(window.zw * lookup.map_size), width = last - first;
-    // Squares of 2^(level + 1) texels, of which the window touches SQUARES a side at most: the fewer, the more of what
-    // lies around it they have.
-    int base = int(lookup.map_size) / 2, level = findMSB(max(width.x, width.y) / (SQUARES - 1));
-    level = clamp(level, 0, findMSB(base));
+    squares q = window_squares(window, SQUARES);
     vec2 found = vec2(1.0, 0.0);
     for (int i = 0; i < SQUARES * SQUARES; i++) {
-        ivec2 square = min((first >> (level + 1)) + ivec2(i % SQUARES, i / SQUARES), last >> (level + 1));
-        vec2 b = square_bounds(map, level, base, square);
+        vec2 b = square_bounds(map, q, min(q.first + ivec2(i % SQUARES, i / SQUARES), q.last));
         found = vec2(min(found.x, b.x), max(found.y, b.y));
     }
     return found;
@@ -39,10 +48,14 @@ struct blocked {
     float share, depth; // of the window; map depth, the mean
 };
 
-// Map depth of the receiver's plane where it comes nearest to the light.
-float plane_nearest(receiver r, vec4 window) {
+// Map depth of the receiver's plane where it comes nearest to the light; no nearer than a share of the receiver's.
+float plane_nearest_from(receiver r, vec4 window, float share) {
     vec2 corner = mix(window.xy, window.zw, greaterThan(r.slope, vec2(0.0)));
-    return plane_depth(r, corner) / r.unit * (1.0 - lookup.map_bias);
+    return plane_depth_from(r, corner, share) / r.unit * (1.0 - lookup.map_bias);
+}
+
+float plane_nearest(receiver r, vec4 window) {
+    return plane_nearest_from(r, window, 0.8);
 }
 
 // A cell of a window: whole texels, but at the rim, where it is as wide as a texel, a share of them.
@@ -99,4 +112,31 @@ vec4 search_window(int map, receiver r, float extent, out float nearest) {
         search = window_within(window(r, extent, nearest), r.uv, SEARCH_PARTS);
     }
     return search;
+}
+
+// Whether something in a square may hide the light: it lies before the receiver's plane, and within what ways to the light
+// pass at its depth. The plane itself hides nothing, nor do the walls beside it.
+bool square_blocks(int map, receiver r, float extent, squares q, ivec2 square) {
+    float depth = max(square_bounds(map, q, square).x, NEAREST * r.distance / r.unit);
+    vec4 around = vec4(square, square + 1) * (float(2 << q.level) / lookup.map_size);
+    vec4 passed = window(r, extent, depth);
+    return depth < plane_nearest_from(r, around, 0.5 * NEAREST) && all(lessThan(passed.xy, around.zw)) &&
+           all(lessThan(around.xy, passed.zw));
+}
+
+// The same of a window: squares that may are looked at in parts.
+bool window_blocks(int map, receiver r, float extent, vec4 window) {
+    const int PARTS = 3; // of a side, as a power of two
+    squares q = window_squares(window, 1 << PARTS), fine = q;
+    fine.level = max(q.level - PARTS, 0);
+    int parts = q.level - fine.level;
+    bool found = false;
+    for (int i = 0; i < 1 << (2 * PARTS) && !found; i++) {
+        ivec2 square = q.first + ivec2(i & 7, i >> PARTS);
+        if (any(greaterThan(square, q.last)) || !square_blocks(map, r, extent, q, square))
+            continue;
+        for (int k = 0; k < 1 << (2 * parts) && !found; k++)
+            found = square_blocks(map, r, extent, fine, (square << parts) + ivec2(k & ((1 << parts) - 1), k >> parts));
+    }
+    return found;
 }

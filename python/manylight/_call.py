@@ -2,9 +2,12 @@
 from __future__ import annotations
 
 import logging
+import operator
 import os
 import threading
 from typing import Any, Callable, Optional
+
+import numpy as np
 
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, check, text_of
@@ -63,6 +66,64 @@ def encode(text: "str | os.PathLike[str]") -> bytes:
     return coded
 
 
+def described(value: Any) -> str:
+    """A value in an error, short."""
+    if isinstance(value, np.ndarray):
+        return f"an array of {value.dtype} and shape {value.shape}"
+    text = repr(value)
+    return text if len(text) <= 60 else f"a {type(value).__name__}"
+
+
+def real(name: str, value: Any) -> float:
+    """A finite or infinite real number of any kind: of Python, of numpy, an array of no dimension."""
+    try:
+        if isinstance(value, (str, bytes)) or np.ndim(value) != 0:
+            raise TypeError
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        raise ArgumentError(f"{name}: {described(value)} is not a number") from None
+
+
+def whole(name: str, value: Any) -> int:
+    """A whole number or a truth value of any kind. Floats are refused, as they would be cut."""
+    try:
+        return int(value) if isinstance(value, np.bool_) else operator.index(value)
+    except TypeError:
+        raise ArgumentError(f"{name}: {described(value)} is not a whole number") from None
+
+
+def real_array(name: str, values: Any) -> np.ndarray:
+    """An array of real numbers of any kind."""
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise ArgumentError(f"{name}: its rows differ in length") from None
+    if array.dtype.kind not in "fiu":
+        raise ArgumentError(f"{name}: {described(values)} is not of real numbers")
+    return array
+
+
+def vector(name: str, values: Any, length: int) -> list:
+    """So many real numbers."""
+    array = real_array(name, values)
+    if array.shape != (length,):
+        raise ArgumentError(f"{name}: {described(values)} is not {length} numbers")
+    return array.astype(float).tolist()
+
+
+def width_and_height(size: Any) -> dict:
+    """Members of a descriptor from (width, height)."""
+    try:
+        width, height = size
+    except (TypeError, ValueError):
+        raise ArgumentError(f"size: {described(size)} is not (width, height)") from None
+    return {"width": whole("size: width", width), "height": whole("size: height", height)}
+
+
+# Members whose 0 the library takes for a default.
+NOT_DEFAULT_ZERO = ("bounces", "roughness")
+
+
 class Descriptor:
     """A struct of the library that begins with its size. Members that are None keep their default, and texts and
     arrays live as long as the descriptor."""
@@ -70,17 +131,37 @@ class Descriptor:
     def __init__(self, name: str, **members: Any):
         self.pointer = ffi.new(f"struct manylight_{name} *")
         self.pointer.size = ffi.sizeof(self.pointer[0])
+        self.types = {member: field.type for member, field in ffi.typeof(self.pointer).item.fields}
         self.kept: list = []
         for member, value in members.items():
             self.set(member, value)
 
     def set(self, member: str, value: Any) -> None:
-        """Sets a member: a number, a text, a tuple of numbers, or a pointer."""
+        """Sets a member: a number, a text, numbers, or a pointer. Refuses what C would cut, drop or take for another
+        thing."""
         if value is None:
             return
-        if isinstance(value, (str, os.PathLike)):
-            value = self.keep(ffi.new("char[]", encode(value)))
-        setattr(self.pointer, member, value)
+        if not isinstance(value, ffi.CData):
+            value = self.converted(member, self.types[member], value)
+        try:
+            setattr(self.pointer, member, value)
+        except OverflowError:
+            raise ArgumentError(f"{member}: {value} is too large") from None
+
+    def converted(self, member: str, kind: Any, value: Any) -> Any:
+        """A value of Python as one of C."""
+        if kind.kind == "array":
+            return vector(member, value, kind.length)
+        if kind.kind == "pointer":
+            if not isinstance(value, (str, os.PathLike)):
+                raise ArgumentError(f"{member}: {described(value)} is not a text")
+            return self.keep(ffi.new("char[]", encode(value)))
+        number = real(member, value) if kind.cname in ("float", "double") else whole(member, value)
+        if member in NOT_DEFAULT_ZERO and number <= 0:
+            if number < 0:
+                raise ArgumentError(f"{member}: {number} is below 0")
+            return lib.MANYLIGHT_ZERO
+        return number
 
     def keep(self, value: Any) -> Any:
         """Holds what a member points to."""
@@ -102,7 +183,7 @@ def made(kind: str, function: Callable[..., int], *arguments: Any) -> Any:
 
 
 def run(work: Work, job: Callable[[], Any]) -> Any:
-    """Does a job whose call has the progress of work. On the main thread, Ctrl-C stops it after the pass at hand."""
+    """Does a job whose call has the progress of work. On the main thread, Ctrl-C stops it."""
     if threading.current_thread() is threading.main_thread():
         job = _beside(work, job)
     try:

@@ -8,13 +8,13 @@ from typing import Any, ContextManager, Iterable, Iterator, List, Mapping, Named
 
 import numpy as np
 
-from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, run
+from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, real, run, width_and_height
 from ._cffi import ffi, lib
-from ._errors import ArgumentError, text_of
+from ._errors import ArgumentError, DeviceError, text_of
 from ._image import Layers, layer_names, listed, to_layers
 from ._names import settings_text
 from ._parts import Camera
-from ._scene import Scene, scene_of, view_of
+from ._scene import Scene, camera_text, scene_of, view_of
 
 AnyScene = Union[Scene, str, "os.PathLike[str]"]
 AnyCamera = Union[str, int, Camera, None]
@@ -37,6 +37,7 @@ class Renderer:
     def __init__(self, device: Any, scene: Scene, desc: Descriptor):
         self._handle = made("renderer", lib.manylight_renderer_create, device, scene._handle, desc.pointer)
         self._lock = threading.Lock()
+        self._process = os.getpid()
         self._shape = (0, 0)
         self.scene = scene
 
@@ -53,6 +54,8 @@ class Renderer:
     def _open(self) -> Any:
         if self._handle is None:
             raise ArgumentError("the renderer is closed")
+        if self._process != os.getpid():  # where another thread may have held the lock at the fork, for ever
+            raise DeviceError("the renderer is of another process, which was forked: start processes by spawn")
         return self._handle
 
     def _alone(self) -> ContextManager:
@@ -103,7 +106,12 @@ def _image_of(renderer: Any, wanted: Optional[List[str]]) -> Any:
     """The last frame. Names that are no layers of every frame are outputs of the technique."""
     image = made("image", lib.manylight_read, renderer, ffi.NULL)
     outputs = [] if wanted is None else [layer for layer in wanted if layer not in layer_names(image)]
-    return made("image", lib.manylight_read, renderer, encode(",".join(outputs))) if outputs else image
+    if not outputs:
+        return image
+    try:
+        return made("image", lib.manylight_read, renderer, encode(",".join(outputs)))
+    except ArgumentError as error:
+        raise ArgumentError(f"{error}; layers of every frame: {', '.join(layer_names(image))}") from None
 
 
 class Device:
@@ -158,10 +166,10 @@ class Device:
         camera : the camera that gives the default size
         """
         device, opened = self._open(), scene_of(scene)
-        desc = Descriptor("renderer_desc", width=size[0], height=size[1], technique=technique, direct=direct,
+        desc = Descriptor("renderer_desc", **width_and_height(size), technique=technique, direct=direct,
                           quality=quality, settings=settings_text(settings, more), passes=passes,
                           first_pass=first_pass, hide_environment=hide_environment, keep_lights=keep_lights,
-                          timed=timed, camera=None if camera is None else str(camera))
+                          timed=timed, camera=None if camera is None else camera_text(camera))
         return Renderer(device, opened, desc)
 
     def render(self, scene: AnyScene, size: Tuple[int, int] = (0, 0), *, layers: Optional[Iterable[str]] = None,
@@ -177,7 +185,8 @@ class Device:
         camera : name, number, text as of `manylight render --camera`, or a `Camera`; None: the first
         light : as `manylight render --light`
         time : of the animation, seconds
-        progress : called with the fraction done and a note after each of several passes; its exception stops the work
+        progress : called with the fraction done and a note, after each of several passes and a few times a second; its
+            exception stops the work
         technique, direct, quality, passes, first_pass, hide_environment : as the options of `manylight render`
         settings : dict of further settings by their names, for example {"gather.interleave": 4}
         Other keyword arguments are settings, with `_` for `.` and `-`: `gather_interleave=4`, `vpls=4096`.
@@ -203,6 +212,7 @@ class Device:
         Other parameters are those of `render`.
         """
         opened = scene_of(scene)
+        fps, time = real("fps", fps), real("time", time)
         if not fps > 0:
             raise ArgumentError(f"fps: {fps} is not above 0")
         numbers = range(int(opened.info.duration * fps) + 1) if frames is None else frames

@@ -16,6 +16,10 @@ class SceneError(Error):
     """A scene's file, bytes or arrays."""
 
 
+class FileMissing(SceneError, FileNotFoundError):
+    """A scene or a picture whose file does not exist."""
+
+
 class SettingError(Error, ValueError):
     """A technique, direct method, quality, setting, or its value."""
 
@@ -49,5 +53,7 @@ def text_of(pointer) -> str:
 
 def check(status: int) -> None:
     """Raises the exception of a status, on the thread that made the call."""
-    if status != lib.MANYLIGHT_OK:
-        raise KINDS.get(status, Error)(text_of(lib.manylight_error()))
+    if status == lib.MANYLIGHT_OK:
+        return
+    text, kind = text_of(lib.manylight_error()), KINDS.get(status, Error)
+    raise (FileMissing if text.endswith(": No such file or directory") else kind)(text)

@@ -6,7 +6,7 @@ from typing import Any, Dict, Iterable, List, Mapping, Optional, Tuple, Union
 
 import numpy as np
 
-from ._call import Descriptor, call, encode, made
+from ._call import Descriptor, call, described, encode, made, real_array
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
 
@@ -43,7 +43,13 @@ def read_layer(image: Any, layer: str) -> np.ndarray:
 
 def listed(layers: "str | Iterable[str] | None") -> Optional[List[str]]:
     """Names of layers, of which one may stand alone; None: all."""
-    return None if layers is None else [layers] if isinstance(layers, str) else list(layers)
+    if layers is None or isinstance(layers, str):
+        return [layers] if layers else None
+    names = list(layers) if isinstance(layers, Iterable) else [layers]
+    for name in names:
+        if not isinstance(name, str):
+            raise ArgumentError(f"layers: {described(name)} is not the name of a layer")
+    return names
 
 
 def to_layers(image: Any, layers: "str | Iterable[str] | None" = None) -> Layers:
@@ -69,7 +75,10 @@ def to_image(layers: Picture) -> Any:
         layers = {"beauty": layers}
     arrays, names = [], []
     for layer, array in layers.items():
-        array = np.asarray(array, np.float32)
+        array = real_array(f"layer {layer}", array)
+        if layer == "beauty" and array.dtype == np.uint8:
+            raise ArgumentError("layer beauty: uint8 is the code of a display, not linear light")
+        array = array.astype(np.float32)
         array = array[..., None] if array.ndim == 2 else array
         if array.ndim != 3 or array.shape[:2] != (arrays or [array])[0].shape[:2]:
             raise ArgumentError(f"layer {layer}: shape {array.shape}, not (height, width[, channels]) as of others")
@@ -97,8 +106,15 @@ def write(path: "str | os.PathLike[str]", layers: Picture) -> None:
     call(lib.manylight_image_write, to_image(layers), encode(path))
 
 
+def _grey(picture: Picture) -> Picture:
+    """An array (height, width) as one of three equal channels."""
+    if isinstance(picture, Mapping) or np.ndim(picture) != 2:
+        return picture
+    return np.repeat(np.asarray(picture)[..., None], 3, axis=2)
+
+
 def _compare(test: Picture, reference: Picture, options: Dict[str, Any], with_map: bool) -> Tuple[float, Any]:
-    first, second = to_image(test), to_image(reference)
+    first, second = (to_image(_grey(picture)) for picture in (test, reference))
     desc, value = Descriptor("compare_desc", **options), ffi.new("double *")
     errors, pixels = None, ffi.NULL
     if with_map:
@@ -115,7 +131,8 @@ def compare(test: Picture, reference: Picture, *, layer: Optional[str] = None,
 
     Parameters
     ----------
-    test, reference : dicts of layers as `Device.render` and `reference` return them, or an array (height, width, 3)
+    test, reference : dicts of layers as `Device.render` and `reference` return them, or an array (height, width, 3) or
+        (height, width)
     layer : layer to compare, for example "indirect"; None: "beauty"
     reference_layer : the reference's layer; None: the same
     metric : a name of `manylight.metrics()`; None: "relative-rmse"

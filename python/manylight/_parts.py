@@ -2,11 +2,13 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Optional, Sequence, Tuple
+import struct
+import zlib
+from typing import Any, Iterable, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ._call import Descriptor
+from ._call import Descriptor, described, real_array
 from ._cffi import ffi, lib
 from ._errors import ArgumentError
 
@@ -17,23 +19,27 @@ Vector = Tuple[float, float, float]
 class Material:
     """A material with metalness and roughness, as of glTF."""
 
-    base_color: Tuple[float, float, float, float] = (1, 1, 1, 1)  #: linear RGBA
+    base_color: Tuple[float, float, float, float] = (1, 1, 1, 1)  #: linear RGBA, 0 to 1
     metalness: float = 0  #: 0 to 1
     roughness: float = 1  #: 0 to 1
     emission: Vector = (0, 0, 0)  #: W/(sr m2)
     double_sided: bool = False
-    picture: Optional[bytes] = None  #: PNG or JPEG of the base colour, sRGB; its meshes need uvs
+    #: Base colour, sRGB: bytes of a PNG or JPEG file, or a uint8 array (height, width, 3 or 4), row 0 at the top. Its
+    #: meshes need uvs.
+    picture: Any = None
 
 
 @dataclasses.dataclass
 class Mesh:
-    """Triangles of one material, in the world."""
+    """Triangles of one material, in the world. A face is seen from where its corners go counter-clockwise, unless the
+    material is double-sided."""
 
     positions: Any  #: (vertices, 3)
     indices: Any = None  #: (triangles, 3); None: vertices in their order
     normals: Any = None  #: (vertices, 3), unit length; None: flat
     uvs: Any = None  #: (vertices, 2), v down
-    colors: Any = None  #: (vertices, 4), linear RGBA
+    #: (vertices, 4), linear RGBA: floats from 0 to 1, uint8 (255 is 1) or uint16 (65535 is 1), as COLOR_0 of glTF
+    colors: Any = None
     material: int = 0  #: index of the scene's materials
 
 
@@ -44,23 +50,27 @@ class Light:
     kind: str = "point"
     position: Vector = (0, 0, 0)  #: m
     direction: Vector = (0, -1, 0)
-    intensity: Vector = (1, 1, 1)  #: W/sr; directional: W/m2; area: W/sr on its axis
+    #: W/sr; directional: W/m2; area: W/sr on its axis, which is its radiance in W/(sr m2) times its area
+    intensity: Vector = (1, 1, 1)
     extent: Tuple[float, float] = (0, 0)  #: area: width and height, m; height 0: a disk's diameter
     inner_angle: float = 0  #: spot: half angle of the cone of full intensity
     outer_angle: float = 0  #: spot: half angle of the cone; 0: pi/4
+    up: Vector = (0, 0, 0)  #: of lights with a width and a height; 0: chosen
 
 
 @dataclasses.dataclass
 class Camera:
-    """A camera. `fov_y` 0 and `y_extent` above 0: orthographic."""
+    """A camera. `fov_y` 0 and `y_extent` above 0: orthographic. With `right`, the axes `forward`, `up` and `right` are
+    taken as they are: at right angles, `forward` of length 1. A longer `right` widens the picture."""
 
     eye: Vector = (0, 0, 0)  #: m
     forward: Vector = (0, 0, -1)
     up: Vector = (0, 1, 0)
-    fov_y: float = 0.8  #: vertical angle of view
+    fov_y: float = 0.8  #: vertical angle of view, radians
     y_extent: float = 0  #: half the height of an orthographic picture, m
-    near_plane: float = 0.01  #: m
-    far_plane: float = 0  #: m; 0: none
+    near_plane: float = 0  #: m; what is nearer is not seen
+    far_plane: float = 0  #: m; what is farther is not seen; 0: no end
+    right: Vector = (0, 0, 0)  #: 0: made of `forward` and `up`
 
 
 KINDS = {
@@ -73,10 +83,55 @@ KINDS = {
 
 def rows(name: str, values: Any, width: int, kind: type) -> np.ndarray:
     """An array of rows of so many numbers, contiguous."""
-    array = np.ascontiguousarray(values, kind)
+    array = real_array(name, values)
     if array.ndim != 2 or array.shape[1] != width:
         raise ArgumentError(f"{name}: shape {array.shape}, not (n, {width})")
+    return np.ascontiguousarray(array, kind)
+
+
+def _colors(values: Any) -> np.ndarray:
+    """Colours as floats from 0 to 1."""
+    array = real_array("colors", values)
+    if array.dtype in (np.uint8, np.uint16):
+        return array / np.float32(np.iinfo(array.dtype).max)
+    if array.dtype.kind in "iu" and array.size and array.max() > 1:
+        raise ArgumentError(f"colors: {array.dtype} up to {array.max()}: give uint8, uint16, or floats from 0 to 1")
     return array
+
+
+def _indices(values: Any) -> np.ndarray:
+    array = real_array("indices", values)
+    if array.dtype.kind == "f":
+        raise ArgumentError(f"indices: {array.dtype}, not whole numbers")
+    if array.size and (array.min() < 0 or array.max() > 0xFFFFFFFF):
+        raise ArgumentError("indices: below 0 or above 4294967295")
+    return rows("indices", array, 3, np.uint32)
+
+
+def _png(pixels: np.ndarray) -> bytes:
+    """A PNG file of (height, width, 3 or 4) bytes."""
+    height, width, channels = pixels.shape
+
+    def chunk(name: bytes, data: bytes) -> bytes:
+        return struct.pack(">I", len(data)) + name + data + struct.pack(">I", zlib.crc32(name + data))
+
+    head = struct.pack(">IIBBBBB", width, height, 8, 2 if channels == 3 else 6, 0, 0, 0)
+    lines = np.zeros((height, 1 + width * channels), np.uint8)  # Each begins with its filter: none.
+    lines[:, 1:] = pixels.reshape(height, -1)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", head) + chunk(b"IDAT", zlib.compress(lines.tobytes(), 1))
+            + chunk(b"IEND", b""))
+
+
+def _picture(picture: Any) -> bytes:
+    """The file of a picture."""
+    if isinstance(picture, (bytes, bytearray)):
+        return bytes(picture)
+    array = np.asarray(picture)
+    if array.dtype == np.uint8 and array.ndim == 1:
+        return array.tobytes()
+    if array.dtype == np.uint8 and array.ndim == 3 and array.shape[2] in (3, 4) and array.size:
+        return _png(array)
+    raise ArgumentError(f"picture: {described(picture)} is neither a file's bytes nor uint8 (height, width, 3 or 4)")
 
 
 def _mesh(mesh: Mesh) -> Descriptor:
@@ -84,18 +139,16 @@ def _mesh(mesh: Mesh) -> Descriptor:
     positions = rows("positions", mesh.positions, 3, np.float32)
     desc.pointer.vertex_count = len(positions)
     arrays = {"positions": positions}
-    for name, width in (("normals", 3), ("uvs", 2), ("colors", 4)):
-        if getattr(mesh, name) is not None:
-            arrays[name] = rows(name, getattr(mesh, name), width, np.float32)
+    colors = None if mesh.colors is None else _colors(mesh.colors)
+    for name, values, width in (("normals", mesh.normals, 3), ("uvs", mesh.uvs, 2), ("colors", colors, 4)):
+        if values is not None:
+            arrays[name] = rows(name, values, width, np.float32)
             if len(arrays[name]) != len(positions):
                 raise ArgumentError(f"{name}: {len(arrays[name])} rows for {len(positions)} positions")
     for name, array in arrays.items():
         desc.set(name, desc.keep(ffi.from_buffer("float[]", array)))
     if mesh.indices is not None:
-        indices = np.asarray(mesh.indices)
-        if indices.size and (indices.min() < 0 or indices.max() > 0xFFFFFFFF):
-            raise ArgumentError("indices: below 0 or above 4294967295")
-        indices = rows("indices", indices, 3, np.uint32)
+        indices = _indices(mesh.indices)
         desc.pointer.index_count = indices.size
         desc.set("indices", desc.keep(ffi.from_buffer("uint32_t[]", indices)))
     return desc
@@ -103,33 +156,48 @@ def _mesh(mesh: Mesh) -> Descriptor:
 
 def _material(material: Material) -> Descriptor:
     desc = Descriptor("material", base_color=material.base_color, metalness=material.metalness,
-                      roughness=material.roughness or lib.MANYLIGHT_ZERO, emission=material.emission,
-                      double_sided=material.double_sided)
+                      roughness=material.roughness, emission=material.emission, double_sided=material.double_sided)
+    if not any(desc.pointer.base_color):
+        desc.pointer.base_color[3] = 1  # All 0 would be white.
     if material.picture is not None:
-        desc.set("picture", desc.keep(ffi.from_buffer(material.picture)))
-        desc.pointer.picture_bytes = len(material.picture)
+        picture = _picture(material.picture)
+        desc.set("picture", desc.keep(ffi.from_buffer(picture)))
+        desc.pointer.picture_bytes = len(picture)
     return desc
 
 
 def _light(light: Light) -> Descriptor:
     if light.kind not in KINDS:
-        raise ArgumentError(f"light: '{light.kind}' is none of {', '.join(KINDS)}")
+        raise ArgumentError(f"kind: {described(light.kind)} is none of {', '.join(KINDS)}")
     return Descriptor("light", type=KINDS[light.kind], position=light.position, direction=light.direction,
                       intensity=light.intensity, extent=light.extent, inner_angle=light.inner_angle,
-                      outer_angle=light.outer_angle)
+                      outer_angle=light.outer_angle, up=light.up)
 
 
 def camera_desc(camera: Camera) -> Descriptor:
     """A camera for the library."""
-    return Descriptor("camera", **dataclasses.asdict(camera))
+    return Descriptor("camera", **vars(camera))
 
 
-MAKERS = {"mesh": _mesh, "material": _material, "light": _light, "camera": camera_desc}
+MAKERS = {"mesh": (Mesh, _mesh), "material": (Material, _material), "light": (Light, _light),
+          "camera": (Camera, camera_desc)}
+
+
+def _made(kind: str, i: int, part: Any) -> Descriptor:
+    of, maker = MAKERS[kind]
+    try:
+        if not isinstance(part, of):
+            raise ArgumentError(f"{described(part)} is not a manylight.{of.__name__}")
+        return maker(part)
+    except ArgumentError as error:
+        raise ArgumentError(f"{kind} {i}: {error}") from None
 
 
 def add_parts(desc: Descriptor, kind: str, parts: Sequence[Any]) -> None:
     """Puts an array of structs into the descriptor of a scene: its members KINDs and KIND_count."""
-    made = [MAKERS[kind](part) for part in parts]
+    if not isinstance(parts, Iterable):
+        raise ArgumentError(f"{described(parts)} is not a list of parts of the scene")
+    made = [_made(kind, i, part) for i, part in enumerate(parts)]
     array = ffi.new(f"struct manylight_{kind}[]", max(len(made), 1))
     for i, part in enumerate(made):
         array[i] = part.pointer[0]

@@ -4,8 +4,9 @@ from __future__ import annotations
 import os
 from typing import Any, Iterable, NamedTuple, Optional, Sequence, Tuple
 
-from ._call import Descriptor, Progress, Work, call, encode, made, run
+from ._call import Descriptor, Progress, Work, call, encode, made, run, whole, width_and_height
 from ._cffi import ffi, lib
+from ._errors import ArgumentError
 from ._image import Layers, to_layers
 from ._names import settings_text
 from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc
@@ -41,9 +42,11 @@ class Scene:
                  materials: Sequence[Material] = (), lights: Sequence[Light] = (), cameras: Sequence[Camera] = (),
                  light: Optional[str] = None, clip: Optional[str] = None,
                  environment: "str | os.PathLike[str] | None" = None, environment_turn: float = 0,
-                 environment_strength: float = 0, strict: bool = False,
+                 environment_strength: float = 1, strict: bool = False,
                  root: "str | os.PathLike[str] | None" = None, scene: Optional[str] = None,
                  variant: Optional[str] = None):
+        if environment_strength == 0:
+            raise ArgumentError("environment_strength: 0 is not above 0")
         desc = Descriptor("scene_desc", path=path, light=light, clip=clip, environment=environment,
                           environment_turn=environment_turn, environment_strength=environment_strength,
                           strict=strict, root=root, scene=scene, variant=variant)
@@ -54,8 +57,7 @@ class Scene:
         else:
             desc.set("path", source)
         for kind, parts in (("mesh", meshes), ("material", materials), ("light", lights), ("camera", cameras)):
-            if len(parts) > 0:
-                add_parts(desc, kind, parts)
+            add_parts(desc, kind, parts)
         self._handle = made("scene", lib.manylight_scene_open, desc.pointer)
 
     @property
@@ -72,12 +74,17 @@ class Scene:
         name = ffi.NULL if text is None else ffi.new("char[]", encode(text))
         call(lib.manylight_scene_camera, self._handle, name, time, out)
         return Camera(tuple(out.eye), tuple(out.forward), tuple(out.up), out.fov_y, out.y_extent, out.near_plane,
-                      out.far_plane)
+                      out.far_plane, tuple(out.right))
 
 
 def scene_of(scene: "Scene | str | os.PathLike[str]") -> Scene:
     """A scene, opened where it is a path."""
     return scene if isinstance(scene, Scene) else Scene(scene)
+
+
+def camera_text(camera: Any) -> str:
+    """The name or the number of a camera, as text."""
+    return camera if isinstance(camera, str) else str(whole("camera", camera))
 
 
 def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str], time: float) -> Descriptor:
@@ -86,7 +93,7 @@ def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str
     if isinstance(camera, Camera):
         desc.set("placed", desc.keep(camera_desc(camera)).pointer)
     elif camera is not None:
-        desc.set("camera", str(camera))
+        desc.set("camera", camera_text(camera))
     return desc
 
 
@@ -104,20 +111,27 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
     scene : a `Scene`, or the path of a .glb or .gltf file
     size : width and height, pixels; 0: those of the camera, 800 along the longer side
     bounces : number of indirect bounces; 0: direct light only
-    samples : samples per pixel; 0: by `noise`, the limit of the relative standard error (0: 0.01)
+    samples : samples per pixel (`--spp`); 0: by `noise`, the limit of the relative standard error (0: 0.01)
+    paths : paths of indirect light per sample; 0: 1 below 16 samples per pixel, else 4
+    light_paths : light paths that trace caustics; 0: none. They set `smooth`
+    smooth : glass and mirrors show the scene
+    centers : samples at the centres of pixels alone, without antialiasing
+    seen : add the layers "unshadowed" and "visibility" of the lights
+    denoise : filter the noise of indirect light
+    materials : "full" or "diffuse"; None: "full"
+    threads : number of threads; 0: all cores. The picture does not depend on it
     ao_distance : distance of ambient occlusion, metres; 0: no layer "ao"
     settings, **more : settings of the medium, as of `Device.render`
     progress : called with the fraction done and a note; an exception from it stops the work
-    Other parameters are the options of `manylight reference`.
+    Other parameters are those of `Device.render`. There is no technique: paths are traced.
 
     Returns the layers as `Device.render`, with "standard_error" of the layer "indirect" and others.
     """
     work = Work(progress)
     view = view_of(work, camera, light, time)
-    desc = Descriptor("reference_desc", width=size[0], height=size[1], view=view.pointer,
-                      bounces=bounces or lib.MANYLIGHT_ZERO, samples=samples, noise=noise, paths=paths, seed=seed,
-                      light_paths=light_paths, smooth=smooth, centers=centers, seen=seen, denoise=denoise,
-                      hide_environment=hide_environment, ao_distance=ao_distance, materials=materials,
-                      settings=settings_text(settings, more), threads=threads)
+    desc = Descriptor("reference_desc", **width_and_height(size), view=view.pointer, bounces=bounces, samples=samples,
+                      noise=noise, paths=paths, seed=seed, light_paths=light_paths, smooth=smooth, centers=centers,
+                      seen=seen, denoise=denoise, hide_environment=hide_environment, ao_distance=ao_distance,
+                      materials=materials, settings=settings_text(settings, more), threads=threads)
     handle = scene_of(scene)._handle
     return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), layers))

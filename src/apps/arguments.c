@@ -131,8 +131,8 @@ static bool apply(int argc, char **argv, const struct arguments *arguments,
         log_set_level(LOG_VERBOSE);
     if (arguments->opens_scenes && !read_rules_set(common->strict, common->root))
         return error_prefix("--root");
-    return common->max_memory == 0 || limited_begin(argc, argv, (double)common->max_memory) ||
-           error_prefix("--max-memory");
+    return (common->max_memory == 0 && !mem_is_scarce()) ||
+           limited_begin(argc, argv, (double)common->max_memory) || error_prefix("--max-memory");
 }
 
 static arguments_reader *reading;

@@ -100,46 +100,32 @@ struct place {
     int length, digits;
 };
 
-static int run_of(const char *text, char c) {
+/* Of '#' and '@' as many as digits; a single '@' is a letter. */
+static int take_run(const char *text, int *digits) {
     int length = 0;
-    while (text[length] == c)
+    while (text[length] == *text)
         length++;
-    return length;
+    *digits = length;
+    return *text == '#' || (*text == '@' && length > 1) ? length : 0;
 }
 
-/* The digits that a number is to have at least, and 1 without a word of it; counts their length in. */
-static int take_digits(const char *text, int *length) {
-    int digits = 1, used = 0;
-    if (sscanf(text + *length, "%2d%n", &digits, &used) == 1 &&
-        isdigit((unsigned char)text[*length]))
-        *length += used;
-    else
-        digits = 1;
-    return digits > 0 ? digits : 1;
-}
-
-/* "####" of Blender, "@@@@" of viewers, "%04d" of Nuke and ffmpeg, "$F4" and "${F4}" of Houdini. */
+/* "####" of Blender, "@@@@" of RV, "%04d" of Nuke and ffmpeg, "$F4" of Houdini; else of no length. */
 static struct place place_at(const char *text) {
+    static const char *const with_digits[] = {"%%0%2[0-9]d%n", "$F%2[0-9]%n", "${F%2[0-9]}%n"},
+                             *const alone[] = {"%d", "${F}", "$F"};
     struct place place = {.at = text};
-    char last = text[run_of(text, *text)];
-    if (*text == '#' || (*text == '@' && text[1] == '@')) {
-        place.length = place.digits = run_of(text, *text);
-    } else if (*text == '%') {
-        place.length = 1;
-        place.digits = text[1] == '0' ? take_digits(text, &place.length) : 1;
-        last = text[place.length++];
-        place.at = last == 'd' ? text : NULL;
-    } else if (strncmp(text, "$F", 2) == 0 || strncmp(text, "${F", 3) == 0) {
-        bool closed = text[1] == '{';
-        place.length = closed ? 3 : 2;
-        place.digits = take_digits(text, &place.length);
-        last = text[place.length];
-        place.length += closed;
-        place.at =
-            (closed ? last == '}' : !isalpha((unsigned char)last) && last != '_') ? text : NULL;
-    } else {
-        place.at = NULL;
-    }
+    char digits[3] = "1";
+    place.length = take_run(text, &place.digits);
+    for (int i = 0; i < 3 && !place.length; i++)
+        if (sscanf(text, with_digits[i], digits, &place.length) == 1)
+            place.digits = atoi(digits);
+    for (int i = 0; i < 3 && !place.length; i++)
+        if (strncmp(text, alone[i], strlen(alone[i])) == 0) {
+            place.length = (int)strlen(alone[i]);
+            place.digits = 1;
+        }
+    if (strncmp(text, "$F", 2) == 0 && (isalpha((unsigned char)text[2]) || text[2] == '_'))
+        place.length = 0; /* another variable */
     return place;
 }
 
@@ -148,8 +134,8 @@ static struct place find_place(const char *name) {
     struct place found = {0};
     while (*name) {
         struct place place = place_at(name);
-        found = place.at ? place : found;
-        name += place.at ? place.length : 1;
+        found = place.length ? place : found;
+        name += place.length ? place.length : 1;
     }
     return found;
 }
@@ -187,20 +173,18 @@ static bool find_ntsc(struct frame_rate *rate, double fps) {
 }
 
 bool frame_rate_parse(struct frame_rate *rate, const char *text) {
-    char *end;
-    double above = strtod(text, &end), below = 1;
-    bool good = end != text, is_fraction = good && *end == '/';
-    if (is_fraction) {
-        text = end + 1;
-        below = strtod(text, &end);
-        good = end != text && below > 0;
-    }
+    double above = 0, below = 1;
+    int end = 0;
+    if (strchr(text, '/'))
+        sscanf(text, "%lf/%lf%n", &above, &below, &end);
+    else
+        sscanf(text, "%lf%n", &above, &end);
     rate->fps = above / below;
-    if (!good || *end || !(rate->fps >= 1e-3 && rate->fps <= 1e6))
+    if (!end || text[end] || !(below > 0 && rate->fps >= 1e-3 && rate->fps <= 1e6))
         return error_set("fps: '%s' is neither a number from 0.001 to 1e+06 nor a fraction like "
                          "24000/1001",
                          text);
-    if (is_fraction)
+    if (below != 1)
         snprintf(rate->text, sizeof rate->text, "%.9g/%.9g", above, below);
     else if (!find_ntsc(rate, rate->fps))
         snprintf(rate->text, sizeof rate->text, "%.7g", rate->fps);

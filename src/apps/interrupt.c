@@ -42,6 +42,11 @@ bool interrupt_came(void) {
     return remembered != 0;
 }
 
+bool interrupt_asked(void *user) {
+    (void)user;
+    return interrupt_came();
+}
+
 static void remember(int number) {
     remembered = number;
 }

@@ -1,9 +1,9 @@
 /* SIGINT and SIGTERM held back or remembered, so that nothing is left half done.
  *
- * Held back while a sequence is rendered, so that it ends between two frames.
+ * Held back while a sequence is rendered, so that it ends with its last whole frame.
  *
  *     interrupts_hold();         before anything starts threads: they inherit it
- *     ... interrupt_came() ...   between two frames
+ *     ... interrupt_came() ...   between two frames, and interrupt_asked within one
  *     interrupts_release();      the process ends here if one came, by that signal
  *
  * Remembered where threads run already and would take the signal, SIGHUP too:
@@ -19,6 +19,10 @@
 
 void interrupts_hold(void);
 bool interrupt_came(void);
+
+/* The same for gl/cancel.h, which gives it NULL. */
+bool interrupt_asked(void *user);
+
 void interrupts_release(void);
 void interrupts_catch(void);
 void interrupts_obey(void);

@@ -117,9 +117,12 @@ static _Noreturn void be_parent(const char *subcommand, double gib, int from) {
         end_by(WTERMSIG(status));
     int code = WIFEXITED(status) ? WEXITSTATUS(status) : 1;
     if (code != 0 && !relay.has_error) {
-        char *text = mem_printf("manylight %s: --max-memory %g: too little memory for the work and "
-                                "the OpenGL driver",
-                                subcommand, gib);
+        char bound[32] = "ulimit";
+        if (gib > 0)
+            snprintf(bound, sizeof bound, "--max-memory %g", gib);
+        char *text = mem_printf("manylight %s: %s: too little memory for the work and the OpenGL "
+                                "driver",
+                                subcommand, bound);
         event_tell_last(text);
         free(text);
         code = 1; /* some libraries end the process by other numbers */
@@ -158,7 +161,7 @@ bool limited_begin(int argc, char **argv, double gib) {
     bool has_proc = access("/proc/self/exe", X_OK) == 0;
     if (getenv(mark) || !has_proc) {
         unsetenv(mark);
-        return mem_limit((uint64_t)(gib * (1 << 30)));
+        return gib == 0 || mem_limit((uint64_t)(gib * (1 << 30)));
     }
     if (pipe2(ends, O_CLOEXEC) != 0)
         return error_set("no pipe: %s", strerror(errno));

@@ -31,6 +31,9 @@
  * no output needs it, or two go to standard output. */
 bool outputs_use_format(const char *const *paths, int count, const char *format);
 
+/* Whether a file is a whole picture of that size; else a note says that it is rendered again, where there is one. */
+bool output_is_there(const char *path, int width, int height);
+
 /* The stream for tables and JSON: stderr where a picture goes to stdout. */
 FILE *outputs_table_stream(const char *const *paths, int count);
 

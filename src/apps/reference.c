@@ -11,6 +11,7 @@
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/parallel.h"
 #include "base/progress.h"
 #include "metrics/quantile.h"
 #include "quality/picture.h"
@@ -39,7 +40,7 @@ struct values {
     struct text_list settings;
     const char *output, *format, *background, *ao;
     float noise;
-    int technique, light_paths;
+    int technique, light_paths, threads;
 };
 
 OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
@@ -94,6 +95,8 @@ static const struct option options[] = {
      .choices = materials_names,
      .help = "materials of surfaces: metals, roughness and\n"
              "normal maps, or diffuse in their base colour"},
+    {"threads", 0, OPTION_INT, offsetof(struct values, threads), 0, 0, 256,
+     .help = "number of threads; 0: one for each core", .rare = true},
     {"seed", 0, OPTION_INT, offsetof(struct values, tracer.seed), 0, 0, 2147483647,
      .help = "seed of the random numbers; another seed has other noise"},
     STAGE_OPTIONS(struct values, stage),
@@ -169,6 +172,8 @@ static bool check_values(struct values *values) {
     if (!parse_ao(values) || !background_parse(&background, values->background) ||
         !background_check(&background, &values->output, 1))
         return false;
+    if (values->threads > 0)
+        parallel_set_most(values->threads);
     values->tracer.hides_sky = background.kind != BACKGROUND_SCENE;
     values->tracer.noise = (double)values->noise;
     return true;

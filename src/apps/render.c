@@ -20,6 +20,7 @@
 #include "base/phases.h"
 #include "base/progress.h"
 #include "gl/api.h"
+#include "gl/cancel.h"
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "quality/quality.h"
@@ -29,7 +30,6 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 struct values {
     struct common_values common;
@@ -311,25 +311,16 @@ static bool write_videos(struct values *values, struct renderer *renderer) {
     return ok;
 }
 
-/* Says which files are there but must be rendered again. */
 static bool is_there(const struct values *values, struct renderer *renderer, const char *path) {
     (void)values;
-    const struct renderer_desc *desc = &renderer->desc;
-    int size[2];
-    if (access(path, F_OK) != 0)
-        return false;
-    bool ok = image_is_whole(path) && image_size(path, size);
-    if (ok && (size[0] != desc->width || size[1] != desc->height))
-        ok = error_set("%s is %dx%d, not %dx%d", path, size[0], size[1], desc->width, desc->height);
-    if (!ok)
-        log_note("%s; it is rendered again", error_get());
-    return ok;
+    return output_is_there(path, renderer->desc.width, renderer->desc.height);
 }
 
 /* What is done of the frames, and what tells of it. */
 struct work {
     struct progress progress;
     int count, done, skipped; /* frames */
+    bool stopped;             /* within a frame, which is not drawn to its end */
 };
 
 /* Also of the frame at hand a share. */
@@ -340,7 +331,7 @@ static double share_done(const struct work *work, double share) {
 /* Waits for each pass: a GPU would take hundreds at once, and they are not done then. */
 static void add_passes(const struct values *values, struct renderer *renderer, struct work *work,
                        int frame) {
-    for (int i = 0; i < values->passes; i++) {
+    for (int i = 0; i < values->passes && !cancel_came(); i++) {
         char note[64] = "";
         renderer_add_pass(renderer, values->first_pass + i);
         gl.Finish();
@@ -360,16 +351,18 @@ static bool write_outputs(struct values *values, struct renderer *renderer, int 
 static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
                          struct work *work, int frame) {
     double time = frame_time(values, frame);
+    bool ok = true;
     if (!stage_pose(stage, time) || !stage_show(stage, renderer))
         return false;
+    cancel_begin(interrupt_asked, NULL, CANCEL_INTERVAL);
     if (values->budget > 0)
-        return in_time_render(&values->in_time, renderer, stage, time) &&
-               write_outputs(values, renderer, frame);
-    if (has_mean(values))
+        ok = in_time_render(&values->in_time, renderer, stage, time);
+    else if (has_mean(values))
         add_passes(values, renderer, work, frame);
     else
         renderer_render(renderer);
-    return write_outputs(values, renderer, frame);
+    work->stopped = cancel_end();
+    return ok && !work->stopped && write_outputs(values, renderer, frame);
 }
 
 /* After the first picture. */
@@ -390,20 +383,23 @@ static bool render_frames(struct values *values, const struct frames *frames,
     values->progress = &work.progress;
     for (int i = 0; ok && i < frames->count; i++) {
         int frame = frames->numbers[i];
-        if (interrupt_came()) {
-            ok = error_set("stopped before frame %d: %d rendered, %d were there, %d are left%s",
-                           frame, work.done, work.skipped, frames->count - i,
-                           values->videos.begun ? "; there is no video" : " (--skip-existing)");
-            break;
-        }
-        if (values->skip_existing && each_output(values, renderer, frame, is_there)) {
+        work.stopped = interrupt_came();
+        if (!work.stopped && values->skip_existing &&
+            each_output(values, renderer, frame, is_there)) {
             work.skipped++;
             continue;
         }
         work.progress.frame = frame;
         work.progress.pass = 0;
         double start = clock_ms();
-        ok = render_frame(values, renderer, stage, &work, frame) || error_prefix("frame %d", frame);
+        ok = !work.stopped && render_frame(values, renderer, stage, &work, frame);
+        if (work.stopped) {
+            ok = error_set("stopped before frame %d: %d rendered, %d were there, %d are left%s",
+                           frame, work.done, work.skipped, frames->count - i,
+                           values->videos.begun ? "; there is no video" : " (--skip-existing)");
+            break;
+        }
+        ok = ok || error_prefix("frame %d", frame);
         if (work.done++ == 0)
             tell_start(start);
         char note[32];

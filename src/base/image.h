@@ -98,9 +98,9 @@ int image_find_channel(const struct image *image, const char *name);
  * named as normals and the like come last. Error: lists the layers there are. */
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
 
-/* Multiplies R, G and B of each layer by the matrix and by `scale`, and luminance by `scale`. Layers of normals, depths
- * and the like stay. Returns how many layers changed. */
-int image_convert_colours(struct image *image, double matrix[3][3], double scale);
+/* Multiplies R, G and B of each layer by the matrix, which is columns. Layers of normals, depths and the like stay.
+ * Returns how many layers changed. */
+int image_convert_colours(struct image *image, float matrix[3][3]);
 
 /* A sentence of which layer that is, to be freed; NULL where it is the one named, or an unnamed
  * picture where none is. */

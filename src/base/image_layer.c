@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "base/text.h"
 
+#include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -260,35 +261,30 @@ static struct choice find(const struct image *image, const char *layer) {
 /* --- colours ---------------------------------------------------------------------------------- */
 
 /* A pixel that is not finite stays: who reads it refuses or replaces it. */
-static void convert_pixel(float *pixel, const int channels[3], double matrix[3][3]) {
-    double from[3];
+static void convert_pixel(float *pixel, const int channels[3], float matrix[3][3]) {
+    vec3 rgb;
     for (int c = 0; c < 3; c++)
-        from[c] = (double)pixel[channels[c]];
-    for (int c = 0; c < 3 && isfinite(from[0] + from[1] + from[2]); c++)
-        pixel[channels[c]] =
-            (float)(matrix[c][0] * from[0] + matrix[c][1] * from[1] + matrix[c][2] * from[2]);
+        rgb[c] = pixel[channels[c]];
+    if (!isfinite(rgb[0] + rgb[1] + rgb[2]))
+        return;
+    glm_mat3_mulv(matrix, rgb, rgb);
+    for (int c = 0; c < 3; c++)
+        pixel[channels[c]] = rgb[c];
 }
 
-int image_convert_colours(struct image *image, double matrix[3][3], double scale) {
-    double scaled[3][3];
+int image_convert_colours(struct image *image, float matrix[3][3]) {
     int converted = 0;
-    for (int i = 0; i < 9; i++)
-        scaled[i / 3][i % 3] = scale * matrix[i / 3][i % 3];
+    size_t count = (size_t)image->width * (size_t)image->height;
     for (int i = 0; i < image->channel_count; i++) {
         struct choice choice = look_at(image, i);
         const char *name = image->names[i];
-        if (!is_first(image, i) || find_word(other_names, name, layer_length(name)) >= 0 ||
-            (choice.kind != COLOURS && choice.kind != GREY))
+        if (!is_first(image, i) || choice.kind != COLOURS ||
+            find_word(other_names, name, layer_length(name)) >= 0)
             continue;
         converted++;
-        size_t count = (size_t)image->width * (size_t)image->height;
-        for (size_t p = 0; p < count; p++) {
-            float *pixel = image->pixels + p * (size_t)image->channel_count;
-            if (choice.kind == COLOURS)
-                convert_pixel(pixel, choice.channels, scaled);
-            else
-                pixel[choice.channels[0]] *= (float)scale;
-        }
+        for (size_t p = 0; p < count; p++)
+            convert_pixel(image->pixels + p * (size_t)image->channel_count, choice.channels,
+                          matrix);
     }
     return converted;
 }

@@ -61,6 +61,12 @@ bool mem_is_limited(void) {
     return getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
 }
 
+bool mem_is_scarce(void) {
+    const uint64_t enough = (uint64_t)2 << 30;
+    return left_of_limit(RLIMIT_AS, "VmSize:") < enough ||
+           left_of_limit(RLIMIT_DATA, "VmData:") < enough;
+}
+
 uint64_t mem_free_bytes(void) {
     uint64_t free_kib = number_in("/proc/meminfo", "MemAvailable:");
     uint64_t there = free_kib == UINT64_MAX ? free_kib : free_kib * 1024;

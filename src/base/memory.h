@@ -15,6 +15,9 @@ bool mem_limit(uint64_t bytes);
 /* Whether there is such a limit. */
 bool mem_is_limited(void);
 
+/* Whether `ulimit -v` or `-d` is so low that a graphics driver may fail by it. */
+bool mem_is_scarce(void);
+
 /* How many bytes are free, by the machine and by the limits of this process. */
 uint64_t mem_free_bytes(void);
 

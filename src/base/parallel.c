@@ -3,9 +3,12 @@
 
 #include "base/log.h"
 
+#include <math.h>
 #include <pthread.h>
 #include <sched.h>
 #include <stdatomic.h>
+#include <stdbool.h>
+#include <stdio.h>
 
 enum { MAX_THREADS = 256 };
 
@@ -17,11 +20,35 @@ struct loop {
     const struct log_sink *sink; /* of the thread that calls parallel_for */
 };
 
+static int most = MAX_THREADS, granted = MAX_THREADS;
+static pthread_once_t asked = PTHREAD_ONCE_INIT;
+
+int parallel_granted(const char *path) {
+    FILE *file = fopen(path, "r");
+    double quota = 0, period = 0;
+    int count = file ? fscanf(file, "%lf %lf", &quota, &period) : 0;
+    if (file)
+        fclose(file);
+    bool bounded = count == 2 && quota > 0 && period > 0 && quota < period * MAX_THREADS;
+    return bounded ? (int)ceil(quota / period) : MAX_THREADS;
+}
+
+static void ask(void) {
+    granted = parallel_granted("/sys/fs/cgroup/cpu.max");
+}
+
+void parallel_set_most(int threads) {
+    most = threads;
+}
+
 int parallel_core_count(void) {
     cpu_set_t set;
+    pthread_once(&asked, ask);
     if (sched_getaffinity(0, sizeof set, &set) != 0)
         return 1;
     int count = CPU_COUNT(&set);
+    count = count < granted ? count : granted;
+    count = count < most ? count : most;
     return count < 1 ? 1 : count;
 }
 

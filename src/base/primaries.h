@@ -8,12 +8,12 @@
 enum { PRIMARIES_NUMBERS = 8 };
 extern const float primaries_bt709[PRIMARIES_NUMBERS];
 
-/* Linear RGB of BT.709 of CIE XYZ, whose white is D65. */
-void primaries_matrix_of_xyz(double matrix[3][3]);
+/* To linear RGB of BT.709 from CIE XYZ, whose white is D65. Matrices are columns, as cglm has them. */
+void primaries_matrix_of_xyz(float matrix[3][3]);
 
-/* Linear RGB of BT.709 of linear RGB of these primaries; white becomes white, by Bradford's adaptation. False: the
+/* The same from linear RGB of these primaries; white becomes white, by Bradford's adaptation. False: the
  * numbers span no colours. */
-bool primaries_matrix(const float primaries[PRIMARIES_NUMBERS], double matrix[3][3]);
+bool primaries_matrix(const float primaries[PRIMARIES_NUMBERS], float matrix[3][3]);
 
 /* Whether they are those of BT.709, as far as files write them. */
 bool primaries_are_bt709(const float primaries[PRIMARIES_NUMBERS]);

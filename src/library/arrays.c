@@ -5,6 +5,7 @@
 #include "base/text.h"
 #include "library/desc.h"
 #include "library/door.h"
+#include "library/scene.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -90,11 +91,31 @@ static bool refuse(const char *noun, size_t i, const char *reason) {
     return door_blame(MANYLIGHT_BAD_SCENE);
 }
 
-static bool is_finite(const float *values, int count) {
+/* The error at hand is of this part. */
+static bool blame(const char *noun, size_t i) {
+    error_prefix("%s %zu", noun, i);
+    return door_blame(MANYLIGHT_BAD_SCENE);
+}
+
+static bool is_zero(const float *values, int count) {
     for (int i = 0; i < count; i++)
-        if (!isfinite(values[i]))
+        if (values[i] != 0)
             return false;
     return true;
+}
+
+/* Error: names the vertex. Numbers above 1 are 0 .. 255, most often. */
+static bool check_vertices(const struct manylight_mesh *mesh) {
+    bool ok = true;
+    for (size_t v = 0; ok && v < mesh->vertex_count; v++) {
+        const float *normal = mesh->normals ? mesh->normals + 3 * v : NULL;
+        const float *color = mesh->colors ? mesh->colors + 4 * v : NULL;
+        ok = (!normal || desc_check_all("normals", normal, 3, -INFINITY, INFINITY)) &&
+             (!normal || !is_zero(normal, 3) || error_set("normals: it has no length")) &&
+             (!color || desc_check_all("colors", color, 4, 0, SHARE_MOST));
+        ok = ok || error_prefix("vertex %zu", v);
+    }
+    return ok;
 }
 
 static bool check_mesh(const struct manylight_mesh *mesh, size_t i) {
@@ -103,7 +124,7 @@ static bool check_mesh(const struct manylight_mesh *mesh, size_t i) {
         return refuse("mesh", i, "positions is NULL");
     if (mesh->vertex_count >= most || mesh->index_count >= most)
         return refuse("mesh", i, "it has more than 2147483647 vertices or indices");
-    return true;
+    return check_vertices(mesh) || blame("mesh", i);
 }
 
 static bool add_mesh(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
@@ -130,17 +151,19 @@ static bool add_mesh(struct glb *glb, const struct manylight_scene_desc *desc, s
 
 /* --- materials -------------------------------------------------------------------------------- */
 
-static bool is_zero(const float *values, int count) {
-    for (int i = 0; i < count; i++)
-        if (values[i] != 0)
-            return false;
-    return true;
+static bool picture_begins(const struct manylight_material *material, const char *with) {
+    size_t length = strlen(with);
+    return material->picture_bytes >= length && memcmp(material->picture, with, length) == 0;
+}
+
+static const char png_start[] = "\x89PNG", jpeg_start[] = "\xff\xd8\xff";
+
+static bool picture_is_encoded(const struct manylight_material *material) {
+    return picture_begins(material, png_start) || picture_begins(material, jpeg_start);
 }
 
 static int add_picture(struct glb *glb, const struct manylight_material *material) {
-    static const unsigned char png[] = {0x89, 'P', 'N', 'G'};
-    bool is_png =
-        material->picture_bytes >= sizeof png && memcmp(material->picture, png, sizeof png) == 0;
+    bool is_png = picture_begins(material, png_start);
     text_print(&glb->pictures, "%s{\"bufferView\":%d,\"mimeType\":\"image/%s\"}",
                comma(&glb->pictures), add_view(glb, material->picture, material->picture_bytes),
                is_png ? "png" : "jpeg");
@@ -162,14 +185,24 @@ static void print_emission(struct text *to, const float emission[3]) {
             (double)most);
 }
 
+/* Refuses what the reader of files would clamp: 255 for white is a mistake. */
+static bool check_material(const struct manylight_material *material) {
+    bool is_smooth = material->roughness == MANYLIGHT_ZERO;
+    return desc_check_all("base_color", material->base_color, 4, 0, SHARE_MOST) &&
+           desc_check("metalness", (double)material->metalness, 0, SHARE_MOST) &&
+           (is_smooth || desc_check("roughness", (double)material->roughness, 0, SHARE_MOST)) &&
+           desc_check_all("emission", material->emission, 3, 0, INFINITY) &&
+           (!material->picture || picture_is_encoded(material) ||
+            error_set("picture: its bytes are neither PNG nor JPEG"));
+}
+
 static bool add_material(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
     static const float white[4] = {1, 1, 1, 1};
     struct manylight_material material;
     if (!desc_take_element(&material, sizeof material, desc->materials, i, "manylight_material"))
         return false;
-    if (!is_finite(material.base_color, 4) || !is_finite(&material.metalness, 1) ||
-        !is_finite(&material.roughness, 1) || !is_finite(material.emission, 3))
-        return refuse("material", i, "a number is not finite");
+    if (!check_material(&material))
+        return blame("material", i);
     float roughness = material.roughness == 0                ? 1
                       : material.roughness == MANYLIGHT_ZERO ? 0
                                                              : material.roughness;
@@ -235,8 +268,16 @@ static void print_area(struct text *to, const struct manylight_light *light) {
         text_print(to, ",\"type\":\"disk\",\"size\":%.9g", (double)extent[0]);
 }
 
+/* m2 */
+static double area_of(const struct manylight_light *light) {
+    double across = (double)light->extent[0], high = (double)light->extent[1];
+    return high != 0 ? across * high : GLM_PI / 4 * across * across;
+}
+
+/* Files have the radiance of an area light. */
 static void print_light(struct text *to, const struct manylight_light *light) {
     static const char *const types[] = {"spot", "point", "directional"};
+    double area = light->type == MANYLIGHT_AREA ? area_of(light) : 1;
     text_print(to, "%s{", comma(to));
     float most = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
     most = most > 0 ? most : 1; /* what is negative is refused as in a file */
@@ -244,7 +285,7 @@ static void print_light(struct text *to, const struct manylight_light *light) {
     for (int c = 0; c < 3; c++)
         color[c] = light->intensity[c] / most;
     print_floats(to, "color", color, 3);
-    text_print(to, ",\"intensity\":%.9g", (double)most);
+    text_print(to, ",\"intensity\":%.9g", (double)most / area);
     if (light->type == MANYLIGHT_AREA) {
         print_area(to, light);
     } else {
@@ -258,11 +299,18 @@ static void print_light(struct text *to, const struct manylight_light *light) {
     text_print(to, "}");
 }
 
-static bool light_is_finite(const struct manylight_light *light) {
-    return is_finite(light->position, 3) && is_finite(light->direction, 3) &&
-           is_finite(light->up, 3) && is_finite(light->intensity, 3) &&
-           is_finite(light->extent, 2) && is_finite(&light->inner_angle, 1) &&
-           is_finite(&light->outer_angle, 1);
+static bool check_light(const struct manylight_light *light) {
+    if ((unsigned)light->type > MANYLIGHT_AREA)
+        return error_set("type: %d is none of enum manylight_light_type", (int)light->type);
+    return desc_check_all("position", light->position, 3, -INFINITY, INFINITY) &&
+           desc_check_all("direction", light->direction, 3, -INFINITY, INFINITY) &&
+           desc_check_all("up", light->up, 3, -INFINITY, INFINITY) &&
+           desc_check_all("intensity", light->intensity, 3, 0, INFINITY) &&
+           desc_check_all("extent", light->extent, 2, 0, INFINITY) &&
+           desc_check("inner_angle", (double)light->inner_angle, 0, INFINITY) &&
+           desc_check("outer_angle", (double)light->outer_angle, 0, INFINITY) &&
+           (light->type != MANYLIGHT_AREA || light->extent[0] > 0 ||
+            error_set("extent: an area light has a width"));
 }
 
 static bool add_light(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
@@ -271,10 +319,8 @@ static bool add_light(struct glb *glb, const struct manylight_scene_desc *desc, 
     vec3 right, up, forward;
     if (!desc_take_element(&light, sizeof light, desc->lights, i, "manylight_light"))
         return false;
-    if ((unsigned)light.type > MANYLIGHT_AREA)
-        return refuse("light", i, "its type is none of enum manylight_light_type");
-    if (!light_is_finite(&light))
-        return refuse("light", i, "a number is not finite");
+    if (!check_light(&light))
+        return blame("light", i);
     bool is_area = light.type == MANYLIGHT_AREA;
     if (is_zero(light.direction, 3))
         light.direction[1] = -1;
@@ -288,31 +334,21 @@ static bool add_light(struct glb *glb, const struct manylight_scene_desc *desc, 
     return true;
 }
 
-static bool camera_is_good(const struct manylight_camera *camera) {
-    return is_finite(camera->eye, 3) && is_finite(camera->forward, 3) && is_finite(camera->up, 3) &&
-           is_finite(camera->right, 3) && is_finite(&camera->fov_y, 1) &&
-           is_finite(&camera->y_extent, 1) && is_finite(&camera->near_plane, 1) &&
-           is_finite(&camera->far_plane, 1) && camera->near_plane >= 0 && camera->far_plane >= 0;
-}
-
 static bool add_camera(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
     struct manylight_camera camera;
     char carries[32];
     vec3 right, up, forward;
     if (!desc_take_element(&camera, sizeof camera, desc->cameras, i, "manylight_camera"))
         return false;
-    if (!camera_is_good(&camera))
-        return refuse("camera", i, "a number is not finite, or a plane is behind the eye");
+    if (!check_camera(&camera))
+        return blame("camera", i);
     if (is_zero(camera.forward, 3))
         camera.forward[2] = -1;
     bool has_frame = make_frame(camera.forward, camera.up, right, up, forward);
-    if (!is_zero(camera.right, 3)) {
-        glm_vec3_copy(camera.right, right);
-        glm_vec3_copy(camera.up, up);
-        glm_vec3_copy(camera.forward, forward);
-    } else if (!has_frame) {
+    if (!has_frame)
         return refuse("camera", i, "up is along forward");
-    }
+    if (!is_zero(camera.right, 3) && glm_vec3_distance(camera.right, right) > 2e-3F)
+        return refuse("camera", i, "right is not that of forward and up");
     struct text *to = &glb->cameras;
     bool orthographic = camera.fov_y == 0 && camera.y_extent != 0;
     double fov_y = camera.fov_y == 0 ? .8 : (double)camera.fov_y, extent = (double)camera.y_extent;

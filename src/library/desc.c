@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "library/door.h"
 
+#include <math.h>
 #include <string.h>
 
 static bool read_size(size_t *size, const void *from, const char *name) {
@@ -46,4 +47,21 @@ bool desc_give(void *to, const void *from, size_t size, const char *name) {
     size_t given = theirs < size ? theirs : size;
     memcpy((char *)to + sizeof theirs, (const char *)from + sizeof theirs, given - sizeof theirs);
     return true;
+}
+
+bool desc_check(const char *member, double number, double least, double most) {
+    if (!isfinite(number))
+        return error_set("%s: %g is not finite", member, number);
+    if (number >= least && number <= most)
+        return true;
+    return isinf(most) ? error_set("%s: %g is below %.4g", member, number, least)
+                       : error_set("%s: %g is not from %.4g to %.4g", member, number, least, most);
+}
+
+bool desc_check_all(const char *member, const float *numbers, int count, double least,
+                    double most) {
+    bool ok = true;
+    for (int i = 0; ok && i < count; i++)
+        ok = desc_check(member, (double)numbers[i], least, most);
+    return ok;
 }

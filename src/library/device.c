@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include "library/device.h"
 
 #include "base/error.h"
@@ -12,6 +13,27 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
+
+/* Drivers and devices have threads, which a forked child lacks: its calls would wait for them for ever. */
+static _Atomic(pid_t) home; /* the process that used OpenGL first; 0: none */
+
+bool device_is_at_home(void) {
+    pid_t first = atomic_load(&home);
+    if (first == 0 || first == getpid())
+        return true;
+    error_set("this process was forked after process %d had used a device: start processes by "
+              "spawn, or use no device before the fork",
+              (int)first);
+    return door_blame(MANYLIGHT_NO_DEVICE);
+}
+
+/* Before the first call of a driver. */
+static bool settle(void) {
+    pid_t none = 0;
+    atomic_compare_exchange_strong(&home, &none, getpid());
+    return device_is_at_home();
+}
 
 struct manylight_device {
     atomic_int users;
@@ -178,7 +200,7 @@ enum manylight_status manylight_device_create(const struct manylight_device_desc
     struct door door;
     *device = NULL;
     door_enter(&door);
-    return door_leave(&door, create(desc, device), MANYLIGHT_NO_DEVICE);
+    return door_leave(&door, settle() && create(desc, device), MANYLIGHT_NO_DEVICE);
 }
 
 /* --- being used ------------------------------------------------------------------------------- */
@@ -188,6 +210,8 @@ bool device_is_adopted(const struct manylight_device *device) {
 }
 
 bool device_do(struct manylight_device *device, worker_job *job, void *context) {
+    if (!device_is_at_home())
+        return false;
     if (device->adopted)
         return do_in_host(device, job, context);
     if (!worker_is_self(&device->worker))
@@ -210,7 +234,7 @@ static bool close_context(void *user) {
 }
 
 void device_release(struct manylight_device *device) {
-    if (!device || atomic_fetch_sub(&device->users, 1) > 1)
+    if (!device || !device_is_at_home() || atomic_fetch_sub(&device->users, 1) > 1)
         return;
     device_do(device, close_context, device);
     if (!device->adopted)
@@ -229,14 +253,17 @@ enum manylight_status manylight_device_info(struct manylight_device *device,
                                             struct manylight_device_info *info) {
     struct door door;
     door_enter(&door);
-    bool ok = desc_give(info, &device->info, sizeof device->info, "manylight_device_info");
+    bool ok = device_is_at_home() &&
+              desc_give(info, &device->info, sizeof device->info, "manylight_device_info");
     return door_leave(&door, ok, MANYLIGHT_BAD_ARGUMENT);
 }
 
 void manylight_list_devices(char *text, size_t text_size) {
     struct door door;
     door_enter(&door);
-    if (text_size > 0)
+    if (text_size > 0 && settle())
         context_list_devices(text, text_size);
+    else if (text_size > 0)
+        snprintf(text, text_size, "%s", error_get());
     door_leave(&door, true, MANYLIGHT_OK);
 }

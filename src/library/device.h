@@ -5,6 +5,9 @@
 #include "library/manylight.h"
 #include "library/worker.h"
 
+/* Error: another process used a device first, and this one was forked from it. */
+bool device_is_at_home(void);
+
 /* One more user of the device, and one less: the last one ends it. */
 struct manylight_device *device_hold(struct manylight_device *device);
 void device_release(struct manylight_device *device);

@@ -85,8 +85,10 @@ static bool write_file(const struct image *image, const char *path) {
     bool is_float;
     if (piped_file_is(path))
         return refuse("image: the path is a stream, which the library does not write");
-    if (!image_format_is_float(path, &is_float))
+    if (!image_format_is_float(path, &is_float)) {
+        error_set("%s: its ending is that of no format; .exr, .pfm and .hdr hold floats", path);
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    }
     if (!is_float) {
         error_set("%s: its format is for displays; .exr and .pfm hold floats", path);
         return door_blame(MANYLIGHT_BAD_ARGUMENT);

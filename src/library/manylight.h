@@ -28,10 +28,12 @@
  *   - Scenes and images do not change: any threads may use one at the same time.
  *   - Callbacks may come on other threads than the caller's, one at a time. They return before the call does. They
  *     may call functions of images and scenes, but none of the device that is at work (MANYLIGHT_BAD_ARGUMENT).
- *   - A child process after fork() cannot use the handles of its parent.
+ *   - In a child process that was forked after its parent had used a device, each call of devices and renderers is
+ *     MANYLIGHT_NO_DEVICE, and their ..._free do nothing. Scenes, images and manylight_reference work in it.
  *
- * Units. Metres, +Y up, seconds; radiance W/(sr m2), intensity W/sr (directional lights: W/m2), angles in radians.
- * Row 0 of a picture is its top.
+ * Units. Metres, +Y up, seconds; radiance W/(sr m2), angles in radians. Intensity is W/sr, of area lights W/sr on the
+ * axis: radiance times area. That of directional lights is W/m2. Texts of lights have the same units. Row 0 of a
+ * picture is its top.
  *
  * The process. Locale, rounding mode, signal handlers, standard streams and the current folder stay as they are.
  */
@@ -157,7 +159,7 @@ MANYLIGHT_API void manylight_list_devices(char *text, size_t text_size);
 
 struct manylight_material {
     size_t size;
-    float base_color[4]; /* linear RGBA; all 0: white */
+    float base_color[4]; /* linear RGBA, 0 to 1; all 0: white. Black is 0, 0, 0, 1 */
     float metalness;     /* 0 to 1 */
     float roughness;     /* 0 to 1; 0 selects 1, MANYLIGHT_ZERO is 0 */
     float emission[3];   /* W/(sr m2) */
@@ -167,13 +169,14 @@ struct manylight_material {
     size_t picture_bytes;
 };
 
-/* Triangles of one material, in the world. */
+/* Triangles of one material, in the world. A face is seen from where its corners go counter-clockwise, unless its
+ * material is double-sided. */
 struct manylight_mesh {
     size_t size;
     const float *positions; /* vertex_count x 3 */
-    const float *normals;   /* vertex_count x 3, unit; NULL: flat */
+    const float *normals;   /* vertex_count x 3, unit, none of length 0; NULL: flat */
     const float *uvs;       /* vertex_count x 2, v down; NULL: none */
-    const float *colors;    /* vertex_count x 4, linear RGBA; NULL: white */
+    const float *colors;    /* vertex_count x 4, linear RGBA, 0 to 1; NULL: white */
     size_t vertex_count;
     const uint32_t *indices; /* index_count, 3 a triangle; NULL: vertices in their order */
     size_t index_count;
@@ -192,18 +195,22 @@ struct manylight_light {
     enum manylight_light_type type;
     float position[3], direction[3]; /* direction 0: down */
     float up[3];                     /* of lights with a width and a height; 0: chosen */
-    float intensity[3]; /* W/sr; of a directional light W/m2, of an area light W/(sr m2) */
+    float intensity[3]; /* W/sr; of a directional light W/m2, of an area light W/sr on its axis */
     /* Of an area light and a spot width and height, m, or the diameter of a disk and 0; of a point the diameter of its
      * sphere, m; of a directional light its angle. */
     float extent[2];
-    float inner_angle, outer_angle; /* of a spot: half angles of the cone; outer 0: pi/4 */
+    /* Of a spot: half angles of the cone. Inside inner the light is full, at outer it is 0. Both 0: inner 0, so that it
+     * fades from the middle on, and outer pi/4. */
+    float inner_angle, outer_angle;
 };
 
 struct manylight_camera {
     size_t size;
     float eye[3], forward[3], up[3]; /* forward 0: -Z; up 0: +Y */
-    float right[3]; /* 0: made of forward and up; else all three are taken as they are */
-    float fov_y;    /* vertical; 0: orthographic by y_extent */
+    /* 0: made of forward and up. Else all three are taken as they are: at right angles, forward unit, right and up unit
+     * or longer, which widens the picture. A scene's cameras have unit axes. */
+    float right[3];
+    float fov_y;    /* vertical, below pi; 0: orthographic by y_extent */
     float y_extent; /* half the height of an orthographic picture; both 0: a fov_y of .8 */
     float near_plane, far_plane; /* m; what is nearer or farther is not seen; far 0: no end */
 };
@@ -298,7 +305,9 @@ struct manylight_view {
     const struct manylight_camera *placed; /* in place of camera */
     const char *light;                     /* as render's --light; NULL: as of the scene */
     double time;                           /* of the animation, s */
-    manylight_progress *progress;          /* after each pass; NULL: none */
+    /* After each of several passes. With a device of its own also a few times a second within a pass, so that a long one
+     * can be cancelled. NULL: none. */
+    manylight_progress *progress;
     void *user;
 };
 
@@ -339,11 +348,14 @@ struct manylight_reference_desc {
     int bounces; /* of indirect light; 0 selects 1, MANYLIGHT_ZERO is 0: direct light alone */
     int samples; /* per pixel; 0: by noise */
     float noise; /* limit of the relative standard error; 0: .01 */
-    int paths;
+    int paths;   /* of indirect light per sample; 0: 1 below 16 samples per pixel, else 4 */
     uint32_t seed;
     int light_paths; /* which trace caustics; 0: none. Sets smooth */
     int smooth;      /* not 0: glass and mirrors show the scene */
-    int centers, seen, denoise, hide_environment;
+    int centers;     /* not 0: samples at the centres of pixels alone, without antialiasing */
+    int seen;        /* not 0: layers unshadowed and visibility, of the lights */
+    int denoise;     /* not 0: filters the noise of indirect light */
+    int hide_environment;
     float ao_distance;     /* m, layer ao; 0: none */
     const char *materials; /* "full" or "diffuse"; NULL: full */
     const char *settings;  /* of the medium */

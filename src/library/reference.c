@@ -38,15 +38,23 @@ static bool find_materials(struct tracing *tracing) {
     return !name || refuse("materials: it is neither full nor diffuse");
 }
 
+static bool check_numbers(const struct manylight_reference_desc *desc) {
+    return desc_check("noise", (double)desc->noise, 0, 1) &&
+           desc_check("samples", desc->samples, 0, INFINITY) &&
+           desc_check("paths", desc->paths, 0, INFINITY) &&
+           desc_check("light_paths", desc->light_paths, 0, INFINITY) &&
+           desc_check("threads", desc->threads, 0, INFINITY) &&
+           (desc->bounces == MANYLIGHT_ZERO || desc_check("bounces", desc->bounces, 0, 1000)) &&
+           desc_check("ao_distance", (double)desc->ao_distance, 0, INFINITY);
+}
+
 static bool check(struct tracing *tracing) {
     struct manylight_reference_desc *desc = &tracing->desc;
     desc->smooth = desc->smooth || desc->light_paths > 0;
     if (desc->noise > 0 && desc->samples > 0)
         return refuse("--spp and --noise exclude each other");
-    if (!(desc->noise >= 0 && desc->noise <= 1) || desc->samples < 0 || desc->paths < 0 ||
-        desc->light_paths < 0 || desc->threads < 0 || desc->bounces < MANYLIGHT_ZERO ||
-        desc->bounces > 1000 || !(desc->ao_distance >= 0) || !isfinite(desc->ao_distance))
-        return refuse("manylight_reference_desc: a number is out of its range");
+    if (!check_numbers(desc))
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
     if (!find_materials(tracing))
         return false;
     return !desc->smooth || tracing->materials == MATERIALS_FULL ||

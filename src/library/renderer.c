@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/api.h"
+#include "gl/cancel.h"
 #include "inspect/aov.h"
 #include "library/desc.h"
 #include "library/device.h"
@@ -21,6 +22,7 @@
 struct drawing {
     int first_pass, passes;
     bool is_mean;
+    bool has_direct; /* a method of direct light was named; else lights choose */
 };
 
 struct manylight_renderer {
@@ -60,6 +62,7 @@ static bool resolve_settings(const struct manylight_renderer_desc *desc, struct 
     if (!(to->technique = technique_find(desc->technique)) ||
         (desc->direct && !(to->direct = direct_find(desc->direct))))
         return false;
+    drawing->has_direct = desc->direct != NULL;
     drawing->passes = passes_given ? desc->passes : choice.passes;
     drawing->first_pass = desc->first_pass;
     drawing->is_mean = drawing->passes > 1 || drawing->first_pass > 0 || passes_given;
@@ -68,9 +71,8 @@ static bool resolve_settings(const struct manylight_renderer_desc *desc, struct 
 }
 
 static bool check_numbers(const struct manylight_renderer_desc *desc) {
-    return (desc->passes >= 0 && desc->first_pass >= 0 && desc->passes <= 1000000 &&
-            desc->first_pass <= 1000000) ||
-           error_set("passes and first_pass: a number is not from 0 to 1000000") ||
+    return (desc_check("passes", desc->passes, 0, 1e6) &&
+            desc_check("first_pass", desc->first_pass, 0, 1e6)) ||
            door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
@@ -157,9 +159,11 @@ static bool free_renderer(void *user) {
 
 void manylight_renderer_free(struct manylight_renderer *renderer) {
     struct door door;
-    if (!renderer)
-        return;
     door_enter(&door);
+    if (!renderer || !device_is_at_home()) {
+        door_leave(&door, true, MANYLIGHT_OK);
+        return;
+    }
     bool ok = device_do(renderer->device, free_renderer, &(struct call){.of = renderer});
     /* A callback of the renderer at work must not pull it away. */
     bool at_work = !ok && door_blamed() == MANYLIGHT_BAD_ARGUMENT;
@@ -232,21 +236,62 @@ enum manylight_status manylight_renderer_setting(struct manylight_renderer *rend
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-/* Waits for each pass, as a GPU would take hundreds at once. */
-static bool add_passes(struct call *call) {
-    const struct drawing *drawing = &call->of->drawing;
-    const struct manylight_view *view = call->view;
-    for (int i = 0; i < drawing->passes; i++) {
-        char note[64];
-        renderer_add_pass(&call->of->renderer, drawing->first_pass + i);
-        gl.Finish();
-        snprintf(note, sizeof note, "pass %d of %d", i + 1, drawing->passes);
-        if (view->progress && view->progress(view->user, (i + 1.) / drawing->passes, note) != 0) {
-            error_set("cancelled");
-            return door_blame(MANYLIGHT_CANCELLED);
+/* A view being drawn. */
+struct telling {
+    const struct manylight_view *view;
+    int pass, passes; /* those that are done, and all */
+};
+
+/* True: the caller cancels. */
+static bool tell(void *user) {
+    const struct telling *telling = user;
+    const struct manylight_view *view = telling->view;
+    char note[64];
+    snprintf(note, sizeof note, "pass %d of %d", telling->pass, telling->passes);
+    return view->progress &&
+           view->progress(view->user, (double)telling->pass / telling->passes, note) != 0;
+}
+
+static void draw_pass(struct manylight_renderer *renderer, int pass) {
+    const struct drawing *drawing = &renderer->drawing;
+    if (drawing->is_mean)
+        renderer_add_pass(&renderer->renderer, drawing->first_pass + pass);
+    else
+        renderer_render(&renderer->renderer);
+}
+
+/* Waits for each pass, as a GPU would take hundreds at once. Hosts draw in callbacks: none comes to them within a pass. */
+static bool draw_passes(struct call *call) {
+    struct manylight_renderer *renderer = call->of;
+    struct telling telling = {.view = call->view, .passes = renderer->drawing.passes};
+    bool watches = call->view->progress && !device_is_adopted(renderer->device);
+    bool cancelled = false;
+    for (int i = 0; i < telling.passes && !cancelled; i++) {
+        if (watches)
+            cancel_begin(tell, &telling, CANCEL_INTERVAL);
+        draw_pass(renderer, i);
+        if (watches && cancel_end()) {
+            cancelled = true;
+            renderer_forget_frame(&renderer->renderer);
+        } else if (renderer->drawing.is_mean) {
+            gl.Finish();
+            telling.pass = i + 1;
+            cancelled = tell(&telling);
         }
     }
-    return true;
+    if (!cancelled)
+        return true;
+    error_set("cancelled");
+    return door_blame(MANYLIGHT_CANCELLED);
+}
+
+/* Lights of a view may want another method of direct light than the scene's. */
+static bool show(struct manylight_renderer *renderer) {
+    struct renderer_desc desc = renderer->renderer.desc;
+    desc.emitters = renderer->loan.stage.emitters;
+    desc.camera = renderer->loan.stage.camera;
+    desc.direct = renderer->drawing.has_direct ? desc.direct : NULL;
+    return renderer_update(&renderer->renderer) && renderer_follow(&renderer->renderer, &desc);
 }
 
 /* After a pose that fails its triangles must not be drawn; after an update that fails, the renderer neither. */
@@ -254,14 +299,11 @@ static bool draw(struct call *call) {
     struct manylight_renderer *renderer = call->of;
     if (!check_exists(renderer) || !loan_pose(&renderer->loan, call->view))
         return false;
-    if (!stage_show(&renderer->loan.stage, &renderer->renderer)) {
+    if (!show(renderer)) {
         free_renderer(call);
         return false;
     }
-    if (renderer->drawing.is_mean)
-        return add_passes(call);
-    renderer_render(&renderer->renderer);
-    return true;
+    return draw_passes(call);
 }
 
 /* What files tell of the frame. The camera's text is the caller's. */

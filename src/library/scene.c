@@ -44,7 +44,10 @@ static bool check_sources(const struct manylight_scene_desc *desc) {
         error_set("%s: it is a pipe; give its bytes as memory", desc->path);
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     }
-    return true;
+    return (desc_check("environment_turn", (double)desc->environment_turn, -INFINITY, INFINITY) &&
+            (desc->environment_strength == 0 ||
+             desc_check("environment_strength", (double)desc->environment_strength, 1e-9, 1e9))) ||
+           door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
 static bool open_stage(struct manylight_scene *scene, const struct manylight_scene_desc *desc,
@@ -206,24 +209,28 @@ static bool is_zero(const float vector[3]) {
     return vector[0] == 0 && vector[1] == 0 && vector[2] == 0;
 }
 
-static bool camera_is_finite(const struct manylight_camera *camera) {
-    const float numbers[] = {camera->fov_y, camera->y_extent, camera->near_plane,
-                             camera->far_plane};
-    bool good = true;
-    for (int i = 0; i < 3; i++)
-        good = good && isfinite(camera->eye[i]) && isfinite(camera->forward[i]) &&
-               isfinite(camera->up[i]) && isfinite(camera->right[i]);
-    for (int i = 0; i < 4; i++)
-        good = good && isfinite(numbers[i]) && numbers[i] >= 0;
-    return good && camera->fov_y < 3.14159F;
+bool check_camera(const struct manylight_camera *camera) {
+    return desc_check_all("eye", camera->eye, 3, -INFINITY, INFINITY) &&
+           desc_check_all("forward", camera->forward, 3, -INFINITY, INFINITY) &&
+           desc_check_all("up", camera->up, 3, -INFINITY, INFINITY) &&
+           desc_check_all("right", camera->right, 3, -INFINITY, INFINITY) &&
+           desc_check("fov_y (radians)", (double)camera->fov_y, 0, 3.14159) &&
+           desc_check("y_extent", (double)camera->y_extent, 0, INFINITY) &&
+           desc_check("near_plane", (double)camera->near_plane, 0, INFINITY) &&
+           desc_check("far_plane", (double)camera->far_plane, 0, INFINITY);
+}
+
+static bool refuse_camera(void) {
+    error_prefix("camera");
+    return door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
 static bool place_camera(struct camera *to, const struct manylight_camera *given) {
     struct manylight_camera camera;
     if (!desc_take(&camera, sizeof camera, given, "manylight_camera"))
         return false;
-    if (!camera_is_finite(&camera))
-        return refuse("camera: a number is not finite, negative, or an angle of pi and more");
+    if (!check_camera(&camera))
+        return refuse_camera();
     if (is_zero(camera.forward))
         camera.forward[2] = -1;
     if (is_zero(camera.up))
@@ -237,23 +244,19 @@ static bool place_camera(struct camera *to, const struct manylight_camera *given
                           .near = camera.near_plane,
                           .far = camera.far_plane};
     camera_look(to, camera.eye, camera.forward, camera.up);
-    if (is_zero(to->right))
-        return refuse("camera: up is along forward");
     if (!is_zero(camera.right)) {
         take_vector(to->right, camera.right);
         take_vector(to->up, camera.up);
         take_vector(to->forward, camera.forward);
     }
-    return true;
+    return camera_check(to) || refuse_camera();
 }
 
 bool loan_pose(struct loan *loan, const struct manylight_view *view) {
     struct stage *stage = &loan->stage;
     stage->camera_text = view->camera;
     stage->light_text = view->light ? view->light : loan->from->light;
-    bool ok = isfinite(view->time) && view->time >= 0 && view->time <= 1e6
-                  ? stage_pose(stage, view->time)
-                  : error_set("time: %g is not from 0 to 1e6 seconds", view->time);
+    bool ok = desc_check("time", view->time, 0, 1e6) && stage_pose(stage, view->time);
     stage->camera_text = NULL;
     stage->light_text = loan->from->light;
     if (!ok)

@@ -30,6 +30,9 @@ bool loan_pose(struct loan *loan, const struct manylight_view *view);
 bool loan_place_camera(const struct loan *loan, const char *text, struct camera *camera,
                        int size[2]);
 
+/* Error: names the member that is not finite or out of its range. */
+bool check_camera(const struct manylight_camera *camera);
+
 /* width x height, where 0 x 0 stands for the camera's. Error: a size that the program refuses, in its words. */
 bool loan_size(const struct loan *loan, const char *camera, int width, int height, int size[2]);
 

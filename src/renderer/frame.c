@@ -256,6 +256,12 @@ void renderer_add_pass(struct renderer *renderer, int pass) {
     timer_end(&renderer->timers);
 }
 
+void renderer_forget_frame(struct renderer *renderer) {
+    renderer->lights_drawn = false;
+    renderer->refining.count = 0;
+    renderer->frame_count++;
+}
+
 int renderer_pass_count(const struct renderer *renderer) {
     return renderer->refining.count;
 }

@@ -139,6 +139,9 @@ void renderer_render(struct renderer *renderer);
  * alone, 0 is the frame: means of some, weighted, make the mean of all. Timer "frame". */
 void renderer_add_pass(struct renderer *renderer, int pass);
 
+/* After a frame that was cancelled (gl/cancel.h): nothing that it drew counts for the next. */
+void renderer_forget_frame(struct renderer *renderer);
+
 /* Passes in the mean that is shown; 0: it is a frame. Of their weights, the sum. */
 int renderer_pass_count(const struct renderer *renderer);
 double renderer_pass_weight(const struct renderer *renderer);

@@ -1,5 +1,6 @@
 #include "scene/camera.h"
 
+#include "base/error.h"
 #include "scene/animated.h"
 #include "scene/node.h"
 
@@ -57,6 +58,42 @@ void camera_look(struct camera *camera, const float eye[3], const float forward[
     glm_vec3_copy(direction, camera->forward);
     glm_vec3_copy(right, camera->right);
     glm_vec3_cross(right, direction, camera->up);
+}
+
+/* The axes come as text of a few digits. */
+static bool are_orthogonal(const float a[3], const float b[3]) {
+    const float most = 2e-3F;
+    float lengths = glm_vec3_norm((float *)a) * glm_vec3_norm((float *)b);
+    return lengths > 0 && fabsf(glm_vec3_dot((float *)a, (float *)b)) <= most * lengths;
+}
+
+static bool check_frame(const struct camera *camera) {
+    vec3 back;
+    if (glm_vec3_norm((float *)camera->right) == 0)
+        return error_set("up is along forward");
+    if (!are_orthogonal(camera->right, camera->up) ||
+        !are_orthogonal(camera->right, camera->forward) ||
+        !are_orthogonal(camera->up, camera->forward))
+        return error_set("right, up and forward are not at right angles to each other");
+    if (fabsf(glm_vec3_norm((float *)camera->forward) - 1) > 2e-3F)
+        return error_set("forward has the length %g, not 1, beside right",
+                         (double)glm_vec3_norm((float *)camera->forward));
+    glm_vec3_cross((float *)camera->right, (float *)camera->up, back);
+    return glm_vec3_dot(back, (float *)camera->forward) < 0 ||
+           error_set("right points to the left of forward and up");
+}
+
+bool camera_check(const struct camera *camera) {
+    bool has_view =
+        camera->orthographic ? camera->y_extent > 0 : camera->fov_y > 0 && camera->fov_y < GLM_PIf;
+    if (!has_view && camera->orthographic)
+        return error_set("extent: %g m is not above 0", (double)camera->y_extent);
+    if (!has_view)
+        return error_set("fov: %g is not between 0 and pi radians", (double)camera->fov_y);
+    if (camera->near < 0 || camera->far < 0)
+        return error_set("near=%g far=%g: less than none", (double)camera->near,
+                         (double)camera->far);
+    return check_frame(camera);
 }
 
 void camera_ray(const struct camera *camera, float x, float y, float aspect, float origin[3],

@@ -7,9 +7,11 @@
 struct camera {
     bool orthographic;
     float eye[3];
-    float right[3], up[3], forward[3]; /* orthonormal; forward is where it looks */
-    float fov_y;                       /* radians, vertical */
-    float y_extent;                    /* orthographic: half the height, metres */
+    float right[3], up[3],
+        forward[3]; /* orthogonal, right-handed with -forward, where it looks. Longer right and
+                                          up widen the picture; forward is unit */
+    float fov_y;    /* radians, vertical */
+    float y_extent; /* orthographic: half the height, metres */
     float near,
         far; /* what lies nearer or farther along forward is not seen, metres; far 0 = no end */
 };
@@ -25,6 +27,9 @@ void camera_look(struct camera *camera, const float eye[3], const float forward[
 /* The size of a picture of the scene's n-th camera where none is asked for: 800 pixels along the longer side, in
  * the camera's aspect ratio; square where it tells none. */
 void camera_default_size(const struct scene *scene, int n, int size[2]);
+
+/* Error: a frame that is not orthogonal, an angle of view of pi or more, a negative length. */
+bool camera_check(const struct camera *camera);
 
 bool cameras_same(const struct camera *a, const struct camera *b);
 

@@ -91,24 +91,29 @@ static void depths_of(const struct geometry_part *part, const struct camera *cam
     }
 }
 
-/* Whether something of the scene lies in the frustum between the two depths. */
-static bool holds_something(struct frustum frustum, const struct geometry *geometry, float near,
-                            float far) {
+/* How many triangles of the scene lie in the frustum between the two depths, at least in part; up to most. */
+static size_t count_triangles(struct frustum frustum, const struct geometry *geometry, float near,
+                              float far, size_t most) {
+    size_t count = 0;
     frustum.near = near;
     frustum.far = far;
     if (!(near < far))
-        return false;
-    for (int p = 0; p < geometry->part_count; p++) {
+        return 0;
+    for (int p = 0; p < geometry->part_count && count < most; p++) {
         const struct geometry_part *part = &geometry->parts[p];
         float nearest, farthest;
         depths_of(part, frustum.camera, &nearest, &farthest);
         if (farthest <= near || nearest >= far)
             continue;
-        for (uint32_t i = 0; i + 2 < part->index_count; i += 3)
-            if (holds_triangle(&frustum, geometry, &geometry->indices[part->first_index + i]))
-                return true;
+        for (uint32_t i = 0; i + 2 < part->index_count && count < most; i += 3)
+            count += holds_triangle(&frustum, geometry, &geometry->indices[part->first_index + i]);
     }
-    return false;
+    return count;
+}
+
+static bool holds_something(struct frustum frustum, const struct geometry *geometry, float near,
+                            float far) {
+    return count_triangles(frustum, geometry, near, far, 1) > 0;
 }
 
 static float end_of(const struct camera *camera) {
@@ -132,6 +137,20 @@ static bool is_blind(const struct camera *camera, const struct geometry *geometr
            holds_something(frustum, geometry, 0, INFINITY);
 }
 
+/* Exporters write a zfar of 100 m where there was none. */
+static void note_beyond(const struct scene *scene, int n, const struct camera *camera,
+                        const struct geometry *geometry) {
+    struct frustum frustum = frustum_of(camera, 1);
+    if (camera->far <= 0)
+        return;
+    size_t beyond = count_triangles(frustum, geometry, camera->far, INFINITY, SIZE_MAX);
+    if (beyond > 0)
+        log_note("%s: camera %d: %zu of %zu triangles in its view reach beyond its zfar of %g m, "
+                 "where it sees nothing (--camera \"%d far=0\" sees all)",
+                 scene->path, n, beyond, count_triangles(frustum, geometry, 0, INFINITY, SIZE_MAX),
+                 (double)camera->far, n);
+}
+
 void scene_check_ranges(struct scene *scene, const struct geometry *geometry) {
     const int most = 32; /* each is looked for among all nodes */
     int count = camera_node_count(scene);
@@ -140,8 +159,10 @@ void scene_check_ranges(struct scene *scene, const struct geometry *geometry) {
         struct scene_camera *source = &scene->cameras[scene->nodes[node].camera];
         struct camera camera;
         camera_place(&camera, scene, n, 0);
-        if (!is_blind(&camera, geometry))
+        if (!is_blind(&camera, geometry)) {
+            note_beyond(scene, n, &camera, geometry);
             continue;
+        }
         log_note(
             "%s: camera %d: nothing of the scene lies between its znear of %g m and its zfar, so "
             "it sees all",

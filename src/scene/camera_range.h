@@ -21,7 +21,7 @@ struct camera_range camera_range_of(const struct camera *camera, const struct ge
                                     float aspect);
 
 /* Lets cameras of the scene, the first 32, see all whose range holds nothing of it at time 0, and notes it: exporters write
- * constants, whatever the scene's size. */
+ * constants, whatever the scene's size. Of others it notes how much of their view lies beyond zfar. */
 void scene_check_ranges(struct scene *scene, const struct geometry *geometry);
 
 #endif

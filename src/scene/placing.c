@@ -184,7 +184,7 @@ static bool change_camera(struct camera *camera, const struct scene *scene, char
     take_words(camera_words, camera, &changes, given);
     if ((given & (2U | 4U)) && !(given & 1U << FRAME_RIGHT))
         camera_look(camera, camera->eye, camera->forward, given & 4U ? camera->up : changes.up);
-    return true;
+    return given == 0 || camera_check(camera) || error_prefix("camera");
 }
 
 bool camera_from_text(struct camera *camera, const struct scene *scene, const char *text,

@@ -9,7 +9,7 @@
  * makes points spheres and spots disks of that diameter), cone (a spot's: cosines of the half angles
  * to where it is bright, and to where it is dark) and type (spot, point, directional, area). Without right the frame is made of the
  * direction and of up; with it all are taken as they are, so that a text that was written here gives
- * the very same camera again.
+ * the very same camera again. A camera's three are then at right angles to each other.
  *
  * Commas part the names of lights, semicolons lights with changes from others. A light whose name
  * has either, or "=", goes by its number in lists and with changes; alone the whole text may be its

@@ -152,6 +152,7 @@ struct panel {
         sky_path[512];                 /* typed, or where they came from */
     char filter[32];                   /* of the settings under Advanced */
     bool was_comparing;                /* when it was drawn last */
+    bool saves_picture;                /* its button was pressed */
     bool shows_chart;                  /* it was asked for, and comes into view when it is drawn */
     bool edits_right;                  /* the settings shown are the right picture's */
     char *places;                      /* as they were written last; NULL = not yet */

@@ -3,6 +3,7 @@
 #define _GNU_SOURCE
 #include "command_support.h"
 
+#include "base/clock.h"
 #include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/image_file.h"
@@ -153,6 +154,23 @@ static void test_interrupts(void **state) {
     }
 }
 
+/* A frame of minutes is not awaited: nothing of it is written. */
+static void test_long_frame(void **state) {
+    (void)state;
+    const char *folder = scratch("long");
+    if (!make_whole())
+        skip();
+    make_folder(folder);
+    pid_t process = start(folder, "--technique instant-radiosity --size 400x400 --set vpls=65536");
+    wait_ms(1500);
+    kill(process, SIGINT);
+    double sent = clock_ms();
+    assert_int_equal(end_of(process), 128 + SIGINT);
+    printf("    ended after %.1f s\n", (clock_ms() - sent) / 1e3);
+    assert_int_equal(count_whole(folder), 0);
+    check_message(folder, "stopped before frame 0: 0 rendered");
+}
+
 /* The caller ignores the signal, as nohup does: so does the program. */
 static void test_ignored(void **state) {
     (void)state;
@@ -261,9 +279,9 @@ int main(void) {
     signal(SIGINT, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_interrupts),     cmocka_unit_test(test_ignored),
-        cmocka_unit_test(test_kills),          cmocka_unit_test(test_two_processes),
-        cmocka_unit_test(test_killed_writers),
+        cmocka_unit_test(test_interrupts),    cmocka_unit_test(test_long_frame),
+        cmocka_unit_test(test_ignored),       cmocka_unit_test(test_kills),
+        cmocka_unit_test(test_two_processes), cmocka_unit_test(test_killed_writers),
     };
     return cmocka_run_group_tests_name("kill", tests, NULL, NULL);
 }

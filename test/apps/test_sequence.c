@@ -25,13 +25,14 @@ static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=
 static void test_ranges(void **state) {
     (void)state;
     struct frames frames;
-    check_ok("mixed", frames_parse(&frames, "3..5,9,0..1"));
-    static const int expected[] = {3, 4, 5, 9, 0, 1};
-    assert_int_equal(frames.count, 6);
+    check_ok("mixed", frames_parse(&frames, "3..5,9,0..11x5"));
+    static const int expected[] = {3, 4, 5, 9, 0, 5, 10};
+    assert_int_equal(frames.count, 7);
     assert_memory_equal(frames.numbers, expected, sizeof expected);
     frames_free(&frames);
-    static const char *const wrong[] = {"",      "a",   "1,",  "1..",         "5..4",      "-1",
-                                        "1...2", "1 2", "1;2", "0..99999999", "0..9999999"};
+    static const char *const wrong[] = {"",           "a",     "1,",    "1..", "5..4",
+                                        "-1",         "1...2", "1 2",   "1;2", "0..99999999",
+                                        "0..9999999", "0..5x", "0..5x0"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         assert_false(frames_parse(&frames, wrong[i]));
         printf("    %s\n", error_get());
@@ -45,12 +46,41 @@ static void test_names(void **state) {
     } cases[] = {{"out.####.exr", "out.0042.exr"},
                  {"a#/b##.png", "a#/b42.png"},
                  {"#.png", "42.png"},
-                 {"still.png", "still.png"}};
-    for (int i = 0; i < 4; i++) {
+                 {"still.png", "still.png"},
+                 {"a@b/%04d.png", "a@b/0042.png"},
+                 {"a.%d.png", "a.42.png"},
+                 {"a.$F4.exr", "a.0042.exr"},
+                 {"$F_a.$F.exr", "$F_a.42.exr"},
+                 {"a.${F3}x.exr", "a.042x.exr"},
+                 {"@@@@.png", "0042.png"},
+                 {"%s%x$FF%4d.png", "%s%x$FF%4d.png"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char *name = frame_name(cases[i].name, 42);
         assert_string_equal(name, cases[i].expected);
         free(name);
     }
+}
+
+static void test_rates(void **state) {
+    (void)state;
+    static const struct {
+        const char *text, *rate;
+        double fps;
+    } cases[] = {{"25", "25", 25},
+                 {"24000/1001", "24000/1001", 24 / 1.001},
+                 {"23.976", "24000/1001", 24 / 1.001},
+                 {"29.97", "30000/1001", 30 / 1.001},
+                 {"59.94", "60000/1001", 60 / 1.001},
+                 {"2.997", "2.997", 2.997}};
+    static const char *const wrong[] = {"", "0", "1/0", "-1/-1", "25x", "25/1x", "nan", "1e7"};
+    struct frame_rate rate;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        check_ok(cases[i].text, frame_rate_parse(&rate, cases[i].text));
+        assert_string_equal(rate.text, cases[i].rate);
+        check_near("fps", rate.fps, cases[i].fps, 1e-9);
+    }
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        check_refused(frame_rate_parse(&rate, wrong[i]), "neither a number");
 }
 
 /* --- the program ------------------------------------------------------------------------------ */
@@ -150,7 +180,7 @@ static void test_misuse(void **state) {
     } cases[] = {
         {"-o a.png --frames 0..4", "a.png: 5 frames need #### or %04d in the file's name", 2},
         {"-o a.##.png", "'##' stands for the number of a frame, and there is no --frames", 2},
-        {"-o a.##.png --frames 4..1", "frames: '4..1' is not like 0..249 or 1,5,9", 2},
+        {"-o a.##.png --frames 4..1", "frames: '4..1' is not like 0..249, 0..100x5 or 1,5,9", 2},
         {"-o a.png --fps 0", "fps", 2},
         {"-o a.png --clip walk", "no clip 'walk' (there is: none)", 1},
     };
@@ -263,8 +293,8 @@ static void test_starts(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ranges), cmocka_unit_test(test_names),  cmocka_unit_test(test_split),
-        cmocka_unit_test(test_resume), cmocka_unit_test(test_misuse),
+        cmocka_unit_test(test_ranges), cmocka_unit_test(test_names),  cmocka_unit_test(test_rates),
+        cmocka_unit_test(test_split),  cmocka_unit_test(test_resume), cmocka_unit_test(test_misuse),
     };
     const struct CMUnitTest rendering[] = {
         cmocka_unit_test(test_any_start),

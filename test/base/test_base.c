@@ -77,6 +77,22 @@ static void test_parallel_for(void **state) {
     }
 }
 
+/* cpu.max of a container. */
+static void test_granted(void **state) {
+    (void)state;
+    static const struct {
+        const char *text;
+        int cores;
+    } cases[] = {{"150000 100000\n", 2}, {"50000 100000\n", 1}, {"300000 100000\n", 3}};
+    for (int i = 0; i < 3; i++) {
+        write_text(scratch("cpu.max"), cases[i].text);
+        assert_int_equal(parallel_granted(scratch("cpu.max")), cases[i].cores);
+    }
+    write_text(scratch("cpu.max"), "max 100000\n");
+    assert_true(parallel_granted(scratch("cpu.max")) >= 256);
+    assert_true(parallel_granted("/nowhere") >= 256);
+}
+
 static void test_layers(void **state) {
     (void)state;
     struct image image;
@@ -558,6 +574,7 @@ int main(void) {
         cmocka_unit_test(test_halton),
         cmocka_unit_test(test_added_channels),
         cmocka_unit_test(test_parallel_for),
+        cmocka_unit_test(test_granted),
         cmocka_unit_test(test_layers),
         cmocka_unit_test(test_exr_round_trip),
         cmocka_unit_test(test_png_round_trip),

@@ -2,7 +2,6 @@
  * EXR. And what own .hdr files lose. */
 #include "support.h"
 
-#include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/file/image_plugin.h"
 #include "base/primaries.h"
@@ -75,16 +74,11 @@ static void test_radiance(void **state) {
 
 static void test_radiance_refusals(void **state) {
     (void)state;
-    static const struct radiance bad[] = {
-        {"'16-bit', neither RGBE nor XYZE", "FORMAT=16-bit\n", ONE, {0}},
-        {"a run of pixels leaves its row", "", "\x01\x01\x01\x7f", {0}},
-    };
-    for (size_t i = 0; i < 2; i++) {
-        struct image image = {0};
-        write_radiance(scratch("bad.hdr"), &bad[i]);
-        check_refused(image_read(&image, scratch("bad.hdr")), bad[i].name);
-        check_refused(image_is_whole(scratch("bad.hdr")), "bad.hdr: ");
-    }
+    static const struct radiance bad = {"", "FORMAT=16-bit\n", ONE, {0}};
+    struct image image = {0};
+    write_radiance(scratch("bad.hdr"), &bad);
+    check_refused(image_read(&image, scratch("bad.hdr")), "'16-bit', neither RGBE nor XYZE");
+    check_refused(image_is_whole(scratch("bad.hdr")), "bad.hdr: ");
 }
 
 /* Mantissas are rounded: no error beyond half of their last bit, and none on average. The largest floats stay large. */

@@ -320,16 +320,24 @@ static void test_extras(void **state) {
                             " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 1}}},"
                             " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 2}}},"
                             " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 3}}},"
+                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}}},"
+                            /* Extras of nodes count where the light has none. */
+                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}},"
+                            " \"extras\": {\"radius\": 0.1}},"
+                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}},"
+                            " \"extras\": {\"radius\": 9}},"
+                            " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}},"
+                            " \"extras\": {\"radius\": \"wide\"}},"
+                            " {\"extras\": {\"radius\": 0.2}, \"children\": [10]},"
                             " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 4}}}]"});
     static const struct {
         enum emitter_shape shape;
         double width, height;
-    } expected[] = {{EMITTER_IS_SPHERE, .5, 0},
-                    {EMITTER_IS_DISK, 1, 0},
-                    {EMITTER_IS_RECTANGLE, 2, 3},
-                    {EMITTER_IS_CAP, .0093, 0},
-                    {EMITTER_IS_POINT, 0, 0}};
-    for (int n = 0; n < 5; n++) {
+    } expected[] = {
+        {EMITTER_IS_SPHERE, .5, 0}, {EMITTER_IS_DISK, 1, 0},  {EMITTER_IS_RECTANGLE, 2, 3},
+        {EMITTER_IS_CAP, .0093, 0}, {EMITTER_IS_POINT, 0, 0}, {EMITTER_IS_SPHERE, .2, 0},
+        {EMITTER_IS_SPHERE, .5, 0}, {EMITTER_IS_POINT, 0, 0}, {EMITTER_IS_SPHERE, .4, 0}};
+    for (int n = 0; n < 9; n++) {
         emitter_place(&light, &scene, n, 0);
         check_size(&light, expected[n].shape, expected[n].width, expected[n].height);
     }

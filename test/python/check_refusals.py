@@ -60,7 +60,18 @@ def check_settings(device):
         expected = words("render", BOX, "-o", out, f"--{option}", "magic")
         refuse(manylight.SettingError, expected, lambda: device.render(BOX, (16, 16), **{option: "magic"}))
     expected = words("render", BOX, "-o", out, "--aov", "magic")
-    refuse(manylight.Error, expected, lambda: device.render(BOX, (16, 16), layers=["magic"]))
+    expected += "; layers of every frame: beauty, Z, albedo, direct, indirect, normal"
+    refuse(manylight.ArgumentError, expected, lambda: device.render(BOX, (16, 16), layers=["magic"]))
+
+
+def check_missing():
+    """Files that do not exist are Python's own error, too."""
+    for call in (manylight.Scene, manylight.read, manylight.reference):
+        try:
+            call(os.path.join(FOLDER, "missing.exr"))
+            raise AssertionError("not missed")
+        except FileNotFoundError as error:
+            assert isinstance(error, manylight.Error) and "missing.exr" in str(error), error
 
 
 def check_devices():
@@ -87,7 +98,7 @@ def check_own():
     closed.close()
     refuse(manylight.ArgumentError, "the device is closed", lambda: closed.render(BOX))
     refuse(manylight.ArgumentError, "'a\\x00b' has a zero byte", lambda: manylight.Scene("a\0b"))
-    refuse(manylight.ArgumentError, "positions: shape (2,), not (n, 3)",
+    refuse(manylight.ArgumentError, "mesh 0: positions: shape (2,), not (n, 3)",
            lambda: manylight.Scene(meshes=[manylight.Mesh([1, 2])]))
 
 
@@ -97,6 +108,7 @@ def main():
         check_settings(device)
         if os.environ.get("MANYLIGHT_LONG"):
             check_memory(device)
+    check_missing()
     check_devices()
     check_own()
 

@@ -256,6 +256,16 @@ static void test_camera_text(void **state) {
         {"eye=0,0", "camera: 'eye=0,0' wants 3 numbers"},
         {"fov=wide", "camera: 'fov=wide' wants 1 number, as in fov=1"},
         {"eye", "no camera 'eye'"},
+        {"forward=.2,0,-1 right=1,0,0 up=0,1,0",
+         "camera: right, up and forward are not at right angles to each other"},
+        {"forward=0,0,-1 right=1,.3,0 up=0,1,0",
+         "camera: right, up and forward are not at right angles to each other"},
+        {"forward=0,0,-2 right=1,0,0 up=0,1,0",
+         "camera: forward has the length 2, not 1, beside right"},
+        {"forward=0,0,-1 right=-1,0,0 up=0,1,0",
+         "camera: right points to the left of forward and up"},
+        {"forward=0,1,0 up=0,2,0", "camera: up is along forward"},
+        {"fov=60", "camera: fov: 60 is not between 0 and pi radians"},
         {"eye=1,2,3 lens=5", "camera: 'lens=5' is not understood"},
     };
     struct scene scene;

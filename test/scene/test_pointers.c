@@ -153,6 +153,9 @@ static void test_nodes(void **state) {
     scene_node_worlds(&stage.scene, 1, worlds);
     check_near("moved", (double)worlds[0][12], 2, 1e-6);
     stage_free(&stage);
+    open_stage(&stage, write_clip(TARGET("/nodes/7/translation"), values, 3));
+    assert_true(stage.scene.nodes[7].hidden);
+    stage_free(&stage);
     open_stage(&stage, write_clip(TARGET("/nodes/4/scale") "," NODE_TARGET, values, 3));
     scene_node_worlds(&stage.scene, 1, worlds);
     check_near("moved by its node", (double)worlds[0][12], 2, 1e-6);

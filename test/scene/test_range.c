@@ -220,6 +220,37 @@ static void test_camera(void **state) {
         }
 }
 
+static char beyond[256]; /* the last note of zfar */
+
+static void keep_note(const struct log_sink *sink, enum log_kind kind, const char *message) {
+    (void)sink, (void)kind;
+    if (strstr(message, "beyond its zfar"))
+        snprintf(beyond, sizeof beyond, "%s", message);
+}
+
+/* How much of the view lies beyond zfar is noted: the far square, none, or a part of it. */
+static void test_beyond(void **state) {
+    (void)state;
+    static const struct {
+        const char *range, *note;
+    } rows[] = {{"\"znear\": 0.1, \"zfar\": 4",
+                 "2 of 4 triangles in its view reach beyond its zfar of 4 m"},
+                {"\"znear\": 0.1, \"zfar\": 1.5", ""}, /* it sees nothing, so it sees all */
+                {"\"znear\": 0.1, \"zfar\": 100", ""},
+                {"\"znear\": 0.1", ""}};
+    const struct log_sink sink = {keep_note};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct stage stage;
+        *beyond = '\0';
+        log_set_sink(&sink);
+        open_squares(&stage, "perspective", rows[i].range);
+        log_set_sink(NULL);
+        printf("    %s: %s\n", rows[i].range, beyond);
+        assert_true(*rows[i].note ? strstr(beyond, rows[i].note) != NULL : *beyond == '\0');
+        stage_free(&stage);
+    }
+}
+
 /* --camera changes it; what is cut is not there in the picture's edges either. */
 static void test_camera_text(void **state) {
     (void)state;
@@ -268,7 +299,7 @@ int main(void) {
         cmocka_unit_test(test_light),     cmocka_unit_test(test_methods),
         cmocka_unit_test(test_reflected), cmocka_unit_test(test_text),
         cmocka_unit_test(test_camera),    cmocka_unit_test(test_camera_text),
-        cmocka_unit_test(test_cases),
+        cmocka_unit_test(test_beyond),    cmocka_unit_test(test_cases),
     };
     return cmocka_run_group_tests_name("range", tests, open_group_context, close_group_context);
 }

@@ -23,6 +23,8 @@
 #define FLAT "\"xmag\": 1, \"ymag\": 1"
 #define ZNEAR "a camera's znear that is missing or no distance is taken as 0: "
 #define ZFAR "a camera's zfar that is missing or not beyond its znear is ignored: "
+#define CONE "angles of a spot that make no cone are clamped: "
+#define LIT(extension) NODE("\"mesh\": 0, \"extensions\": {\"" extension "\": {\"light\": 0}}")
 #define FRACTIONS "numbers written as fractions are taken as whole: "
 #define SHARES "numbers that are not from 0 to 1 are clamped: material 0: "
 #define LAST_ROW "a last row of a matrix that is almost 0 0 0 1 is that: node 0 'one': matrix"
@@ -82,6 +84,37 @@ static const struct mended mended[] = {
     {"spot without an object",
      "an object that is not there has its defaults: light 0: spot",
      {.more = LIGHT("\"type\": \"spot\"")}},
+    {"cone from below none",
+     CONE "light 0: innerConeAngle",
+     {.more = SPOT("\"innerConeAngle\": -1", "")}},
+    {"cone of none",
+     "numbers that are off by rounding are clamped: light 0: outerConeAngle",
+     {.more = SPOT("\"outerConeAngle\": 0", "")}},
+    {"cone beyond the half",
+     CONE "light 0: outerConeAngle",
+     {.more = SPOT("\"outerConeAngle\": 2", "")}},
+    {"cone inside out",
+     CONE "light 0: innerConeAngle",
+     {.more = SPOT("\"innerConeAngle\": 0.5, \"outerConeAngle\": 0.25", "")}},
+    {"light type",
+     "lights of an unknown type are left out: light 0",
+     {.more = LIGHT("\"type\": \"area\""), .nodes = LIT("KHR_lights_punctual")}},
+    {"light type of no node",
+     "lights of an unknown type are left out: light 0",
+     {.more = LIGHT("\"type\": \"laser\"")}},
+    {"area light type",
+     "lights of an unknown type are left out: light 0",
+     {.more = AREA("\"type\": \"sphere\""), .nodes = LIT("EXT_lights_area")}},
+    {"negative light",
+     "lights of less than no light are left out: light 0",
+     {.more = LIGHT("\"type\": \"directional\", \"intensity\": -1"),
+      .nodes = LIT("KHR_lights_punctual")}},
+    {"negative area light",
+     "lights of less than no light are left out: light 0",
+     {.more = AREA("\"type\": \"disk\", \"intensity\": -5"), .nodes = LIT("EXT_lights_area")}},
+    {"negative channel",
+     "channels of a light below 0 are taken as 0: light 0: color",
+     {.more = LIGHT("\"type\": \"point\", \"color\": [1, -0.5, 1]")}},
     {"sides as numbers",
      "0 and 1 are taken as false and true: material 0: doubleSided",
      {.materials = "[{\"doubleSided\": 1}]"}},

@@ -172,7 +172,7 @@ static void test_range(void **state) {
     check_picture("and again", ranged);
     press("Light");
     press("light"); /* the scene's is chosen */
-    press("2  added");
+    press("added 1");
     type_into("range, m", "0");
     press("Light");
     lights = saved_lights(text, sizeof text);

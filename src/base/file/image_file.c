@@ -267,20 +267,23 @@ static void convert_colours(struct image *image, const char *path) {
     const bool has_unit = image->unit > 0 && isfinite(image->unit) && image->unit != 1,
                has_own = memcmp(image->primaries, none, sizeof none) != 0 &&
                          !primaries_are_bt709(image->primaries);
-    double matrix[3][3], unit = has_unit ? (double)image->unit : 1;
+    float matrix[3][3];
     if (!has_own && !has_unit)
         return;
     bool spans = primaries_matrix(has_own ? image->primaries : primaries_bt709, matrix);
     if (!spans)
         primaries_matrix(primaries_bt709, matrix);
-    if (image_convert_colours(image, matrix, unit) == 0)
+    for (int i = 0; i < 9 && has_unit; i++)
+        matrix[i / 3][i % 3] *= image->unit;
+    if (image_convert_colours(image, matrix) == 0)
         return;
     if (has_own)
         log_note("%s: its chromaticities %s", path,
                  spans ? "are not those of BT.709; its colours are converted"
                        : "span no colours; those of BT.709 are taken");
     if (has_unit)
-        log_note("%s: its values are multiplied by its whiteLuminance, %g", path, unit);
+        log_note("%s: its values are multiplied by its whiteLuminance, %g", path,
+                 (double)image->unit);
 }
 
 static bool read_any(struct image *image, const char *path, const char *layer, int channels[3]) {

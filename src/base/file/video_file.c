@@ -70,43 +70,24 @@ static int spawn(struct video_file *video, char *const *arguments, int from) {
 
 /* Frames are sRGB of full range. The video's colours are those of BT.709, and say so: players else guess. Without -xerror
  * ffmpeg ends well although the disk is full. */
-static bool start(struct video_file *video, const char *rate, int from) {
+static bool start(struct video_file *video, const char *fps, int from) {
     static char filter[] = "scale=out_color_matrix=bt709:out_range=limited,format=yuv420p";
-    char size[32], output[32], container[16];
+    char size[32], rate[40], output[32], container[16];
     snprintf(size, sizeof size, "%dx%d", video->width + video->width % 2,
              video->height + video->height % 2);
+    snprintf(rate, sizeof rate, "%s", fps);
     snprintf(output, sizeof output, "/proc/self/fd/%d", PART_FILE);
     snprintf(container, sizeof container, "%s", find_container(video->path)->name);
-    char *arguments[] = {"ffmpeg",
-                         "-loglevel",
-                         "error",
-                         "-xerror",
-                         "-y",
-                         "-f",
-                         "rawvideo",
-                         "-pix_fmt",
-                         "rgb0",
-                         "-s",
-                         size,
-                         "-r",
-                         (char *)(uintptr_t)rate,
-                         "-i",
-                         "pipe:0",
-                         "-an",
-                         "-vf",
-                         filter,
-                         "-colorspace",
-                         "bt709",
-                         "-color_primaries",
-                         "bt709",
-                         "-color_trc",
-                         "iec61966-2-1",
-                         "-color_range",
-                         "tv",
-                         "-f",
-                         container,
-                         output,
-                         NULL};
+    char *arguments[] = {"ffmpeg",       "-loglevel",  "error",
+                         "-xerror",      "-y",         "-f",
+                         "rawvideo",     "-pix_fmt",   "rgb0",
+                         "-s",           size,         "-r",
+                         rate,           "-i",         "pipe:0",
+                         "-an",          "-vf",        filter,
+                         "-colorspace",  "bt709",      "-color_primaries",
+                         "bt709",        "-color_trc", "iec61966-2-1",
+                         "-color_range", "tv",         "-f",
+                         container,      output,       NULL};
     int reason = spawn(video, arguments, from);
     if (reason != 0)
         video->encoder = 0;

@@ -5,6 +5,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/names.h"
+#include "base/parallel.h"
 #include "gl/api.h"
 #include "gl/context/needs.h"
 #include "gl/context/platform.h"
@@ -260,6 +261,16 @@ static struct context *try_list(const struct candidate_list *list, const struct 
     return NULL;
 }
 
+/* Mesa complains on stderr of each device that is not its own; we report what failed. It does not know of bounds but
+ * the affinity's on its threads. */
+static void instruct_mesa(void) {
+    char threads[16];
+    snprintf(threads, sizeof threads, "%d", parallel_core_count());
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
+    if (parallel_core_count() < sysconf(_SC_NPROCESSORS_ONLN))
+        setenv("LP_NUM_THREADS", threads, 0);
+}
+
 struct context *context_create(const struct context_desc *desc) {
     struct candidate_list list;
     struct wish wish;
@@ -269,9 +280,8 @@ struct context *context_create(const struct context_desc *desc) {
         screen_set_way(desc->screen);
     if (!parse_wish(&wish, desc->device))
         return NULL;
-    /* Mesa complains on stderr of each device that is not its own; we report what failed. */
     if (!desc->embedded)
-        setenv("EGL_LOG_LEVEL", "fatal", 0);
+        instruct_mesa();
     list_candidates(&list, desc->kind, &reasons);
     struct context *context = try_list(&list, &wish, desc->debug, &reasons);
     if (!context) {

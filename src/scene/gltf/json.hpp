@@ -31,6 +31,9 @@ bool check_asset(Loader &loader, json &root);
  * indices and types are right afterwards. */
 bool check_schema(Loader &loader, json &root);
 
+/* mended.cpp: leaves lights out that are of an unknown type or of negative intensity. The JSON may be anything. */
+bool mend_lights(Loader &loader, json &root);
+
 /* mended.cpp: numbers of nodes, lights and materials that are off by rounding, and depths of cameras that
  * are none. */
 bool mend_numbers(Loader &loader, json &root);

@@ -78,6 +78,16 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     return load_size(from.extras, to);
 }
 
+/* The node's extras; of a node that only turns its parent's lamp, as Blender's exporter wrote them, the parent's. */
+const tinygltf::Value &extras_of(const Model &model, int node, int parent) {
+    const tinygltf::Node &own = model.nodes[size_t(node)];
+    if (own.extras.IsObject() || parent < 0)
+        return own.extras;
+    const tinygltf::Node &from = model.nodes[size_t(parent)];
+    bool is_lamp = from.children.size() == 1 && from.mesh < 0 && from.camera < 0;
+    return is_lamp ? from.extras : own.extras;
+}
+
 double number_or(const tinygltf::Value &object, const char *key, double otherwise) {
     return object.Has(key) ? object.Get(key).GetNumberAsDouble() : otherwise;
 }
@@ -152,9 +162,10 @@ bool load_lights(Loader &loader) {
     struct scene *scene = loader.scene;
     size_t areas =
         area == loader.model.extensions.end() ? 0 : area->second.Get("lights").ArrayLen();
-    scene->lights = allocate<struct scene_light>(from.size() + areas);
+    size_t nodes = loader.model.nodes.size(); /* may each have their own: load_node_extras */
+    scene->lights = allocate<struct scene_light>(from.size() + areas + nodes);
     scene->light_count = int(from.size() + areas);
-    scene->slides = allocate<struct slide>(from.size());
+    scene->slides = allocate<struct slide>(from.size() + nodes);
     for (size_t i = 0; i < from.size(); i++)
         if (!load_light(from[i], scene->lights[i]) ||
             !load_slide(loader, from[i].extras, scene->lights[i]))
@@ -165,6 +176,27 @@ bool load_lights(Loader &loader) {
             return error_prefix("%s", label("area light", i, to.name).c_str());
     }
     return true;
+}
+
+/* A light that other nodes have too stays as it is. */
+void load_node_extras(Loader &loader, int index, int parent, struct node &node) {
+    struct scene *scene = loader.scene;
+    const tinygltf::Value &extras = extras_of(loader.model, index, parent);
+    if (node.light < 0 || size_t(node.light) >= loader.model.lights.size() || !extras.IsObject())
+        return;
+    struct scene_light light = scene->lights[node.light];
+    bool good = light.size[0] > 0 || load_size(extras, light);
+    good = good && (light.slide || load_slide(loader, extras, light));
+    if (!good) {
+        log_note("%s: %s: %s: its lamp is without it", scene->path,
+                 label("node", size_t(index), loader.model.nodes[size_t(index)].name).c_str(),
+                 error_get());
+        return;
+    }
+    if (memcmp(&light, &scene->lights[node.light], sizeof light) == 0)
+        return;
+    node.light = scene->light_count;
+    scene->lights[scene->light_count++] = light;
 }
 
 bool load_cameras(Loader &loader) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace gltf {
 
@@ -68,32 +69,35 @@ bool mend_nodes(Loader &loader, json &root) {
     return true;
 }
 
-/* A number that is beyond its bound by no more than rounding. */
+/* A number that is beyond its bound by no more than rounding, or by more where there are words for it. */
 bool mend_bound(Loader &loader, json &object, const char *key, double least, double most,
-                const std::string &where) {
+                const std::string &where, const char *beyond = nullptr) {
     auto found = object.find(key);
     if (found == object.end())
         return true;
     double number = found->get<double>(), clamped = std::min(std::max(number, least), most);
-    if (clamped == number || std::fabs(clamped - number) > rounding)
+    bool rounded = std::fabs(clamped - number) <= rounding;
+    if (clamped == number || (!rounded && !beyond))
         return true;
     *found = clamped;
-    return mend(loader, "numbers that are off by rounding are clamped", where + ": " + key);
+    return mend(loader, rounded ? "numbers that are off by rounding are clamped" : beyond,
+                where + ": " + key);
 }
 
-/* Angles of spots. */
-bool mend_lights(Loader &loader, json &root) {
+/* Angles of spots: from next to nothing to a half space, the inner one within the outer. */
+bool mend_spots(Loader &loader, json &root) {
+    const double half_pi = 1.5707963267948966, least = 1e-6;
+    const char *const beyond = "angles of a spot that make no cone are clamped";
     const char *const lights = "/extensions/KHR_lights_punctual/lights";
-    const double half_pi = 1.5707963267948966;
     for (size_t i = 0; i < list_size(root, lights); i++) {
         json &light = root[json::json_pointer(lights)][i];
         if (!light.contains("spot"))
             continue;
         json &spot = light["spot"];
         std::string object = label_of("light", i, light);
-        if (!mend_bound(loader, spot, "outerConeAngle", 0, half_pi, object) ||
+        if (!mend_bound(loader, spot, "outerConeAngle", least, half_pi, object, beyond) ||
             !mend_bound(loader, spot, "innerConeAngle", 0,
-                        spot.value("outerConeAngle", half_pi / 2), object))
+                        spot.value("outerConeAngle", half_pi / 2), object, beyond))
             return false;
     }
     return true;
@@ -141,10 +145,75 @@ bool mend_cameras(Loader &loader, json &root) {
     return true;
 }
 
+double number_or(const json &object, const char *key, double otherwise) {
+    auto found = object.find(key);
+    return found != object.end() && found->is_number() ? found->get<double>() : otherwise;
+}
+
+/* Why a light shines nowhere; NULL: it may. */
+const char *darkness_of(const json &light, const char *types) {
+    auto type = light.find("type");
+    bool known = type == light.end() || !type->is_string() ||
+                 strstr(types, (" " + type->get<std::string>() + " ").c_str());
+    return !known ? "lights of an unknown type are left out"
+           : number_or(light, "intensity", 1) < -rounding
+               ? "lights of less than no light are left out"
+               : nullptr;
+}
+
+/* Colours have no channel below 0. */
+bool mend_color(Loader &loader, json &light, const std::string &object) {
+    bool mended = false;
+    for (json &channel : light["color"])
+        if (channel.is_number() && channel.get<double>() < -rounding) {
+            channel = 0;
+            mended = true;
+        }
+    return !mended ||
+           mend(loader, "channels of a light below 0 are taken as 0", object + ": color");
+}
+
+/* Takes the light from the nodes that have it. */
+void leave_out(json &root, const char *extension, size_t light) {
+    const json::json_pointer at(std::string("/extensions/") + extension + "/light");
+    for (size_t i = 0; i < list_size(root, "/nodes"); i++) {
+        json &node = root["nodes"][i];
+        if (node.is_object() && node.contains(at) && node[at] == light)
+            node["extensions"].erase(extension);
+    }
+}
+
+bool mend_kind(Loader &loader, json &root, const char *extension, const char *types,
+               const char *dark) {
+    const std::string lights = std::string("/extensions/") + extension + "/lights";
+    for (size_t i = 0; i < list_size(root, lights.c_str()); i++) {
+        json &light = root[json::json_pointer(lights)][i];
+        if (!light.is_object())
+            continue;
+        std::string object = label_of("light", i, light);
+        const char *reason = darkness_of(light, types);
+        if (!reason) {
+            if (light.contains("color") && !mend_color(loader, light, object))
+                return false;
+            continue;
+        }
+        light = {{"type", dark}, {"intensity", 0}};
+        leave_out(root, extension, i);
+        if (!mend(loader, reason, object))
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
+bool mend_lights(Loader &loader, json &root) {
+    return mend_kind(loader, root, "KHR_lights_punctual", " directional point spot ", "point") &&
+           mend_kind(loader, root, "EXT_lights_area", " rect disk ", "disk");
+}
+
 bool mend_numbers(Loader &loader, json &root) {
-    return mend_nodes(loader, root) && mend_lights(loader, root) && mend_materials(loader, root) &&
+    return mend_nodes(loader, root) && mend_spots(loader, root) && mend_materials(loader, root) &&
            mend_cameras(loader, root);
 }
 

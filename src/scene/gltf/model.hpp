@@ -193,6 +193,10 @@ bool load_materials(Loader &loader);
 bool load_meshes(Loader &loader);
 void settle_blending(struct scene &scene); /* of the loaded materials and meshes */
 bool load_lights(Loader &loader);
+
+/* light.cpp: sizes and the picture of the node's light from the extras of the node, where the light has none. A note
+ * where they are none. */
+void load_node_extras(Loader &loader, int index, int parent, struct node &node);
 bool load_cameras(Loader &loader);
 bool load_nodes(Loader &loader);
 bool load_skins(Loader &loader);

@@ -117,11 +117,14 @@ bool is_hidden(const tinygltf::Node &node) {
 
 std::set<int> nodes_that_clips_show(const Model &model) {
     std::set<int> nodes;
-    int node;
     for (const tinygltf::Animation &clip : model.animations)
-        for (const tinygltf::AnimationChannel &channel : clip.channels)
-            if (sscanf(pointer_of(channel).c_str(), "/nodes/%d/extensions/KHR_node_vis", &node) > 0)
+        for (const tinygltf::AnimationChannel &channel : clip.channels) {
+            int node, end = 0;
+            sscanf(pointer_of(channel).c_str(),
+                   "/nodes/%d/extensions/KHR_node_visibility/visible%n", &node, &end);
+            if (end > 0)
                 nodes.insert(node);
+        }
     return nodes;
 }
 
@@ -223,6 +226,7 @@ bool load_nodes(Loader &loader) {
             !load_node_weights(loader, model.nodes[i], size_t(i), node) ||
             !load_metaballs(model.nodes[i], *scene, node))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());
+        load_node_extras(loader, i, parents[i], node);
         place[i] = scene->node_count++;
         if (!load_instances(loader, model.nodes[i]))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());

@@ -138,7 +138,7 @@ bool parse_bytes(Loader &loader, const struct file_bytes &bytes) {
                : !check_kind(bytes))
         return false;
     if (!parse_json(loader, chunks.json, chunks.json_size, root) || !check_asset(loader, root) ||
-        !check_schema(loader, root) || !mend_numbers(loader, root))
+        !mend_lights(loader, root) || !check_schema(loader, root) || !mend_numbers(loader, root))
         return false;
     if (!take_buffers(loader, root, chunks.bin, chunks.bin_size))
         return chunks.is_cut ? error_prefix("truncated: %s", chunks.length) : false;

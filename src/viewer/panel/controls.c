@@ -127,7 +127,7 @@ static const struct key {
     {KEY_F3, "F3", "times: a line, a table, none", .run = key_overlay},
     {KEY_F5, "F5", "read the shaders again (--glsl)", .run = viewer_reload_shaders},
     {KEY_F11, "F11", "full screen", .run = key_full_screen},
-    {KEY_F12, "F12", "screenshot: PNG, and EXR with all layers", .run = key_screenshot},
+    {KEY_F12, "F12", "save the picture: PNG as shown, EXR with all layers", .run = key_screenshot},
     {KEY_ESCAPE, "Esc", "close what is open; twice: quit", .run = key_escape},
     {'O' + KEY_WITH_CONTROL, "Ctrl O", "open a file", .run = viewer_ask_file},
     {'S' + KEY_WITH_CONTROL, "Ctrl S", "save settings, camera and lights",
@@ -286,11 +286,11 @@ static void click_cluster(struct viewer *viewer, float x, float y) {
     viewer->shown.recompose = true;
 }
 
-/* The answer comes into view, wherever its section is. */
+/* Nothing scrolls: the next click in the panel finds what it aims at. */
 static void click_surface(struct viewer *viewer, float x, float y) {
     viewer_pick_surface(viewer, x, y);
     if (viewer->shown.has_pick)
-        ui_open_section("Surface", true);
+        ui_open_section("Surface");
 }
 
 static void click(struct viewer *viewer) {
@@ -366,6 +366,9 @@ void controls_update(struct viewer *viewer, double seconds) {
         escape_request(viewer);
     else if (!ui_wants_keys())
         run_keys(viewer);
+    if (viewer->panel.saves_picture)
+        key_screenshot(viewer);
+    viewer->panel.saves_picture = false;
     if (!viewer->has_scene || viewer->shown.picture.width == 0)
         return;
     use_mouse(viewer);

@@ -214,6 +214,10 @@ static void save_times(struct viewer *viewer) {
 }
 
 static void draw_session(struct viewer *viewer) {
+    if (ui_wide_button("Save picture",
+                       "PNG as it is shown, with a wipe both pictures; and EXR with "
+                       "all layers of the left one; F12"))
+        viewer->panel.saves_picture = true;
     struct ui_row row = {.name = "file", .help = "of settings, camera and lights"};
     const char *path = viewer->panel.session_path;
     ui_text_field(&row, viewer->panel.session_path, sizeof viewer->panel.session_path, "path");
@@ -252,7 +256,7 @@ void panel_draw(struct viewer *viewer) {
     /* A comparison opens its section, however it began. */
     bool compares = viewer->shown.compare.mode != COMPARE_OFF;
     if (compares && !viewer->panel.was_comparing)
-        ui_open_section("Compare", false);
+        ui_open_section("Compare");
     viewer->panel.was_comparing = compares;
     ui_area_begin("panel", UI_PANEL, (float)area->width, 0,
                   (float)(viewer->host.input->width - area->width),

@@ -121,7 +121,8 @@ void panel_draw_compare(struct viewer *viewer) {
             "the picture has the reference's size; the reference and its chart stay, and "
             "'reference' above shows them again"))
         viewer_fill_window(viewer);
-    if (viewer->shown.right) {
+    /* At once, though the right picture comes later: rows do not move under the mouse. */
+    if (compare->mode != COMPARE_OFF) {
         draw_layout(viewer);
         draw_errors(viewer);
     }

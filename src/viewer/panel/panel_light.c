@@ -14,18 +14,22 @@
 
 enum { NAME_SIZE = SCENE_NAME_SIZE + 16 };
 
-/* Which of those that shine. */
+/* Which of those that shine, by the numbers of --light and info. */
 static void draw_choice(struct viewer *viewer) {
     const struct scene *scene = &viewer->document.scene;
     struct placed *placed = &viewer->placed;
     char texts[LIGHTS_MAX][NAME_SIZE];
     const char *names[LIGHTS_MAX];
-    int count = placed->emitters.count < LIGHTS_MAX ? placed->emitters.count : LIGHTS_MAX;
+    int count = placed->emitters.count < LIGHTS_MAX ? placed->emitters.count : LIGHTS_MAX,
+        added = 0;
     for (int i = 0; i < count; i++) {
         const struct emitter *light = &placed->emitters.items[i];
-        const char *name =
-            light->number < 0 ? "added" : node_name_carrying(scene, NODE_LIGHT, light->number);
-        snprintf(texts[i], NAME_SIZE, "%d  %s", i + 1, *name ? name : "without a name");
+        if (light->number < 0) {
+            snprintf(texts[i], NAME_SIZE, "added %d", ++added);
+        } else {
+            const char *name = node_name_carrying(scene, NODE_LIGHT, light->number);
+            snprintf(texts[i], NAME_SIZE, "%d  %s", light->number, *name ? name : "without a name");
+        }
         names[i] = texts[i];
     }
     bool moved = placed->lights_moved >> placed->chosen_light & 1;

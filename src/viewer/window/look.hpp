@@ -28,14 +28,11 @@ extern struct look {
     struct {
         ImVec2 at;
         double since;
-    } rest; /* of the mouse, on an item */
-    struct {
-        std::string title;
-        bool in_view;
-    } asked;          /* the section to be opened; no title: none */
-    bool has_keys;    /* a panel has the keyboard */
-    bool begins_keys; /* from this frame on: at its first widget */
-    bool had_keys;    /* until this frame's Esc, which is not to mean something else, too */
+    } rest;            /* of the mouse, on an item */
+    std::string asked; /* the section to be opened; "": none */
+    bool has_keys;     /* a panel has the keyboard */
+    bool begins_keys;  /* from this frame on: at its first widget */
+    bool had_keys;     /* until this frame's Esc, which is not to mean something else, too */
     bool tab_before, escape_before; /* were down in the frame before */
     bool tab_enters;                /* and has entered a panel with that */
     ImGuiID typed;    /* the slider whose value is to be typed from the next frame on */

@@ -279,25 +279,16 @@ void ui_area_end(void) {
     ImGui::End();
 }
 
-void ui_open_section(const char *title, bool in_view) {
-    look.asked = {title, in_view};
+void ui_open_section(const char *title) {
+    look.asked = title;
 }
 
 void ui_show_here(void) {
     ImGui::SetScrollHereY(0);
 }
 
-/* A section whose heading stands in the upper half of its area is seen as it is. */
-static void show_section(void) {
-    const ImGuiWindow *window = ImGui::GetCurrentWindow();
-    float y = ImGui::GetItemRectMin().y - window->Pos.y;
-    if (look.asked.in_view && (y < 0 || y > window->Size.y / 2))
-        ImGui::SetScrollHereY(0);
-    look.asked = {};
-}
-
 bool ui_section(const char *title, bool open_at_first) {
-    bool asked = look.asked.title == title;
+    bool asked = look.asked == title;
     ImGui::Dummy(ImVec2(0, units(.1F)));
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(units(.4F), units(.3F)));
     if (asked)
@@ -306,7 +297,7 @@ bool ui_section(const char *title, bool open_at_first) {
     look_mark(title);
     ImGui::PopStyleVar();
     if (asked)
-        show_section();
+        look.asked.clear();
     return open;
 }
 

@@ -74,8 +74,8 @@ void ui_page_begin(const char *id, float window_width, float window_height, floa
 /* A heading that opens and closes; whether it is open. */
 bool ui_section(const char *title, bool open_at_first);
 
-/* Opens the section of that title when it is drawn next; in_view: and scrolls it into view. */
-void ui_open_section(const char *title, bool in_view);
+/* Opens the section of that title when it is drawn next. */
+void ui_open_section(const char *title);
 
 /* Scrolls the area so that what comes next stands at its top. */
 void ui_show_here(void);

@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "base/primaries.h"
 
+#include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -88,7 +89,7 @@ struct hdr_header {
     float primaries[8]; /* of the pixels; zeros: BT.709 */
 };
 
-/* Multiplies by the numbers of "NAME=1.5" or "NAME= 1 1 .9". FreeImage writes 0 for "unknown", which is 1. */
+/* Multiplies by one number or three. FreeImage writes 0 where it knows none, which is 1. */
 static void take_exposure(double exposure[3], const char *numbers) {
     double by[3];
     int count = sscanf(numbers, "%lf %lf %lf", by, by + 1, by + 2);
@@ -98,32 +99,21 @@ static void take_exposure(double exposure[3], const char *numbers) {
     }
 }
 
-static void take_primaries(float primaries[8], const char *numbers) {
-    float given[8];
-    int count = sscanf(numbers, "%f %f %f %f %f %f %f %f", given, given + 1, given + 2, given + 3,
-                       given + 4, given + 5, given + 6, given + 7);
-    if (count == 8)
-        memcpy(primaries, given, sizeof given);
-}
-
-/* What a line of the header sets. Without a FORMAT it is RGBE. */
+/* What a line of the header sets. Without a FORMAT the picture is RGBE. */
 static bool take_line(struct hdr_header *header, const char *line) {
-    const char *value = strchr(line, '=');
-    size_t name = value ? (size_t)(value++ - line) : 0;
-    if (name == 8 && memcmp(line, "EXPOSURE", name) == 0) {
-        take_exposure(header->exposure, value);
-    } else if (name == 9 && memcmp(line, "COLORCORR", name) == 0) {
-        take_exposure(header->exposure, value);
-    } else if (name == 9 && memcmp(line, "PRIMARIES", name) == 0) {
-        take_primaries(header->primaries, value);
-    } else if (name == 6 && memcmp(line, "FORMAT", name) == 0) {
-        char format[32] = "";
-        sscanf(value, "%31s", format);
-        header->is_xyz = strcmp(format, "32-bit_rle_xyze") == 0;
-        return header->is_xyz || strcmp(format, "32-bit_rle_rgbe") == 0 ||
-               error_set("a Radiance picture in the format '%s', neither RGBE nor XYZE", value);
-    }
-    return true;
+    char format[32] = "";
+    float *p = header->primaries;
+    if (strncmp(line, "EXPOSURE=", 9) == 0)
+        take_exposure(header->exposure, line + 9);
+    if (strncmp(line, "COLORCORR=", 10) == 0)
+        take_exposure(header->exposure, line + 10);
+    sscanf(line, "PRIMARIES=%f %f %f %f %f %f %f %f", p, p + 1, p + 2, p + 3, p + 4, p + 5, p + 6,
+           p + 7);
+    if (sscanf(line, "FORMAT=%31s", format) != 1)
+        return true;
+    header->is_xyz = strcmp(format, "32-bit_rle_xyze") == 0;
+    return header->is_xyz || strcmp(format, "32-bit_rle_rgbe") == 0 ||
+           error_set("a Radiance picture in the format '%s', neither RGBE nor XYZE", format);
 }
 
 /* "-Y 8 +X 16": lines of 16 pixels from the top, and of these from the left. */
@@ -208,15 +198,12 @@ static bool read_hdr_row(struct cursor *cursor, unsigned char *row, int width) {
 }
 
 static void decode_rgbe(float rgb[3], const unsigned char rgbe[RGBE],
-                        const struct hdr_header *header, double xyz_to_rgb[3][3]) {
-    double scale = rgbe[3] ? ldexp(1, rgbe[3] - EXPONENT_BIAS) : 0, value[3];
+                        const struct hdr_header *header, float of_xyz[3][3]) {
+    double scale = rgbe[3] ? ldexp(1, rgbe[3] - EXPONENT_BIAS) : 0;
     for (int c = 0; c < 3; c++)
-        value[c] = rgbe[c] * scale / header->exposure[c];
-    for (int c = 0; c < 3; c++)
-        rgb[c] =
-            (float)(header->is_xyz ? xyz_to_rgb[c][0] * value[0] + xyz_to_rgb[c][1] * value[1] +
-                                         xyz_to_rgb[c][2] * value[2]
-                                   : value[c]);
+        rgb[c] = (float)(rgbe[c] * scale / header->exposure[c]);
+    if (header->is_xyz)
+        glm_mat3_mulv(of_xyz, rgb, rgb);
 }
 
 /* The pixel of the picture that is the n-th of a stored line. */
@@ -237,7 +224,7 @@ static bool read_hdr_lines(struct cursor *cursor, const struct hdr_header *heade
     int lines = header->by_columns ? image->width : image->height,
         length = header->by_columns ? image->height : image->width;
     unsigned char *row = mem_alloc((size_t)length, RGBE);
-    double matrix[3][3];
+    float matrix[3][3];
     bool ok = true;
     primaries_matrix_of_xyz(matrix);
     for (int line = 0; ok && line < lines; line++) {

@@ -1,0 +1,163 @@
+"""check_arguments.py PROGRAM FOLDER: values of Python and numpy are taken as they are meant, or refused in words."""
+import os
+import subprocess
+import sys
+
+import numpy as np
+
+import manylight
+from manylight import Camera, Light, Material, Mesh, Scene
+
+PROGRAM, FOLDER = sys.argv[1:]
+LONG = bool(os.environ.get("MANYLIGHT_LONG"))
+QUAD = np.array([[-1, 0, -1], [1, 0, -1], [1, 0, 1], [-1, 0, 1]], float)
+FACES = [[0, 2, 1], [0, 3, 2]]
+SUN = Light("directional", intensity=(np.pi,) * 3)
+ABOVE = Camera(eye=(0, 3, 0), forward=(0, -1, 0), up=(0, 0, -1), fov_y=0, y_extent=.01)
+
+
+def scene_of(mesh=Mesh(QUAD, FACES), material=Material(), light=SUN, camera=ABOVE):
+    """A square in the plane y = 0, seen from above."""
+    return Scene(meshes=[mesh], materials=[material], lights=[light], cameras=[camera])
+
+
+def centre(device, layer="albedo", text=None, **parts):
+    """A layer in the middle of the square; text: lights in place of the scene's."""
+    return device.render(scene_of(**parts), (9, 9), vpls=64, light=text)[layer][4, 4]
+
+
+def near(name, value, expected, tolerance=2e-3):
+    print(f"    {name}: {value}, expected {expected}")
+    assert np.allclose(value, expected, rtol=tolerance, atol=1e-4), name
+
+
+def refuse(words, call):
+    """A call raises the module's exception with these words in it."""
+    try:
+        call()
+    except manylight.Error as error:
+        print(f"    {type(error).__name__}: {error}")
+        assert words in str(error), words
+        return
+    raise AssertionError(f"no refusal: {words}")
+
+
+def check_area_lights(device):
+    """The intensity of an area light is W/sr on its axis in structs, in texts of Python and on the command line."""
+    for extent, height in (((.01, .01), 1), ((.02, .005), 2), ((.03, 0), 1.5))[:3 if LONG else 1]:
+        lamp = Light("area", (0, height, 0), (0, -1, 0), (np.pi,) * 3, extent=extent)
+        expected = 1 / height ** 2
+        text = f"+area position=0,{height},0 intensity={np.pi},{np.pi},{np.pi} size={extent[0]},{extent[1]}"
+        near(f"struct {extent}", centre(device, "direct", light=lamp)[0], expected)
+        near(f"text {extent}", centre(device, "direct", text)[0], expected)
+        near(f"reference {extent}",
+             manylight.reference(scene_of(light=lamp), (3, 3), samples=16)["direct"][1, 1, 0], expected, .01)
+    out = os.path.join(FOLDER, "area.exr")
+    box = "scenes/cornell-box.glb"
+    text = "+area position=0,5.4,0 direction=0,-1,0 size=1,1 intensity=20,20,20"
+    subprocess.run([PROGRAM, "render", box, "-o", out, "--size", "16x16", "--light", text, "-q"], check=True)
+    python = device.render(box, (16, 16), light=text)
+    assert np.allclose(manylight.read(out)["direct"], python["direct"], rtol=2e-3, atol=1e-4)
+
+
+def check_colors(device):
+    """Whole numbers are shares of their type's largest; floats are shares of 1."""
+    taken = (np.full((4, 4), 64, np.uint8), np.full((4, 4), 64 * 257, np.uint16), np.full((4, 4), 64 / 255),
+             [[64 / 255] * 4] * 4)
+    for colors in taken[:4 if LONG else 2]:
+        near("colors", centre(device, mesh=Mesh(QUAD, FACES, colors=colors)), [64 / 255] * 3)
+    near("colors of 0 and 1", centre(device, mesh=Mesh(QUAD, FACES, colors=[[1, 0, 1, 1]] * 4)), [1, 0, 1])
+    for colors in (np.full((4, 4), 64), np.full((4, 4), 64.), np.full((4, 4), -.1), np.full((4, 4), 1j),
+                   np.full((4, 3), .5), np.full((4, 4), np.nan)):
+        refuse("mesh 0: ", lambda: centre(device, mesh=Mesh(QUAD, FACES, colors=colors)))
+
+
+def check_vectors(device):
+    """Any sequence of real numbers, of the right length."""
+    expected = centre(device, material=Material((.5, .25, .125, 1)))
+    for kind in (np.float64, tuple, np.float32, np.float16, list)[:5 if LONG else 2]:
+        color = kind([.5, .25, .125, 1]) if kind in (list, tuple) else np.array([.5, .25, .125, 1], kind)
+        assert np.array_equal(centre(device, material=Material(color, np.float32(0), np.float64(1))), expected)
+    eye = Camera(np.array([0, 3, 0]), np.array([0, -1, 0], np.int8), np.array([0, 0, -1.]), np.float32(0), np.float64(.01))
+    near("camera", centre(device, "Z", camera=eye), 3)
+    near("black", centre(device, material=Material((0, 0, 0, 0))), 0)
+    for eye in ((0, 1), (0, 1, 2, 3), 5, "0,1,2", (0, 1j, 2), (0, None, 2), [[0], [1], [2]], np.zeros((3, 1)),
+                (True, False, True), (0, np.inf, 0), [[0], [1, 2]]):
+        refuse("eye: ", lambda: centre(device, camera=Camera(eye)))
+    for color in ((.5, .5, .5), (200, 100, 50, 255), np.array([200, 100, 50, 255], np.uint8), (-.1, 0, 0, 1)):
+        refuse("material 0: base_color: ", lambda: centre(device, material=Material(color)))
+    refuse("camera: fov_y (radians): 60 is not from 0 to 3.142",
+           lambda: device.render(scene_of(), (9, 9), camera=Camera(fov_y=60)))
+    refuse("material 0: roughness: ", lambda: centre(device, material=Material(roughness=-1)))
+    refuse("light 0: kind: ", lambda: centre(device, light=Light("lamp")))
+    refuse("light 0: extent: ", lambda: centre(device, light=Light("area")))
+    refuse("is not a manylight.Mesh", lambda: Scene(meshes=[QUAD]))
+    refuse("is not a list", lambda: Scene(meshes=Mesh(QUAD)))
+
+
+def check_meshes():
+    """Indices are whole, normals have a direction, positions are real."""
+    for indices in (np.array(FACES) + .5, np.array(FACES, float), np.array(FACES, complex), [["a", "b", "c"]], [[0, 1]]):
+        refuse("mesh 0: indices: ", lambda: Scene(meshes=[Mesh(QUAD, indices)]))
+    for positions in (QUAD + 1j, QUAD > 0, QUAD.astype(object), QUAD.T, [[0, 1, 2], [3]]):
+        refuse("mesh 0: positions: ", lambda: Scene(meshes=[Mesh(positions)]))
+    for normals in (np.zeros((4, 3)), np.full((4, 3), np.nan), np.ones((3, 3))):
+        refuse("mesh 0: ", lambda: Scene(meshes=[Mesh(QUAD, FACES, normals)]))
+    refuse("mesh 0: material: 0.5", lambda: Scene(meshes=[Mesh(QUAD, FACES, material=.5)]))
+
+
+def check_pictures(device):
+    """Arrays of bytes are pictures; other arrays are none."""
+    uvs = np.full((4, 2), .5)
+    for channels in (3, 4)[:2 if LONG else 0]:
+        pixels = np.full((4, 4, channels), 128, np.uint8)
+        near("picture", centre(device, mesh=Mesh(QUAD, FACES, uvs=uvs), material=Material(picture=pixels)), .2159, .01)
+    pixels = np.zeros((2, 3, 3), np.uint8)
+    pixels[0, 0] = 255
+    for place, expected in (((1 / 6, .25), 1), ((1 / 6, .75), 0), ((5 / 6, .25), 0))[:3 if LONG else 2]:
+        mesh = Mesh(QUAD, FACES, uvs=np.tile(place, (4, 1)))
+        near(f"texel at {place}", centre(device, mesh=mesh, material=Material(picture=pixels)), expected)
+    for picture in (pixels / 255., pixels.astype(int), pixels[..., 0], pixels[..., :2], pixels[:0], "picture.png",
+                    b"no picture", b"", [1, 2], np.frombuffer(b"no picture", np.uint8)):
+        refuse("material 0: picture: ", lambda: Scene(meshes=[Mesh(QUAD, FACES, uvs=uvs)],
+                                                      materials=[Material(picture=picture)]))
+
+
+def check_numbers(device):
+    """Sizes, times, names and settings."""
+    scene = scene_of()
+    for size in (256, None, (32., 32), (32,), (1, 2, 3), "32x32", (2 ** 40, 32), (None, 8)):
+        refuse("", lambda: device.render(scene, size))
+        refuse("", lambda: manylight.reference(scene, size))
+    assert device.render(scene, np.array([9, 7]), vpls=np.int64(64))["Z"].shape == (7, 9)
+    assert device.render(scene, [9, 7], vpls=64, camera=np.int32(0), time=np.float32(0))["Z"].shape == (7, 9)
+    for given in (dict(time="1"), dict(time=1j), dict(camera=.5), dict(light=SUN), dict(technique=5), dict(passes=1.5),
+                  dict(passes=-1), dict(layers=[5]), dict(layers=5), dict(vpls=None)):
+        refuse("", lambda: device.render(scene, (9, 9), **given))
+    for member, value in (("noise", -1), ("noise", np.nan), ("samples", -1), ("bounces", -1), ("bounces", .5),
+                          ("paths", -1), ("threads", -1), ("ao_distance", np.inf), ("seed", 2 ** 40)):
+        refuse(f"{member}: ", lambda: manylight.reference(scene, (9, 9), **{member: value}))
+    refuse("environment_strength", lambda: Scene("scenes/cornell-box.glb", environment_strength=0))
+
+
+def check_images(device):
+    """Maps of one channel are compared as they are; codes of displays are no light."""
+    depth = device.render(scene_of(), (9, 9), vpls=64)["Z"]
+    near("error of a map", manylight.compare(depth * 1.5, depth), .5)
+    refuse("uint8", lambda: manylight.compare(np.zeros((4, 4, 3), np.uint8), np.zeros((4, 4, 3))))
+    refuse("layer beauty: ", lambda: manylight.compare(np.zeros((4, 4, 3), complex), np.zeros((4, 4, 3))))
+    refuse("layer a: ", lambda: manylight.write(os.path.join(FOLDER, "a.exr"), {"a": [["x"]]}))
+
+
+def main():
+    with manylight.Device(allow_software=True) as device:
+        check_area_lights(device)
+        check_colors(device)
+        check_vectors(device)
+        check_meshes()
+        check_pictures(device)
+        check_numbers(device)
+        check_images(device)
+
+
+main()
