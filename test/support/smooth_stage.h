@@ -72,6 +72,8 @@ static inline void make_glass(struct stage *stage, float index) {
     material->transmission = 1;
     material->index_of_refraction = index;
     material->roughness = 0;
+    geometry_free(&stage->geometry); /* panes lie behind all else */
+    check_ok("geometry", geometry_init(&stage->geometry, &stage->scene, 0));
 }
 
 struct square {
