@@ -1,16 +1,12 @@
-// Path (x, y) begins with a share of a VPL's light, and follows it from surface to surface: a ray in a direction by the
-// cosine, and of its flux what the surface there reflects [Keller 1997]. At one of its surfaces, picked by flux, it leaves
-// the flux of all. Of row 0, which leaves VPLs, one more ray tells where the light goes from there.
-#include "visibility/bvh.glsl"
-#include "lib/medium.glsl"
-#include "lib/tangent.glsl"
+// Path (x, y) begins with a share of a VPL's light, walks on and leaves its flux at one of its surfaces. Or it tries several
+// walks and leaves the flux of all at one surface of one. Of row 0, which leaves VPLs, one more ray tells where the light
+// goes from there.
 #include "lib/vpl_texels.glsl"
-#include "lib/weighted_pick.glsl"
+#include "lights/light_walk.glsl"
 #include "shared/bounce.h"
-#include PATH_START
+#include "shared/light_walk.h"
 
 layout(binding = UNIT_PATH_NUMBERS) uniform sampler2D path_numbers;
-layout(binding = UNIT_TRIANGLE_ALBEDOS) uniform samplerBuffer albedos; // A: 1 where backs reflect, too
 
 layout(location = TARGET_BOUNCE_POSITION) out vec4 position; // A: the normal, packed
 layout(location = TARGET_BOUNCE_NORMAL) out vec4 normal;
@@ -19,61 +15,48 @@ layout(location = TARGET_BOUNCE_NEXT) out vec4 next; // A: how far from there, -
 
 const float NOWHERE = 1e6; // of the radius: where paths are that leave nothing
 
-vec3 cosine_direction(vec3 axis, vec2 number) {
-    float turn = 6.28318530718 * number.y, radius = sqrt(number.x);
-    vec3 right = perpendicular(axis);
-    return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
-}
-
-vec3 reflected(bvh_hit hit) {
-    vec4 albedo = texelFetch(albedos, hit.triangle);
-    return hit.back ? albedo.rgb * albedo.a : albedo.rgb;
-}
-
 vec2 number_at(ivec2 path, int number) {
-    return texelFetch(path_numbers, ivec2(path.x, (BOUNCE_NUMBER_RAYS + params.bounces) * path.y + number), 0).rg;
+    int numbers = BOUNCE_NUMBER_RAYS + min(params.bounces, WALK_SURE);
+    return texelFetch(path_numbers, ivec2(path.x, numbers * path.y + number), 0).rg;
 }
+
+int try_number = 0;
+
+// Other numbers in each pass and with each seed, as the even ones are.
+uvec2 chance_of(ivec2 path) {
+    uint number = floatBitsToUint(number_at(path, BOUNCE_NUMBER_CHOICE).x);
+    return uvec2((path.x * BOUNCE_ROWS + path.y) * BOUNCE_TRIES + try_number, number);
+}
+
+// Each try's even numbers are those of the path, shifted.
+vec2 walk_number(int ray) {
+    ivec2 path = ivec2(gl_FragCoord.xy);
+    if (ray >= WALK_SURE)
+        return random_of(uvec3(~ray, chance_of(path)));
+    vec2 number = number_at(path, BOUNCE_NUMBER_RAYS + ray);
+    return try_number == 0 ? number : fract(number + float(try_number) * vec2(0.7548776662, 0.5698402910));
+}
+
+#include PATH_WEIGHT
 
 void main() {
     ivec2 path = ivec2(gl_FragCoord.xy);
     int i = BOUNCE_ROWS * path.x + path.y;
     vec2 choice = number_at(path, BOUNCE_NUMBER_CHOICE);
-    float vpls_per_path;
-    vpl light = vpl_at(path_start(i, choice.x, vpls_per_path));
-    vec3 place = light.position + params.start * light.normal, axis = light.normal;
-    vec3 carried = light.flux * vpls_per_path;
-    bool goes = light.reach > 0.0;
-    float pick = choice.y, all = 0.0, left = 0.0;
-    int chosen = 0;
-    next = vec4(0.0, 0.0, 0.0, -1.0);
-    position = vec4(vec3(NOWHERE * params.radius), 0.0);
-    normal = flux = vec4(0.0);
-    int last = path.y == 0 ? params.bounces + 1 : params.bounces;
-    for (int bounce = 2; bounce <= last; bounce++) {
-        vec3 direction = cosine_direction(axis, number_at(path, BOUNCE_NUMBER_RAYS + bounce - 2));
-        bvh_hit hit = bvh_meet(place, direction, goes);
-        goes = goes && hit.triangle >= 0;
-        if (goes && chosen == bounce - 1)
-            next = vec4(place + hit.distance * direction, hit.distance);
-        goes = goes && bounce <= params.bounces;
-        if (goes) {
-            vec3 met = place + hit.distance * direction;
-            carried *= reflected(hit) * medium_passes_along(place, direction, hit.distance);
-            float own = dot(carried, vec3(1.0));
-            goes = own > 0.0;
-            all += own;
-            if (weighted_pick(own, all, pick)) {
-                // No packed normal is a float that is not a number.
-                position = vec4(met, uintBitsToFloat(packSnorm4x8(vec4(hit.normal, 0.5))));
-                next.w = -1.0;
-                normal = vec4(hit.normal, 0.0);
-                flux = vec4(carried, 0.0);
-                left = own;
-                chosen = bounce;
-            }
-            place = met + bvh_clearance() * hit.normal;
-            axis = hit.normal;
-        }
+    float vpls_per_try = float(params.vpls) / float(BOUNCE_ROWS * params.later * params.tries);
+    walk_end end = WALK_BEGIN;
+    for (try_number = 0; try_number < params.tries; try_number++) {
+        float start = (float(i * params.tries + try_number) + choice.x) * vpls_per_try;
+        vpl light = vpl_at(min(int(start), params.vpls - 1));
+        walk w = walk(light.position + params.start * light.normal, light.normal, light.flux * vpls_per_try,
+                      light.reach > 0.0);
+        walk_on(w, params.bounces, path.y == 0, chance_of(path), choice.y, end);
     }
-    flux *= all / max(left, 1e-30);
+    bool left = end.flux != vec3(0.0);
+    // No packed normal is a float that is not a number.
+    float code = uintBitsToFloat(packSnorm4x8(vec4(end.normal, 0.5)));
+    position = left ? vec4(end.position, code) : vec4(vec3(NOWHERE * params.radius), 0.0);
+    normal = vec4(end.normal, 2.0);
+    flux = vec4(walk_flux(end), 0.0);
+    next = end.next;
 }

@@ -11,7 +11,7 @@ layout(binding = UNIT_CANDIDATES) uniform sampler2D candidates;
 flat out float value;
 
 void main() {
-    vec4 candidate = texelFetch(candidates, ivec2(gl_VertexID % CANDIDATES_SIDE, gl_VertexID / CANDIDATES_SIDE), 0);
+    vec4 candidate = texelFetch(candidates, ivec2(gl_VertexID % params.side, gl_VertexID / params.side), 0);
     int index = int(candidate.z);
     float density = 1.0 / max(float(light_count) * light_fraction(index), 1e-30);
 #if ROUND > 0

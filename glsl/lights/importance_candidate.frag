@@ -1,4 +1,5 @@
-// Candidate i: a place of a light's domain, and the irradiance that a VPL there gives to the picture. This is its flux times
+// Candidate i: a place of a light's domain, and the irradiance that a VPL there, or its light of later
+// bounces, gives to the picture. This is its flux times
 // the sum of geometry terms with pixels spread evenly over the picture, other pixels for each candidate. One ray tests
 // visibility for all of them: to a pixel picked in proportion to its term, so that the estimate is unbiased.
 #define CLAMP GATHER_CLAMP_DISK
@@ -10,6 +11,9 @@
 #include "shared/importance_map.h"
 #include "visibility/bvh.glsl"
 #include VPL_CHOICE
+#ifdef LATER
+#include "lights/candidate_later.glsl"
+#endif
 
 layout(location = TARGET_RESULT) out vec4 candidate; // place, light, value
 
@@ -34,14 +38,21 @@ float arriving(vpl v, vec2 shift, float pick) {
     return is_blocked(position, normal, end) ? 0.0 : sum;
 }
 
+float value_of(vpl v, vec2 shift, float pick) {
+    float power = dot(v.flux, vec3(1.0));
+    return power > 0.0 ? power * arriving(v, shift, pick) : 0.0;
+}
+
 void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    int i = texel.y * CANDIDATES_SIDE + texel.x, index;
+    int i = texel.y * params.side + texel.x, index;
     vec4 number = numbers_of(i + 1);
     vec2 place;
     vpl_choose(number.xyz, index, place);
     vpl v = vpl_reflected(light_at(index), vpl_share_at(index).measure, place);
-    float power = dot(v.flux, vec3(1.0));
     vec2 shift = fract(number.xy * 31.0 + number.wz);
-    candidate = vec4(place, float(index), power > 0.0 ? power * arriving(v, shift, number.w) : 0.0);
+    candidate = vec4(place, float(index), value_of(v, shift, number.w));
+#ifdef LATER
+    candidate.w += value_of(walked(v, i), shift, number.w);
+#endif
 }

@@ -7,17 +7,28 @@
 
 layout(binding = UNIT_IMPORTANCE_LIGHTS) uniform sampler2D importance_lights;
 
-int light_of(float number) {
+// `end`: 1 by importance, 2 by flux alone.
+int light_of(float number, int end) {
     int last = textureSize(importance_lights, 0).x - 1, index = 0;
-    while (index < last && texelFetch(importance_lights, ivec2(index, 0), 0).g <= number)
+    while (index < last && texelFetch(importance_lights, ivec2(index, 0), 0)[end] <= number)
         index++;
     return index;
 }
 
 // The density there, over the density by flux alone.
 float vpl_choose(vec3 point, out int index, out vec2 place) {
-    index = light_of(point.z);
     vec2 within = point.xy;
+#ifdef LATER
+    // Later light comes by ways that no candidate may have found.
+    if (point.z < START_BY_FLUX) {
+        index = light_of(point.z / START_BY_FLUX, 2);
+        place = within;
+        return vpl_density(index, place);
+    }
+    index = light_of((point.z - START_BY_FLUX) / (1.0 - START_BY_FLUX), 1);
+#else
+    index = light_of(point.z, 1);
+#endif
     ivec2 cell = ivec2(0);
     for (int level = VPL_DENSITY_LEVELS - 2; level >= 0; level--) {
         cell *= 2;

@@ -11,17 +11,19 @@
 #define UNIT_PATH_AREAS (UNIT_OWN + 4)
 #define UNIT_PATH_NUMBERS (UNIT_OWN + 5)
 #define UNIT_PATH_RESULTS (UNIT_OWN + 6) /* what the pass before has of each path */
-#define UNIT_TRIANGLE_ALBEDOS (UNIT_OWN + 7)
-#define UNIT_PATH_STARTS (UNIT_OWN + 8)
 
 /* So many paths share their light out to each VPL: path (i, 0) leaves VPL i, and those of the other rows only light. Textures
  * of paths have a row for each. */
 #define BOUNCE_ROWS 4
 
+/* A path that starts by importance tries so many walks, and leaves their light at one place. */
+#define BOUNCE_TRIES 4
+
 /* So many VPLs share out the light of their paths among them: a multiple of what pixels take at once. */
 #define BOUNCE_POOL 512
 
-/* A path's numbers: which VPL it begins at and where it leaves its light, and then the directions of its rays. */
+/* A path's numbers: which VPL it begins at and where it leaves its light, and then the directions of its first
+ * WALK_SURE rays. */
 #define BOUNCE_NUMBER_CHOICE 0
 #define BOUNCE_NUMBER_RAYS 1
 
@@ -34,7 +36,8 @@ struct bounce_params {
     int bounces;
     float start;  /* above a VPL of the light's own map, metres */
     float radius; /* of the scene */
-    float unused0, unused1, unused2;
+    int tries; /* walks of a path, at most BOUNCE_TRIES */
+    float unused0, unused1;
 };
 PASS_BLOCK(bounce_params, 32)
 

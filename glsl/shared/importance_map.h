@@ -8,14 +8,20 @@
 #define UNIT_IMPORTANCE_VALUES (UNIT_OWN + 1)
 #define UNIT_IMPORTANCE_LIGHTS (UNIT_OWN + 2)
 
-#define CANDIDATES_SIDE 64 /* squared: candidates of a round */
+/* Squared: candidates of a round, for VPLs and for starts of paths. */
+#define CANDIDATES_SIDE 64
+#define CANDIDATES_SIDE_LATER 128
 #define CANDIDATE_PIXELS 64
 
 struct importance_map_params {
     ivec2 tiles; /* of the map, along either side */
     float vpls;  /* N */
+    int bounces; /* that light of later bounces has; likewise: */
+    float start; /* above a VPL of the light's own map, metres */
+    float area;  /* of a VPL of later bounces, m2 */
+    int side;    /* squared: candidates of a round */
     float unused;
 };
-PASS_BLOCK(importance_map_params, 16)
+PASS_BLOCK(importance_map_params, 32)
 
 #endif

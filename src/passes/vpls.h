@@ -25,7 +25,7 @@ struct vpl_weights {
 
 /* Where VPLs matter (passes/lights/importance_map.h). Each light's domain is a tile of VPL_DENSITY_SIDE cells a side.
  * values: of candidates, sum and number in each cell, RG32F; mip levels have means.
- * lights: a texel a light, RG32F: its VPLs over its VPLs by flux; the fraction of VPLs up to it.
+ * lights: a texel a light, RGBA32F: its VPLs over its VPLs by flux; the fraction of VPLs up to it; that by flux alone.
  * densities: of each cell, VPLs over VPLs by flux alone, R32F. */
 struct importance_map {
     struct texture values, lights, densities;

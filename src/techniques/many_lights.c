@@ -1,6 +1,8 @@
 /* A frame of the passes that the techniques share. */
 #include "techniques/many_lights.h"
 
+#include "passes/frame.h"
+
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
     geometry_pass_render_lights(&lights->geometry, frame, lights->rsm);
     vpl_pass_share_out(&lights->vpl, frame);
@@ -12,7 +14,11 @@ void many_lights_render_vpls(struct many_lights *lights, const struct frame *fra
                                       &lights->importance.map);
     if (lights->bounces == 1)
         return;
-    bounce_pass_render(&lights->bounce, frame, &lights->vpls);
+    bool starts = many_lights_follow_camera(lights);
+    if (starts)
+        path_starts_render(&lights->path_starts, frame, lights->rsm,
+                           bounce_pass_follow(&lights->bounce, frame->geometry));
+    bounce_pass_render(&lights->bounce, frame, starts ? &lights->path_starts.vpls : &lights->vpls);
     vpl_pass_sum_up(&lights->vpl, &lights->bounce.vpls);
 }
 

@@ -10,6 +10,7 @@
 #include "passes/gather/near_field.h"
 #include "passes/lights/bounce.h"
 #include "passes/lights/importance_map.h"
+#include "techniques/path_starts.h"
 #include "passes/lights/vpl.h"
 #include "passes/picture/geometry.h"
 #include "techniques/technique.h"
@@ -116,6 +117,7 @@ struct many_lights {
     struct vpl_buffer vpls;
     int bounces; /* where more than one: */
     struct bounce_pass bounce;
+    struct path_starts path_starts;          /* where VPLs are placed by importance */
     struct near_field_pass near_field;       /* clamp=near */
     struct specular_rays_pass specular_rays; /* specular=rays */
     /* As large as the picture: */

@@ -6,7 +6,9 @@
 #include "scene/animation.h"
 #include "scene/caustics.h"
 #include "scene/material.h"
+#include "shared/bounce.h"
 #include "shared/gather.h"
+#include "shared/vpl.h"
 
 #include <math.h>
 
@@ -231,11 +233,6 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     lights->bounces = own->bounces;
-    /* Lamps next door, whose light comes by later bounces as well. A row of a texture holds no
-     * more on some devices. */
-    const int most_by_power = 16384;
-    bool by_power = many_lights_follow_camera(lights) && !has_light_samples(desc->lights) &&
-                    own->vpls <= most_by_power;
     return lights->bounces == 1 ||
            bounce_pass_init(&lights->bounce,
                             &(struct bounce_desc){
@@ -246,7 +243,7 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
                                 .casters = desc->casters,
                                 .bounces = own->bounces,
                                 .medium = lights->medium,
-                                .by_power = by_power ? own->vpls : 0,
+                                .seen = many_lights_follow_camera(lights),
                                 .count = own->paths,
                                 .seed = own->seed,
                             });
@@ -296,6 +293,27 @@ static bool wants_importance(const struct many_lights *lights, const struct tech
                                    many_lights_may_trace(desc->scene, desc->geometry)));
 }
 
+/* Several for each path, as long as there are no more than VPLs may be. */
+static int starts_of(int vpls) {
+    int paths = vpls * BOUNCE_ROWS, tries = VPLS_MAX / paths;
+    return paths * (tries < BOUNCE_TRIES ? tries : BOUNCE_TRIES);
+}
+
+/* Where the first bounce's light matters says little of later bounces: they have a map of their own. */
+static bool init_path_starts(struct many_lights *lights, const struct technique_desc *desc) {
+    const struct lights_settings *own =
+        settings_of(struct lights_settings, desc->settings, &lights_part);
+    return own->bounces == 1 || !many_lights_follow_camera(lights) ||
+           path_starts_init(&lights->path_starts,
+                            &(struct path_starts_desc){.casters = desc->casters,
+                                                       .lights = desc->lights->lights,
+                                                       .count = starts_of(own->paths),
+                                                       .bounces = own->bounces,
+                                                       .seed = own->seed,
+                                                       .medium = lights->medium,
+                                                       .slides = lights->slides});
+}
+
 static bool init_importance(struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
@@ -322,12 +340,16 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                     .has_mappings = materials_have_mappings(desc->scene),
                                     .facets = sends_as_facets(desc)}) &&
         init_importance(lights, desc) &&
-        vpl_pass_init(&lights->vpl, &(struct vpl_desc){own->vpls, own->seed, reach,
-                                                       many_lights_follow_camera(lights),
-                                                       lights->medium, lights->slides}) &&
+        vpl_pass_init(&lights->vpl,
+                      &(struct vpl_desc){.count = own->vpls,
+                                         .seed = own->seed,
+                                         .reach = reach,
+                                         .by_importance = many_lights_follow_camera(lights),
+                                         .medium = lights->medium,
+                                         .slides = lights->slides}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
-        init_sized(lights, desc) && init_specular_rays(lights, desc) &&
-        init_near_field(lights, desc))
+        init_path_starts(lights, desc) && init_sized(lights, desc) &&
+        init_specular_rays(lights, desc) && init_near_field(lights, desc))
         return true;
     many_lights_free(lights);
     return false;
@@ -350,6 +372,7 @@ void many_lights_free(struct many_lights *lights) {
     vpl_pass_free(&lights->vpl);
     vpl_buffer_free(&lights->vpls);
     bounce_pass_free(&lights->bounce);
+    path_starts_free(&lights->path_starts);
     near_field_pass_free(&lights->near_field);
     specular_rays_pass_free(&lights->specular_rays);
     free_sized(lights);

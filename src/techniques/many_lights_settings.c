@@ -21,9 +21,10 @@ static const struct option lights_table[] = {
      .help = "texels along each side of a reflective shadow map;\n"
              "reduced for more than 4 light views or 21 point lights",
      .needs = VIRTUAL_LIGHTS},
-    {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 8,
+    {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 1000,
      .help = "number of indirect bounces; in a room the first has half to three\n"
-             "quarters of the indirect light; light paths from VPLs add the others",
+             "quarters of the indirect light; light paths from VPLs add the others;\n"
+             "past the eighth, chance ends paths as often as surfaces absorb light",
      .needs = "volume.volume!=ao"},
     {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
      .help = "number of VPLs of later bounces, P; 4 P light paths are traced,\n"

@@ -69,6 +69,10 @@ struct set_desc {
     bool follow, by_importance;
 };
 
+bool val_set_has_maps(const struct val_set *set) {
+    return set->visibility.lookup != VISIBILITY_LOOKUP_TRACED;
+}
+
 static bool init_cluster(struct val_set *set, const struct settings *settings,
                          const struct set_desc *of) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
@@ -158,11 +162,6 @@ enum visibility_lookup vals_lookup(const struct settings *settings) {
     return lookups[own->visibility];
 }
 
-/* Somebody looks them up. */
-static bool has_maps(const struct val_set *set) {
-    return set->visibility.lookup != VISIBILITY_LOOKUP_TRACED;
-}
-
 static bool init_set(struct val_set *set, const struct technique_desc *desc,
                      const struct set_desc *of) {
     const struct vals_settings *own = settings_of(struct vals_settings, desc->settings, &vals_part);
@@ -174,7 +173,8 @@ static bool init_set(struct val_set *set, const struct technique_desc *desc,
     set->casters = desc->casters;
     set->corrected = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
                      many_lights_may_trace(desc->scene, desc->geometry);
-    return init_cluster(set, desc->settings, of) && (!has_maps(set) || init_maps(set, desc)) &&
+    return (!val_set_has_maps(set) ||
+            (init_cluster(set, desc->settings, of) && init_maps(set, desc))) &&
            ((lookup != VISIBILITY_LOOKUP_TRACED && !set->corrected) ||
             caster_pool_acquire_tree(set->casters, &set->tree)) &&
            init_blocks(&set->blocks, set, desc->width, desc->height) &&
@@ -253,11 +253,11 @@ bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int h
 
 static void render_set(struct val_set *set, const struct frame *frame,
                        const struct gbuffer *gbuffer, const struct vpl_buffer *vpls) {
+    if (!val_set_has_maps(set))
+        return;
     if (gbuffer)
         vpl_weight_pass_render(&set->weight, frame, gbuffer, vpls);
     cluster_pass_render(&set->cluster, frame, vpls);
-    if (!has_maps(set))
-        return;
     timer_begin(frame->timers, "maps");
     paraboloid_pass_render(&set->paraboloid, frame, &set->cluster.views);
     if (set->convolve)
@@ -270,6 +270,10 @@ void vals_render(struct vals *vals, struct many_lights *lights, const struct fra
     render_set(&vals->first, frame, gbuffer, &lights->vpls);
     if (lights->bounces > 1)
         render_set(&vals->later, frame, gbuffer, &lights->bounce.vpls);
+}
+
+const struct vpl_buffer *vals_vpls(const struct val_set *set, const struct vpl_buffer *vpls) {
+    return val_set_has_maps(set) ? &set->cluster.vpls : vpls;
 }
 
 struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,
@@ -306,9 +310,8 @@ void vals_outputs(const struct vals *vals, struct output_list *outputs) {
         {"visibility", "the soft shadow of each VAL alone [Dong 2009 Fig. 9]", OUTPUT_VISIBILITY,
          &vals->output},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
-        if (rows[i].kind != OUTPUT_MAP_DEPTH || has_maps(&vals->first))
-            output_add(outputs, &rows[i]);
+    for (size_t i = 0; val_set_has_maps(&vals->first) && i < sizeof rows / sizeof *rows; i++)
+        output_add(outputs, &rows[i]);
     if (vals->first.convolve)
         add_bases(&vals->first.basis.maps, outputs);
 }

@@ -28,7 +28,8 @@ extern const struct settings_part vals_part;
 /* Those of some VPLs. */
 struct val_set {
     struct vpl_weight_pass weight; /* where VPLs count by importance */
-    struct cluster_pass cluster;   /* has the VPLs with their VALs' numbers */
+    struct cluster_pass
+        cluster; /* has the VPLs with their VALs' numbers; not of visibility=traced unless shared */
     struct paraboloid_pass paraboloid;
     struct basis_pass basis;
     int block; /* pixels a side, of any picture; 0: each pixel looks itself up */
@@ -62,6 +63,12 @@ bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int h
  * sees; else once for all views, and without a G-buffer. */
 void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame,
                  const struct gbuffer *gbuffer);
+
+/* Whether VPLs are clustered and VALs have maps: lookups read these, rays through all triangles need neither. */
+bool val_set_has_maps(const struct val_set *set);
+
+/* The VPLs of a set, with their VALs' numbers where lookups read these; else `vpls`, which they are made of. */
+const struct vpl_buffer *vals_vpls(const struct val_set *set, const struct vpl_buffer *vpls);
 
 /* Visibility by blocks, where it is shared; and what a gather of lights reads beside them: maps, blocks. */
 struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,

@@ -6,35 +6,25 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
+#include "passes/targets.h"
 #include "scene/mesh/triangle_albedos.h"
 #include "shared/bounce.h"
+#include "shared/light_walk.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Where the light's own map has a VPL, its texels may lie below the surface by as much: over the scene's radius. */
-static const float start_above = 1e-3F;
-
 /* --- programs and targets --------------------------------------------------------------------- */
 
 static bool init_path_program(struct bounce_pass *pass) {
     char *defines =
-        mem_printf("%sPATH_START lights/path_start_%s.glsl", pass->desc.medium ? "HAS_MEDIUM;" : "",
-                   pass->desc.by_power ? "by_power" : "even");
+        mem_printf("%sPATH_WEIGHT lights/path_weight_%s.glsl",
+                   light_defines(pass->desc.medium, false), pass->desc.seen ? "seen" : "even");
     const struct program_desc desc = {.screen = {"lights/bounce_path.frag"}, .defines = defines};
     bool ok = program_init(&pass->path_program, &desc);
     free(defines);
     return ok;
-}
-
-static bool init_starts(struct bounce_pass *pass) {
-    const struct texture_desc starts = {
-        .label = "starts of paths", .format = GL_R32F, .width = pass->desc.by_power, .height = 1};
-    return !pass->desc.by_power ||
-           (program_init(&pass->start_program,
-                         &(struct program_desc){.screen = {"lights/path_starts.frag"}}) &&
-            framebuffer_init_target(&pass->starts, &pass->start_framebuffer, &starts));
 }
 
 static bool init_programs(struct bounce_pass *pass) {
@@ -101,9 +91,14 @@ static double number_of(uint32_t i, int number, int axis, int seed) {
     return fmod(radical_inverse(base, i) + (seed ? radical_inverse(base, (uint32_t)seed) : 0), 1);
 }
 
+static int numbers_each(const struct bounce_pass *pass) {
+    int bounces = pass->desc.bounces;
+    return BOUNCE_NUMBER_RAYS + (bounces < WALK_SURE ? bounces : WALK_SURE);
+}
+
 /* Passes of a picture that converges go on in the sequence. */
 static void deal_numbers(struct bounce_pass *pass, int frame_pass) {
-    int count = pass->desc.count, each = BOUNCE_NUMBER_RAYS + pass->desc.bounces;
+    int count = pass->desc.count, each = numbers_each(pass);
     float(*numbers)[2] = mem_alloc((size_t)count * (size_t)(BOUNCE_ROWS * each), sizeof *numbers);
     for (int row = 0; row < BOUNCE_ROWS; row++)
         for (int number = 0; number < each; number++)
@@ -120,11 +115,11 @@ static void deal_numbers(struct bounce_pass *pass, int frame_pass) {
 }
 
 static bool init_numbers(struct bounce_pass *pass) {
-    int each = BOUNCE_NUMBER_RAYS + pass->desc.bounces;
-    if (!texture_init(&pass->numbers, &(struct texture_desc){.label = "numbers of paths",
-                                                             .format = GL_RG32F,
-                                                             .width = pass->desc.count,
-                                                             .height = BOUNCE_ROWS * each}))
+    if (!texture_init(&pass->numbers,
+                      &(struct texture_desc){.label = "numbers of paths",
+                                             .format = GL_RG32F,
+                                             .width = pass->desc.count,
+                                             .height = BOUNCE_ROWS * numbers_each(pass)}))
         return false;
     deal_numbers(pass, 0);
     return true;
@@ -163,8 +158,7 @@ static bool init_albedos(struct bounce_pass *pass, const struct geometry *geomet
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) {
     *pass = (struct bounce_pass){.desc = *desc};
     if (caster_pool_acquire_tree(desc->casters, &pass->tree) && init_programs(pass) &&
-        init_targets(pass) && init_starts(pass) && init_numbers(pass) &&
-        init_albedos(pass, desc->geometry) &&
+        init_targets(pass) && init_numbers(pass) && init_albedos(pass, desc->geometry) &&
         vpl_buffer_init(&pass->vpls, "VPLs of bounces", desc->count) &&
         buffer_init(&pass->params, "paths' parameters", sizeof(struct bounce_params), NULL))
         return true;
@@ -181,7 +175,6 @@ void bounce_pass_free(struct bounce_pass *pass) {
     program_free(&pass->seen_program);
     program_free(&pass->kept_program);
     program_free(&pass->vpl_program);
-    program_free(&pass->start_program);
     free_albedos(pass);
     framebuffer_free(&pass->path_framebuffer);
     framebuffer_free(&pass->area_framebuffer);
@@ -189,7 +182,6 @@ void bounce_pass_free(struct bounce_pass *pass) {
     framebuffer_free(&pass->shared_framebuffer);
     framebuffer_free(&pass->seen_framebuffer);
     framebuffer_free(&pass->kept_framebuffer);
-    framebuffer_free(&pass->start_framebuffer);
     texture_free(&pass->numbers);
     texture_free(&pass->positions);
     texture_free(&pass->normals);
@@ -200,7 +192,6 @@ void bounce_pass_free(struct bounce_pass *pass) {
     texture_free(&pass->shared);
     texture_free(&pass->seen);
     texture_free(&pass->kept);
-    texture_free(&pass->starts);
     vpl_buffer_free(&pass->vpls);
     buffer_free(&pass->params);
     *pass = (struct bounce_pass){0};
@@ -208,19 +199,24 @@ void bounce_pass_free(struct bounce_pass *pass) {
 
 /* --- the frame -------------------------------------------------------------------------------- */
 
-/* Where there is no memory for metaballs that have grown, the old albedos serve: those past their end are black. */
-static void follow(struct bounce_pass *pass, const struct frame *frame, int vpls) {
-    struct bounce_params params = {.vpls = vpls,
-                                   .later = pass->desc.count,
-                                   .bounces = pass->desc.bounces,
-                                   .start = start_above * frame->geometry->radius,
-                                   .radius = frame->geometry->radius};
+GLuint bounce_pass_follow(struct bounce_pass *pass, const struct geometry *geometry) {
+    if (pass->painted != geometry->painted) {
+        free_albedos(pass);
+        init_albedos(pass, geometry);
+    }
+    return pass->albedo_texels;
+}
+
+static void write_params(struct bounce_pass *pass, const struct frame *frame, int vpls) {
+    struct bounce_params params = {
+        .vpls = vpls,
+        .later = pass->desc.count,
+        .bounces = pass->desc.bounces,
+        .tries = pass->desc.seen ? vpls / (BOUNCE_ROWS * pass->desc.count) : 1,
+        .start = BOUNCE_START * frame->geometry->radius,
+        .radius = frame->geometry->radius};
     if (pass->dealt_pass != frame->pass)
         deal_numbers(pass, frame->pass);
-    if (pass->painted != frame->geometry->painted) {
-        free_albedos(pass);
-        init_albedos(pass, frame->geometry);
-    }
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
@@ -245,16 +241,6 @@ static void draw_rows(struct pass_state *state, GLuint framebuffer, int width, i
     pass_draw_fullscreen(1);
 }
 
-static void find_starts(const struct bounce_pass *pass, const struct vpl_buffer *vpls) {
-    struct pass_state state = {
-        .name = "bounces",
-        .program = pass->start_program,
-        .textures = {{UNIT_VPLS, vpls->texels}},
-        .blocks = {{BLOCK_PASS, &pass->params}},
-    };
-    draw_rows(&state, pass->start_framebuffer, pass->desc.by_power, 1);
-}
-
 static void trace_paths(const struct bounce_pass *pass, const struct frame *frame,
                         const struct vpl_buffer *vpls) {
     struct pass_state trace = {
@@ -266,9 +252,12 @@ static void trace_paths(const struct bounce_pass *pass, const struct frame *fram
                      {UNIT_PATH_NUMBERS, pass->numbers.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
+    if (pass->desc.seen) {
+        pass_add_block(&trace, BLOCK_VIEW, frame->view);
+        pass_add_texture(&trace, UNIT_GBUFFER_DEPTH, frame->gbuffer->depth.id);
+        pass_add_texture(&trace, UNIT_GBUFFER_NORMAL, frame->gbuffer->normal.id);
+    }
     frame_add_medium(frame, &trace);
-    if (pass->desc.by_power)
-        pass_add_texture(&trace, UNIT_PATH_STARTS, pass->starts.id);
     draw_rows(&trace, pass->path_framebuffer, pass->desc.count, BOUNCE_ROWS);
 }
 
@@ -276,9 +265,8 @@ void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
                         const struct vpl_buffer *vpls) {
     int count = pass->desc.count;
     timer_begin(frame->timers, "bounces");
-    follow(pass, frame, vpls->count);
-    if (pass->desc.by_power)
-        find_starts(pass, vpls);
+    bounce_pass_follow(pass, frame->geometry);
+    write_params(pass, frame, vpls->count);
     trace_paths(pass, frame, vpls);
     struct pass_state areas = state_of(pass, pass->area_program),
                       shares = state_of(pass, pass->share_program),

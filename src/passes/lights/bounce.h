@@ -1,9 +1,10 @@
 /* Light of later bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
- * Each of 4 P paths takes an even share of the first bounce's VPLs, or a share by power (lights/path_starts.frag). It
- * follows the light from surface to surface by rays through the scene's triangles (glsl/lights/bounce_path.frag). It
- * leaves the light of all its bounces at one of its surfaces, picked by light: one gather of the picture serves all bounces. What there is of light is right on the mean, whatever the scene is
- * made of: nothing leaks, and nothing is lost between what is near.
+ * Each of 4 P paths takes an even share of the first bounce's VPLs, or of starts of its light.
+ * It follows the light from surface to surface by rays through the scene's triangles (glsl/lights/light_walk.glsl). It
+ * leaves the light of all its bounces at one of its surfaces, picked by light: one gather of the picture serves all bounces.
+ * What there is of light is right on the mean, whatever the scene is made of: nothing leaks, and nothing is lost between
+ * what is near. There may be any number of bounces: past the eighth, chance ends paths as often as surfaces absorb light.
  *
  * Where every fourth has left its light there is a VPL, and VPLs share out the light of the others: a pixel looks at P
  * places, and what they send is known of 4 P paths, so that the picture is steadier and errs less (bench/STABILITY.md). Pools
@@ -34,19 +35,16 @@ struct bounce_desc {
     enum materials materials;
     bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
     int bounces;
-    bool medium;  /* frames have one */
-    int by_power; /* N of VPLs by importance, at whose power paths look; 0: VPLs are by flux */
-    int count;    /* P */
-    int seed;     /* 0 = Halton's points as they are; else shifted on the torus */
+    bool medium; /* frames have one */
+    bool seen;   /* paths start by importance, and leave light where pixels see it */
+    int count;   /* P */
+    int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
 };
 
 struct bounce_pass {
     struct bounce_desc desc;
     GLuint path_program, area_program, share_program, flux_program, vpl_program;
     GLuint seen_program, kept_program;
-    GLuint start_program;  /* by_power; likewise: */
-    struct texture starts; /* N x 1, R32F: fraction of the paths that begin at VPLs up to each */
-    GLuint start_framebuffer;
     const struct caster_bvh *tree;
     struct buffer albedos; /* struct triangle_albedo of each triangle */
     GLuint albedo_texels;
@@ -68,7 +66,11 @@ struct bounce_pass {
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc);
 void bounce_pass_free(struct bounce_pass *pass);
 
-/* From the first bounce's VPLs to pass->vpls. Timer "bounces". */
+/* Follows a change of the geometry's triangles. Returns the buffer texture of their albedos, at UNIT_TRIANGLE_ALBEDOS. Where
+ * memory for metaballs that have grown is lacking, triangles without an albedo are black. */
+GLuint bounce_pass_follow(struct bounce_pass *pass, const struct geometry *geometry);
+
+/* From the first bounce's VPLs, or from starts of its light, to pass->vpls. Timer "bounces". */
 void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
                         const struct vpl_buffer *vpls);
 

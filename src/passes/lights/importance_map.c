@@ -1,26 +1,38 @@
 #include "passes/lights/importance_map.h"
 
+#include "base/memory.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "shared/importance_map.h"
+#include "shared/light_walk.h"
+
+#include <stdlib.h>
 
 static_assert(VPL_DENSITY_SIDE == 1 << (VPL_DENSITY_LEVELS - 1), "levels down to one cell");
 
-enum { CANDIDATES = CANDIDATES_SIDE * CANDIDATES_SIDE }; /* of a round */
+/* Squared: candidates of a round. */
+static int side_of(const struct importance_map_pass *pass) {
+    return pass->desc.bounces > 1 ? CANDIDATES_SIDE_LATER : CANDIDATES_SIDE;
+}
+
+/* Area of a VPL of later bounces, over the squared radius of the scene. */
+static const float later_area = 1e-3F;
 
 static bool init_round(struct importance_map_pass *pass, int round) {
-    static const char *const choices[IMPORTANCE_ROUNDS] = {
-        "VPL_CHOICE lights/candidate_by_light.glsl", "VPL_CHOICE lights/vpl_by_importance.glsl"};
-    static const char *const rounds[IMPORTANCE_ROUNDS] = {"ROUND 0", "ROUND 1"};
-    return program_init(&pass->candidate_programs[round],
-                        &(struct program_desc){.screen = {"lights/importance_candidate.frag"},
-                                               .defines = choices[round]}) &&
-           program_init(&pass->add_programs[round],
-                        &(struct program_desc){.vertex = "lights/importance_add.vert",
-                                               .fragment = "lights/importance_add.frag",
-                                               .defines = rounds[round]});
+    static const char *const choices[] = {"candidate_by_light", "vpl_by_importance"};
+    char *defines = mem_printf("ROUND %d;%sVPL_CHOICE lights/%s.glsl", round,
+                               pass->desc.bounces > 1 ? "LATER;" : "", choices[round > 0]);
+    bool ok = program_init(&pass->candidate_programs[round],
+                           &(struct program_desc){.screen = {"lights/importance_candidate.frag"},
+                                                  .defines = defines}) &&
+              program_init(&pass->add_programs[round],
+                           &(struct program_desc){.vertex = "lights/importance_add.vert",
+                                                  .fragment = "lights/importance_add.frag",
+                                                  .defines = defines});
+    free(defines);
+    return ok;
 }
 
 static bool init_programs(struct importance_map_pass *pass) {
@@ -46,8 +58,8 @@ static bool init_targets(struct importance_map_pass *pass) {
     struct importance_map *map = &pass->map;
     const struct texture_desc candidates = {.label = "VPL candidates",
                                             .format = GL_RGBA32F,
-                                            .width = CANDIDATES_SIDE,
-                                            .height = IMPORTANCE_ROUNDS * CANDIDATES_SIDE},
+                                            .width = side_of(pass),
+                                            .height = IMPORTANCE_ROUNDS * side_of(pass)},
                               values = {.label = "importance values",
                                         .format = GL_RG32F,
                                         .width = tiles[0] * VPL_DENSITY_SIDE,
@@ -55,7 +67,7 @@ static bool init_targets(struct importance_map_pass *pass) {
                                         .levels = VPL_DENSITY_LEVELS,
                                         .filter = FILTER_TRILINEAR},
                               lights = {.label = "importance of lights",
-                                        .format = GL_RG32F,
+                                        .format = GL_RGBA32F,
                                         .width = pass->desc.lights,
                                         .height = 1},
                               densities = {.label = "VPL densities",
@@ -103,13 +115,14 @@ void importance_map_pass_free(struct importance_map_pass *pass) {
 static void draw_candidates(const struct importance_map_pass *pass, const struct frame *frame,
                             const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct buffer *shares,
                             int round) {
+    int side = side_of(pass);
     struct pass_state state = {
         .name = "importance map",
         .program = pass->candidate_programs[round],
         .framebuffer = pass->candidate_framebuffer,
-        .y = round * CANDIDATES_SIDE,
-        .width = CANDIDATES_SIDE,
-        .height = CANDIDATES_SIDE,
+        .y = round * side,
+        .width = side,
+        .height = side,
         .textures = {{UNIT_GBUFFER_DEPTH, frame->gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, frame->gbuffer->normal.id},
                      {UNIT_BVH, pass->bvh->texels}},
@@ -119,6 +132,8 @@ static void draw_candidates(const struct importance_map_pass *pass, const struct
                    {BLOCK_VPL_SHARES, shares}},
     };
     rsm_add(&state, rsm);
+    if (pass->desc.bounces > 1)
+        pass_add_texture(&state, UNIT_TRIANGLE_ALBEDOS, pass->albedos);
     if (round > 0)
         importance_map_add(&state, &pass->map);
     pass_set_state(&state);
@@ -144,7 +159,7 @@ static void add_values(const struct importance_map_pass *pass, const struct fram
         pass_add_texture(&state, UNIT_VPL_DENSITY, pass->map.densities.id);
     framebuffer_clear_color(pass->value_framebuffer, TARGET_RESULT, (float[]){0, 0, 0, 0});
     pass_set_state(&state);
-    pass_draw(GL_POINTS, (round + 1) * CANDIDATES, 1);
+    pass_draw(GL_POINTS, (round + 1) * side_of(pass) * side_of(pass), 1);
     gl.GenerateTextureMipmap(pass->map.values.id);
 }
 
@@ -175,7 +190,12 @@ static void find_densities(const struct importance_map_pass *pass, const struct 
 void importance_map_pass_render(const struct importance_map_pass *pass, const struct frame *frame,
                                 const struct gbuffer rsm[LIGHT_MAP_KINDS],
                                 const struct buffer *shares) {
-    struct importance_map_params params = {.vpls = (float)pass->desc.vpls};
+    float radius = frame->geometry->radius;
+    struct importance_map_params params = {.vpls = (float)pass->desc.vpls,
+                                           .bounces = pass->desc.bounces,
+                                           .start = BOUNCE_START * radius,
+                                           .area = later_area * radius * radius,
+                                           .side = side_of(pass)};
     find_tiles(pass->desc.lights, params.tiles);
     timer_begin(frame->timers, "importance map");
     buffer_write(&pass->params, 0, sizeof params, &params);

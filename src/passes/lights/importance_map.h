@@ -1,10 +1,11 @@
-/* Where VPLs matter to the picture: an importance map over the domain of each light, by which VPLs are placed
- * [Georgiev and Slusallek 2010; Ritschel et al. 2011].
+/* Where VPLs matter to the picture, or starts of paths of light: an importance map over the domain of each light, by which
+ * they are placed [Georgiev and Slusallek 2010; Ritschel et al. 2011].
  *
  * Two rounds draw 4096 candidates each, the second round by the map of the first. The value of a candidate is the irradiance
  * that a VPL there gives to 64 pixels of the picture, with one ray for visibility (glsl/lights/importance_candidate.frag).
  * Values add up in cells of the lights' domains. VPLs are Halton points warped by the map, a quarter of them as by flux alone,
- * and divide their flux by their density: their light is right on the mean, whatever the map holds.
+ * and divide their flux by their density: their light is right on the mean, whatever the map holds. A map of later bounces
+ * counts each candidate where its light walks to, and leaves half of the starts to flux alone.
  *
  * The map depends on the camera and on nothing drawn before. Cost: 8192 rays, half a million geometry terms.
  */
@@ -21,6 +22,7 @@ struct importance_map_desc {
     struct caster_pool *casters; /* must outlive the pass */
     int lights;                  /* of the frame's layout, at least 1 */
     int vpls;                    /* N */
+    int bounces;                 /* more than 1: where light of the second bounce and on starts */
 };
 
 enum { IMPORTANCE_ROUNDS = 2 };
@@ -35,6 +37,7 @@ struct importance_map_pass {
     struct importance_map map;
     GLuint candidate_framebuffer, value_framebuffer, light_framebuffer, density_framebuffer;
     struct buffer params;
+    GLuint albedos; /* bounces > 1: of triangles, to be set before the pass renders */
 };
 
 /* Error: driver, memory, or more triangles than OpenGL has room for. */

@@ -26,9 +26,9 @@ struct vpl_point {
 static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
-    char *vpl_defines = mem_printf("%sVPL_CHOICE lights/vpl_by_%s.glsl",
-                                   light_defines(pass->desc.medium, pass->desc.slides),
-                                   pass->desc.by_importance ? "importance" : "flux");
+    char *vpl_defines = mem_printf(
+        "%s%sVPL_CHOICE lights/vpl_by_%s.glsl", light_defines(pass->desc.medium, pass->desc.slides),
+        pass->desc.of_paths ? "LATER;" : "", pass->desc.by_importance ? "importance" : "flux");
     const struct program_desc vpl = {.vertex = "lights/vpl.vert", .defines = vpl_defines};
     bool ok =
         program_init(&pass->program, &vpl) &&
@@ -98,7 +98,8 @@ static void deal_points(struct vpl_pass *pass, int frame_pass) {
 
 /* In three dimensions, of which the third chooses the light by importance, on the GPU. */
 static void spread_points(struct vpl_pass *pass, int frame_pass) {
-    static const uint32_t bases[] = {2, 3, 5};
+    /* Directions of paths have the numbers between. */
+    const uint32_t bases[] = {2, 3, pass->desc.of_paths ? 73 : 5};
     int count = pass->desc.count;
     uint32_t first = (uint32_t)frame_pass * (uint32_t)count;
     for (int i = 0; i < count; i++) {

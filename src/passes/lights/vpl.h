@@ -27,8 +27,9 @@ struct vpl_desc {
     int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
     float reach; /* of the near field that is asked for, in spacings of VPLs */
     bool by_importance;
-    bool medium; /* frames have one */
-    bool slides; /* lights may have some */
+    bool of_paths; /* places where paths of light start; by importance of later bounces */
+    bool medium;   /* frames have one */
+    bool slides;   /* lights may have some */
 };
 
 struct vpl_pass {

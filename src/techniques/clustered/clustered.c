@@ -48,7 +48,7 @@ static void render_lights(void *state, const struct frame *frame) {
 static void gather(const struct clustered *technique, const struct val_set *vals, bool later,
                    const struct frame *frame, const struct gbuffer *gbuffer) {
     struct gather_inputs inputs = vals_render_blocks(vals, frame, gbuffer);
-    inputs.vpls = &vals->cluster.vpls;
+    inputs.vpls = vals_vpls(vals, later ? &technique->lights.bounce.vpls : &technique->lights.vpls);
     inputs.later = later;
     many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
 }
@@ -66,7 +66,8 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
 
 static void outputs(const void *state, struct output_list *outputs) {
     const struct clustered *technique = state;
-    many_lights_outputs(&technique->lights, &technique->vals.first.cluster.vpls, outputs);
+    const struct many_lights *lights = &technique->lights;
+    many_lights_outputs(lights, vals_vpls(&technique->vals.first, &lights->vpls), outputs);
     vals_outputs(&technique->vals, outputs);
 }
 

@@ -1,0 +1,82 @@
+// Light walks from surface to surface: a ray in a direction by the cosine, and of its flux what the surface there reflects
+// [Keller 1997]. At one of its surfaces, picked by flux times weight, it leaves the flux of all. Past WALK_SURE bounces chance
+// ends a walk as often as surfaces absorb light, and walks that go on keep their flux [Arvo and Kirk 1990]: no light is lost.
+// Includers define the functions that are declared here.
+#include "visibility/bvh.glsl"
+#include "lib/medium.glsl"
+#include "lib/random.glsl"
+#include "lib/tangent.glsl"
+#include "lib/weighted_pick.glsl"
+#include "shared/light_walk.h"
+
+vec2 walk_number(int ray);
+float walk_weight(vec3 position, vec3 normal);
+
+layout(binding = UNIT_TRIANGLE_ALBEDOS) uniform samplerBuffer albedos; // A: 1 where backs reflect, too
+
+struct walk {
+    vec3 place, axis, carried;
+    bool goes;
+};
+
+// Where walks leave their flux, so far.
+struct walk_end {
+    vec3 position, normal, flux;
+    vec4 next; // where light goes from there; A: how far, -1: it meets nothing
+    float all, own; // flux times weight, of all surfaces and of this one
+};
+
+const walk_end WALK_BEGIN = walk_end(vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0, 0.0, 0.0, -1.0), 0.0, 0.0);
+
+vec3 cosine_direction(vec3 axis, vec2 number) {
+    float turn = 6.28318530718 * number.y, radius = sqrt(number.x);
+    vec3 right = perpendicular(axis);
+    return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
+}
+
+vec3 reflected(bvh_hit hit) {
+    vec4 albedo = texelFetch(albedos, hit.triangle);
+    return hit.back ? albedo.rgb * albedo.a : albedo.rgb;
+}
+
+// `pick` picks the surface, `chance` is another number for each walk. One more ray than bounces tells the next place.
+void walk_on(walk w, int bounces, bool one_more, uvec2 chance, inout float pick, inout walk_end end) {
+    int chosen = 0, last = one_more ? bounces + 1 : bounces;
+    for (int bounce = 2; bounce <= last && w.goes; bounce++) {
+        vec3 direction = cosine_direction(w.axis, walk_number(bounce - 2));
+        bvh_hit hit = bvh_meet(w.place, direction, true);
+        w.goes = hit.triangle >= 0;
+        if (w.goes && chosen == bounce - 1)
+            end.next = vec4(w.place + hit.distance * direction, hit.distance);
+        w.goes = w.goes && bounce <= bounces;
+        if (w.goes) {
+            vec3 met = w.place + hit.distance * direction;
+            float before = dot(w.carried, vec3(1.0));
+            w.carried *= reflected(hit) * medium_passes_along(w.place, direction, hit.distance);
+            float own = dot(w.carried, vec3(1.0));
+            w.goes = own > 0.0;
+            if (bounce > WALK_SURE && w.goes) {
+                w.goes = random_of(uvec3(bounce, chance)).x * before < own;
+                w.carried *= before / own;
+                own = w.goes ? before : 0.0;
+            }
+            own *= own > 0.0 ? walk_weight(met, hit.normal) : 1.0;
+            end.all += own;
+            if (weighted_pick(own, end.all, pick)) {
+                end.position = met;
+                end.normal = hit.normal;
+                end.flux = w.carried;
+                end.next.w = -1.0;
+                end.own = own;
+                chosen = bounce;
+            }
+            w.place = met + bvh_clearance() * hit.normal;
+            w.axis = hit.normal;
+        }
+    }
+}
+
+// That of all surfaces.
+vec3 walk_flux(walk_end end) {
+    return end.flux * (end.all / max(end.own, 1e-30));
+}
