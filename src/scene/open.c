@@ -28,6 +28,8 @@ static bool lay_out(struct scene *scene, struct geometry *geometry, const char *
             return false;
         framing_place(&framing, scene, geometry);
     }
+    if (framing.light >= 0)
+        scene_note_mirrors(scene, geometry);
     scene_note_brightness(scene, geometry);
     return true;
 }

@@ -64,6 +64,19 @@ static const struct row {
     {"a faint point", CUBE "," POINT("[0, 3, 3]"), "0", "1", "1e-6", false},
     {"a faint point and a faint LED",
      CUBE "," SQUARE("0.2", "[0, 1.01, 0]", UP) "," POINT("[0, 3, 3]"), "0.05", "1", "0.1", false},
+    {"a sign on a box, and a lamp that brushes its front",
+     CUBE
+     "," SQUARE("0.6", "[-0.3, 1.02, -0.98]", AHEAD) "," SQUARE("0.2", "[-0.1, 0.8, 1.05]", DOWN),
+     "1", "1", NULL, true},
+    {"beacons on a box, and lamps on its front",
+     CUBE "," SQUARE("0.3", "[-0.8, 1.02, -0.9]", AHEAD) "," SQUARE(
+         "0.4", "[0.4, 1.02, -0.9]", AHEAD) "," SQUARE("0.1", "[-0.8, 0.9, 1.02]",
+                                                       DOWN) "," SQUARE("0.1", "[0.5, 0.9, 1.02]",
+                                                                        DOWN),
+     "0.5", "1", NULL, true},
+    {"a tube before a wall of a hall",
+     ROOM "," SQUARE("0.9", "[-0.9, 0, -2.49]", AHEAD) "," SQUARE("0.05", "[1, 0, -2.3]", DOWN),
+     "0.02", "1", NULL, false},
 };
 
 static const char *write_row(const struct row *row) {
@@ -138,6 +151,47 @@ static void test_notes(void **state) {
     assert_int_equal(run_program("info %s", write_row(&rows[12])), 0);
     expect_text("its lights are dim");
     expect_text("--set exposure=");
+}
+
+/* Metals that mirror nothing but the dark are black by lights without a size. */
+static void test_mirrors(void **state) {
+    (void)state;
+#define METAL(roughness) "\"pbrMetallicRoughness\": {\"roughnessFactor\": " roughness "}"
+    static const struct {
+        const char *what, *material, *nodes, *options;
+        bool is_noted;
+    } cases[] = {
+        {"a mirror", METAL("0"), CUBE, "", true},
+        {"a polished metal", METAL("0.15"), CUBE, "", true},
+        {"glossiness",
+         "\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {\"diffuseFactor\":"
+         " [0, 0, 0, 1], \"specularFactor\": [0.9, 0.8, 0.7], \"glossinessFactor\": 0.95}}",
+         CUBE, "", true},
+        {"a brushed metal", METAL("0.3"), CUBE, "", false},
+        {"gloss of what is no metal",
+         "\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"roughnessFactor\": 0}", CUBE, "",
+         false},
+        {"walls that mirror walls", METAL("0"), ROOM, "", false},
+        {"a light of the user's", METAL("0"), CUBE, "--light '+point position=0,3,3'", false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct cube_bytes cube = make_cube();
+        char materials[512], nodes[256];
+        snprintf(materials, sizeof materials, "[{%s}, {}]", cases[i].material);
+        snprintf(nodes, sizeof nodes, "[%s]", cases[i].nodes);
+        const char *path =
+            write_parts("metal.glb", &(struct gltf_parts){.accessors = ACCESSORS,
+                                                          .materials = materials,
+                                                          .meshes = MESHES,
+                                                          .nodes = nodes,
+                                                          .extra = &cube,
+                                                          .extra_size = sizeof cube});
+        assert_int_equal(run_program("reference %s -o %s --size 8x8 --spp 1 %s", path,
+                                     scratch("metal.exr"), cases[i].options),
+                         0);
+        bool is_noted = strstr(output, "metals mirror nothing") != NULL;
+        check_near(cases[i].what, is_noted, cases[i].is_noted, 0);
+    }
 }
 
 /* Nothing is added where the user names the lights, and the note tells the truth. */
@@ -253,13 +307,10 @@ static void test_case(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lamps),
-        cmocka_unit_test(test_far_and_large),
-        cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_named_lights),
-        cmocka_unit_test(test_notes_of_named_lights),
-        cmocka_unit_test(test_emission_map),
-        cmocka_unit_test(test_case),
+        cmocka_unit_test(test_lamps),        cmocka_unit_test(test_far_and_large),
+        cmocka_unit_test(test_notes),        cmocka_unit_test(test_mirrors),
+        cmocka_unit_test(test_named_lights), cmocka_unit_test(test_notes_of_named_lights),
+        cmocka_unit_test(test_emission_map), cmocka_unit_test(test_case),
     };
     return cmocka_run_group_tests_name("darkness", tests, NULL, NULL);
 }
