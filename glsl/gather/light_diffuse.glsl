@@ -23,7 +23,7 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
     vec3 to_light = light.position - s.position;
     bool is_behind = TERM_OF_POINT && is_behind_horizon(receiver_facet, to_light);
     back = vec3(0.0);
-    vec3 flux = light.flux * medium_passes(length(to_light));
+    vec3 flux = light.flux * medium_passes_between(s.position, light.position);
     return flux * (is_behind ? 0.0 : light_term(i, to_light, s.normal, light));
 }
 

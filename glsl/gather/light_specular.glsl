@@ -47,7 +47,7 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
     vec3 to_light = light.position - s.position;
     vec3 reflected = is_behind_horizon(receiver_facet, to_light) ? vec3(0.0)
                                                                  : specular_light(light, s, light.area * weight);
-    reflected *= medium_passes(length(to_light));
+    reflected *= medium_passes_between(s.position, light.position);
     back = -reflected * near_share(dot(to_light, to_light), light.area, light.reach);
     return reflected;
 }

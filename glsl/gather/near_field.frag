@@ -77,7 +77,7 @@ near_arrival arrival_from(surface receiver, light l, int index, vec2 ndc, float 
     // No branches: a software rasteriser executes both sides.
     bool seen_lit = all(lessThan(abs(ndc), vec2(1.0))) && near.z > 0.0 && cosines > 0.0;
     vec3 light = near.power * (seen_lit ? cosines * inverse * reach2 * share * measure : 0.0);
-    light *= medium_passes(distance(position, receiver.position));
+    light *= medium_passes_between(position, receiver.position);
     return near_arrival(light, position, index);
 }
 

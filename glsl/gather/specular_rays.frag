@@ -107,7 +107,7 @@ vec3 from_light(surface s, specular_surface seen, vec3 direction, float far, int
         visible = mix(arrives(s, hit.end), 1.0, near_share(distance2, area, shares.reach));
     specular_densities there = specular_densities_at(seen, direction, -dot(hit.end.normal, direction), distance2,
                                                      params.rays, area * params.vpl_weight);
-    sent *= medium_passes(sqrt(distance2));
+    sent *= medium_passes_between(s.position, hit.end.position);
     return sent * (specular_weight(there.rays, there.vpls) * visible);
 }
 

@@ -52,7 +52,7 @@ void walk_on(walk w, int bounces, bool one_more, uvec2 chance, inout float pick,
         if (w.goes) {
             vec3 met = w.place + hit.distance * direction;
             float before = dot(w.carried, vec3(1.0));
-            w.carried *= reflected(hit) * medium_passes(hit.distance);
+            w.carried *= reflected(hit) * medium_passes_along(w.place, direction, hit.distance);
             float own = dot(w.carried, vec3(1.0));
             w.goes = own > 0.0;
             if (bounce > WALK_SURE && w.goes) {

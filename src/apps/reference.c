@@ -227,7 +227,7 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
     if (!desc.smooth)
-        caustics_note_opaque(&stage->scene);
+        caustics_note_straight(&stage->scene);
     if (ao_is_auto(values))
         desc.ao_distance = volume_ao_distance(settings, &stage->geometry);
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);

@@ -508,7 +508,7 @@ static bool render_scene(struct values *values, const struct frames *frames,
         return false;
     phase_add(PHASE_SCENE, start);
     if (!caustics_shown(&stage.scene, &desc->settings))
-        caustics_note_opaque(&stage.scene);
+        caustics_note_straight(&stage.scene);
     desc->scene = &stage.scene;
     desc->geometry = &stage.geometry;
     desc->camera = stage.camera;

@@ -12,9 +12,15 @@ const char *light_defines(bool has_medium, bool has_slides) {
     return defines[has_medium + 2 * has_slides];
 }
 
+void frame_add_medium(const struct frame *frame, struct pass_state *state) {
+    if (!frame->medium)
+        return;
+    pass_add_block(state, BLOCK_MEDIUM, frame->medium);
+    pass_add_texture(state, UNIT_PANES, frame->scene->panes.texels);
+}
+
 void frame_add_light(const struct frame *frame, struct pass_state *state) {
-    if (frame->medium)
-        pass_add_block(state, BLOCK_MEDIUM, frame->medium);
+    frame_add_medium(frame, state);
     if (frame->scene->slides.id)
         pass_add_texture(state, UNIT_SLIDES, frame->scene->slides.id);
 }

@@ -19,7 +19,7 @@ struct frame {
     /* Lights: for a direct method the lights that shine, for a technique the light samples from which reflected light
      * starts. */
     const struct buffer *lights; /* for BLOCK_LIGHTS */
-    const struct buffer *medium; /* for BLOCK_MEDIUM; NULL where there is none */
+    const struct buffer *medium; /* for BLOCK_MEDIUM; NULL where there is neither it nor a pane */
     const struct scene_gpu *scene;
     const struct emitters *emitters;
     const struct light_block *light_block; /* of the emitters: what the buffer holds */
@@ -40,7 +40,10 @@ float frame_turn(const struct frame *frame);
 /* Defines of a program that evaluates lights, with a semicolon at the end: a medium, and slides of spots. */
 const char *light_defines(bool has_medium, bool has_slides);
 
-/* Adds what such a program reads of both. */
+/* Adds what programs of a medium read: its block, and the tree of panes. */
+void frame_add_medium(const struct frame *frame, struct pass_state *state);
+
+/* Adds what a program that evaluates lights reads of both. */
 void frame_add_light(const struct frame *frame, struct pass_state *state);
 
 /* Lets what is drawn by one of the programs end where the camera's range does (picture/camera_range.glsl). */

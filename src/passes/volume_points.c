@@ -21,7 +21,7 @@ struct volume_point {
 
 double volume_points_area(const struct geometry *geometry, const struct box *box) {
     double area = 0;
-    for (uint32_t at = 0; at < geometry->index_count; at += 3) {
+    for (uint32_t at = 0; at < geometry->blocking_index_count; at += 3) {
         const uint32_t *index = &geometry->indices[at];
         area += corners_area(geometry, index) * boxed_share(box, geometry, index);
     }

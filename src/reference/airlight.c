@@ -66,12 +66,13 @@ static vec3s from_piece(const struct emission *emission, const struct ray_scene 
     }
     float phase = medium_phase(medium->g, glms_vec3_dot(to_light, ray->direction));
     float share = strength * phase * point.stands_for;
-    if (!(share > 0 && isfinite(share)) ||
-        !ray_scene_visible(rays, x, glms_vec3_muladds(to_light, distance, x)))
+    if (!(share > 0 && isfinite(share)))
         return glms_vec3_zero();
+    vec3s open = ray_scene_passes(rays, x, glms_vec3_muladds(to_light, distance, x));
     vec3s passes = glms_vec3_mul(medium_passes(medium, point.along - ray->segment[0]),
                                  medium_transmittance(medium, x, to_light, distance));
     vec3s scattered = glms_vec3_mul(medium->scattering, vector_of(piece->intensity));
+    scattered = glms_vec3_mul(scattered, open);
     scattered = glms_vec3_mul(scattered, emission_slide(piece, glms_vec3_negate(to_light)));
     return glms_vec3_scale(glms_vec3_mul(scattered, passes), share);
 }

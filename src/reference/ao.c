@@ -8,14 +8,14 @@
 float ao_trace(const struct ray_scene *rays, const struct hit *hit, float distance,
                const struct sampler *samplers, int count) {
     vec3s from = ray_scene_departure(rays, hit);
-    int open = 0;
+    float open = 0;
     for (int i = 0; i < count; i++) {
         struct sampler sampler = samplers[i];
         vec3s direction = warp_to_cosine(sampler_next(&sampler), hit->normal);
-        open += glms_vec3_dot(direction, hit->geometric_normal) > 0 &&
-                ray_scene_is_open(rays, from, direction, distance);
+        if (glms_vec3_dot(direction, hit->geometric_normal) > 0)
+            open += glms_vec3_hadd(ray_scene_is_open(rays, from, direction, distance)) / 3;
     }
-    return (float)open / (float)count;
+    return open / (float)count;
 }
 
 void ao_add(struct ao_sums *sums, int stream, float open) {

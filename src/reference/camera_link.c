@@ -42,15 +42,17 @@ bool camera_link_view(const struct camera_link *link, vec3s point, struct camera
     return isfinite(view->weight);
 }
 
-bool camera_link_sees(const struct camera_link *link, const struct camera_view *view, vec3s point) {
+vec3s camera_link_sees(const struct camera_link *link, const struct camera_view *view,
+                       vec3s point) {
     const struct ray_scene *rays = link->primary.rays;
     vec3s path = glms_vec3_sub(point, view->eye);
     float distance = glms_vec3_norm(path);
     float of_depth = distance / primary_depth(&link->primary, point);
     float ends[2] = {of_depth * link->near,
                      fminf(distance - rays->clearance, of_depth * link->far)};
-    return ends[1] <= ends[0] ||
-           ray_scene_camera_is_open(rays, view->eye, glms_vec3_scale(path, 1 / distance), ends);
+    return ends[1] <= ends[0] ? glms_vec3_one()
+                              : ray_scene_camera_is_open(rays, view->eye,
+                                                         glms_vec3_scale(path, 1 / distance), ends);
 }
 
 /* What lies where a linear function of the place along the ray is positive. */

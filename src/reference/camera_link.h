@@ -27,8 +27,8 @@ struct camera_view {
 /* False: the point lies outside of the picture. */
 bool camera_link_view(const struct camera_link *link, vec3s point, struct camera_view *view);
 
-/* Whether the camera sees that point, but for what is nearer to it than the clearance. */
-bool camera_link_sees(const struct camera_link *link, const struct camera_view *view, vec3s point);
+/* What comes to the camera of the light of that point, but for what is nearer to it than the clearance. */
+vec3s camera_link_sees(const struct camera_link *link, const struct camera_view *view, vec3s point);
 
 /* Cuts a piece of a ray, metres along it, to what lies within the picture; false: nothing is left. */
 bool camera_link_cut(const struct camera_link *link, vec3s origin, vec3s direction, float piece[2]);

@@ -36,10 +36,12 @@ struct chain chain_follow(const struct emission *emission, const struct ray_scen
         chain.share = glms_vec3_mul(chain.share, ray.share);
         chain.direction = ray.direction;
         chain.hits = ray_scene_hit(rays, ray.origin, ray.direction, &chain.end);
+        vec3s panes = chain.end.share;
         if (chain.hits)
             ray.inside = smooth_inside(&chain.end, ray.inside);
         float length = chain.hits ? glms_vec3_distance(ray.origin, chain.end.position) : INFINITY;
         travel(emission, rays, &ray, length, sampler, &chain);
+        chain.share = glms_vec3_mul(chain.share, panes);
         if (chain.hits && chain.end.smooth)
             chain.between = glms_vec3_muladd(
                 chain.share, surfaces_glow(&emission->surfaces, &chain.end), chain.between);

@@ -68,14 +68,18 @@ static void leave_on_surface(const struct walk *walk, const struct hit *hit) {
     if (hit_is_black(hit) || !camera_link_view(link, hit->position, &view) || !view.in_range)
         return;
     float share = reflected_share(hit, view.to_eye) * view.weight * GLM_1_PIf;
-    if (!(share > 0) || !camera_link_sees(link, &view, above))
+    if (!(share > 0))
         return;
-    leave(walk->deposits, &(struct light_deposit){
-                              .pixel = view.pixel,
-                              .light = glms_vec3_scale(flux_at(walk, 0), share),
-                              .albedo = hit->brdf.albedo,
-                              .passes = passes_to_eye(walk, hit->position, &view),
-                          });
+    vec3s seen = camera_link_sees(link, &view, above);
+    if (glms_vec3_max(seen) <= 0)
+        return;
+    leave(walk->deposits,
+          &(struct light_deposit){
+              .pixel = view.pixel,
+              .light = glms_vec3_scale(flux_at(walk, 0), share),
+              .albedo = hit->brdf.albedo,
+              .passes = glms_vec3_mul(seen, passes_to_eye(walk, hit->position, &view)),
+          });
 }
 
 /* --- in a medium ------------------------------------------------------------------------------ */
@@ -149,11 +153,14 @@ static void leave_at(const struct walk *walk, float along, float stands_for) {
         return;
     float phase = medium_phase(medium->g, glms_vec3_dot(walk->ray.direction, view.to_eye));
     float share = phase * stands_for * view.weight;
-    if (!(share > 0 && isfinite(share)) || !camera_link_sees(link, &view, point))
+    if (!(share > 0 && isfinite(share)))
+        return;
+    vec3s seen = camera_link_sees(link, &view, point);
+    if (glms_vec3_max(seen) <= 0)
         return;
     vec3s light = glms_vec3_mul(flux_at(walk, along), medium->scattering);
     vec3s comes = medium_transmittance(medium, walk->ray.origin, walk->ray.direction, along);
-    vec3s passes = glms_vec3_mul(comes, passes_to_eye(walk, point, &view));
+    vec3s passes = glms_vec3_mul(glms_vec3_mul(comes, seen), passes_to_eye(walk, point, &view));
     leave(walk->deposits,
           &(struct light_deposit){.pixel = view.pixel,
                                   .is_volume = true,
@@ -200,6 +207,7 @@ static bool go_on(struct walk *walk, struct sampler *sampler, struct light_balan
         return false;
     }
     travel(walk, length);
+    walk->flux = glms_vec3_mul(walk->flux, hit.share);
     balance->absorbed += before - mean(walk->flux);
     if (!hit.smooth) {
         *(walk->smooth > 0 ? &balance->landed : &balance->missed) += mean(walk->flux);

@@ -29,6 +29,7 @@ static void trace(const struct work *work, uint32_t i) {
     if (!emission_first_hit(work->emission, ray.taker, work->rays, place, sample, &hit) ||
         !emission_reach(work->emission, ray.taker, place, &hit, &arrival))
         return;
+    arrival.irradiance = glms_vec3_mul(arrival.irradiance, hit.share);
     vertex->position = hit.position;
     vertex->normal = hit.geometric_normal;
     vertex->diffuse = hit.brdf.diffuse;

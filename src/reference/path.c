@@ -88,23 +88,25 @@ static struct reflected from_light_vertices(const struct path_scene *scene, cons
     uint32_t first = sampler_next_run(sampler, LIGHTS_PER_VERTEX), run[LIGHTS_PER_VERTEX];
     float p_cosine[LIGHTS_PER_VERTEX];
     vec3s to[LIGHTS_PER_VERTEX];
-    bool visible[LIGHTS_PER_VERTEX];
+    bool asked[LIGHTS_PER_VERTEX];
+    vec3s visible[LIGHTS_PER_VERTEX];
     struct reflected sum = {0};
     for (uint32_t i = 0; i < LIGHTS_PER_VERTEX; i++) {
         run[i] = (first ^ i) % LIGHT_VERTEX_COUNT;
         const struct light_vertex *y = &lights->items[run[i]];
         p_cosine[i] = y->density > 0 ? cosine_density(x, y->position, y->normal) : 0;
-        visible[i] = p_cosine[i] > 0;
+        asked[i] = p_cosine[i] > 0;
         to[i] = ray_scene_above(rays, y->position, y->normal);
     }
-    ray_scene_visible_4(rays, ray_scene_departure(rays, x), to, visible);
+    ray_scene_passes_4(rays, ray_scene_departure(rays, x), to, asked, visible);
     for (int i = 0; i < LIGHTS_PER_VERTEX; i++) {
-        if (!visible[i])
+        if (glms_vec3_max(visible[i]) <= 0)
             continue;
         struct reflected light = from_light_vertex(lights, run[i], x, p_cosine[i]);
         vec3s passes = passes_between(scene, x->position, lights->items[run[i]].position);
-        sum.diffuse = glms_vec3_add(sum.diffuse, glms_vec3_mul(light.diffuse, passes));
-        sum.specular = glms_vec3_add(sum.specular, glms_vec3_mul(light.specular, passes));
+        light = reflected_scale(&light, glms_vec3_mul(passes, visible[i]));
+        sum.diffuse = glms_vec3_add(sum.diffuse, light.diffuse);
+        sum.specular = glms_vec3_add(sum.specular, light.specular);
     }
     return sum;
 }
@@ -143,8 +145,7 @@ static void pass_medium(const struct medium_ball *medium, const struct hit *from
                         struct step *step) {
     float length = glms_vec3_distance(from->position, step->end.position);
     vec3s passes = medium_transmittance(medium, from->position, step->direction, length);
-    step->share.diffuse = glms_vec3_mul(step->share.diffuse, passes);
-    step->share.specular = glms_vec3_mul(step->share.specular, passes);
+    step->share = reflected_scale(&step->share, passes);
 }
 
 static struct step take_step(const struct path_scene *scene, const struct hit *from, vec2s sample) {
@@ -156,6 +157,8 @@ static struct step take_step(const struct path_scene *scene, const struct hit *f
                 ray_scene_hit(rays, ray_scene_departure(rays, from), step.direction, &step.end);
     if (step.hits)
         pass_medium(&scene->emission->medium, from, &step);
+    if (step.leaves)
+        step.share = reflected_scale(&step.share, step.end.share);
     return step;
 }
 
@@ -189,12 +192,12 @@ static vec3s from_ray(const struct ray_scene *rays, const struct emission *emiss
 }
 
 /* By way of the y that the ray found, where the next step came to a light. */
-static vec3s from_found_light(const struct emission *emission, const struct hit *y,
-                              const struct step *next, float p_ray) {
+static vec3s from_found_light(const struct ray_scene *rays, const struct emission *emission,
+                              const struct hit *y, const struct step *next, float p_ray) {
     vec3s sum = glms_vec3_zero();
     for (int n = 0; next->leaves && n < emission->count; n++) {
         struct arrival arrival;
-        if (!emission_found(emission, n, y, next->direction, next->hits ? &next->end : NULL,
+        if (!emission_found(emission, rays, n, y, next->direction, &next->end, next->hits,
                             &arrival))
             continue;
         float p_light = LIGHTS_PER_VERTEX * arrival.density / p_ray;
@@ -268,7 +271,8 @@ struct reflected path_indirect(const struct path_scene *scene, const struct ligh
             has_next = emission_can_be_found(emission, &step.end);
             if (has_next) {
                 next = take_step(scene, &step.end, sampler_next(sampler));
-                along = glms_vec3_add(along, from_found_light(emission, &step.end, &next, p_ray));
+                along =
+                    glms_vec3_add(along, from_found_light(rays, emission, &step.end, &next, p_ray));
             }
         }
         light.diffuse = glms_vec3_add(light.diffuse, glms_vec3_mul(step.share.diffuse, along));

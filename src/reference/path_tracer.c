@@ -250,10 +250,11 @@ static void take_sample(const struct tracer *tracer, int px, int py, uint32_t i,
     struct pixel pixel = path_tracer_pixel(desc->every, px, py);
     float x = (float)pixel.x + at.x, y = (float)pixel.y + at.y;
     struct hit hit;
-    bool hits = primary_hit(&tracer->primary, x, y, &hit);
+    bool hits = primary_hit(&tracer->primary, x, y, i, &hit);
     struct sight sight = sight_to(tracer, x, y, hits ? &hit : NULL);
     vec3s passes =
         medium_transmittance(&tracer->emission.medium, sight.origin, sight.direction, sight.length);
+    passes = glms_vec3_mul(passes, hit.share);
     if (tracer->airlight)
         add_airlight(tracer, &sight, stream, &sampler, sums);
     if (hits)
@@ -418,7 +419,7 @@ static void develop_row(void *context, int row) {
             film_airlight_develop(&tracer->airlight[index_of(tracer, x, row)], samples,
                                   &channels[airlight_channel(tracer)]);
         struct pixel pixel = path_tracer_pixel(tracer->desc.every, x, row);
-        if (primary_hit(&tracer->primary, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f, &center))
+        if (primary_hit(&tracer->primary, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f, 0, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
     }
 }

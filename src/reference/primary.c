@@ -16,7 +16,8 @@ void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *or
     camera_ray(primary->camera, x / width, y / height, width / height, origin->raw, direction->raw);
 }
 
-bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit) {
+bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t seed,
+                 struct hit *hit) {
     vec3s origin, direction;
     float from = 0, to = INFINITY;
     primary_ray(primary, x, y, &origin, &direction);
@@ -25,7 +26,7 @@ bool primary_hit(const struct primary_rays *primary, float x, float y, struct hi
         from = primary->range.near / depth;
         to = primary->range.far / depth;
     }
-    return ray_scene_camera_hit(primary->rays, origin, direction, (float[]){from, to}, hit);
+    return ray_scene_camera_hit(primary->rays, origin, direction, (float[]){from, to}, seed, hit);
 }
 
 float primary_depth(const struct primary_rays *primary, vec3s position) {

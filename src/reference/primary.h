@@ -19,8 +19,9 @@ struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct c
 void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
                  vec3s *direction);
 
-/* The surface at a point; false where there is none. */
-bool primary_hit(const struct primary_rays *primary, float x, float y, struct hit *hit);
+/* The surface at a point; false where there is none. seed: as of ray_scene_camera_hit. */
+bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t seed,
+                 struct hit *hit);
 
 /* Along the view axis, metres. */
 float primary_depth(const struct primary_rays *primary, vec3s position);

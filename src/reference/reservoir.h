@@ -30,12 +30,11 @@ static inline void reservoir_offer(struct reservoir *reservoir, const struct ref
 static inline struct reflected reservoir_light(const struct reservoir *reservoir,
                                                const struct ray_scene *rays,
                                                const struct hit *hit) {
-    if (reservoir->picked == 0 ||
-        !ray_scene_visible(rays, ray_scene_departure(rays, hit), reservoir->source))
+    if (reservoir->picked == 0)
         return (struct reflected){0};
-    float share = reservoir->sum / reservoir->picked;
-    return (struct reflected){glms_vec3_scale(reservoir->light.diffuse, share),
-                              glms_vec3_scale(reservoir->light.specular, share)};
+    vec3s passes = ray_scene_passes(rays, ray_scene_departure(rays, hit), reservoir->source);
+    return reflected_scale(&reservoir->light,
+                           glms_vec3_scale(passes, reservoir->sum / reservoir->picked));
 }
 
 #endif

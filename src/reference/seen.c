@@ -23,7 +23,7 @@ static vec3s unshadowed(const struct emission *emission, int n, const struct hit
 
 /* Of places that could arrive, how many do. */
 struct tally {
-    int could, do_arrive;
+    float could, do_arrive;
 };
 
 static void look(const struct emission *emission, int n, const struct ray_scene *rays,
@@ -33,7 +33,8 @@ static void look(const struct emission *emission, int n, const struct ray_scene 
     if (!emission_reach(emission, n, place, hit, &arrival))
         return;
     tally->could++;
-    tally->do_arrive += ray_scene_visible(rays, ray_scene_departure(rays, hit), arrival.at);
+    vec3s passes = ray_scene_passes(rays, ray_scene_departure(rays, hit), arrival.at);
+    tally->do_arrive += glms_vec3_hadd(passes) / 3;
 }
 
 static void add_light(struct seen *seen, const struct emission *emission, int n,
@@ -53,8 +54,7 @@ static void add_light(struct seen *seen, const struct emission *emission, int n,
         return;
     vec3s weight = rough_light(emission, n, hit);
     seen->all = glms_vec3_add(seen->all, weight);
-    seen->visible =
-        glms_vec3_muladds(weight, (float)tally.do_arrive / (float)tally.could, seen->visible);
+    seen->visible = glms_vec3_muladds(weight, tally.do_arrive / tally.could, seen->visible);
 }
 
 struct seen seen_from(const struct emission *emission, const struct ray_scene *rays,

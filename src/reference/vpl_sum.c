@@ -28,19 +28,22 @@ static float term_of(const struct vpl_sum_desc *desc, const struct hit *x, const
     return geometry_term(&desc->term, cos_x * cos_i / distance2, distance2, vpl->area);
 }
 
-static bool is_visible(const struct summation *summation, const struct hit *x,
-                       const struct vpl *vpl) {
+/* What passes between them; the mean of colours, which cuts do not tell apart. */
+static float visibility(const struct summation *summation, const struct hit *x,
+                        const struct vpl *vpl) {
     vec3s above = glms_vec3_muladds(vector_of(vpl->normal), summation->desc.vpl_clearance,
                                     vector_of(vpl->position));
-    return summation->desc.unshadowed ||
-           ray_scene_visible(&summation->rays, ray_scene_departure(&summation->rays, x), above);
+    if (summation->desc.unshadowed)
+        return 1;
+    vec3s from = ray_scene_departure(&summation->rays, x);
+    return glms_vec3_hadd(ray_scene_passes(&summation->rays, from, above)) / 3;
 }
 
 /* With visibility. */
 static float seen_term(const struct summation *summation, const struct hit *x,
                        const struct vpl *vpl) {
     float term = vpl->reach > 0 ? term_of(&summation->desc, x, vpl) : 0;
-    return term > 0 && is_visible(summation, x, vpl) ? term : 0;
+    return term > 0 ? term * visibility(summation, x, vpl) : 0;
 }
 
 /* Irradiance over pi, over flux and geometry term. */
@@ -73,7 +76,7 @@ static struct reflected direct_light(const struct summation *summation, const st
 
 static void render_pixel(const struct summation *summation, int px, int py) {
     struct hit hit;
-    if (!primary_hit(&summation->primary, (float)px + 0.5f, (float)py + 0.5f, &hit))
+    if (!primary_hit(&summation->primary, (float)px + 0.5f, (float)py + 0.5f, 0, &hit))
         return;
     float *channels = image_at(summation->image, px, py);
     vec3s indirect = gather(summation, &hit);

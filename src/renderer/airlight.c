@@ -11,15 +11,44 @@ static int map_size(const struct light_layout *lights) {
     return light_map_share(MAP_SIZE, views, FULL_VIEWS);
 }
 
+static bool init_medium(struct airlight *airlight, const struct airlight_part_desc *desc) {
+    return desc->steps == 0 ||
+           (shadow_map_pass_init(&airlight->maps, &(struct shadow_map_desc){map_size(&desc->lights),
+                                                                            desc->lights}) &&
+            airlight_pass_init(
+                &airlight->pass,
+                &(struct airlight_desc){desc->width, desc->height, desc->steps, desc->slides}));
+}
+
+static bool init_panes(struct airlight *airlight, const struct airlight_part_desc *desc) {
+    return !desc->panes ||
+           show_panes_pass_init(&airlight->panes,
+                                &(struct show_panes_desc){.width = desc->width,
+                                                          .height = desc->height,
+                                                          .scatters = desc->steps > 0,
+                                                          .slides = desc->slides,
+                                                          .sky = desc->sky,
+                                                          .irradiance = desc->irradiance,
+                                                          .casters = desc->panes});
+}
+
 bool airlight_init(struct airlight *airlight, const struct airlight_part_desc *desc) {
     *airlight = (struct airlight){0};
     if (buffer_init(&airlight->medium, "medium", sizeof(struct medium_params), NULL) &&
-        shadow_map_pass_init(&airlight->maps,
-                             &(struct shadow_map_desc){map_size(&desc->lights), desc->lights}) &&
-        airlight_pass_init(&airlight->pass, &(struct airlight_desc){desc->width, desc->height,
-                                                                    desc->steps, desc->slides}))
+        init_medium(airlight, desc) && init_panes(airlight, desc))
         return true;
     airlight_free(airlight);
+    return false;
+}
+
+bool airlight_resize(struct airlight *airlight, int width, int height) {
+    const struct airlight_desc before = airlight->pass.desc;
+    if (airlight->pass.in_scatter.id && !airlight_pass_resize(&airlight->pass, width, height))
+        return false;
+    if (!airlight->panes.program || show_panes_pass_resize(&airlight->panes, width, height))
+        return true;
+    if (airlight->pass.in_scatter.id)
+        airlight_pass_resize(&airlight->pass, before.width, before.height);
     return false;
 }
 
@@ -27,6 +56,7 @@ void airlight_free(struct airlight *airlight) {
     buffer_free(&airlight->medium);
     shadow_map_pass_free(&airlight->maps);
     airlight_pass_free(&airlight->pass);
+    show_panes_pass_free(&airlight->panes);
 }
 
 void airlight_set_medium(const struct airlight *airlight, const struct medium *medium,

@@ -89,15 +89,24 @@ static bool is_refined(const struct renderer *renderer) {
     return renderer->pass > 0 && renderer->refining.technique;
 }
 
-/* What the last frame's indirect light is, and the medium before it. */
-static struct contribution last_contribution(const struct renderer *renderer) {
+/* What the last frame's indirect light is, and the medium before it, without panes. */
+static struct contribution contribution_behind(const struct renderer *renderer) {
     const struct refining *refining = &renderer->refining;
     struct contribution contribution = is_refined(renderer)
                                            ? refining->technique->contribution(refining->state)
                                            : renderer_contribution(renderer);
-    if (renderer->airlight.medium.id) {
+    if (renderer->airlight.pass.in_scatter.id) {
         contribution.in_scatter = &renderer->airlight.pass.in_scatter;
         contribution.transmittance = &renderer->airlight.pass.transmittance;
+    }
+    return contribution;
+}
+
+static struct contribution last_contribution(const struct renderer *renderer) {
+    struct contribution contribution = contribution_behind(renderer);
+    if (renderer->airlight.panes.program) {
+        contribution.in_scatter = &renderer->airlight.panes.own;
+        contribution.transmittance = &renderer->airlight.panes.transmittance;
     }
     contribution.caustic = renderer->caustics.surface.id ? &renderer->caustics.surface : NULL;
     contribution.volume_caustic = renderer->caustics.volume.id ? &renderer->caustics.volume : NULL;
@@ -148,7 +157,7 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
         !follows_camera(technique, state))
         technique->render_lights(state, frame);
     struct airlight *airlight = &renderer->airlight;
-    if (frame->medium && (!keeps || renderer->pass > 0 || airlight->maps_pass > 0)) {
+    if (airlight->pass.in_scatter.id && (!keeps || renderer->pass > 0 || airlight->maps_pass > 0)) {
         shadow_map_pass_render(&airlight->maps, frame);
         airlight->maps_pass = renderer->pass;
     }
@@ -176,9 +185,13 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
         antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
     renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
     render_indirect(renderer, frame);
-    if (frame->medium)
+    if (renderer->airlight.pass.in_scatter.id)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
                              renderer->airlight.maps.maps, &renderer->desc.emitters);
+    struct contribution behind = contribution_behind(renderer);
+    if (renderer->airlight.panes.program)
+        show_panes_pass_render(&renderer->airlight.panes, frame, &renderer->gbuffer, &behind,
+                               renderer->desc.emitters.sky);
     renderer_render_caustics(renderer, frame);
 }
 
@@ -293,7 +306,7 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
         output_add(outputs, &rows[i]);
     if (renderer->technique->outputs)
         renderer->technique->outputs(renderer->technique_state, outputs);
-    if (renderer->airlight.medium.id)
+    if (renderer->airlight.pass.in_scatter.id)
         output_add(outputs, &(struct output){"airlight", "what the medium scatters to the camera",
                                              OUTPUT_AIRLIGHT, &renderer->airlight.pass.in_scatter});
     if (renderer->caustics.surface.id)

@@ -66,7 +66,7 @@ static int importance_of(const struct renderer_desc *desc) {
 static bool may_search(const struct renderer_desc *desc) {
     const struct technique *technique = desc->technique;
     return technique->follows_camera == many_lights_follow_camera && !technique->through_walls &&
-           desc->geometry->index_count > 0 && scene_duration(desc->scene) <= 0 &&
+           desc->geometry->blocking_index_count > 0 && scene_duration(desc->scene) <= 0 &&
            many_lights_may_trace(desc->scene, desc->geometry);
 }
 

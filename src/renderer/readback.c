@@ -38,7 +38,7 @@ static bool has_row(const struct renderer *renderer, int row) {
     int layer = layer_rows[row].layer;
     switch (layer) {
     case LAYER_AIRLIGHT:
-        return renderer->airlight.medium.id != 0;
+        return renderer->airlight.pass.in_scatter.id != 0;
     case LAYER_CAUSTIC:
         return renderer->caustics.surface.id != 0;
     case LAYER_VOLUME:

@@ -47,9 +47,14 @@ static struct medium shown_medium(const struct renderer_desc *desc) {
     return medium_of(desc->scene, &desc->settings, desc->geometry->radius);
 }
 
-static bool has_medium(const struct renderer_desc *desc) {
+static bool scatters(const struct renderer_desc *desc) {
     struct medium medium = shown_medium(desc);
     return medium_exists(&medium);
+}
+
+/* Whether a medium or panes take from light on its way. */
+static bool has_medium(const struct renderer_desc *desc) {
+    return scatters(desc) || geometry_has_panes(desc->geometry);
 }
 
 static bool init_antialias(struct renderer *renderer) {
@@ -104,13 +109,13 @@ static bool init_technique(struct renderer *renderer) {
 static bool init_mean(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     struct refining *refining = &renderer->refining;
-    unsigned kinds = renderer_caustic_kinds(desc, has_medium(desc));
+    unsigned kinds = renderer_caustic_kinds(desc, scatters(desc));
     return !desc->progressive ||
            (mean_pass_init(&refining->mean,
                            &(struct mean_desc){.width = desc->width,
                                                .height = desc->height,
                                                .specular = has_specular(desc),
-                                               .medium = has_medium(desc),
+                                               .medium = scatters(desc),
                                                .caustics = kinds & HAS_CAUSTICS,
                                                .volume_caustics = kinds & HAS_VOLUME_CAUSTICS}) &&
             antialias_pass_init(&refining->centers,
@@ -140,7 +145,7 @@ static bool init_composite(struct renderer *renderer) {
         contributes = composite_kinds(&contribution);
     }
     contributes &= ~(unsigned)(HAS_CAUSTICS | HAS_VOLUME_CAUSTICS);
-    contributes |= renderer_caustic_kinds(desc, has_medium(desc));
+    contributes |= renderer_caustic_kinds(desc, scatters(desc));
     contributes |= has_medium(desc) ? HAS_MEDIUM : 0U;
     return composite_pass_init(&renderer->composite,
                                &(struct composite_desc){.width = desc->width,
@@ -157,15 +162,19 @@ static bool init_airlight(struct renderer *renderer) {
         settings_of(struct medium_settings, &desc->settings, &medium_part);
     return !has_medium(desc) ||
            airlight_init(&renderer->airlight,
-                         &(struct airlight_part_desc){.width = desc->width,
-                                                      .height = desc->height,
-                                                      .steps = own->steps,
-                                                      .slides = desc->scene->slide_count > 0,
-                                                      .lights = renderer->plan.sample_layout});
+                         &(struct airlight_part_desc){
+                             .width = desc->width,
+                             .height = desc->height,
+                             .steps = scatters(desc) ? own->steps : 0,
+                             .slides = desc->scene->slide_count > 0,
+                             .sky = desc->scene->environment != NULL,
+                             .irradiance = renderer->composite.desc.contributes & HAS_IRRADIANCE,
+                             .panes = geometry_has_panes(desc->geometry) ? renderer->casters : NULL,
+                             .lights = renderer->plan.sample_layout});
 }
 
 static bool init_caustics(struct renderer *renderer) {
-    return renderer_init_caustics(renderer, has_medium(&renderer->desc));
+    return renderer_init_caustics(renderer, scatters(&renderer->desc));
 }
 
 static bool init_gbuffer(struct renderer *renderer) {
@@ -193,8 +202,7 @@ static bool resize_direct(struct renderer *renderer, int width, int height) {
 }
 
 static bool resize_airlight(struct renderer *renderer, int width, int height) {
-    return !renderer->airlight.medium.id ||
-           airlight_pass_resize(&renderer->airlight.pass, width, height);
+    return airlight_resize(&renderer->airlight, width, height);
 }
 
 static bool resize_technique(struct renderer *renderer, int width, int height) {
@@ -359,6 +367,7 @@ static bool plan_lights(struct light_plan *plan, const struct renderer *renderer
 }
 
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
+    renderer_block_glass(desc);
     *renderer = (struct renderer){.desc = *desc,
                                   .casters = caster_pool_create(desc->scene, desc->geometry),
                                   .light_search = light_search_create(),
@@ -484,7 +493,8 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         settings_of(struct picture_settings, &desc->settings, &picture_part);
     unsigned parts = 0;
     if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
-        parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER;
+        parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER |
+                 (geometry_has_panes(desc->geometry) ? PART_AIRLIGHT : 0U);
     if (desc->direct != old->direct ||
         !renderer_settings_same(&desc->settings, &old->settings, desc->direct->parts))
         parts |= PART_DIRECT;
@@ -494,14 +504,14 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->sample_layout, &renderer->plan.sample_layout))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER | PART_AIRLIGHT;
-    if (has_medium(desc) != has_medium(old))
+    if (scatters(desc) != scatters(old))
         parts |= PART_DIRECT | PART_TECHNIQUE | PART_REFINER | PART_COMPOSITE | PART_MEAN |
                  PART_AIRLIGHT;
     if (settings_number(&desc->settings, "medium.steps") !=
         settings_number(&old->settings, "medium.steps"))
         parts |= PART_AIRLIGHT;
     if (!settings_same(&desc->settings, &old->settings, &caustics_part) ||
-        (has_medium(desc) != has_medium(old) &&
+        (scatters(desc) != scatters(old) &&
          (renderer_has_caustics(desc) || renderer_has_caustics(old))))
         parts |= PART_CAUSTICS | PART_COMPOSITE | PART_MEAN;
     if (renderer_has_caustics(desc) != renderer_has_caustics(old))
@@ -531,12 +541,16 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     struct emitters old = renderer->desc.emitters;
     struct light_plan plan;
     set_defaults(&desc);
-    if (!plan_lights(&plan, renderer, &desc))
+    bool has_caustics = renderer_has_caustics(&renderer->desc);
+    bool other_panes = has_caustics != renderer_has_caustics(&desc) && renderer_block_glass(&desc);
+    if (!plan_lights(&plan, renderer, &desc) ||
+        (other_panes && !(scene_gpu_update(&renderer->scene, desc.geometry) &&
+                          caster_pool_update(renderer->casters))))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);
     bool same_samples = sky_groups_same(&plan.sky_samples, &renderer->plan.sky_samples);
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
-    unsigned parts = parts_between(renderer, &desc, &plan);
+    unsigned parts = other_panes ? PART_ALL : parts_between(renderer, &desc, &plan);
     bool same_medium = settings_same(&desc.settings, &renderer->desc.settings, &medium_part);
     bool same_picture = parts == 0 && same_lights && same_samples && same_medium &&
                         cameras_same(&desc.camera, &renderer->desc.camera);

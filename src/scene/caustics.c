@@ -11,7 +11,7 @@ static const struct option table[] = {
     {"surface", 0, OPTION_CHOICE, offsetof(struct caustics_settings, surface), CAUSTICS_OFF,
      .choices = surface_names,
      .help = "caustics on surfaces: patches between light rays, or a spot of\n"
-             "each; glass shows the scene; off: glass is opaque"},
+             "each; glass shows the scene; off: light goes straight through"},
     {"medium", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
      .choices = volume_names,
      .help = "caustics in a medium: light rays of glass and mirrors as lines\n"
@@ -51,12 +51,12 @@ bool caustics_shown(const struct scene *scene, const struct settings *settings) 
     return false;
 }
 
-void caustics_note_opaque(const struct scene *scene) {
-    bool has_glass = false;
+void caustics_note_straight(const struct scene *scene) {
+    bool has_solid = false;
     for (int i = 0; i < scene->material_count; i++)
-        has_glass |= scene->materials[i].transmission > 0;
-    if (has_glass)
-        log_note("%s: shown without: transmission (caustics.surface=patches and reference --smooth "
+        has_solid |= scene->materials[i].transmission > 0 && !scene->materials[i].thin_walled;
+    if (has_solid)
+        log_note("%s: shown without: refraction (caustics.surface=patches and reference --smooth "
                  "show it)",
                  scene->path);
 }

@@ -23,7 +23,7 @@ extern const struct settings_part caustics_part;
  * material. Such a surface then scatters no light. */
 bool caustics_shown(const struct scene *scene, const struct settings *settings);
 
-/* Notes that the scene's glass is opaque, where it has some. */
-void caustics_note_opaque(const struct scene *scene);
+/* Notes that light goes straight on through the scene's solid glass, where it has some. */
+void caustics_note_straight(const struct scene *scene);
 
 #endif

@@ -19,6 +19,13 @@ static void hash_mappings(uint64_t *sum, const struct material *m) {
         hash_bytes(sum, own, sizeof own);
 }
 
+/* Of a material that lets light pass. */
+static void hash_passing(uint64_t *sum, const struct material *m) {
+    const float own[] = {m->blends, m->thickness};
+    if (m->blends || m->thickness > 0)
+        hash_bytes(sum, own, sizeof own);
+}
+
 static void hash_materials(uint64_t *sum, const struct scene *scene) {
     for (int i = 0; i < scene->material_count; i++) {
         const struct material *m = &scene->materials[i];
@@ -29,6 +36,7 @@ static void hash_materials(uint64_t *sum, const struct scene *scene) {
         hash_bytes(sum, &m->alpha_cutoff, sizeof m->alpha_cutoff);
         hash_bytes(sum, &m->double_sided, sizeof m->double_sided);
         hash_mappings(sum, m);
+        hash_passing(sum, m);
     }
     for (int i = 0; i < scene->texture_count; i++) {
         const struct scene_texture *t = &scene->textures[i];

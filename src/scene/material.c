@@ -43,6 +43,50 @@ enum smooth_kind material_smooth_kind(const struct material *material) {
                : SMOOTH_NONE;
 }
 
+float material_transmits(const struct material *material) {
+    return material->unlit ? 0 : material->transmission * (1 - material->metalness);
+}
+
+bool material_lets_pass(const struct material *material) {
+    bool shines = glm_vec3_max((float *)material->emission) > 0;
+    return !shines && (material->blends || material_transmits(material) > 0);
+}
+
+bool material_is_pane(const struct material *material) {
+    return material_lets_pass(material) && !(material->blends && material->alpha_mask);
+}
+
+/* Of a plate between parallel faces, with all reflections within: the mean of both polarisations. */
+static float plate_passes(float index, float cosine) {
+    float within = sqrtf(fmaxf(1 - (1 - cosine * cosine) / (index * index), 0)), sum = 0;
+    const float amplitudes[2] = {(cosine - index * within) / (cosine + index * within),
+                                 (index * cosine - within) / (index * cosine + within)};
+    for (int i = 0; i < 2; i++) {
+        float reflected = amplitudes[i] * amplitudes[i];
+        sum += (1 - reflected) / (1 + reflected) / 2;
+    }
+    return sum;
+}
+
+struct pane_color material_pane_color(const struct material *material, vec4s base_color) {
+    float covers = material->blends ? glm_clamp(base_color.a, 0, 1) : 1;
+    struct pane_color pane = {.base = 1 - covers, .index = fmaxf(material->index_of_refraction, 1)};
+    for (int c = 0; c < 3; c++)
+        pane.glass.raw[c] = covers * material_transmits(material) *
+                            glm_clamp(base_color.raw[c], 0, 1) *
+                            expf(-material->absorption[c] * material->thickness / 2);
+    return pane;
+}
+
+struct passing material_passing(const struct material *material, vec4s base_color, float cosine) {
+    struct pane_color pane = material_pane_color(material, base_color);
+    float plate = plate_passes(pane.index, fmaxf(cosine, 1e-3F));
+    /* Two faces of a solid are one plate. */
+    plate = material->thin_walled ? plate : sqrtf(plate);
+    return (struct passing){glms_vec3_muladds(pane.glass, plate, glms_vec3_fill(pane.base)),
+                            1 - pane.base};
+}
+
 struct reflectance material_reflectance(const struct material *material) {
     const float *f0 = material->specular_f0;
     return (struct reflectance){

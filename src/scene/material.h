@@ -33,6 +33,36 @@ bool material_is_diffuse(const struct material *material);
 enum smooth_kind { SMOOTH_NONE, SMOOTH_GLASS, SMOOTH_MIRROR };
 enum smooth_kind material_smooth_kind(const struct material *material);
 
+/* Whether that alpha is a hole of its mask. Interpolated ones are a rounding off. */
+#define ALPHA_SLACK 1e-4F
+static inline bool material_is_hole(const struct material *material, float alpha) {
+    return material->alpha_mask && alpha < material->alpha_cutoff - ALPHA_SLACK;
+}
+
+/* Share of the light that enters and is not scattered. */
+float material_transmits(const struct material *material);
+
+/* Whether light goes straight through: blended surfaces and glass, unless they shine. */
+bool material_lets_pass(const struct material *material);
+
+/* The same of surfaces that the frame takes out of its triangles: blended ones of one alpha, and glass. */
+bool material_is_pane(const struct material *material);
+
+/* What a surface that lets light pass makes of its base colour: past it goes base, and through it glass times what its two
+ * faces do not reflect. */
+struct pane_color {
+    vec3s glass;
+    float base, index;
+};
+struct pane_color material_pane_color(const struct material *material, vec4s base_color);
+
+/* What a surface that lets light pass does to it, by its base colour there and the cosine of the angle. */
+struct passing {
+    vec3s passes; /* share of the light that goes straight on */
+    float covers; /* share by which the surface's own light counts */
+};
+struct passing material_passing(const struct material *material, vec4s base_color, float cosine);
+
 /* How a surface reflects at one place, besides its base colour: the reflectance, from straight on and
  * grazing, is of what is no metal. */
 struct reflectance {

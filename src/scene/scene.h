@@ -79,13 +79,15 @@ struct material {
     int normal_texture; /* tangent space, X along the u of its uv, Y against the v */
     float normal_scale; /* of its X and Y */
     bool unlit;         /* KHR_materials_unlit: the eye sees the base colour as radiance */
-    bool alpha_mask;    /* alpha below the cutoff is a hole; so are blended materials', below .5 */
+    bool alpha_mask;    /* alpha below the cutoff is a hole */
     float alpha_cutoff;
     bool double_sided; /* else: not drawn for the camera and not reflecting from behind */
     bool
         specular_glossiness; /* the metal-roughness texture has, as KHR_materials_pbrSpecularGlossiness
                                  has them, the specular colour in RGB and the glossiness in A */
     int metal_roughness_mapping, emission_mapping, normal_mapping; /* the base colour's is 0 */
+    bool blends;     /* covers what is behind by its alpha; masked, too, where that varies */
+    float thickness; /* of a solid that transmits, m */
     bool is_animated, may_shine; /* a clip changes it, or how it reflects: scene/animated.h */
     float emissive_factor[3], emissive_strength; /* emission is their product */
 };

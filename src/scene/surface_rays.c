@@ -10,7 +10,7 @@ enum { SURFACES = 8 }; /* culled backs that a ray passes */
 void surface_rays_init(struct surface_rays *rays, const struct scene *scene,
                        const struct geometry *geometry) {
     *rays = (struct surface_rays){scene, geometry, .clearance = geometry_clearance(geometry)};
-    uint32_t count = geometry->index_count / 3;
+    uint32_t count = geometry->blocking_index_count / 3;
     struct bvh_triangle *triangles = mem_alloc(count, sizeof *triangles);
     for (uint32_t i = 0; i < count; i++) {
         triangles[i] = (struct bvh_triangle){.number = i};

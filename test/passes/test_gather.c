@@ -59,7 +59,7 @@ static bool pixel_hit(const struct bench *bench, int x, int y, struct hit *hit) 
                direction);
     int alpha = image_find_channel(&bench->layers, "A");
     return ray_scene_camera_hit(&bench->rays.scene, to_vec3s(origin), to_vec3s(direction),
-                                (float[]){0, INFINITY}, hit) &&
+                                (float[]){0, INFINITY}, 0, hit) &&
            image_at(&bench->layers, x, y)[alpha] > 0;
 }
 

@@ -258,7 +258,7 @@ static struct halves follow_rays(const struct path_tracer_desc *desc, int count)
             struct hit hit;
             vec3s light = glms_vec3_zero();
             if (ray_scene_camera_hit(&rays, at(place.x + (float)side, 4, 2 * place.y), at(0, -1, 0),
-                                     (float[]){0, INFINITY}, &hit))
+                                     (float[]){0, INFINITY}, 0, &hit))
                 light = follow(desc, &rays, hit, &sampler);
             for (int c = 0; c < 3; c++) {
                 sum[c] += (double)light.raw[c];

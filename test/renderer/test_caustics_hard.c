@@ -125,7 +125,7 @@ static void test_open(void **state) {
     stage_free(&stage);
 }
 
-/* Glass that caustics do not show is told, and no other. */
+/* Solid glass that caustics do not refract is told, and no other. */
 static void test_note(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/gem.glb", "scenes/cornell-box.glb"};
@@ -139,8 +139,7 @@ static void test_note(void **state) {
                      scratch("note.png"));
             check_ok(command, run_command(command, output, sizeof output) == 0);
             printf("    %s", output);
-            assert_int_equal(strstr(output, "shown without: transmission") != NULL,
-                             i == 0 && !shown);
+            assert_int_equal(strstr(output, "shown without: refraction") != NULL, i == 0 && !shown);
         }
     }
 }

@@ -113,6 +113,40 @@ static void test_slab(void **state) {
     }
 }
 
+/* The floor below a pane, by the light above it, from below and from above: without caustics light goes straight on. */
+static void test_panes(void **state) {
+    (void)state;
+    static const struct {
+        const char *what;
+        float alpha, index;
+        double passes;
+    } rows[] = {{"glass", 1, 1.52F, .9183},    {"glass of index 1", 1, 1, 1},
+                {"blended .2", .2F, 0, .8},    {"blended .5", .5F, 0, .5},
+                {"blended .75", .75F, 0, .25}, {"opaque", 1, 0, 0}};
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+        for (int above = 0; above < 2; above++) {
+            struct stage stage;
+            open_squares(&stage, &(struct square){UP_NODE, 1, 4}, 1, above ? 1.5F : .5F);
+            struct material *pane = &stage.scene.materials[SMOOTH];
+            pane->blends = rows[i].index == 0 && rows[i].passes > 0;
+            pane->base_color[3] = rows[i].alpha;
+            pane->thin_walled = true;
+            for (int c = 0; c < 3; c++)
+                pane->base_color[c] = rows[i].index > 0;
+            if (rows[i].index > 0)
+                make_glass(&stage, rows[i].index);
+            lay_out(&stage);
+            place_light(&stage, 2);
+            stage.camera.fov_y = .02F;
+            stage.camera.eye[0] = .05F; /* off the square's diagonal, where two triangles meet */
+            struct image drawn = draw(&stage, CHEAP);
+            check_near(rows[i].what, over_floor(&drawn, "R", 2), pow(rows[i].passes, 1 + above),
+                       .003);
+            image_free(&drawn);
+            stage_free(&stage);
+        }
+}
+
 /* A wall of one side, seen from behind through glass, is black, as in the reference; one of two sides has the light below
  * it. */
 static void test_wall_from_behind(void **state) {
@@ -295,6 +329,7 @@ int main(void) {
         cmocka_unit_test(test_mirror),
         cmocka_unit_test(test_indirect),
         cmocka_unit_test(test_slab),
+        cmocka_unit_test(test_panes),
         cmocka_unit_test(test_wall_from_behind),
         cmocka_unit_test(test_open_and_nested),
         cmocka_unit_test(test_traced),

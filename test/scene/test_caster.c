@@ -18,8 +18,11 @@ static void make_box(struct geometry *geometry) {
     static const uint8_t faces[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                         {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     static const uint8_t corners[6] = {0, 1, 2, 0, 2, 3};
-    *geometry =
-        (struct geometry){.vertex_count = 36, .index_count = 36, .batch_count = 2, .radius = 1};
+    *geometry = (struct geometry){.vertex_count = 36,
+                                  .index_count = 36,
+                                  .batch_count = 2,
+                                  .blocking_batch_count = 2,
+                                  .radius = 1};
     geometry->position = mem_alloc(37, sizeof *geometry->position);
     geometry->uv[0] = mem_alloc(36, sizeof *geometry->uv[0]);
     geometry->mapping_count = 1;
@@ -217,6 +220,7 @@ static void make_ball(struct geometry *ball) {
         .index_count = BALL_INDICES,
         .opaque_index_count = BALL_INDICES,
         .batch_count = 1,
+        .blocking_batch_count = 1,
         .part_count = 2,
         .radius = 1,
         .position = mem_alloc(BALL_INDICES + 1, sizeof *ball->position),

@@ -407,11 +407,11 @@ static void test_lacks(void **state) {
                     " [\"KHR_lights_punctual\", \"KHR_materials_unlit\","
                     " \"KHR_materials_clearcoat\", \"EXT_new\"],"
                     " \"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],",
-            .materials =
-                "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\", \"extensions\":"
-                " {\"KHR_materials_specular\": {\"specularTexture\": {\"index\": 0}}}},"
-                " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
-                " {\"index\": 0}}]"});
+            .materials = "[{\"normalTexture\": {\"index\": 0}, \"alphaMode\": \"BLEND\","
+                         " \"emissiveFactor\": [1, 1, 1], \"extensions\":"
+                         " {\"KHR_materials_specular\": {\"specularTexture\": {\"index\": 0}}}},"
+                         " {\"normalTexture\": {\"index\": 0}, \"occlusionTexture\":"
+                         " {\"index\": 0}}]"});
     static const char *const each[] = {"clear coat", "EXT_new", "blending", "occlusion",
                                        "textures of specular"};
     printf("    %s", notes);
@@ -472,15 +472,15 @@ static void test_specular_glossiness(void **state) {
     scene_free(&scene);
 }
 
-/* Whoever blends is a hole below half, whatever cutoff there is. */
+/* What blends is opaque where its alpha is 1, and what shines is a hole below half. */
 static void test_blending(void **state) {
     (void)state;
-    struct scene scene = load(
-        "blend.glb",
-        (struct gltf_parts){.materials = "[{\"alphaMode\": \"BLEND\", \"alphaCutoff\": 0.1}]"});
-    assert_true(scene.materials[0].alpha_mask);
-    check_near("cutoff", scene.materials[0].alpha_cutoff, .5, 0);
-    assert_false(scene.materials[1].alpha_mask);
+    struct scene scene =
+        load("blend.glb",
+             (struct gltf_parts){.materials = "[{\"alphaMode\": \"BLEND\"}, {\"alphaMode\": "
+                                              "\"BLEND\", \"emissiveFactor\": [1, 0, 0]}]"});
+    assert_false(scene.materials[0].blends || scene.materials[0].alpha_mask);
+    assert_true(scene.materials[1].alpha_mask && !scene.materials[1].blends);
     scene_free(&scene);
 }
 

@@ -16,7 +16,7 @@
 
 enum { MAX_VERTICES = 20000, MAX_MATERIALS = 4 };
 
-/* One batch per call of an add function; masked materials must be added last. */
+/* One batch per call of an add function; masked materials and panes must be added last. */
 struct world {
     struct scene scene;
     struct material materials[MAX_MATERIALS];
@@ -91,7 +91,7 @@ static inline void end_batch(struct world *world, int material, uint32_t first_i
         (struct geometry_batch){.material = material,
                                 .first_index = first_index,
                                 .index_count = geometry->index_count - first_index};
-    if (!world->materials[material].alpha_mask)
+    if (!world->materials[material].alpha_mask && !material_lets_pass(&world->materials[material]))
         geometry->opaque_index_count = geometry->index_count;
 }
 

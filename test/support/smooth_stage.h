@@ -67,11 +67,18 @@ static inline void make_mirror(struct stage *stage) {
         material->base_color[c] = 1 - .2F * (float)c;
 }
 
+/* Panes lie behind all else. */
+static inline void lay_out(struct stage *stage) {
+    geometry_free(&stage->geometry);
+    check_ok("geometry", geometry_init(&stage->geometry, &stage->scene, 0));
+}
+
 static inline void make_glass(struct stage *stage, float index) {
     struct material *material = &stage->scene.materials[SMOOTH];
     material->transmission = 1;
     material->index_of_refraction = index;
     material->roughness = 0;
+    lay_out(stage);
 }
 
 struct square {

@@ -39,7 +39,7 @@ bool export_mask(const struct export_target *target, const struct material *mate
     struct bitmap mask = {from->width, from->height, mem_alloc(4 * count, 1)};
     for (size_t i = 0; i < count; i++) {
         float alpha = material->base_color[3] * (float)from->rgba[4 * i + 3] / 255;
-        memset(&mask.rgba[4 * i], alpha < material->alpha_cutoff ? 0 : 255, 4);
+        memset(&mask.rgba[4 * i], material_is_hole(material, alpha) ? 0 : 255, 4);
     }
     char *path = export_path(target, name);
     bool ok = bitmap_write(&mask, path);

@@ -177,8 +177,7 @@ static struct pass_state state_of(const struct caustics_pass *pass, const struct
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_VIEW, frame->view}},
     };
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_medium(frame, &state);
     return state;
 }
 

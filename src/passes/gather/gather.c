@@ -209,8 +209,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
         pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, inputs->blocks->texture.id);
     if (inputs->kept)
         pass_add_texture(&state, UNIT_PATHS_KEPT, inputs->kept->id);
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_medium(frame, &state);
     if (inputs->rectangles)
         pass_add_block(&state, BLOCK_LIGHT_RECTANGLES, inputs->rectangles);
     pass_add_texture(&state, UNIT_VPLS,

@@ -249,8 +249,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
                    {BLOCK_VPL_SHARES, inputs->shares},
                    {BLOCK_PASS, &pass->params}},
     };
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_medium(frame, &state);
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
         pass_add_texture(&state, UNIT_NEAR_LIGHT + kind,
                          pass->lights[pass->lights[kind].id ? kind : !kind].id);

@@ -257,8 +257,7 @@ static void trace_paths(const struct bounce_pass *pass, const struct frame *fram
         pass_add_texture(&trace, UNIT_GBUFFER_DEPTH, frame->gbuffer->depth.id);
         pass_add_texture(&trace, UNIT_GBUFFER_NORMAL, frame->gbuffer->normal.id);
     }
-    if (frame->medium)
-        pass_add_block(&trace, BLOCK_MEDIUM, frame->medium);
+    frame_add_medium(frame, &trace);
     draw_rows(&trace, pass->path_framebuffer, pass->desc.count, BOUNCE_ROWS);
 }
 

@@ -209,7 +209,6 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
         pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
     }
-    if (frame->medium)
-        pass_add_block(&state, BLOCK_MEDIUM, frame->medium);
+    frame_add_medium(frame, &state);
     draw_light(pass, frame, &state);
 }

@@ -242,34 +242,46 @@ bool emission_can_be_found(const struct emission *emission, const struct hit *hi
 
 /* A light that is no surface of the scene's list. What lies just before it hides nothing: it may be the
  * very surface that the light is. */
-static bool find_light(const struct emission *emission, int n, const struct hit *hit,
-                       vec3s direction, const struct hit *end, struct arrival *arrival) {
+static bool find_light(const struct emission *emission, const struct ray_scene *rays, int n,
+                       const struct hit *hit, vec3s direction, const struct hit *end,
+                       struct arrival *arrival) {
     vec2s place;
     float distance;
     if (hit->brdf.diffuse || !emitter_meet(&emission->sources[n].light, hit->position.raw,
                                            direction.raw, place.raw, &distance))
         return false;
     float slack = 1e-4F * emission->radius;
-    if (end && glms_vec3_distance(end->position, hit->position) < distance - slack)
+    bool before = end && glms_vec3_distance(end->position, hit->position) < distance - slack;
+    if ((before && !rays->has_panes) || !emission_reach(emission, n, place, hit, arrival) ||
+        !(arrival->found > 0))
         return false;
-    return emission_reach(emission, n, place, hit, arrival) && arrival->found > 0;
+    if (!rays->has_panes)
+        return true;
+    /* The ray may have met a pane by chance: the light has its own way. */
+    vec3s passes =
+        ray_scene_is_open(rays, ray_scene_departure(rays, hit), direction, distance - slack);
+    arrival->irradiance = glms_vec3_mul(arrival->irradiance, passes);
+    return glms_vec3_max(passes) > 0;
 }
 
-bool emission_found(const struct emission *emission, int n, const struct hit *hit, vec3s direction,
-                    const struct hit *end, struct arrival *arrival) {
+bool emission_found(const struct emission *emission, const struct ray_scene *rays, int n,
+                    const struct hit *hit, vec3s direction, const struct hit *met, bool meets,
+                    struct arrival *arrival) {
+    const struct hit *end = meets ? met : NULL;
     float cosine = glms_vec3_dot(hit->normal, direction);
     float cos_geometric = glms_vec3_dot(hit->geometric_normal, direction);
     struct found found;
     if (cosine <= 0 || cos_geometric <= 0)
         return false;
     if (emission->sources[n].kind == SOURCE_LIGHT)
-        return find_light(emission, n, hit, direction, end, arrival);
+        return find_light(emission, rays, n, hit, direction, end, arrival);
     bool is_sky = emission->sources[n].kind == SOURCE_SKY;
     if (is_sky == (end != NULL) || !(end ? find_surface(emission, hit, direction, end, &found)
                                          : find_sky(emission, direction, &found)))
         return false;
     float distance = end ? glms_vec3_distance(end->position, hit->position) : INFINITY;
     vec3s irradiance = glms_vec3_scale(found.radiance, cosine / found.picked);
+    irradiance = glms_vec3_mul(irradiance, met->share);
     *arrival = (struct arrival){
         .direction = direction,
         .irradiance = through_medium(emission, hit, direction, distance, irradiance),
@@ -349,9 +361,12 @@ static struct reflected direct_from(const struct emission *emission, int n,
                                     vec2s sample) {
     struct arrival arrival;
     vec2s place = emission_place(emission, n, sample, hit);
-    if (!emission_reach(emission, n, place, hit, &arrival) ||
-        !ray_scene_visible(rays, ray_scene_departure(rays, hit), arrival.at))
+    if (!emission_reach(emission, n, place, hit, &arrival))
         return (struct reflected){0};
+    vec3s passes = ray_scene_passes(rays, ray_scene_departure(rays, hit), arrival.at);
+    if (glms_vec3_max(passes) <= 0)
+        return (struct reflected){0};
+    arrival.irradiance = glms_vec3_mul(arrival.irradiance, passes);
     return reflect(hit, &arrival, emission_picked_weight(&arrival, 0));
 }
 
@@ -386,7 +401,7 @@ static struct reflected direct_by_ray(const struct emission *emission, const str
     bool ends = ray_scene_hit(rays, ray_scene_departure(rays, hit), direction, &end);
     for (int n = 0; n < emission->count; n++) {
         struct arrival arrival;
-        if (!emission_found(emission, n, hit, direction, ends ? &end : NULL, &arrival))
+        if (!emission_found(emission, rays, n, hit, direction, &end, ends, &arrival))
             continue;
         float share = emission_found_weight(&arrival, 0) / arrival.found;
         sum = add(sum, reflect(hit, &arrival, share));

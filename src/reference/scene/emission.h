@@ -82,10 +82,12 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
  * has a size. */
 bool emission_can_be_found(const struct emission *emission, const struct hit *hit);
 
-/* What of the n-th light arrives from where a ray came to that left the surface in that direction: `end`, or,
- * where that is NULL, out of the scene. False where it does not shine from there, or is not to be found. */
-bool emission_found(const struct emission *emission, int n, const struct hit *hit, vec3s direction,
-                    const struct hit *end, struct arrival *arrival);
+/* What of the n-th light arrives from where a ray came to that left the surface in that direction: what it
+ * met, or, where it meets nothing, out of the scene. False where it does not shine from there, or is not to be
+ * found. */
+bool emission_found(const struct emission *emission, const struct ray_scene *rays, int n,
+                    const struct hit *hit, vec3s direction, const struct hit *met, bool meets,
+                    struct arrival *arrival);
 
 /* The weight of such a ray among ways to the same place whose densities are these, over
  * emission_place's; and of a pick of emission_place's. The power heuristic with exponent 2 [Veach 1997,

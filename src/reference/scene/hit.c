@@ -77,13 +77,23 @@ static vec3s mapped_normal(const struct hit_table *table, const struct material 
     return is_told ? glms_vec3_normalize(turned) : normal;
 }
 
+static bool is_pane(const struct hit_table *table, const struct material *material) {
+    return material_lets_pass(material) &&
+           !(table->has_smooth && material_smooth_kind(material) == SMOOTH_GLASS);
+}
+
 static struct brdf reflection_at(const struct hit_table *table, const struct material *material,
                                  const struct corners *corners) {
     vec3s color = glms_vec3(base_color(table, material, corners));
+    bool is_glass = is_pane(table, material);
+    if (is_glass)
+        color = glms_vec3_scale(color, 1 - material_transmits(material));
     if (!table->has_specular)
         return brdf_lambertian(color);
     struct reflectance at = corners_reflectance(corners, table->scene, table->geometry,
                                                 table->srgb_to_linear, material);
+    for (int c = 0; c < 3 && is_glass && material_transmits(material) > 0; c++)
+        at.f0.raw[c] = 2 * at.f0.raw[c] / (1 + at.f0.raw[c]); /* two faces */
     return brdf_of(material, color, &at);
 }
 
@@ -131,6 +141,10 @@ static bool is_smooth(const struct hit_table *table, const struct material *mate
            (kind == SMOOTH_MIRROR && (!from_behind || material->double_sided));
 }
 
+static bool has_two_sides(const struct hit_table *table, const struct material *material) {
+    return material->double_sided || (is_pane(table, material) && material->transmission > 0);
+}
+
 void hit_table_free(struct hit_table *table) {
     free(table->material_of);
     free(table->normal_of);
@@ -154,7 +168,7 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     hit->brdf = brdf_lambertian(glms_vec3_zero());
     hit->emission = hit->unlit = glms_vec3_zero();
     hit->smooth = is_smooth(table, material, from_behind) ? material : NULL;
-    if (from_behind && !material->double_sided && !hit->smooth)
+    if (from_behind && !has_two_sides(table, material) && !hit->smooth)
         return;
     bool full = table->materials == MATERIALS_FULL;
     if (full && material->normal_texture >= 0) {
@@ -168,7 +182,7 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     else
         hit->brdf = reflection_at(table, material, &corners);
     brdf_turn(&hit->brdf, hit->normal, hit->towards);
-    if (from_behind && !material->double_sided)
+    if (from_behind && !has_two_sides(table, material))
         return;
     if (glm_vec3_max((float *)material->emission) > 0)
         hit->emission = emission_at(table, material, &corners);
@@ -189,11 +203,24 @@ vec3s hit_emission(const struct hit_table *table, const struct triangle_point *p
 bool hit_is_hole(const struct hit_table *table, const struct triangle_point *point) {
     const struct material *material = material_of(table, point->triangle);
     struct corners corners = find_corners(table, point);
-    return material->alpha_mask && base_color(table, material, &corners).a < material->alpha_cutoff;
+    return material->alpha_mask && !material->blends &&
+           material_is_hole(material, base_color(table, material, &corners).a);
+}
+
+bool hit_is_pane(const struct hit_table *table, uint32_t triangle) {
+    return is_pane(table, material_of(table, triangle));
+}
+
+struct passing hit_passing(const struct hit_table *table, const struct triangle_point *point,
+                           vec3s ray_direction) {
+    struct corners corners = find_corners(table, point);
+    const struct material *material = material_of(table, point->triangle);
+    float cosine = fabsf(glms_vec3_dot(table->normal_of[point->triangle], ray_direction));
+    return material_passing(material, base_color(table, material, &corners), cosine);
 }
 
 bool hit_is_hidden(const struct hit_table *table, uint32_t triangle, vec3s ray_direction) {
     const struct material *material = material_of(table, triangle);
-    return !material->double_sided && !is_smooth(table, material, true) &&
+    return !has_two_sides(table, material) && !is_smooth(table, material, true) &&
            glms_vec3_dot(table->normal_of[triangle], ray_direction) > 0;
 }

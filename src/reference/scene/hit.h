@@ -29,6 +29,8 @@ struct hit {
     /* Glass or a mirror, which is black then, where the table tells these apart (hit_table_find_smooth); else NULL. */
     const struct material *smooth;
     vec3s tint; /* of those: the base colour */
+    vec3s
+        share; /* of what it sends along the ray: by panes on the way, over the chance to meet it */
     uint32_t triangle;
     bool is_back; /* of it */
 };
@@ -65,6 +67,11 @@ struct reflected {
     vec3s diffuse, specular;
 };
 
+static inline struct reflected reflected_scale(const struct reflected *light, vec3s share) {
+    return (struct reflected){glms_vec3_mul(light->diffuse, share),
+                              glms_vec3_mul(light->specular, share)};
+}
+
 /* All of it, radiance. */
 static inline vec3s hit_radiance(const struct hit *hit, const struct reflected *light) {
     vec3s diffuse = glms_vec3_mul(hit->brdf.albedo, light->diffuse);
@@ -89,6 +96,11 @@ vec3s hit_emission(const struct hit_table *table, const struct triangle_point *p
 
 /* Whether the alpha mask has a hole at the point. */
 bool hit_is_hole(const struct hit_table *table, const struct triangle_point *point);
+
+/* Whether the triangle lets light pass straight on; and how much of it, at the point. */
+bool hit_is_pane(const struct hit_table *table, uint32_t triangle);
+struct passing hit_passing(const struct hit_table *table, const struct triangle_point *point,
+                           vec3s ray_direction);
 
 /* Whether a ray of that direction meets the back of a single-sided triangle. */
 bool hit_is_hidden(const struct hit_table *table, uint32_t triangle, vec3s ray_direction);

@@ -1,23 +1,59 @@
 #include "reference/scene/ray_scene.h"
 
 #include "base/error.h"
+#include "reference/sampler.h"
 #include "reference/scene/embree.h"
 
 #include <math.h>
+#include <string.h>
+
+/* A ray passes so many panes at most. */
+enum { PANES_MOST = 32 };
 
 /* What a filter sees besides the hit: the Embree context comes first. */
 struct ray_context {
     embree_context embree;
     const struct ray_scene *rays;
+    vec3s *passes;               /* of shadow rays, by their ids: what panes let pass */
+    uint32_t passed[PANES_MOST]; /* panes, of other rays */
+    int passed_count;
 };
 
-/* Embree numbers the triangles of each of its geometries from 0; the masked ones follow. */
+/* Embree numbers the triangles of each of its geometries from 0; masked ones and panes follow. */
 enum { GEOMETRY_OPAQUE, GEOMETRY_MASKED };
 
 static struct triangle_point point_of(const struct ray_scene *rays, const struct RTCHit *hit) {
     uint32_t first =
         hit->geomID == GEOMETRY_MASKED ? rays->table->geometry->opaque_index_count / 3 : 0;
     return (struct triangle_point){first + hit->primID, hit->u, hit->v};
+}
+
+/* The i-th ray of a packet, as the hit below. */
+static vec3s direction_of_packet(const struct RTCRayN *packet, unsigned count, unsigned i,
+                                 unsigned *id) {
+    const float *numbers = (const float *)packet;
+    *id = ((const unsigned *)packet)[10 * count + i];
+    return (vec3s){{numbers[4 * count + i], numbers[5 * count + i], numbers[6 * count + i]}};
+}
+
+static bool has_passed(const struct ray_context *context, uint32_t triangle) {
+    bool passed = false;
+    for (int i = 0; i < context->passed_count; i++)
+        passed |= context->passed[i] == triangle;
+    return passed;
+}
+
+/* Whether the ray goes on past a pane. Shadow rays note what it lets pass. */
+static bool passes_pane(struct ray_context *context, const struct triangle_point *point,
+                        vec3s direction, unsigned id) {
+    if (!hit_is_pane(context->rays->table, point->triangle))
+        return false;
+    if (!context->passes)
+        return has_passed(context, point->triangle);
+    direction = glms_vec3_normalize(direction);
+    struct passing passing = hit_passing(context->rays->table, point, direction);
+    context->passes[id] = glms_vec3_mul(context->passes[id], passing.passes);
+    return glms_vec3_max(passing.passes) > 0;
 }
 
 /* The i-th hit of a packet: the members of RTCHit, each an array of as many as there are rays.
@@ -31,14 +67,17 @@ static struct RTCHit hit_of_packet(const struct RTCHitN *packet, unsigned count,
                            .geomID = ids[6 * count + i]};
 }
 
-static void let_pass_holes(const struct RTCFilterFunctionNArguments *arguments) {
-    const struct ray_scene *rays = ((const struct ray_context *)arguments->context)->rays;
+static void let_pass_holes_and_panes(const struct RTCFilterFunctionNArguments *arguments) {
+    struct ray_context *context = (struct ray_context *)arguments->context;
     for (unsigned i = 0; i < arguments->N; i++) {
+        unsigned id;
         if (arguments->valid[i] == 0)
             continue;
         struct RTCHit hit = hit_of_packet(arguments->hit, arguments->N, i);
-        struct triangle_point point = point_of(rays, &hit);
-        if (hit_is_hole(rays->table, &point))
+        struct triangle_point point = point_of(context->rays, &hit);
+        vec3s direction = direction_of_packet(arguments->ray, arguments->N, i, &id);
+        if (hit_is_hole(context->rays->table, &point) ||
+            passes_pane(context, &point, direction, id))
             arguments->valid[i] = 0;
     }
 }
@@ -96,11 +135,13 @@ bool ray_scene_init(struct ray_scene *rays, const struct hit_table *table) {
     /* Watertight edges: a ray through a crack would see the far side's light. Of rays aimed at the
      * edges of a closed sphere 1.5 % escape without this flag, which costs some 10 % of the time. */
     rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST | EMBREE_QUERY_FILTERS);
+    for (int b = 0; b < geometry->batch_count; b++)
+        rays->has_panes |= hit_is_pane(table, geometry->batches[b].first_index / 3);
     uint32_t opaque = geometry->opaque_index_count, masked = geometry->index_count - opaque;
     if (opaque > 0)
         attach_triangles(rays, GEOMETRY_OPAQUE, 0, opaque, NULL);
     if (masked > 0)
-        attach_triangles(rays, GEOMETRY_MASKED, opaque, masked, let_pass_holes);
+        attach_triangles(rays, GEOMETRY_MASKED, opaque, masked, let_pass_holes_and_panes);
     rtcCommitScene(rays->scene);
     enum RTCError code = rtcGetDeviceError(rays->device);
     if (code == RTC_ERROR_NONE)
@@ -130,51 +171,101 @@ static struct RTCRay make_ray(vec3s origin, vec3s direction, float length) {
     };
 }
 
-static bool trace(const struct ray_scene *rays, vec3s origin, vec3s direction, const float ends[2],
-                  RTCFilterFunctionN filter, struct hit *hit) {
+/* Another number for each ray, from 0 to below 1. */
+static float chance_of(vec3s origin, vec3s direction, uint32_t seed) {
+    uint32_t bits[6];
+    memcpy(bits, origin.raw, sizeof origin.raw);
+    memcpy(bits + 3, direction.raw, sizeof direction.raw);
+    for (int i = 0; i < 6; i++)
+        seed = sampler_hash(seed, bits[i]);
+    return (float)(seed >> 8) * 0x1p-24F;
+}
+
+/* By chance the ray goes on past the pane, as often as that lets light pass. */
+static bool goes_on(const struct ray_scene *rays, const struct triangle_point *point,
+                    vec3s direction, float *chance, vec3s *share) {
+    struct passing passing = hit_passing(rays->table, point, direction);
+    float most = glms_vec3_max(passing.passes);
+    bool goes = *chance < most;
+    *share = goes ? glms_vec3_scale(glms_vec3_mul(*share, passing.passes), 1 / most)
+                  : glms_vec3_scale(*share, passing.covers / (1 - most));
+    *chance = goes ? *chance / most : *chance;
+    return goes;
+}
+
+struct way {
+    vec3s origin, direction;
+    float ends[2];
+    uint32_t seed;
+};
+
+static bool trace(const struct ray_scene *rays, const struct way *way, RTCFilterFunctionN filter,
+                  struct hit *hit) {
     struct ray_context context = {.rays = rays};
-    struct RTCRayHit query = {.ray = make_ray(origin, direction, ends[1]),
+    struct RTCRayHit query = {.ray = make_ray(way->origin, way->direction, way->ends[1]),
                               .hit.geomID = RTC_INVALID_GEOMETRY_ID};
-    query.ray.tnear = ends[0];
-    embree_intersect(rays->scene, &context.embree, filter, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID)
-        return false;
-    struct triangle_point point = point_of(rays, &query.hit);
-    hit_at(rays->table, &point, direction, hit);
-    return true;
+    vec3s share = glms_vec3_one();
+    float chance = rays->has_panes ? chance_of(way->origin, way->direction, way->seed) : 0;
+    query.ray.tnear = way->ends[0];
+    bool hits = false;
+    for (int more = 1; more && context.passed_count < PANES_MOST;) {
+        embree_intersect(rays->scene, &context.embree, filter, &query);
+        struct triangle_point point = point_of(rays, &query.hit);
+        hits = query.hit.geomID != RTC_INVALID_GEOMETRY_ID;
+        more = hits && rays->has_panes && hit_is_pane(rays->table, point.triangle) &&
+               goes_on(rays, &point, way->direction, &chance, &share);
+        if (more) {
+            /* What lies in the pane's plane is not missed. */
+            context.passed[context.passed_count++] = point.triangle;
+            query.ray.tnear = fmaxf(way->ends[0], query.ray.tfar - rays->clearance / 10);
+            query.ray.tfar = way->ends[1];
+            query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+        } else if (hits) {
+            hit_at(rays->table, &point, way->direction, hit);
+        }
+    }
+    bool is_lost = context.passed_count == PANES_MOST;
+    hit->share = is_lost ? glms_vec3_zero() : share;
+    return hits && !is_lost;
 }
 
 bool ray_scene_hit(const struct ray_scene *rays, vec3s origin, vec3s direction, struct hit *hit) {
-    return trace(rays, origin, direction, (float[]){0, INFINITY}, NULL, hit);
+    return trace(rays, &(struct way){origin, direction, {0, INFINITY}, 0}, NULL, hit);
 }
 
 bool ray_scene_camera_hit(const struct ray_scene *rays, vec3s origin, vec3s direction,
-                          const float ends[2], struct hit *hit) {
-    return trace(rays, origin, direction, ends, let_pass_hidden, hit);
+                          const float ends[2], uint32_t seed, struct hit *hit) {
+    return trace(rays, &(struct way){origin, direction, {ends[0], ends[1]}, seed}, let_pass_hidden,
+                 hit);
 }
 
-bool ray_scene_camera_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
-                              const float ends[2]) {
+static vec3s open_to(const struct ray_scene *rays, RTCFilterFunctionN filter, struct RTCRay *ray) {
     struct ray_context context = {.rays = rays};
+    vec3s passes = glms_vec3_one();
+    context.passes = &passes;
+    embree_occluded(rays->scene, &context.embree, filter, ray);
+    return ray->tfar >= 0 ? passes : glms_vec3_zero();
+}
+
+vec3s ray_scene_camera_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
+                               const float ends[2]) {
     struct RTCRay ray = make_ray(origin, direction, ends[1]);
     ray.tnear = ends[0];
-    embree_occluded(rays->scene, &context.embree, let_pass_hidden, &ray);
-    return ray.tfar >= 0;
+    return open_to(rays, let_pass_hidden, &ray);
 }
 
-bool ray_scene_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
-                       float distance) {
-    struct ray_context context = {.rays = rays};
+vec3s ray_scene_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
+                        float distance) {
     struct RTCRay ray = make_ray(origin, direction, distance);
-    embree_occluded(rays->scene, &context.embree, NULL, &ray);
-    return ray.tfar >= 0;
+    return open_to(rays, NULL, &ray);
 }
 
-bool ray_scene_visible(const struct ray_scene *rays, vec3s from, vec3s to) {
+vec3s ray_scene_passes(const struct ray_scene *rays, vec3s from, vec3s to) {
     vec3s path = glms_vec3_sub(to, from);
     float distance = glms_vec3_norm(path);
-    return distance <= rays->clearance ||
-           ray_scene_is_open(rays, from, path, 1 - rays->clearance / distance);
+    return distance <= rays->clearance
+               ? glms_vec3_one()
+               : ray_scene_is_open(rays, from, path, 1 - rays->clearance / distance);
 }
 
 static void set_ray(struct RTCRay4 *packet, int i, const struct RTCRay *ray) {
@@ -182,23 +273,27 @@ static void set_ray(struct RTCRay4 *packet, int i, const struct RTCRay *ray) {
     packet->dir_x[i] = ray->dir_x, packet->dir_y[i] = ray->dir_y, packet->dir_z[i] = ray->dir_z;
     packet->tfar[i] = ray->tfar;
     packet->mask[i] = ray->mask;
+    packet->id[i] = (unsigned)i;
 }
 
-void ray_scene_visible_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
-                         bool visible[4]) {
+void ray_scene_passes_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
+                        const bool asked[4], vec3s passes[4]) {
     struct ray_context context = {.rays = rays};
     struct RTCRay4 packet = {0};
     int traced[4] __attribute__((aligned(16))); /* -1 = yes, as Embree wants it */
+    context.passes = passes;
     for (int i = 0; i < 4; i++) {
         vec3s direction = glms_vec3_sub(to[i], from);
         float distance = glms_vec3_norm(direction);
-        traced[i] = visible[i] && distance > rays->clearance ? -1 : 0;
+        traced[i] = asked[i] && distance > rays->clearance ? -1 : 0;
         struct RTCRay ray = make_ray(from, direction, 1 - rays->clearance / distance);
         set_ray(&packet, i, &ray);
+        passes[i] = glms_vec3_one();
     }
     embree_occluded_4(traced, rays->scene, &context.embree, NULL, &packet);
     for (int i = 0; i < 4; i++)
-        visible[i] = visible[i] && (!traced[i] || packet.tfar[i] >= 0);
+        if (!asked[i] || (traced[i] && packet.tfar[i] < 0))
+            passes[i] = glms_vec3_zero();
 }
 
 vec3s ray_scene_above(const struct ray_scene *rays, vec3s position, vec3s normal) {

@@ -119,6 +119,7 @@ extern "C" bool gltf_load(struct scene *scene, const char *path, const struct fi
         return false;
     if (!load_choice(loader, *choice) || !load_parts(loader))
         return error_prefix("%s", path);
+    settle_blending(*scene);
     list_files(loader);
     tell_mended(loader);
     tell_lacks(loader);

@@ -244,8 +244,9 @@ bool load_transmission(Loader &loader, const tinygltf::Material &from, struct ma
     to.transmission =
         float(number_of(transmission->second, "transmissionFactor", 0, 0) * strengths[0]);
     auto volume = from.extensions.find("KHR_materials_volume");
-    to.thin_walled =
-        volume == from.extensions.end() || number_of(volume->second, "thicknessFactor", 0, 0) <= 0;
+    if (volume != from.extensions.end())
+        to.thickness = float(std::max(number_of(volume->second, "thicknessFactor", 0, 0), 0.));
+    to.thin_walled = to.thickness <= 0;
     if (to.thin_walled)
         return true;
     double distance = number_of(volume->second, "attenuationDistance", 0, HUGE_VAL);
@@ -265,8 +266,11 @@ bool load_transmission(Loader &loader, const tinygltf::Material &from, struct ma
 void tell_material(Loader &loader, const tinygltf::Material &from) {
     if (from.occlusionTexture.index >= 0)
         lack(loader, "occlusion maps (light is computed)");
-    if (from.alphaMode == "BLEND")
-        lack(loader, "blending (alpha from .5 on is opaque, below it a hole)");
+    bool shines = *std::max_element(from.emissiveFactor.begin(), from.emissiveFactor.end()) > 0;
+    if (shines && from.alphaMode == "BLEND")
+        lack(loader, "blending of what shines (alpha from .5 on is opaque, below it a hole)");
+    if (shines && from.extensions.count("KHR_materials_transmission"))
+        lack(loader, "transmission of what shines");
 }
 
 bool load_material(Loader &loader, const tinygltf::Material &from, struct material &to,
@@ -274,9 +278,11 @@ bool load_material(Loader &loader, const tinygltf::Material &from, struct materi
     copy_name(to.name, from.name);
     const auto &pbr = from.pbrMetallicRoughness;
     to.double_sided = from.doubleSided;
-    /* Whoever blends covers all, or nothing. */
+    /* What shines and blends covers all, or nothing. */
     bool blends = from.alphaMode == "BLEND";
+    bool shines = *std::max_element(from.emissiveFactor.begin(), from.emissiveFactor.end()) > 0;
     to.alpha_mask = blends || from.alphaMode == "MASK";
+    to.blends = blends && !shines;
     to.unlit = from.extensions.count("KHR_materials_unlit") > 0;
     tell_material(loader, from);
     return copy_numbers({blends ? .5 : from.alphaCutoff}, &to.alpha_cutoff, "alphaCutoff") &&
@@ -286,6 +292,34 @@ bool load_material(Loader &loader, const tinygltf::Material &from, struct materi
            copy_numbers({from.normalTexture.scale}, &to.normal_scale, "normalTexture: scale") &&
            load_reflectance(loader, from, to) && load_transmission(loader, from, to) &&
            load_emission(from, to) && load_textures(loader, from, to, mappings);
+}
+
+/* Of the alphas of a texture. */
+void widen_range(const struct bitmap &bitmap, float range[2]) {
+    size_t count = size_t(bitmap.width) * size_t(bitmap.height);
+    unsigned char least = 255, most = 0;
+    for (size_t i = 0; i < count; i++) {
+        least = std::min(least, bitmap.rgba[4 * i + 3]);
+        most = std::max(most, bitmap.rgba[4 * i + 3]);
+    }
+    range[0] *= float(least) / 255;
+    range[1] *= float(most) / 255;
+}
+
+/* Of the alphas of vertices; those that have none have 1. */
+void widen_range(const struct scene &scene, int material, float range[2]) {
+    float least = 1, most = 0;
+    for (int m = 0; m < scene.mesh_count; m++)
+        for (int p = 0; p < scene.meshes[m].primitive_count; p++) {
+            const struct primitive &primitive = scene.meshes[m].primitives[p];
+            for (int i = 0; primitive.material == material && i < primitive.vertex_count; i++) {
+                float alpha = primitive.color ? primitive.color[i][3] : 1;
+                least = std::min(least, alpha);
+                most = std::max(most, alpha);
+            }
+        }
+    range[0] *= least;
+    range[1] *= std::max(most, least);
 }
 
 /* The standard's default: white, rough and, as it is, a metal. */
@@ -302,6 +336,22 @@ void make_default(struct material &to) {
 }
 
 } // namespace
+
+/* What blends with an alpha of 1 throughout is opaque. */
+void settle_blending(struct scene &scene) {
+    const float even = 1e-3F;
+    for (int i = 0; i < scene.material_count; i++) {
+        struct material &material = scene.materials[i];
+        if (!material.blends)
+            continue;
+        float range[2] = {material.base_color[3], material.base_color[3]};
+        if (material.base_color_texture >= 0)
+            widen_range(scene.textures[material.base_color_texture].bitmap, range);
+        widen_range(scene, i, range);
+        material.blends = range[0] < 1 - even;
+        material.alpha_mask = range[1] - range[0] > even;
+    }
+}
 
 /* One material more than the file has: the default, for primitives without. */
 bool load_materials(Loader &loader) {

@@ -191,6 +191,7 @@ int material_of(const Loader &loader, const tinygltf::Primitive &primitive);
 /* Each fills its part of the scene, in this order. */
 bool load_materials(Loader &loader);
 bool load_meshes(Loader &loader);
+void settle_blending(struct scene &scene); /* of the loaded materials and meshes */
 bool load_lights(Loader &loader);
 
 /* light.cpp: sizes and the picture of the node's light from the extras of the node, where the light has none. A note

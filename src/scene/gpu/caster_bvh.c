@@ -4,14 +4,16 @@
 #include "base/error.h"
 #include "base/phases.h"
 #include "base/memory.h"
-#include "scene/mesh/opacity.h"
+#include "scene/mesh/pane_triangles.h"
 #include "scene/mesh/stackless_bvh.h"
 
 #include <math.h>
 #include <string.h>
 
-static void plant(struct bvh *tree, const struct scene *scene, const struct geometry *geometry) {
-    struct opaque_triangles list = opaque_triangles_of(scene, geometry);
+static void plant(struct bvh *tree, bool of_panes, const struct scene *scene,
+                  const struct geometry *geometry) {
+    struct opaque_triangles list =
+        of_panes ? pane_triangles_of(scene, geometry) : opaque_triangles_of(scene, geometry);
     bvh_init(tree, list.items, list.count);
 }
 
@@ -39,7 +41,7 @@ void caster_bvh_free(struct caster_bvh *tree) {
     if (tree->texels)
         gl.DeleteTextures(1, &tree->texels);
     buffer_free(&tree->buffer);
-    *tree = (struct caster_bvh){0};
+    *tree = (struct caster_bvh){.of_panes = tree->of_panes};
 }
 
 /* Since the tree was built. */
@@ -62,7 +64,7 @@ bool caster_bvh_update(struct caster_bvh *tree, const struct scene *scene,
     memcpy(desc.low, geometry->bounds_min, sizeof desc.low);
     memcpy(desc.high, geometry->bounds_max, sizeof desc.high);
     double start = clock_ms();
-    plant(&built, scene, geometry);
+    plant(&built, tree->of_panes, scene, geometry);
     stackless_bvh_init(&stackless, &built, &desc);
     phase_add(PHASE_TREE, start);
     bool ok = upload(tree, &stackless);

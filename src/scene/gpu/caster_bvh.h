@@ -1,6 +1,6 @@
 /* The scene's triangles as rays of shaders meet them: a buffer texture for UNIT_BVH, as
  * scene/mesh/stackless_bvh.h lays it out. All triangles hide light, from both sides, but where
- * an alpha mask has a hole. */
+ * an alpha mask has a hole; panes have a tree of their own, for UNIT_PANES. */
 #ifndef SCENE_GPU_CASTER_BVH_H
 #define SCENE_GPU_CASTER_BVH_H
 
@@ -11,6 +11,7 @@ struct caster_bvh {
     struct buffer buffer;
     GLuint texels;
     unsigned pose; /* of the geometry, that it is of */
+    bool of_panes; /* scene/mesh/pane_triangles.h; set before the first time */
 };
 
 /* Makes it of where the geometry is now; zeroed before the first time. Error: out of GPU memory, or more triangles than a

@@ -76,7 +76,7 @@ void caster_gpu_free(struct caster_gpu *gpu) {
 /* The triangles of dynamic batches. The others keep theirs: where things move none of them is of a solid, and whether it is
  * seen from behind is all one to a depth map. */
 static void update_indices(struct caster_gpu *gpu, const struct geometry *geometry) {
-    for (int i = 0; i < geometry->batch_count; i++) {
+    for (int i = 0; i < geometry->blocking_batch_count; i++) {
         if (!geometry->batches[i].dynamic)
             continue;
         enum caster_kind kind = caster_take_batch(&gpu->caster, geometry, i);

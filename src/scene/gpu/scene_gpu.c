@@ -54,7 +54,7 @@ static bool has_two_sides(const struct material *material, bool smooth_black) {
 static struct material_block block_of(const struct material *material, bool smooth_black) {
     bool black = smooth_black && material_smooth_kind(material) != SMOOTH_NONE;
     struct material_block block = {
-        .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff : -1,
+        .alpha_cutoff = material->alpha_mask ? material->alpha_cutoff - ALPHA_SLACK : -1,
         .double_sided = has_two_sides(material, smooth_black),
         .textured = material->base_color_texture >= 0,
         .emission_textured = material->emission_texture >= 0,
@@ -213,11 +213,11 @@ static void make_vertex_array(struct scene_gpu *gpu) {
 }
 
 static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry) {
-    gpu->batch_count = geometry->batch_count;
+    gpu->batch_count = geometry->blocking_batch_count;
     gpu->batches = mem_alloc((size_t)geometry->batch_count, sizeof *gpu->batches);
     memcpy(gpu->batches, geometry->batches, (size_t)geometry->batch_count * sizeof *gpu->batches);
     gpu->opaque_indices = geometry->opaque_index_count;
-    gpu->has_masked = geometry->opaque_index_count < geometry->index_count;
+    gpu->has_masked = geometry->opaque_index_count < geometry->blocking_index_count;
 }
 
 static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry) {
@@ -229,6 +229,8 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
         !upload_uvs(gpu, geometry) || !upload_attributes(gpu, geometry) ||
         !buffer_init(&gpu->indices, "scene indices", geometry->index_count * sizeof(uint32_t),
                      geometry->indices))
+        return false;
+    if (!caster_bvh_update(&gpu->panes, gpu->scene, geometry))
         return false;
     make_vertex_array(gpu);
     culling_init(&gpu->culling, geometry);
@@ -271,7 +273,7 @@ static bool upload_slides(struct scene_gpu *gpu, const struct scene *scene) {
 
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
                     const struct geometry *geometry) {
-    *gpu = (struct scene_gpu){.scene = scene};
+    *gpu = (struct scene_gpu){.scene = scene, .panes.of_panes = true};
     if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) && make_blank(gpu) &&
         upload_textures(gpu, scene) && upload_sky(gpu, scene->environment) &&
         upload_slides(gpu, scene) &&
@@ -284,6 +286,7 @@ bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
 
 void scene_gpu_free(struct scene_gpu *gpu) {
     free_geometry(gpu);
+    caster_bvh_free(&gpu->panes);
     buffer_free(&gpu->materials);
     for (int i = 0; i < gpu->texture_count; i++)
         texture_free(&gpu->textures[i]);
@@ -349,7 +352,7 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
         if (part->moved > seen)
             culling_measure(&gpu->culling, geometry, part->first_index, part->index_room);
     }
-    return true;
+    return caster_bvh_update(&gpu->panes, gpu->scene, geometry);
 }
 
 /* --- what shines ------------------------------------------------------------------------------ */
@@ -438,7 +441,7 @@ void scene_gpu_draw_shaded(const struct scene_gpu *gpu, const struct draw_views 
 
 void scene_gpu_draw_masked(const struct scene_gpu *gpu, const struct draw_views *views) {
     for (int i = 0; i < gpu->batch_count; i++)
-        if (gpu->scene->materials[gpu->batches[i].material].alpha_mask)
+        if (gpu->batches[i].first_index >= gpu->opaque_indices)
             draw_batch(gpu, &gpu->batches[i], views);
 }
 

@@ -5,6 +5,7 @@
 
 #include "gl/buffer.h"
 #include "gl/texture.h"
+#include "scene/gpu/caster_bvh.h"
 #include "scene/gpu/culling.h"
 #include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
@@ -26,6 +27,7 @@ struct scene_gpu {
     bool has_masked; /* batches with an alpha mask */
     uint32_t opaque_indices;
     struct culling culling;
+    struct caster_bvh panes;
     unsigned pose;             /* of the geometry, that was uploaded last */
     int16_t (*normal_room)[4]; /* for the conversion of a part's */
     uint32_t normal_room_size;

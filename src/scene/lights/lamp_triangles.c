@@ -2,6 +2,7 @@
 
 #include "base/halton.h"
 #include "base/memory.h"
+#include "scene/material.h"
 #include "scene/texture.h"
 
 #include <cglm/cglm.h>
@@ -47,7 +48,7 @@ static bool is_hole(const struct source *source, const uint32_t index[3], const 
         alpha += weight[k] * (source->primitive->color ? source->primitive->color[index[k]][3] : 1);
     alpha *=
         material->base_color[3] * look_up(source, material->base_color_texture, 0, index, weight).a;
-    return alpha < material->alpha_cutoff;
+    return material_is_hole(material, alpha);
 }
 
 /* The mean of the texture over so many places, black in holes; whether all are alike. */

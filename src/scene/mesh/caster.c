@@ -75,7 +75,7 @@ static float find_long_edge(const struct caster_list *all, const struct geometry
                             uint32_t long_count) {
     float *edges = mem_alloc(all->index_count / 3, sizeof *edges);
     uint32_t count = 0;
-    for (int i = 0; i < geometry->batch_count; i++) {
+    for (int i = 0; i < geometry->blocking_batch_count; i++) {
         const struct geometry_batch *batch = &all->batches[i];
         for (uint32_t k = 0; k < batch->index_count && !batch->dynamic; k += 3)
             edges[count++] = longest_edge(geometry, all->indices + batch->first_index + k);
@@ -133,7 +133,7 @@ static void add_moved(struct caster_list *list, const struct geometry *geometry,
 static void list_all(struct caster_list *list, const struct geometry *geometry,
                      const uint32_t *moved_to) {
     list_init(list, geometry, geometry->index_count);
-    for (int i = 0; i < geometry->batch_count; i++) {
+    for (int i = 0; i < geometry->blocking_batch_count; i++) {
         const struct geometry_batch *batch = &geometry->batches[i];
         list_begin_batch(list, geometry, i);
         if (moved_to && !batch->dynamic)
@@ -157,7 +157,7 @@ static void sort_out(struct caster *caster, const struct caster_list *all,
                      const struct geometry *geometry, const bool *is_solid) {
     for (int l = 0; l < CASTER_KIND_COUNT; l++)
         list_init(&caster->list[l], geometry, all->index_count);
-    for (int i = 0; i < geometry->batch_count; i++) {
+    for (int i = 0; i < geometry->blocking_batch_count; i++) {
         const struct geometry_batch *batch = &all->batches[i];
         for (int l = 0; l < CASTER_KIND_COUNT; l++)
             list_begin_batch(&caster->list[l], geometry, i);
@@ -188,7 +188,7 @@ static bool *find_solid(const struct caster *caster, const struct caster_list *a
                                 geometry_clearance(geometry)};
     if (eye)
         solid_find(is_solid, &opaque, eye);
-    for (int i = 0; i < geometry->batch_count; i++) {
+    for (int i = 0; i < geometry->blocking_batch_count; i++) {
         const struct geometry_batch *batch = &all->batches[i];
         if (batch->dynamic && kind_of_dynamic(caster, geometry, i) == CASTER_SHORT_SOLID)
             memset(is_solid + batch->first_index / 3, true, batch->index_count / 3);
@@ -200,7 +200,7 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
                  const struct caster_desc *desc) {
     *caster = (struct caster){
         .vertex_count = geometry->vertex_count,
-        .batch_count = geometry->batch_count,
+        .batch_count = geometry->blocking_batch_count,
         .error = desc->error * surface_size(geometry),
     };
     uint32_t *moved_to =
@@ -234,16 +234,19 @@ enum caster_kind caster_take_batch(struct caster *caster, const struct geometry 
     return kind;
 }
 
-/* Static vertices keep their numbers. */
+/* Static vertices keep their numbers. Glass that has begun to block light lies at the end. */
 static void lay_out(struct caster *caster, const struct geometry *geometry, enum caster_kind kind) {
     struct caster_list *list = &caster->list[kind], old = *list;
     list_init(list, geometry, old.index_count + geometry->index_count);
-    for (int i = 0; i < caster->batch_count; i++) {
+    for (int i = 0; i < geometry->blocking_batch_count; i++) {
         const struct geometry_batch *now = &geometry->batches[i], *batch = &old.batches[i];
+        bool is_new = i >= caster->batch_count;
         list_begin_batch(list, geometry, i);
-        if (!now->dynamic)
+        if (is_new && kind == CASTER_SHORT)
+            list_add(list, geometry->indices + now->first_index, now->index_count);
+        else if (!now->dynamic && !is_new)
             list_add(list, old.indices + batch->first_index, batch->index_count);
-        else if (kind == kind_of_dynamic(caster, geometry, i))
+        else if (!is_new && kind == kind_of_dynamic(caster, geometry, i))
             list_add(list, geometry->indices + now->first_index, now->index_count);
         list_end_batch(list, geometry, i);
     }
@@ -254,4 +257,5 @@ void caster_lay_out(struct caster *caster, const struct geometry *geometry) {
     for (int l = 0; l < CASTER_KIND_COUNT; l++)
         lay_out(caster, geometry, (enum caster_kind)l);
     caster->vertex_count = geometry->vertex_count;
+    caster->batch_count = geometry->blocking_batch_count;
 }

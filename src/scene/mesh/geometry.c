@@ -5,6 +5,7 @@
 #include "base/memory.h"
 #include "scene/animated.h"
 #include "scene/animation.h"
+#include "scene/material.h"
 #include "scene/mesh/primitive.h"
 #include "scene/shapes/marching_cubes.h"
 #include "scene/shapes/metaballs.h"
@@ -148,6 +149,28 @@ static bool lay_vertices(struct geometry *geometry, const struct scene *scene) {
     return true;
 }
 
+/* Batches are in the order of their kinds. */
+enum batch_kind { BATCH_OPAQUE, BATCH_MASKED, BATCH_GLASS, BATCH_PANE, BATCH_KINDS };
+
+static enum batch_kind kind_of(const struct material *material) {
+    if (material_is_pane(material))
+        return material_smooth_kind(material) == SMOOTH_GLASS ? BATCH_GLASS : BATCH_PANE;
+    return material->alpha_mask ? BATCH_MASKED : BATCH_OPAQUE;
+}
+
+static void find_blocking(struct geometry *geometry, const struct scene *scene) {
+    enum batch_kind last = geometry->glass_blocks ? BATCH_GLASS : BATCH_MASKED;
+    geometry->blocking_batch_count = 0;
+    geometry->blocking_index_count = 0;
+    for (int b = 0; b < geometry->batch_count; b++) {
+        const struct geometry_batch *batch = &geometry->batches[b];
+        if (kind_of(&scene->materials[batch->material]) > last)
+            break;
+        geometry->blocking_batch_count = b + 1;
+        geometry->blocking_index_count = batch->first_index + batch->index_count;
+    }
+}
+
 /* Indices of batch after batch, in the order of drawing. */
 static void lay_batches(struct geometry *geometry, const struct scene *scene) {
     struct key {
@@ -159,18 +182,19 @@ static void lay_batches(struct geometry *geometry, const struct scene *scene) {
     }
     geometry->batch_count = 0;
     uint32_t first = 0;
-    for (int masked = 0; masked < 2; masked++) {
+    for (int kind = 0; kind < BATCH_KINDS; kind++) {
         for (int k = 0; k < 2 * scene->material_count; k++) {
-            if (scene->materials[k / 2].alpha_mask != masked || keys[k].count == 0)
+            if ((int)kind_of(&scene->materials[k / 2]) != kind || keys[k].count == 0)
                 continue;
             geometry->batches[geometry->batch_count++] = (struct geometry_batch){
                 .material = k / 2, .first_index = first, .index_count = keys[k].count, k % 2};
             keys[k].next = first;
             first += keys[k].count;
         }
-        if (!masked)
+        if (kind == BATCH_OPAQUE)
             geometry->opaque_index_count = first;
     }
+    find_blocking(geometry, scene);
     for (int i = 0; i < geometry->part_count; i++) {
         struct geometry_part *part = &geometry->parts[i];
         struct key *key = &keys[2 * part_primitive(scene, part)->material + part->dynamic];
@@ -462,6 +486,18 @@ void geometry_free(struct geometry *geometry) {
     free(geometry->batches);
     free(geometry->parts);
     *geometry = (struct geometry){0};
+}
+
+bool geometry_block_glass(struct geometry *geometry, const struct scene *scene, bool blocks) {
+    uint32_t before = geometry->blocking_index_count;
+    geometry->glass_blocks = blocks;
+    find_blocking(geometry, scene);
+    if (geometry->blocking_index_count == before)
+        return false;
+    geometry->laid_out = ++geometry->pose_count;
+    for (int i = 0; i < geometry->part_count; i++)
+        geometry->parts[i].moved = geometry->pose_count;
+    return true;
 }
 
 float geometry_clearance(const struct geometry *geometry) {

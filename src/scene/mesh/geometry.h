@@ -2,7 +2,8 @@
  *
  * Vertices of all meshes lie in one set of arrays and all triangles in one index array, so that a
  * pass can draw everything at once. Triangles are sorted into batches of one material; batches
- * without alpha mask come first, so that depth passes draw all of them as one.
+ * without alpha mask come first, so that depth passes draw all of them as one. Panes come last:
+ * light goes straight through them (scene/material.h).
  */
 #ifndef SCENE_MESH_GEOMETRY_H
 #define SCENE_MESH_GEOMETRY_H
@@ -45,8 +46,11 @@ struct geometry {
     uint32_t *indices;
     struct geometry_batch *batches;
     int batch_count;
-    int mapping_count;           /* from 1 on */
-    uint32_t opaque_index_count; /* indices of the batches without alpha mask: [0, this) */
+    int mapping_count;             /* from 1 on */
+    uint32_t opaque_index_count;   /* indices of the batches without alpha mask: [0, this) */
+    uint32_t blocking_index_count; /* of all but panes: [0, this) */
+    int blocking_batch_count;
+    bool glass_blocks; /* glass is no pane */
 
     /* Bounding box and sphere of the vertices that triangles use, throughout the clip that plays:
      * lengths that are fractions of the radius would breathe with a single pose's. */
@@ -81,9 +85,22 @@ void geometry_free(struct geometry *geometry);
  * Error: something ends up too far away; the geometry must not be used until a pose succeeds. */
 bool geometry_pose(struct geometry *geometry, struct scene *scene, double time);
 
+/* Says whether glass (SMOOTH_GLASS) counts among what blocks light, as caustics need it; at first it does not. True: that
+ * is a new pose. */
+bool geometry_block_glass(struct geometry *geometry, const struct scene *scene, bool blocks);
+
 /* How far above a surface a ray begins that is not to meet it: about a hundred times the rounding of the scene's
  * coordinates, metres. */
 float geometry_clearance(const struct geometry *geometry);
+
+/* Whether some triangle is a pane; and whether a part's are. */
+static inline bool geometry_has_panes(const struct geometry *geometry) {
+    return geometry->blocking_index_count < geometry->index_count;
+}
+static inline bool geometry_part_is_pane(const struct geometry *geometry,
+                                         const struct geometry_part *part) {
+    return part->first_index >= geometry->blocking_index_count;
+}
 
 /* Triangles in use. */
 uint32_t geometry_triangle_count(const struct geometry *geometry);

@@ -17,7 +17,6 @@ struct masked {
     const struct material *material;
     const uint32_t *index;
     float decode[256];
-    float cutoff;
 };
 
 /* A part of it, by the weights of the triangle's second and third corner at its own. */
@@ -32,9 +31,10 @@ static struct corners corners_at(const struct masked *masked, vec2s at) {
 
 static bool is_opaque(const struct masked *masked, vec2s at) {
     struct corners corners = corners_at(masked, at);
-    return corners_base_color(&corners, masked->scene, masked->geometry, masked->decode,
-                              masked->material)
-               .a >= masked->cutoff;
+    return !material_is_hole(masked->material,
+                             corners_base_color(&corners, masked->scene, masked->geometry,
+                                                masked->decode, masked->material)
+                                 .a);
 }
 
 static vec2s within(const struct part *part, float u, float v) {
@@ -135,7 +135,6 @@ static void add_masked(struct opaque_triangles *list, const struct scene *scene,
     static const struct part whole = {{{{0, 0}}, {{1, 0}}, {{0, 1}}}};
     struct masked masked = {
         .scene = scene, .geometry = geometry, .material = &scene->materials[batch->material]};
-    masked.cutoff = masked.material->alpha_cutoff;
     texture_decode_table(masked.decode);
     for (uint32_t i = 0; i < batch->index_count; i += 3) {
         masked.index = &geometry->indices[batch->first_index + i];
@@ -157,7 +156,7 @@ static void add_opaque(struct opaque_triangles *list, const struct geometry *geo
 struct opaque_triangles opaque_triangles_of(const struct scene *scene,
                                             const struct geometry *geometry) {
     struct opaque_triangles list = {0};
-    for (int b = 0; b < geometry->batch_count; b++) {
+    for (int b = 0; b < geometry->blocking_batch_count; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];
         if (scene->materials[batch->material].alpha_mask)
             add_masked(&list, scene, geometry, batch);

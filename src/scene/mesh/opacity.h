@@ -12,7 +12,7 @@ struct opaque_triangles {
     uint32_t count, room;
 };
 
-/* All triangles, of those with an alpha mask what it leaves. */
+/* All triangles but panes, of those with an alpha mask what it leaves. */
 struct opaque_triangles opaque_triangles_of(const struct scene *scene,
                                             const struct geometry *geometry);
 

@@ -52,8 +52,10 @@ static double *measure_areas(const struct surface_points_desc *desc) {
     for (int p = 0; p < geometry->part_count; p++)
         for (uint32_t t = 0; t < geometry->parts[p].index_count / 3; t++) {
             const uint32_t *index = triangle_indices(geometry, &geometry->parts[p], t);
-            areas[at++] =
-                corners_area(geometry, index) * boxed_share(box_of(desc), geometry, index);
+            bool is_pane = geometry_part_is_pane(geometry, &geometry->parts[p]);
+            areas[at++] = is_pane ? 0
+                                  : corners_area(geometry, index) *
+                                        boxed_share(box_of(desc), geometry, index);
         }
     return areas;
 }
@@ -126,7 +128,7 @@ static bool is_hole(const struct surface_point *point, const struct surface_poin
         return false;
     struct corners corners = surface_point_corners(point, geometry);
     vec4s color = corners_base_color(&corners, desc->scene, geometry, srgb_to_linear, material);
-    return color.a < material->alpha_cutoff;
+    return material_is_hole(material, color.a);
 }
 
 /* The place of a value in the sums. What is left of it within its triangle's span is one of the two numbers of the
@@ -187,7 +189,8 @@ static void deal_to_each(struct surface_points *points, const struct surface_poi
             point.share *= (float)boxed_share(box_of(desc), geometry, index);
             if (boxed_spread(point.weight, box_of(desc), geometry, index, random_of(at, 0),
                              random_of(at, 1)) &&
-                !is_hole(&point, desc, srgb_to_linear))
+                !is_hole(&point, desc, srgb_to_linear) &&
+                !geometry_part_is_pane(geometry, &geometry->parts[p]))
                 points->items[at] = point;
         }
 }

@@ -191,7 +191,7 @@ static void visit_piece(struct maker *maker, const uint32_t *index, const struct
             third.emission = emission_at(maker, &corners, material);
         alpha = albedo.w;
     }
-    if (material->alpha_mask && alpha < material->alpha_cutoff)
+    if (material_is_hole(material, alpha))
         return;
     third.area = glms_vec3_norm(glms_vec3_cross(glms_vec3_sub(places[1], places[0]),
                                                 glms_vec3_sub(places[2], places[0]))) /
@@ -232,7 +232,7 @@ static void visit_triangle(struct maker *maker, const uint32_t *index,
 
 static void visit_all(struct maker *maker, visit_third *visit) {
     const struct geometry *geometry = maker->desc->geometry;
-    for (int b = 0; b < geometry->batch_count; b++) {
+    for (int b = 0; b < geometry->blocking_batch_count; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];
         for (uint32_t i = 0; i < batch->index_count; i += 3)
             visit_triangle(maker, &geometry->indices[batch->first_index + i],
@@ -249,7 +249,7 @@ static void count_third(struct maker *maker, const struct third *third) {
 
 static double area_of(const struct elements_desc *desc) {
     double area = 0;
-    for (int b = 0; b < desc->geometry->batch_count; b++) {
+    for (int b = 0; b < desc->geometry->blocking_batch_count; b++) {
         const struct geometry_batch *batch = &desc->geometry->batches[b];
         double sides = desc->scene->materials[batch->material].double_sided ? 2 : 1;
         for (uint32_t i = 0; i < batch->index_count; i += 3)

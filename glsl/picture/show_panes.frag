@@ -1,0 +1,90 @@
+// What panes before the surfaces of the picture let pass to the camera, and their own light: diffuse light of the lights
+// by shadow rays and of the pixel's irradiance, and the sky that glass reflects.
+#include "lib/light.glsl"
+#include "lib/medium.glsl"
+#include "lib/panorama.glsl"
+#include "picture/sight.glsl"
+#include "shared/show_panes.h"
+#include "visibility/bvh.glsl"
+
+layout(location = TARGET_RESULT) out vec4 own;
+layout(location = TARGET_TRANSMITTANCE) out vec4 passes;
+
+#ifdef HAS_AIRLIGHT
+layout(binding = UNIT_BEHIND_IN_SCATTER) uniform sampler2D in_scatters;
+layout(binding = UNIT_BEHIND_TRANSMITTANCE) uniform sampler2D transmittances;
+#endif
+#ifdef HAS_SKY
+layout(binding = UNIT_PANES_SKY) uniform sampler2D sky;
+#endif
+#ifdef HAS_IRRADIANCE
+layout(binding = UNIT_IRRADIANCE) uniform sampler2D irradiances; // of the surface behind, for want of the pane's
+#endif
+
+const float PI = 3.14159265;
+const int LAYERS = 8;
+
+// Direct light over pi of a white surface on that side.
+vec3 direct_at(vec3 place, vec3 normal) {
+    vec3 sum = vec3(0.0);
+    float clearance = bvh_clearance();
+    for (int i = 0; i < light_count; i++) {
+        light l = light_at(i);
+        bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
+        vec3 from = place - l.position;
+        float away = directional ? BVH_FAR : length(from), distance2 = directional ? 1.0 : away * away;
+        vec3 direction = directional ? l.direction : from / away;
+        vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
+        power *= max(-dot(normal, direction), 0.0) / distance2;
+        bool asks = dot(power, vec3(1.0)) > 0.0 && away > clearance;
+        vec3 origin = place + clearance * normal;
+        if (asks && !bvh_meets_any(bvh_ray_along(origin, -direction, away - clearance), asks))
+            sum += power * medium_passes_light(origin, direction, !directional, distance2);
+    }
+    return sum / PI;
+}
+
+vec3 sky_along(vec3 origin, vec3 direction) {
+#ifdef HAS_SKY
+    if (!bvh_meets_any(bvh_ray_along(origin, direction, BVH_FAR), true))
+        return params.sky_strength * panorama_texel(sky, direction, params.sky_turn);
+#endif
+    return vec3(0.0);
+}
+
+vec3 own_light(pane p, vec3 place, vec3 direction, ivec2 pixel) {
+    vec3 normal = dot(p.normal, direction) < 0.0 ? p.normal : -p.normal;
+    float covers = 1.0 - p.base;
+    vec3 albedo = p.color * max(covers - p.glass, 0.0), sum = vec3(0.0);
+    if (dot(albedo, vec3(1.0)) > 0.0)
+        sum = params.scale * albedo * direct_at(place, normal);
+#ifdef HAS_IRRADIANCE
+    sum += albedo / PI * texelFetch(irradiances, pixel, 0).rgb;
+#endif
+    float reflects = p.glass > 0.0 ? covers * (1.0 - plate_passes(p, direction)) : 0.0;
+    if (reflects > 0.0)
+        sum += params.scale * reflects * sky_along(place + bvh_clearance() * normal, reflect(direction, normal));
+    return sum;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    sight ray = sight_of(pixel);
+    float start = 0.0;
+    vec3 before = vec3(1.0);
+    own = vec4(0.0, 0.0, 0.0, 1.0);
+    for (int layer = 0; layer < LAYERS; layer++) {
+        panes_met met = panes_meet(ray.origin, ray.direction, start, ray.ray_length);
+        if (met.nearest >= ray.ray_length)
+            break;
+        pane p = pane_at(met.texel);
+        own.rgb += before * own_light(p, ray.origin + met.nearest * ray.direction, ray.direction, pixel);
+        before *= p.base + p.glass * p.color * plate_passes(p, ray.direction);
+        start = met.nearest;
+    }
+    passes = vec4(before, 1.0);
+#ifdef HAS_AIRLIGHT
+    own.rgb += texelFetch(in_scatters, pixel, 0).rgb;
+    passes.rgb *= texelFetch(transmittances, pixel, 0).rgb;
+#endif
+}
