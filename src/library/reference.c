@@ -72,10 +72,9 @@ static bool assign(struct tracing *tracing) {
         return door_blame(MANYLIGHT_BAD_SETTING);
     for (int i = 0; i < settings->part_count; i++)
         if (settings->given[i] && settings->parts[i] != &medium_part) {
-            error_set(
-                "--set %s...: for --technique vpl-raytraced; paths take settings of "
-                "the medium alone",
-                settings->parts[i]->owner);
+            error_set("--set %s...: for --technique vpl-raytraced; paths take settings of "
+                      "the medium alone",
+                      settings->parts[i]->owner);
             return door_blame(MANYLIGHT_BAD_SETTING);
         }
     return true;

@@ -11,7 +11,7 @@ static const struct option table[] = {
     {"surface", 0, OPTION_CHOICE, offsetof(struct caustics_settings, surface), CAUSTICS_OFF,
      .choices = surface_names,
      .help = "caustics on surfaces: patches between light rays, or a spot of\n"
-             "each; glass shows the scene; off: light goes straight through"},
+             "each; glass shows the scene; off: glass does not refract"},
     {"medium", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
      .choices = volume_names,
      .help = "caustics in a medium: light rays of glass and mirrors as lines\n"

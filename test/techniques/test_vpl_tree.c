@@ -1,5 +1,6 @@
 /* The tree over VPLs that the GPU builds, and cuts through it: what each promises, and the error of a cut against its
  * bound at every pixel. */
+#include "light_node.h"
 #include "render_support.h"
 
 #include "base/memory.h"
@@ -9,7 +10,6 @@
 #include "passes/gather/gather.h"
 #include "passes/gather/vpl_cut.h"
 #include "passes/lights/vpl_tree.h"
-#include "reference/light_tree.h"
 #include "reference/sampler.h"
 #include "reference/vector.h"
 #include "shared/vpl_cut.h"
