@@ -33,7 +33,8 @@ class Scene:
     source : path of a .glb or .gltf file, or the file's bytes; None: from meshes
     path : with bytes, the path whose folder has the files that they name
     meshes, materials, lights, cameras : parts of a scene from arrays (`Mesh`, `Material`, `Light`, `Camera`)
-    light, clip, environment, environment_turn (degrees), environment_strength, strict, root, scene, variant : as the options of
+    light, clip, environment, environment_turn (degrees), environment_strength, strict, root, scene, variant, punctual_scale : as the
+        options of
         `manylight render`
     """
 
@@ -44,12 +45,14 @@ class Scene:
                  environment: "str | os.PathLike[str] | None" = None, environment_turn: float = 0,
                  environment_strength: float = 1, strict: bool = False,
                  root: "str | os.PathLike[str] | None" = None, scene: Optional[str] = None,
-                 variant: Optional[str] = None):
+                 variant: Optional[str] = None, punctual_scale: float = 1):
         if environment_strength == 0:
             raise ArgumentError("environment_strength: 0 is not above 0")
+        if punctual_scale == 0:
+            raise ArgumentError("punctual_scale: 0 is not above 0")
         desc = Descriptor("scene_desc", path=path, light=light, clip=clip, environment=environment,
                           environment_turn=environment_turn, environment_strength=environment_strength,
-                          strict=strict, root=root, scene=scene, variant=variant)
+                          strict=strict, root=root, scene=scene, variant=variant, punctual_scale=punctual_scale)
         if isinstance(source, (bytes, bytearray, memoryview)):
             memory = desc.keep(ffi.from_buffer(source))
             desc.set("memory", memory)

@@ -75,6 +75,9 @@ struct technique_values {
      .help = "rotation of the environment about +Y, degrees, from +Z towards +X", .rare = true},   \
     {"environment-strength", 0, OPTION_FLOAT, offsetof(type, member.environment.strength), 1,      \
      1e-9, 1e9, .help = "factor of the environment's radiance", .rare = true},                     \
+    {"punctual-scale", 0, OPTION_FLOAT, offsetof(type, member.punctual_scale), 1, 1e-9, 1e9,       \
+     .help = "factor of the file's punctual lights: .001464 for those of Blender 3",           \
+     .rare = true},                                                                                \
     {"clip", 0, OPTION_TEXT, offsetof(type, member.clip), .value_name = "NAME|N,...",              \
      .help = "animations that play [all; the first of those that move the same object]"},          \
     {"time", 0, OPTION_FLOAT, offsetof(type, member.time), 0, 0, 1e6,                              \

@@ -238,6 +238,7 @@ struct manylight_scene_desc {
     int strict;
     const char *root;
     const char *scene, *variant; /* as render's --scene and --variant */
+    float punctual_scale;        /* as render's --punctual-scale; 0 = 1 */
 };
 
 /* Error: names file, object and reason. */

@@ -46,7 +46,9 @@ static bool check_sources(const struct manylight_scene_desc *desc) {
     }
     return (desc_check("environment_turn", (double)desc->environment_turn, -INFINITY, INFINITY) &&
             (desc->environment_strength == 0 ||
-             desc_check("environment_strength", (double)desc->environment_strength, 1e-9, 1e9))) ||
+             desc_check("environment_strength", (double)desc->environment_strength, 1e-9, 1e9)) &&
+            (desc->punctual_scale == 0 ||
+             desc_check("punctual_scale", (double)desc->punctual_scale, 1e-9, 1e9))) ||
            door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
@@ -61,7 +63,8 @@ static bool open_stage(struct manylight_scene *scene, const struct manylight_sce
         .light = scene->light,
         .clip = desc->clip,
         .environment = {desc->environment, desc->environment_turn,
-                        desc->environment_strength == 0 ? 1 : desc->environment_strength}};
+                        desc->environment_strength == 0 ? 1 : desc->environment_strength},
+        .punctual_scale = desc->punctual_scale};
     return stage_init(&scene->stage, &stage);
 }
 

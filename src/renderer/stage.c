@@ -25,7 +25,8 @@ bool stage_init(struct stage *stage, const struct stage_desc *desc) {
                                          .choice = desc->choice,
                                          .light = desc->light,
                                          .clip = desc->clip,
-                                         .environment = desc->environment};
+                                         .environment = desc->environment,
+                                         .punctual_scale = desc->punctual_scale};
     if (scene_open(&stage->scene, &stage->geometry, desc->path, &open) &&
         stage_pose(stage, (double)desc->time))
         return true;

@@ -18,7 +18,8 @@ struct stage_desc {
                                    on */
     const char *clip;           /* as scene/clips.h has it; NULL = the default */
     struct environment_desc environment;
-    float time; /* of the animation, seconds */
+    float punctual_scale; /* of intensities: scene/lights/punctual.h */
+    float time;           /* of the animation, seconds */
 };
 
 struct stage {

@@ -40,7 +40,7 @@ struct scene_light animated_light(const struct scene *scene, int light, double t
     struct scene_light copy = scene->lights[light];
     if (animate(scene, CHANNEL_LIGHT, light, time, &copy)) {
         for (int c = 0; c < 3; c++)
-            copy.intensity[c] = fminf(copy.color[c] * copy.strength, SCENE_LIGHT_MOST);
+            copy.intensity[c] = fminf(copy.color[c] * copy.strength * copy.scale, SCENE_LIGHT_MOST);
         copy.inner = fminf(copy.inner, copy.outer);
     }
     if (copy.material > 0) {

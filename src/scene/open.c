@@ -5,6 +5,7 @@
 #include "scene/darkness.h"
 #include "scene/framing.h"
 #include "scene/lights/brightness.h"
+#include "scene/lights/punctual.h"
 #include "scene/placing.h"
 #include "scene/recentre.h"
 
@@ -37,8 +38,9 @@ static bool lay_out(struct scene *scene, struct geometry *geometry, const char *
 static bool change(struct scene *scene, const struct scene_open_desc *desc) {
     if (!desc || !desc->clip)
         clips_note_left_out(scene);
-    return !desc || ((!desc->clip || clips_select(scene, desc->clip)) &&
-                     environment_follow(&scene->environment, &desc->environment));
+    return punctual_follow(scene, desc ? desc->punctual_scale : 0) &&
+           (!desc || ((!desc->clip || clips_select(scene, desc->clip)) &&
+                      environment_follow(&scene->environment, &desc->environment)));
 }
 
 static bool has_triangles(const struct scene *scene) {

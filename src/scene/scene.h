@@ -124,8 +124,8 @@ struct scene_light {
     float range;        /* where its light ends, m; infinite: nowhere */
     float size[2];      /* as struct emitter has it */
     enum light_scaling scaling;
-    int slide;                /* of the scene's, one more than its number; 0 = none */
-    float color[3], strength; /* intensity is their product */
+    int slide;                       /* of the scene's, one more than its number; 0 = none */
+    float color[3], strength, scale; /* intensity is their product */
     int material; /* whose emission is a factor of the intensity, one more than its number; 0 = none */
     int lamp;     /* of emissive surfaces that it is; 0 = none */
     bool stands_in; /* it is what they are like from afar, with others */
@@ -225,6 +225,9 @@ struct scene {
     int skin_count, metaballs_count, clip_count, file_count;
     /* Of the file, which are not drawn. */
     int point_primitives, line_primitives;
+    bool of_blender_3;    /* which cannot write lamps in watts: scene/lights/punctual.h */
+    float punctual_scale; /* the file's own factor of its punctual lights; 0 = it has none */
+    float punctual_given; /* the user's */
     struct environment *environment; /* scene/lights/environment.h; NULL = none */
     struct medium medium;            /* the file's; scene/medium.h tells which one is shown */
     int *playing; /* the clips that play, in the order in which they act: scene/clips.h */

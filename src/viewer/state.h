@@ -47,6 +47,7 @@ struct viewer_desc {
     const char *camera, *light; /* as scene/placing.h has it; NULL = the first, and all */
     const char *clip;           /* as scene/clips.h has it; NULL = the default */
     struct environment_desc environment;
+    float punctual_scale;  /* of intensities: scene/lights/punctual.h */
     float time;            /* of the animation, seconds */
     int layer;             /* to show: LAYER_BEAUTY, LAYER_DIRECT, LAYER_INDIRECT */
     const char *reference; /* a picture to compare with; NULL = none */

@@ -2,6 +2,7 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
+#include "base/error.h"
 #include "quality/picture.h"
 #include "scene/clips.h"
 #include "scene/open.h"
@@ -142,6 +143,48 @@ static void test_numbers(void **state) {
         check_near(rows[i].pointer, number_at(&stage, &rows[i]), rows[i].expected, 1e-5);
         stage_free(&stage);
     }
+}
+
+/* The user's factor and the file's, which multiply, leave area lights and emission alone. */
+static void test_punctual_scale(void **state) {
+    (void)state;
+    static const float values[] = {2, 6};
+    struct stage stage;
+    struct stage_desc desc = {.path = write_clip(TARGET(OF_LIGHT "intensity"), values, 1),
+                              .punctual_scale = .5F};
+    check_ok("open", stage_init(&stage, &desc) && stage_pose(&stage, 1));
+    check_near("spot", (double)stage.emitters.items[0].intensity[0], 2, 1e-6);
+    check_near("disk", (double)stage.emitters.items[1].intensity[0], .392699, 1e-5);
+    stage_free(&stage);
+    for (int i = 0; i < 12; i++) {
+        static const char *const generators[] = {"v3.3.32", "v3.6.6", "v4.2.1"};
+        static const char *const extras[] = {"", ", \"extras\": {\"punctual_scale\": 0.25}"};
+        bool emits = i / 6;
+        char asset[160];
+        snprintf(asset, sizeof asset,
+                 "{\"version\": \"2.0\", \"generator\": \"Khronos glTF Blender I/O %s\"%s}",
+                 generators[i % 3], extras[i / 3 % 2]);
+        desc.path = write_parts(
+            "blender.glb",
+            &(struct gltf_parts){
+                .asset = asset,
+                .materials = emits ? "[{\"emissiveFactor\": [1, 1, 1]}]" : NULL,
+                .nodes = "[{\"mesh\": 0}, {\"extensions\": {\"KHR_lights_punctual\":"
+                         " {\"light\": 0}}}]",
+                .more = "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\":"
+                        " \"point\", \"intensity\": 8}]}},"});
+        desc.punctual_scale = 1;
+        hear_notes();
+        check_ok("open", stage_init(&stage, &desc));
+        end_notes();
+        bool is_noted = strstr(notes, "--punctual-scale .001464") != NULL;
+        check_near(asset, is_noted, emits && i % 3 < 2 && i / 3 % 2 == 0, 0);
+        check_near("intensity", (double)stage.emitters.items[0].intensity[0], i / 3 % 2 ? 2 : 8, 0);
+        stage_free(&stage);
+    }
+    desc = (struct stage_desc){.path = "scenes/table.glb", .punctual_scale = 2};
+    assert_false(stage_init(&stage, &desc));
+    assert_non_null(strstr(error_get(), "no punctual light"));
 }
 
 static void test_nodes(void **state) {
@@ -298,9 +341,9 @@ static void test_pictures(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),    cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_visibility), cmocka_unit_test(test_notes),
-        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_numbers), cmocka_unit_test(test_punctual_scale),
+        cmocka_unit_test(test_nodes),   cmocka_unit_test(test_visibility),
+        cmocka_unit_test(test_notes),   cmocka_unit_test(test_pictures),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -67,6 +67,7 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
         to.intensity[c] = float(color[c] * from.intensity);
     }
     to.strength = float(from.intensity);
+    to.scale = 1;
     if (!check_intensity(to.intensity))
         return false;
     to.range = from.range > 0 ? float(from.range) : INFINITY;
@@ -102,6 +103,7 @@ bool load_area_light(const tinygltf::Value &from, struct scene_light &to) {
     to.range = INFINITY;
     to.scaling = LIGHT_SCALED_ALIKE;
     to.strength = float(number_or(from, "intensity", 1000));
+    to.scale = 1;
     for (size_t c = 0; c < 3; c++) {
         double color = from.Has("color") ? from.Get("color").Get(int(c)).GetNumberAsDouble() : 1;
         to.color[c] = float(color);
@@ -154,18 +156,33 @@ bool load_camera(const tinygltf::Camera &from, struct scene_camera &to) {
                                       : load_orthographic(from.orthographic, to);
 }
 
+/* {"punctual_scale": .5}, our own extras of the scene or the asset. */
+bool load_scale(Loader &loader) {
+    const tinygltf::Value *extras = find_extras(loader.model, "punctual_scale");
+    if (!extras)
+        return true;
+    const tinygltf::Value &value = extras->Get("punctual_scale");
+    double scale = value.IsNumber() ? value.GetNumberAsDouble() : 0;
+    loader.scene->punctual_scale = float(scale);
+    return (scale >= 1e-9 && scale <= 1e9) ||
+           error_set("extras: punctual_scale: it is no number from 1e-9 to 1e9");
+}
+
 } // namespace
 
 bool load_lights(Loader &loader) {
     const auto &from = loader.model.lights;
     const auto area = loader.model.extensions.find("EXT_lights_area");
     struct scene *scene = loader.scene;
+    scene->of_blender_3 = loader.model.asset.generator.rfind("Khronos glTF Blender I/O v3", 0) == 0;
     size_t areas =
         area == loader.model.extensions.end() ? 0 : area->second.Get("lights").ArrayLen();
     size_t nodes = loader.model.nodes.size(); /* may each have their own: load_node_extras */
     scene->lights = allocate<struct scene_light>(from.size() + areas + nodes);
     scene->light_count = int(from.size() + areas);
     scene->slides = allocate<struct slide>(from.size() + nodes);
+    if (!load_scale(loader))
+        return false;
     for (size_t i = 0; i < from.size(); i++)
         if (!load_light(from[i], scene->lights[i]) ||
             !load_slide(loader, from[i].extras, scene->lights[i]))

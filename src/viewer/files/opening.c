@@ -26,7 +26,8 @@ void viewer_open(struct viewer *viewer, const char *path) {
     messages_forget_errors(&viewer->host.messages);
     const struct scene_open_desc desc = {.choice = viewer->desc.choice,
                                          .light = viewer->desc.light,
-                                         .environment = viewer->desc.environment};
+                                         .environment = viewer->desc.environment,
+                                         .punctual_scale = viewer->desc.punctual_scale};
     loader_start(&viewer->opening.loader, whole, &desc);
     viewer->opening.since = window_time();
     free(whole);
@@ -73,6 +74,7 @@ static void forget_given(struct viewer *viewer) {
     desc->camera = desc->light = desc->clip = desc->session = NULL;
     desc->choice = (struct scene_choice){0};
     desc->environment = (struct environment_desc){0};
+    desc->punctual_scale = 0;
     desc->time = 0;
 }
 

@@ -82,6 +82,7 @@ static bool trace(struct reference_tracer *tracer) {
         .light = session->lights,
         .clip = *session->clip ? session->clip : NULL,
         .time = session->time,
+        .punctual_scale = tracer->punctual_scale,
     };
     if (session->sky)
         desc.environment =
@@ -119,6 +120,7 @@ bool reference_tracer_start(struct reference_tracer *tracer, const struct traced
     *tracer = (struct reference_tracer){
         .scene = mem_strdup(view->session->scene),
         .session = session_copy(view->session),
+        .punctual_scale = view->punctual_scale,
         .bounces = view->bounces,
         .noise = view->noise,
         .wake = view->wake,

@@ -24,6 +24,7 @@ struct reference_tracer {
     atomic_int state; /* enum reference_tracer_state */
     atomic_bool cancelled;
     char *scene;
+    float punctual_scale;
     struct session session; /* the view */
     int bounces;
     double noise;       /* to be reached */
@@ -42,6 +43,7 @@ struct traced_view {
     int bounces;
     double noise;
     void (*wake)(void);
+    float punctual_scale; /* that the scene was opened with */
 };
 
 /* In place of what is traced. Error: no thread. */

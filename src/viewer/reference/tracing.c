@@ -14,8 +14,8 @@ void viewer_trace(struct viewer *viewer) {
     struct tracing *tracing = &viewer->tracing;
     viewer_forget_reference(viewer);
     struct session session = viewer_session(viewer);
-    const struct traced_view view = {&session, session_bounces(&session), noise_wanted,
-                                     window_wake};
+    const struct traced_view view = {&session, session_bounces(&session), noise_wanted, window_wake,
+                                     viewer->document.scene.punctual_given};
     if (reference_tracer_start(&tracing->tracer, &view)) {
         tracing->view = session_copy(&session);
         tracing->of_view = true;
