@@ -14,7 +14,7 @@ struct scene_open_desc {
     const char *clip;  /* those that play, as scene/clips.h has it; NULL = the default */
     struct environment_desc environment;
     float punctual_scale; /* as of scene/lights/punctual.h; 0 = 1 */
-    bool may_be_empty; /* a scene without triangles opens; its geometry stays zeroed */
+    bool may_be_empty;    /* a scene without triangles opens; its geometry stays zeroed */
 };
 
 /* Loads the file, changes of it what desc says, unless that is NULL, lays out the triangles of time
