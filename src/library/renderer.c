@@ -106,7 +106,8 @@ struct call {
     struct manylight_renderer *of;
     const struct renderer_desc *desc;
     const struct manylight_renderer_desc *given;
-    const struct manylight_view *given_view, *view;
+    const struct manylight_view *given_view;
+    struct manylight_view view;
     const char *text;
     char *room;
     size_t room_size;
@@ -263,8 +264,8 @@ static void draw_pass(struct manylight_renderer *renderer, int pass) {
 /* Waits for each pass, as a GPU would take hundreds at once. Hosts draw in callbacks: none comes to them within a pass. */
 static bool draw_passes(struct call *call) {
     struct manylight_renderer *renderer = call->of;
-    struct telling telling = {.view = call->view, .passes = renderer->drawing.passes};
-    bool watches = call->view->progress && !device_is_adopted(renderer->device);
+    struct telling telling = {.view = &call->view, .passes = renderer->drawing.passes};
+    bool watches = call->view.progress && !device_is_adopted(renderer->device);
     bool cancelled = false;
     for (int i = 0; i < telling.passes && !cancelled; i++) {
         if (watches)
@@ -297,7 +298,7 @@ static bool show(struct manylight_renderer *renderer) {
 /* After a pose that fails its triangles must not be drawn; after an update that fails, the renderer neither. */
 static bool draw(struct call *call) {
     struct manylight_renderer *renderer = call->of;
-    if (!check_exists(renderer) || !loan_pose(&renderer->loan, call->view))
+    if (!check_exists(renderer) || !loan_pose(&renderer->loan, &call->view))
         return false;
     if (!show(renderer)) {
         free_renderer(call);
@@ -316,14 +317,12 @@ static void keep_facts(struct manylight_renderer *renderer, const struct manylig
 
 static bool render(void *user) {
     struct call *call = user;
-    struct manylight_view view;
     call->of->has_frame = false;
-    if (!desc_take(&view, sizeof view, call->given_view, "manylight_view"))
+    if (!desc_take(&call->view, sizeof call->view, call->given_view, "manylight_view"))
         return false;
-    call->view = &view;
     if (!draw(call))
         return false;
-    keep_facts(call->of, &view);
+    keep_facts(call->of, &call->view);
     return call->of->has_frame = true;
 }
 
