@@ -89,35 +89,42 @@ struct emitter emitter_new(enum emitter_type type) {
 }
 
 /* One that is not shown is black. */
-static struct scene_light light_of(const struct scene *scene, int node, double time) {
+static struct scene_light light_of(const struct scene *scene, int node, double time, bool shown) {
     struct scene_light light = animated_light(scene, scene->nodes[node].light, time);
+    if (!shown)
+        memset(light.intensity, 0, sizeof light.intensity);
+    return light;
+}
+
+static bool *nodes_shown(const struct scene *scene, double time) {
     bool *shown = mem_alloc((size_t)scene->node_count, sizeof *shown);
     scene_nodes_shown(scene, time, shown);
-    if (!shown[node])
-        memset(light.intensity, 0, sizeof light.intensity);
-    free(shown);
-    return light;
+    return shown;
 }
 
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time) {
     int node = node_carrying(scene, NODE_LIGHT, n);
     float world[16];
     node_world(scene, node, time, world);
-    const struct scene_light light = light_of(scene, node, time);
+    bool *shown = nodes_shown(scene, time);
+    const struct scene_light light = light_of(scene, node, time, shown[node]);
     place(emitter, scene, &light, n, world);
+    free(shown);
 }
 
 struct emitters emitters_place(const struct scene *scene, double time) {
     float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
     struct emitters all = {mem_alloc((size_t)emitter_node_count(scene), sizeof *all.items), 0,
                            scene->environment};
+    bool *shown = nodes_shown(scene, time);
     scene_node_worlds(scene, time, worlds);
     for (int i = 0; i < scene->node_count; i++)
         if (scene->nodes[i].light >= 0) {
-            const struct scene_light light = light_of(scene, i, time);
+            const struct scene_light light = light_of(scene, i, time, shown[i]);
             place(&all.items[all.count], scene, &light, all.count, worlds[i]);
             all.count++;
         }
+    free(shown);
     free(worlds);
     return all;
 }
