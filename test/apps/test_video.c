@@ -118,7 +118,7 @@ static void test_refusals(void **state) {
         {"-o @/a.####.mp4 --frames 0..2", "a video has all frames"},
         {"-o @/a.mp4 --frames 0..2 --skip-existing", "--skip-existing leaves some out"},
         {"-o @/a.mp4 --frames 0..2 --background none", "cannot be transparent"},
-        {"-o @/a.mp4 --frames 0..2 --aov val", "no output that holds layers"},
+        {"-o @/a.mp4 --frames 0..2 --aov val", "--aov is for formats that hold all layers"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char line[256];
