@@ -541,16 +541,17 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     struct emitters old = renderer->desc.emitters;
     struct light_plan plan;
     set_defaults(&desc);
-    bool has_caustics = renderer_has_caustics(&renderer->desc);
-    bool other_panes = has_caustics != renderer_has_caustics(&desc) && renderer_block_glass(&desc);
-    if (!plan_lights(&plan, renderer, &desc) ||
-        (other_panes && !(scene_gpu_update(&renderer->scene, desc.geometry) &&
-                          caster_pool_update(renderer->casters))))
+    if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc)) {
+        /* Glass becomes an occluder, or a pane: all that was made of the geometry is another. */
+        renderer_free(renderer);
+        return renderer_init(renderer, wanted);
+    }
+    if (!plan_lights(&plan, renderer, &desc))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);
     bool same_samples = sky_groups_same(&plan.sky_samples, &renderer->plan.sky_samples);
     desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
-    unsigned parts = other_panes ? PART_ALL : parts_between(renderer, &desc, &plan);
+    unsigned parts = parts_between(renderer, &desc, &plan);
     bool same_medium = settings_same(&desc.settings, &renderer->desc.settings, &medium_part);
     bool same_picture = parts == 0 && same_lights && same_samples && same_medium &&
                         cameras_same(&desc.camera, &renderer->desc.camera);
