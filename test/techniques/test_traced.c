@@ -137,7 +137,7 @@ static void test_rays(void **state) {
 /* --- masks ------------------------------------------------------------------------------------ */
 
 static uint32_t count_masked(const struct stage *stage) {
-    return (stage->geometry.index_count - stage->geometry.opaque_index_count) / 3;
+    return (stage->geometry.blocking_index_count - stage->geometry.opaque_index_count) / 3;
 }
 
 /* Straight through a place of a triangle with a mask. */
