@@ -7,9 +7,9 @@ bool renderer_has_caustics(const struct renderer_desc *desc) {
     return caustics_shown(desc->scene, &desc->settings);
 }
 
-bool renderer_block_glass(const struct renderer_desc *desc) {
-    return geometry_block_glass((struct geometry *)(uintptr_t)desc->geometry, desc->scene,
-                                desc->settings.part_count > 0 && renderer_has_caustics(desc));
+void renderer_block_glass(const struct renderer_desc *desc) {
+    geometry_block_glass((struct geometry *)(uintptr_t)desc->geometry, desc->scene,
+                         desc->settings.part_count > 0 && renderer_has_caustics(desc));
 }
 
 static struct caustics_settings shown(const struct renderer_desc *desc) {

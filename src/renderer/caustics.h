@@ -7,9 +7,8 @@
 
 bool renderer_has_caustics(const struct renderer_desc *desc);
 
-/* Caustics need the triangles of glass where other frames have panes: all else of the geometry stays as it is. True: it
- * has changed. */
-bool renderer_block_glass(const struct renderer_desc *desc);
+/* Makes glass of the geometry an occluder for caustics, and a pane for other frames. */
+void renderer_block_glass(const struct renderer_desc *desc);
 
 /* HAS_... of passes/picture/composite.h; medium: the frames have one. */
 unsigned renderer_caustic_kinds(const struct renderer_desc *desc, bool medium);

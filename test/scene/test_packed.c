@@ -198,7 +198,7 @@ static void test_bad_meshopt_v1(void **state) {
     }
 }
 
-/* R = Y + Co - Cg, G = Y + Cg, B = Y - Co - Cg, of 8 bits in bytes and of 4 bits in words. */
+/* R = Y + Co - Cg, G = Y + Cg, B = Y - Co - Cg. Bytes hold 8 bits, words hold 4. */
 static void test_colors(void **state) {
     (void)state;
     unsigned char bytes[4] = {110, 80, (unsigned char)-10, 255};
