@@ -1,10 +1,9 @@
 /* Where such methods break: far from the origin, at other scales, behind a closed door. */
+#include "base/unit.h"
 #include "render_support.h"
 
 #include "base/memory.h"
 #include "scene/recentre.h"
-
-#include <cglm/cglm.h>
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -97,8 +96,8 @@ static double mean_from(struct stage *stage, const char *technique, const char *
                         const float eye[3], const float direction[3]) {
     struct camera *camera = &stage->camera;
     glm_vec3_copy((float *)eye, camera->eye);
-    glm_vec3_normalize_to((float *)direction, camera->forward);
-    glm_vec3_crossn(camera->forward, (vec3){0, 1, 0}, camera->right);
+    vec3_unit_to((float *)direction, camera->forward);
+    vec3_unit_cross(camera->forward, (vec3){0, 1, 0}, camera->right);
     glm_vec3_cross(camera->right, camera->forward, camera->up);
     struct image image = render_stage(stage, technique, settings, 64);
     double mean = layer_mean(&image, "indirect");
