@@ -72,6 +72,7 @@ static bool start_server(void) {
     snprintf(stage.display, sizeof stage.display, ":%d", atoi(text));
     snprintf(stage.screen, sizeof stage.screen, "%s/Xvfb_screen0", stage.folder);
     setenv("DISPLAY", stage.display, 1);
+    unsetenv("WAYLAND_DISPLAY");
     return strchr(text, '\n') != NULL;
 }
 
