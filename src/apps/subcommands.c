@@ -28,7 +28,6 @@ const struct subcommand subcommands[] = {
     {"render", "renders pictures without a window", app_render},
     {"report", "writes a page on a scene: each technique's time, error and picture", app_report},
     {"score", "scores a folder of pictures against references, and names their faults", app_score},
-    {"tune", "measures the cost of the choices of --max-error and --budget", app_tune},
     {"view", "shows a scene in a window", VIEW},
     {"reference", "path-traces a scene on the CPU", app_reference},
     {NULL, NULL, NULL},

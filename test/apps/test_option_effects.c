@@ -52,7 +52,7 @@ static const char *const values[][2] = {
     {"ppd", "20"}, {"punctual-scale", "2"}, {"progress", "json"}, {"quality", "draft"}, {"quiet", ""},
     {"reference-layer", "Z"}, {"root", "scenes"}, {"scene", "0"}, {"variant", "0"}, {"screen-passes", "compute"}, {"seed", "5"},
     {"seen", ""}, {"set", "exposure=2"}, {"reference:set", "medium.scatter=.3"},
-    {"shipped-costs", ""}, {"size", "9x9"}, {"skip-existing", ""}, {"smooth", ""}, {"spp", "2"},
+    {"size", "9x9"}, {"skip-existing", ""}, {"smooth", ""}, {"spp", "2"},
     {"stats", ""}, {"strict", ""}, {"technique", "unshadowed"}, {"reference:technique", "vpl-raytraced"},
     {"threads", "1"}, {"time", "3"}, {"top", "7"}, {"verbose", ""},
 };
@@ -193,7 +193,6 @@ static void test_refusals(void **state) {
         {"render", "a.glb -o a.exr --layer direct", "--layer is for formats of one layer"},
         {"render", "a.glb -o a.pfm --aov ao", "--aov is for formats that hold all layers"},
         {"render", "a.glb -o a.png --fps 24", "--fps is for --frames"},
-        {"render", "a.glb -o a.png --shipped-costs", "--shipped-costs is for --max-error and"},
         {"render", "a.glb -o a.png -q -v", "--verbose is for runs without --quiet"},
         {"reference", "a.glb -o a.exr --technique vpl-raytraced --spp 4", "--spp is for --tech"},
         {"reference", "a.glb -o a.exr --context egl", "--context is for --technique vpl-"},
