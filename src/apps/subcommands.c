@@ -24,7 +24,7 @@ const struct subcommand subcommands[] = {
     {"compare", "measures the error between two pictures", app_compare},
     {"export", "writes a scene for other renderers: a pack, Mitsuba 3, pbrt-v4", app_export},
     {"info", "describes a scene, or the renderer of this machine", app_info},
-    {"manual", "writes man pages, and completions for bash, zsh and fish", app_manual},
+    {"manual", "writes man pages, and completions for bash", app_manual},
     {"render", "renders pictures without a window", app_render},
     {"report", "writes a page on a scene: each technique's time, error and picture", app_report},
     {"score", "scores a folder of pictures against references, and names their faults", app_score},
