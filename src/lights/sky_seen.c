@@ -72,7 +72,7 @@ static void ask_light(void *context, size_t index) {
         const float at[2] = {(float)radical_inverse(2, number), (float)radical_inverse(3, number)};
         vec3s to;
         environment_light_direction(&light, at, to.raw);
-        sum += cosine_at(asking->places, &asking->places->items[i], glms_vec3_normalize(to));
+        sum += cosine_at(asking->places, &asking->places->items[i], vec3s_unit(to));
     }
     asking->cosines[index] = sum;
 }

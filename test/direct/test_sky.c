@@ -1,5 +1,6 @@
 /* Light of a sky: what a sky of 1 gives, in closed forms; a day with a sun beside the path tracer; and that it
  * adds to whatever else shines. */
+#include "base/unit.h"
 #include "render_support.h"
 
 #include "gltf_parts.h"
@@ -8,7 +9,6 @@
 #include "scene/lights/environment.h"
 #include "shared/vpl.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -178,7 +178,7 @@ static double through_window(const float place[3]) {
         return -1;
     for (int i = 0; i < 4; i++) {
         glm_vec3_sub((float *)window[i], (float *)place, to[i]);
-        glm_vec3_normalize(to[i]);
+        vec3_unit(to[i]);
     }
     for (int i = 0; i < 4; i++) {
         vec3 normal;
