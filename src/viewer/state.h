@@ -71,7 +71,6 @@ struct host {
     struct window *window;
     struct context *context;
     const struct input *input; /* of this turn */
-    struct costs costs;        /* of this machine */
     struct messages messages;
     int message_count; /* that are shown */
     double newest_message;
