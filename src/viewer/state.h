@@ -14,10 +14,8 @@
 #include "scene/lights/environment.h"
 #include "techniques/element_view.h"
 #include "viewer/files/file_dialog.h"
-#include "viewer/files/gallery.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/preview.h"
-#include "viewer/files/recent.h"
 #include "viewer/picture/compare.h"
 #include "viewer/picture/compiling.h"
 #include "viewer/picture/pace.h"
@@ -159,14 +157,6 @@ struct panel {
     int places_asked, places_answered; /* how often */
 };
 
-/* The empty window, and the way to files: viewer/files/start.c. */
-struct start {
-    struct recent recent;
-    struct gallery gallery; /* where has_gallery */
-    bool has_gallery;
-    struct file_dialog dialog;
-};
-
 /* A clip that is recorded: viewer/files/recorder.c. */
 enum record_kind { RECORD_PICTURES, RECORD_VIDEO };
 
@@ -248,7 +238,7 @@ struct viewer {
     struct record_request record;
     struct history history;
     struct tracing tracing;
-    struct start start;
+    struct file_dialog dialog;
     struct kept {
         bool on;              /* nobody has said how the scene is to look */
         bool was_restored;    /* it is as it was left */

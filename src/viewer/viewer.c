@@ -161,8 +161,7 @@ static bool has_news(struct viewer *viewer) {
                 (viewer->opening.is_arriving && viewer->opening.is_announced) ||
                 newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
                 reference_tracer_has_news(&viewer->tracing.tracer) ||
-                measuring_has_news(&viewer->shown.compare.measuring) ||
-                start_has_news(&viewer->start);
+                measuring_has_news(&viewer->shown.compare.measuring) || viewer->dialog.answer;
     host->message_count = count;
     host->newest_message = newest;
     return news;
@@ -282,7 +281,6 @@ static bool open_window(struct viewer *viewer) {
 
 static void close_window(struct viewer *viewer) {
     viewer_forget_reference(viewer);
-    gallery_free(&viewer->start.gallery);
     preview_free(&viewer->opening.preview);
     compiling_free(&viewer->compiling);
     document_free(&viewer->opening.leaving);
@@ -310,8 +308,6 @@ static bool begin(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
     viewer->shown.compare.settings = desc->settings;
     viewer_set_budget(viewer, desc->budget);
-    if (!viewer_is_scripted(viewer))
-        recent_read(&viewer->start.recent);
     if (desc->places)
         ui_note_places();
     if (desc->scene)
@@ -363,7 +359,7 @@ void viewer_end(struct viewer *viewer) {
     emitters_free(&viewer->placed.emitters);
     free(viewer->panel.places);
     free(viewer->shown.reference_view);
-    start_free(&viewer->start);
+    file_dialog_close(&viewer->dialog);
     history_forget(&viewer->history);
     messages_free(&viewer->host.messages);
 }

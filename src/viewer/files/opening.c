@@ -125,8 +125,6 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     viewer->shown.has_pick = false;
     viewer->shown.left = viewer->shown.right = NULL;
     history_forget(&viewer->history);
-    if (!viewer_is_scripted(viewer))
-        recent_add(&viewer->start.recent, path);
     viewer_begin_exposure(viewer);
     pace_forget(&viewer->shown.pace);
     set_title(viewer);

@@ -48,9 +48,7 @@ static void key_escape(struct viewer *viewer) {
     double now = window_time();
     if (ui_close_popup())
         return;
-    if (viewer->start.dialog.is_open) {
-        file_dialog_close(&viewer->start.dialog);
-    } else if (viewer->recorder.on) {
+    if (viewer->recorder.on) {
         recorder_stop(viewer);
     } else if (viewer_is_opening(viewer)) {
         viewer_stop_opening(viewer);
@@ -344,23 +342,9 @@ static void escape_request(struct viewer *viewer) {
             viewer->record.is_open = false;
 }
 
-/* The list of files has all other keys, and the mouse. */
-static void run_dialog_keys(struct viewer *viewer) {
-    const struct input *input = viewer->host.input;
-    for (int i = 0; i < input->key_count; i++)
-        if (input->keys[i] == KEY_ESCAPE)
-            key_escape(viewer);
-        else if (input->keys[i] == 'Q' + KEY_WITH_CONTROL)
-            key_quit(viewer);
-}
-
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
         viewer_take_file(viewer, viewer->host.input->dropped);
-    if (viewer->start.dialog.is_open) {
-        run_dialog_keys(viewer);
-        return;
-    }
     /* While a clip is asked for, keys but Esc are the question's. */
     if (viewer->record.is_open)
         escape_request(viewer);
