@@ -3,7 +3,6 @@
 #ifndef VIEWER_STATE_H
 #define VIEWER_STATE_H
 
-#include "base/file/video_file.h"
 #include "gl/context/context.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
@@ -157,29 +156,6 @@ struct panel {
     int places_asked, places_answered; /* how often */
 };
 
-/* A clip that is recorded: viewer/files/recorder.c. */
-enum record_kind { RECORD_PICTURES, RECORD_VIDEO };
-
-struct recorder {
-    bool on;
-    enum record_kind kind;
-    int first, frame,
-        count;        /* of the clip where it begins; the one to come, from there; how many */
-    double started;   /* when, window_time */
-    char folder[512]; /* where it goes */
-    char name[600];   /* of its own folder, or of the video */
-    char lock[600];   /* an empty file that keeps the video's number until the video is whole */
-    struct video_file video; /* zeroed before the first frame */
-};
-
-/* What is to be recorded, while it is asked for. */
-struct record_request {
-    bool is_open;
-    enum record_kind kind;
-    float from, to; /* seconds of the clip */
-    char folder[512];
-};
-
 /* The reference that is traced: viewer/reference/tracing.c. */
 struct tracing {
     struct reference_tracer tracer;
@@ -234,8 +210,6 @@ struct viewer {
     struct look look;
     struct hand hand;
     struct panel panel;
-    struct recorder recorder;
-    struct record_request record;
     struct history history;
     struct tracing tracing;
     struct file_dialog dialog;

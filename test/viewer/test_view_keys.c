@@ -1,9 +1,7 @@
-/* Keys by real input events, in the window's own process: a key that is held, and what Esc closes first. */
+/* Keys by real input events, in the window's own process: a key that is held, and an early Esc. */
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
-#include "viewer/files/recorder.h"
-#include "viewer/panel/timeline.h"
 #include "viewer/window/ui.h"
 #include "viewer/window/window.h"
 
@@ -48,32 +46,6 @@ static void test_held_key(void **state) {
     finish_viewer();
 }
 
-static void record_all(void) {
-    timeline_ask(&viewer, RECORD_PICTURES);
-    int length = snprintf(viewer.record.folder, sizeof viewer.record.folder, "%s", stage.folder);
-    assert_true(length > 0 && (size_t)length < sizeof viewer.record.folder);
-    viewer.record.is_open = false;
-    recorder_start(&viewer);
-    turn_until(viewer.recorder.frame > 0);
-}
-
-/* Esc ends the recording first, and only then asks whether to quit. */
-static void test_escape_while_recording(void **state) {
-    (void)state;
-    begin("scenes/moving-spot.glb");
-    record_all();
-    xdo("key Escape");
-    turn_until(!viewer.recorder.on);
-    assert_true(is_message_told("manylight-clip-0001", UI_NORMAL));
-    assert_false(is_message_told("Esc once more quits", UI_NORMAL));
-    xdo("key Escape");
-    turn_until(viewer.done || is_message_told("Esc once more quits", UI_NORMAL));
-    assert_false(viewer.done);
-    xdo("key Escape");
-    turn_until(viewer.done);
-    finish_viewer();
-}
-
 /* The first Esc of all comes in the window's first two seconds, and quits nothing. */
 static void test_early_escape(void **state) {
     (void)state;
@@ -88,7 +60,6 @@ static void test_early_escape(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_held_key),
-        cmocka_unit_test(test_escape_while_recording),
         cmocka_unit_test(test_early_escape),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

@@ -6,7 +6,6 @@
 #include "base/log.h"
 #include "scene/clips.h"
 #include "viewer/files/kept.h"
-#include "viewer/files/recorder.h"
 #include "viewer/picture/picture.h"
 #include "viewer/reference/comparing.h"
 #include "viewer/reference/tracing.h"
@@ -41,8 +40,6 @@ static void set_title(struct viewer *viewer) {
 
 void viewer_close_scene(struct viewer *viewer) {
     viewer_tell_error(viewer);
-    recorder_stop(viewer);
-    viewer->record.is_open = false;
     viewer_forget_reference(viewer);
     compare_forget(&viewer->shown.compare);
     compiling_wait(&viewer->compiling);
@@ -117,8 +114,6 @@ static void take_away_before(struct viewer *viewer, struct document *before,
 static void begin_scene(struct viewer *viewer, const struct renderer *renderer) {
     const char *path = viewer->document.scene.path;
     viewer->wish.play.on = false;
-    recorder_stop(viewer);
-    viewer->record.is_open = false;
     viewer->shown.renderer = *renderer;
     inspect_forget(&viewer->shown.inspect);
     viewer->has_scene = true;

@@ -3,7 +3,6 @@
 #include "shared/composite.h"
 #include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
-#include "viewer/files/recorder.h"
 #include "viewer/files/screenshot.h"
 #include "viewer/files/start.h"
 #include "viewer/panel/timeline.h"
@@ -48,9 +47,7 @@ static void key_escape(struct viewer *viewer) {
     double now = window_time();
     if (ui_close_popup())
         return;
-    if (viewer->recorder.on) {
-        recorder_stop(viewer);
-    } else if (viewer_is_opening(viewer)) {
+    if (viewer_is_opening(viewer)) {
         viewer_stop_opening(viewer);
     } else if (viewer->panel.help) {
         viewer->panel.help = false;
@@ -336,19 +333,10 @@ static void use_mouse(struct viewer *viewer) {
         camera_hand_scroll(viewer);
 }
 
-static void escape_request(struct viewer *viewer) {
-    for (int i = 0; i < viewer->host.input->key_count; i++)
-        if (viewer->host.input->keys[i] == KEY_ESCAPE && !ui_wants_keys())
-            viewer->record.is_open = false;
-}
-
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
         viewer_take_file(viewer, viewer->host.input->dropped);
-    /* While a clip is asked for, keys but Esc are the question's. */
-    if (viewer->record.is_open)
-        escape_request(viewer);
-    else if (!ui_wants_keys())
+    if (!ui_wants_keys())
         run_keys(viewer);
     if (viewer->panel.saves_picture)
         key_screenshot(viewer);
@@ -357,6 +345,6 @@ void controls_update(struct viewer *viewer, double seconds) {
         return;
     use_mouse(viewer);
     show_cursor(viewer);
-    if (!ui_wants_keys() && !viewer->record.is_open)
+    if (!ui_wants_keys())
         camera_hand_fly(viewer, seconds);
 }

@@ -33,9 +33,6 @@ const char *ui_places(void);
 bool ui_wants_mouse(void);
 bool ui_wants_keys(void);
 
-/* Whether Enter was pressed, and no text takes it. */
-bool ui_is_entered(void);
-
 /* Whether a click has begun to open a field to type in, which takes some frames: what is typed is to wait. */
 bool ui_is_opening_field(void);
 
