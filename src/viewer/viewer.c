@@ -224,6 +224,7 @@ bool viewer_turn(struct viewer *viewer) {
     viewer->host.input =
         window_poll(viewer->host.window, waiting_time(viewer), ui_is_opening_field());
     viewer->done |= viewer->host.input->close;
+    viewer_watch_file(viewer);
     if (viewer->host.input->width == 0 || !is_awake(viewer)) {
         viewer->hand.last_update = window_time();
         return true;
