@@ -198,8 +198,8 @@ bool ui_tile(const char *name, unsigned texture, float width, float height, cons
     look_explain(help);
     list->AddRectFilled(at, end, raised, units(.25F));
     if (texture)
-        list->AddImageRounded(reinterpret_cast<ImTextureID>(static_cast<intptr_t>(texture)), at,
-                              end, ImVec2(0, 1), ImVec2(1, 0), IM_COL32_WHITE, units(.25F));
+        list->AddImageRounded((ImTextureID)(intptr_t)texture, at, end, ImVec2(0, 1), ImVec2(1, 0),
+                              IM_COL32_WHITE, units(.25F)); /* a pointer until 1.91 */
     if (ImGui::IsItemHovered())
         list->AddRect(at, end, accent, units(.25F), 0, units(.12F));
     ImGui::PushClipRect(at, ImVec2(end.x, end.y + 2 * units(1)), true);
