@@ -4,7 +4,7 @@ SHARE := share/manylight
 DOC := share/doc/manylight
 INSTALLED := $(SHARE)/installed
 
-# What the program writes of its own options: man pages, and completions of shells.
+# What the program writes of its own options: man pages, and completions for bash.
 MANUAL := $(BUILD)/manual
 
 install: all lib $(FINDERS)
@@ -25,8 +25,6 @@ install: all lib $(FINDERS)
 	put $(DOC)/examples 644 examples/*.c; \
 	put share/man/man1 644 $(MANUAL)/*.1; \
 	put_as share/bash-completion/completions/manylight 644 $(MANUAL)/manylight.bash; \
-	put share/zsh/site-functions 644 $(MANUAL)/_manylight; \
-	put share/fish/vendor_completions.d 644 $(MANUAL)/manylight.fish; \
 	put share/applications 644 desktop/*.desktop; \
 	put share/metainfo 644 desktop/*.metainfo.xml; \
 	put share/thumbnailers 644 desktop/*.thumbnailer; \

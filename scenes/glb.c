@@ -1,13 +1,13 @@
 #define _POSIX_C_SOURCE 200809L
 #include "glb.h"
 
+#include "base/unit.h"
 #include "png.h"
 
 #include "base/file/file.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
 
-#include <cglm/cglm.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -317,12 +317,12 @@ void glb_direction(const float direction[3], float quaternion[4]) {
     vec3 back, right;
     mat3 turn;
     glm_vec3_scale((float *)direction, -1.0f, back);
-    glm_vec3_normalize(back);
+    vec3_unit(back);
     /* Straight up or down, any right will do. */
     vec3 up = {0.0f, 1.0f, 0.0f};
     if (fabsf(back[1]) > 0.9999f)
         glm_vec3_copy((vec3){0.0f, 0.0f, 1.0f}, up);
-    glm_vec3_crossn(up, back, right);
+    vec3_unit_cross(up, back, right);
     glm_vec3_copy(right, turn[0]);
     glm_vec3_cross(back, right, turn[1]);
     glm_vec3_copy(back, turn[2]);

@@ -8,6 +8,7 @@ layout(binding = UNIT_LOBES) uniform sampler2D lobes; // scene/gpu/lobes.h
 
 struct lobe {
     mat3 from_world;
+    vec3 horizon; // the surface's normal there: unit, across its horizon
     vec3 albedo;
     float alpha; // the narrower, the larger things are there
 };
@@ -21,8 +22,8 @@ lobe lobe_of(specular_surface s) {
     vec3 right = dot(aside, aside) > 1e-12 ? normalize(aside) : perpendicular(s.normal);
     mat3 turned = mat3(rows.x * right + rows.y * s.normal, cross(s.normal, right),
                        s.alpha * (rows.z * right + rows.w * s.normal));
+    vec2 horizon = vec2(-s.alpha * rows.z, rows.x) * inversesqrt(rows.x * rows.x + s.alpha * s.alpha * rows.z * rows.z + 1e-30);
     vec3 albedo = specular_albedo(s.f0, s.f90, s.alpha, cosine);
     // The reflecting lobe ends at the horizon, the cosine's image does not: what it has above stands for all.
-    float above = 0.5 + 0.5 * rows.x * inversesqrt(rows.x * rows.x + s.alpha * s.alpha * rows.z * rows.z + 1e-30);
-    return lobe(transpose(turned), albedo / above, s.alpha);
+    return lobe(transpose(turned), vec3(horizon.x, 0.0, horizon.y), albedo / (0.5 + 0.5 * horizon.y), s.alpha);
 }

@@ -14,16 +14,22 @@ struct polygon_sum {
     vec3 leaves, enters; // on the horizon
 };
 
-void polygon_edge(inout polygon_sum p, vec3 a, vec3 b, vec3 normal) {
+// Cuts an edge at the horizon. False: all of it lies below.
+bool polygon_cut(inout polygon_sum p, inout vec3 a, inout vec3 b, vec3 normal) {
     float above_a = dot(a, normal), above_b = dot(b, normal);
     if (above_a <= 0.0 && above_b <= 0.0)
-        return;
+        return false;
     vec3 crossing = mix(a, b, above_a / (above_a - above_b));
     if (above_a <= 0.0)
         a = p.enters = crossing;
     if (above_b <= 0.0)
         b = p.leaves = crossing;
-    p.sum += edge_share(a, b, normal);
+    return true;
+}
+
+void polygon_edge(inout polygon_sum p, vec3 a, vec3 b, vec3 normal) {
+    if (polygon_cut(p, a, b, normal))
+        p.sum += edge_share(a, b, normal);
 }
 
 // Irradiance over radiance; 0 from behind.

@@ -20,22 +20,20 @@ layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_specular; // of 
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
 
-// At the horizon where it lies below.
-vec3 corner_above(vec3 normal, int i, int c) {
-    vec3 corner = sky_corner(i, c);
-    return corner - normal * min(dot(normal, corner), 0.0);
-}
-
-// Of a light that nothing hides, radiance over radiance; to be multiplied by the lobe's albedo.
-float sky_specular(lobe o, vec3 normal, int i) {
-    polygon_sum p = polygon_sum(0.0, vec3(0.0), vec3(0.0));
-    vec3 last = o.from_world * corner_above(normal, i, 3);
+// Of a light that nothing hides, radiance over radiance; to be multiplied by the lobe's albedo. The light is cut at the
+// surface's horizon, so that a whole sky adds up to 1.
+float sky_specular(lobe o, int i) {
+    const vec3 Z = vec3(0.0, 0.0, 1.0);
+    polygon_sum above = polygon_sum(0.0, vec3(0.0), vec3(0.0)), p = above;
+    vec3 last = o.from_world * sky_corner(i, 3);
     for (int c = 0; c < 4; c++) {
-        vec3 next = o.from_world * corner_above(normal, i, c);
-        polygon_edge(p, last, next, vec3(0.0, 0.0, 1.0));
+        vec3 next = o.from_world * sky_corner(i, c), a = last, b = next;
+        if (polygon_cut(above, a, b, o.horizon))
+            polygon_edge(p, a, b, Z);
         last = next;
     }
-    return polygon_end(p, vec3(0.0, 0.0, 1.0)) / 3.14159265;
+    polygon_edge(p, above.leaves, above.enters, Z);
+    return polygon_end(p, Z) / 3.14159265;
 }
 #endif
 
@@ -115,7 +113,7 @@ void main() {
             sum += radiance.rgb * (shares[k] * visible[k]);
 #ifdef HAS_SPECULAR
             if (i < params.count)
-                shining += radiance.rgb * (sky_specular(o, s.normal, i) * visible[k]);
+                shining += radiance.rgb * (sky_specular(o, i) * visible[k]);
 #endif
         }
     }
@@ -125,7 +123,7 @@ void main() {
         seen = through_medium(seen, i, s.position);
         sum += seen * sky_shares(s.normal, i / SKY_LAYER_LIGHTS)[i % SKY_LAYER_LIGHTS];
 #ifdef HAS_SPECULAR
-        shining += seen * sky_specular(o, s.normal, i);
+        shining += seen * sky_specular(o, i);
 #endif
     }
     lit.rgb += sum / PI;

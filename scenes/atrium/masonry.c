@@ -1,8 +1,8 @@
 #include "atrium/masonry.h"
+#include "base/unit.h"
 #include "shapes/shapes.h"
 
 #include <assert.h>
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdbool.h>
 
@@ -165,7 +165,7 @@ static uint32_t add_barrel_vertex(struct surface *surface, const struct vault_si
     vault_point(side, i, out, point);
     normal[1] = -point[1] / (vault->rise * vault->rise);
     normal[2 - side->axis] = -point[2 - side->axis] / (across * across);
-    glm_vec3_normalize(normal);
+    vec3_unit(normal);
     return surface_add_vertex(surface, point, normal);
 }
 

@@ -1,10 +1,9 @@
 /* A golden ring, two glass pawns and a gem in fog, each on a table with a wall behind it, under one spot: what casts
  * caustics [Dong 2011, chapter 8]. */
+#include "base/unit.h"
 #include "scenes.h"
 #include "shapes/placing.h"
 #include "shapes/shapes.h"
-
-#include <cglm/cglm.h>
 
 static void place_table(struct glb *glb) {
     int grey = glb_add_material(glb, "table", (const float[]){.6F, .58F, .55F}, GLB_SINGLE_SIDED);
@@ -24,7 +23,7 @@ static void add_ring(struct surface *surface, float radius, float across, float 
             float r = radius + across * cosf(angle);
             vec3 normal = {cosf(angle) / across * cosf(turn), sinf(angle) / up,
                            cosf(angle) / across * sinf(turn)};
-            glm_vec3_normalize(normal);
+            vec3_unit(normal);
             surface_add_vertex(
                 surface, (float[]){r * cosf(turn), up + up * sinf(angle), r * sinf(turn)}, normal);
         }
@@ -97,7 +96,7 @@ static void add_facet(struct surface *surface, float a[3], float b[3], float c[3
     glm_vec3_cross(ab, ac, normal);
     if (glm_vec3_norm(normal) < 1e-4F) /* two corners meet on the axis */
         return;
-    glm_vec3_normalize(normal);
+    vec3_unit(normal);
     uint32_t first = surface_add_vertex(surface, a, normal);
     surface_add_vertex(surface, b, normal);
     surface_add_vertex(surface, c, normal);

@@ -1,8 +1,8 @@
 #include "shapes/shapes.h"
 
 #include "base/memory.h"
+#include "base/unit.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -12,7 +12,7 @@ void add_quad(struct surface *surface, const float a[3], const float b[3], const
     vec3 ac, bd, normal;
     glm_vec3_sub((float *)c, (float *)a, ac);
     glm_vec3_sub((float *)d, (float *)b, bd);
-    glm_vec3_crossn(ac, bd, normal);
+    vec3_unit_cross(ac, bd, normal);
     uint32_t first = surface_add_vertex(surface, a, normal);
     surface_add_vertex(surface, b, normal);
     surface_add_vertex(surface, c, normal);
@@ -124,7 +124,7 @@ static void lathe_normal(const struct lathe *lathe, int strip, int step, vec3 no
     lathe_place(lathe, strip + 1, step, high, high_tangent);
     glm_vec3_sub(high, low, up);
     glm_vec3_add(low_tangent, high_tangent, low_tangent);
-    glm_vec3_crossn(up, low_tangent, normal);
+    vec3_unit_cross(up, low_tangent, normal);
 }
 
 /* The vertex at the lower (0) or upper (1) end of a strip; its normal takes in the next strip where
@@ -140,7 +140,7 @@ static void add_lathe_vertex(struct surface *surface, const struct lathe *lathe,
         if (glm_vec3_dot(normal, other) > cosf(glm_rad(35.0f)))
             glm_vec3_add(normal, other, normal);
     }
-    glm_vec3_normalize(normal);
+    vec3_unit(normal);
     surface_add_vertex(surface, position, normal);
 }
 
@@ -223,9 +223,9 @@ void smooth_normals(struct surface *surface, uint32_t first) {
         vec3 ab, ac, normal;
         glm_vec3_sub(surface->position[b], surface->position[a], ab);
         glm_vec3_sub(surface->position[c], surface->position[a], ac);
-        glm_vec3_crossn(ab, ac, normal);
+        vec3_unit_cross(ab, ac, normal);
         glm_vec3_muladds(normal, glm_vec3_angle(ab, ac), surface->normal[a]);
     }
     for (uint32_t i = first; i < surface->vertex_count; i++)
-        glm_vec3_normalize(surface->normal[i]);
+        vec3_unit(surface->normal[i]);
 }

@@ -13,7 +13,6 @@ int app_manual(int argc, char **argv);
 int app_render(int argc, char **argv);
 int app_report(int argc, char **argv);
 int app_score(int argc, char **argv);
-int app_tune(int argc, char **argv);
 int app_view(int argc, char **argv);
 
 #endif

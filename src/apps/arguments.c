@@ -1,7 +1,5 @@
 #include "apps/arguments.h"
 
-#include "apps/limited.h"
-
 #include "base/error.h"
 #include "base/events.h"
 #include "base/log.h"
@@ -9,8 +7,10 @@
 #include "base/words.h"
 #include "scene/read_rules.h"
 
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct option common_options[] = {
     {"help", 'h', OPTION_FLAG, offsetof(struct common_values, help),
@@ -20,11 +20,6 @@ static const struct option common_options[] = {
     {"quiet", 'q', OPTION_FLAG, offsetof(struct common_values, quiet),
      .help = "no notes, no progress"},
     {"verbose", 'v', OPTION_FLAG, offsetof(struct common_values, verbose), .help = "more notes"},
-    {"max-memory", 0, OPTION_FLOAT, offsetof(struct common_values, max_memory), 0, 0, 1e6,
-     .value_name = "GIB",
-     .help = "memory limit in GiB, with the OpenGL driver, which needs about half a GiB; 0: the\n"
-             "free memory, and for a scene 2 GiB plus 64 times the size of its files",
-     .rare = true},
     {NULL},
 };
 
@@ -121,18 +116,30 @@ static bool check_common(const struct common_values *common) {
         common, (struct option_use[]){{"verbose", !common->quiet, "runs without --quiet"}, {NULL}});
 }
 
-static bool apply(int argc, char **argv, const struct arguments *arguments,
-                  const struct common_values *common) {
+static void end_without_memory(int number) {
+    (void)number;
+    event_tell_last("manylight: too little memory for the work and the OpenGL driver, by ulimit");
+    _exit(STATUS_FAILED);
+}
+
+/* Turns the signals that end a driver or a library without memory into one message. */
+static void expect_lack_of_memory(void) {
+    static const int ends[] = {SIGABRT, SIGBUS, SIGILL, SIGSEGV, SIGTRAP};
+    for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+        signal(ends[i], end_without_memory);
+}
+
+static bool apply(const struct arguments *arguments, const struct common_values *common) {
+    if (mem_is_scarce())
+        expect_lack_of_memory();
     if (arguments->shows_progress && common->progress == 1)
         events_choose_json();
     if (common->quiet)
         log_set_level(LOG_QUIET);
     else if (common->verbose)
         log_set_level(LOG_VERBOSE);
-    if (arguments->opens_scenes && !read_rules_set(common->strict, common->root))
-        return error_prefix("--root");
-    return (common->max_memory == 0 && !mem_is_scarce()) ||
-           limited_begin(argc, argv, (double)common->max_memory) || error_prefix("--max-memory");
+    return !arguments->opens_scenes || read_rules_set(common->strict, common->root) ||
+           error_prefix("--root");
 }
 
 static arguments_reader *reading;
@@ -167,7 +174,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     } else if (*positional_count < arguments->min_positional) {
         error_set("arguments are missing: %s", arguments->synopsis);
         *status = arguments_misuse(argv[0]);
-    } else if (!apply(argc, argv, arguments, values)) {
+    } else if (!apply(arguments, values)) {
         *status = arguments_fail(argv[0]);
     } else {
         go_on = true;
@@ -179,7 +186,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
 int arguments_fail(const char *name) {
     /* Libraries do not always say that it was memory. */
     char *text = mem_printf("manylight %s: %s%s", name, error_get(),
-                            mem_is_limited() ? " (--max-memory bounds its memory)" : "");
+                            mem_is_limited() ? " (ulimit -d bounds its memory)" : "");
     if (events_are_json())
         event_tell("error", text);
     else

@@ -26,9 +26,8 @@ enum status { STATUS_OK, STATUS_FAILED, STATUS_USAGE };
 /* The first member of each subcommand's struct of values. */
 struct common_values {
     bool help, help_all, quiet, verbose;
-    float max_memory; /* GiB; 0 = no limit of its own */
-    int progress;     /* an index of progress_names */
-    bool strict;      /* this and root: of scene/read_rules.h */
+    int progress; /* an index of progress_names */
+    bool strict;  /* this and root: of scene/read_rules.h */
     const char *root;
     struct text_list given; /* names of the options on the command line */
 };

@@ -46,8 +46,7 @@ struct values {
     float max_error, budget;
     const char *fps;
     struct frame_rate rate; /* of fps */
-    bool skip_existing, stats, shipped_costs;
-    struct costs costs;        /* of this machine, where something is chosen by them */
+    bool skip_existing, stats;
     struct in_time in_time;    /* where budget */
     struct progress *progress; /* of the frames */
     char *choice;              /* which quality was chosen, and why */
@@ -66,16 +65,12 @@ static const struct option options[] = {
     {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
      .help = "limit of the relative RMSE of indirect light; path-traces about\n"
              "9000 pixels at --time, then uses the cheapest setting within\n"
-             "the limit, by costs of manylight tune or shipped costs; 0: off"},
+             "the limit; 0: off"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
      .unit = "ms",
      .help =
          "time per frame, ms: adapts settings not given by --set, from the times of the frames\n"
          "before; frames then depend on the machine and on each other; 0: off"},
-    {"shipped-costs", 0, OPTION_FLAG, offsetof(struct values, shipped_costs),
-     .help = "use the costs that come with the program for --max-error and --budget,\n"
-             "not the table of manylight tune, if several machines share frames",
-     .rare = true},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and similar formats\n"
@@ -204,12 +199,10 @@ static bool check_background(const struct values *values, const struct backgroun
 
 /* What an option needs to have an effect. exr: how many outputs are of that format. */
 static bool check_use(const struct values *values, int exr) {
-    bool chooses = values->max_error > 0 || values->budget > 0;
     int all = values->outputs.count + values->videos.paths.count;
     return arguments_check_use(
         &values->common,
         (struct option_use[]){{"fps", values->frames, "--frames"},
-                              {"shipped-costs", chooses, "--max-error and --budget"},
                               {"layer", exr < all, "formats of one layer; EXR holds all of them"},
                               {"aov", exr > 0, "formats that hold all layers: -o FILE.exr"},
                               {NULL}});
@@ -465,8 +458,7 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
                                   texts->count,
                                   (double)values->max_error,
                                   one_pass ? 1 : QUALITY_MOST_PASSES,
-                                  !one_pass && !values->technique.technique,
-                                  &values->costs};
+                                  !one_pass && !values->technique.technique};
     if (!stage_pose(stage, (double)values->stage.time) || !quality_find(&wanted, &found))
         return false;
     char *what = quality_describe(&found.choice);
@@ -481,17 +473,6 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
     return quality_settings(&found.choice, desc->technique, texts->items, texts->count,
                             &desc->settings) &&
            stage_pose(stage, 0);
-}
-
-/* Software OpenGL is what the program's own figures are of. */
-static void load_costs(struct values *values) {
-    bool chooses = values->max_error > 0 || values->budget > 0;
-    if (chooses && !values->shipped_costs) {
-        costs_load(&values->costs);
-        if (values->costs.count == 0 && !gl.software)
-            log_note("costs are those of software OpenGL; manylight tune measures this machine's");
-    }
-    time_budget_init(&values->in_time.budget, (double)values->budget, &values->costs);
 }
 
 /* Files are checked before long work, of a sequence by its first frame. The stage begins at time 0,
@@ -519,8 +500,7 @@ static bool render_scene(struct values *values, const struct frames *frames,
     start = clock_ms();
     context = context_create(&values->context);
     phase_add(PHASE_CONTEXT, start);
-    if (context)
-        load_costs(values);
+    time_budget_init(&values->in_time.budget, (double)values->budget);
     bool ok = context && (values->max_error == 0 || find_quality(values, desc, &stage));
     desc->emitters = stage.emitters; /* which posing makes anew */
     ok = ok && render(values, frames, desc, &stage);
@@ -584,7 +564,6 @@ int app_render(int argc, char **argv) {
     bool ok = render_scene(&values, &frames, &desc);
     frames_free(&frames);
     free(values.choice);
-    costs_free(&values.costs);
     if (ok)
         return STATUS_OK;
     status = arguments_fail(argv[0]);

@@ -45,17 +45,6 @@ static uint64_t left_of_limit(int resource, const char *used) {
     return bytes < limit.rlim_cur ? limit.rlim_cur - bytes : 0;
 }
 
-bool mem_limit(uint64_t bytes) {
-    struct rlimit limit;
-    getrlimit(RLIMIT_DATA, &limit);
-    limit.rlim_cur = bytes;
-    uint64_t held = number_in("/proc/self/status", "VmData:");
-    if (held != UINT64_MAX && held * 1024 > bytes)
-        return error_set("%.2f GiB of memory are in use already", (double)held * 1024 / gib);
-    return setrlimit(RLIMIT_DATA, &limit) == 0 ||
-           error_set("%.2f GiB of memory are more than the system grants", (double)bytes / gib);
-}
-
 bool mem_is_limited(void) {
     struct rlimit limit;
     return getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY;
@@ -65,6 +54,15 @@ bool mem_is_scarce(void) {
     const uint64_t enough = (uint64_t)2 << 30;
     return left_of_limit(RLIMIT_AS, "VmSize:") < enough ||
            left_of_limit(RLIMIT_DATA, "VmData:") < enough;
+}
+
+bool mem_check_driver(void) {
+    const double least_gib = .9;
+    double left = (double)left_of_limit(RLIMIT_AS, "VmSize:") / gib;
+    return left >= least_gib ||
+           error_set_memory("too little memory: ulimit -v leaves %.2f GiB of address space, and an "
+                            "OpenGL driver takes about %g GiB",
+                            left, least_gib);
 }
 
 uint64_t mem_free_bytes(void) {

@@ -8,15 +8,14 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Lets this process hold no more than so many bytes of its own (RLIMIT_DATA). Error: it may not
- * have them, or has more already. */
-bool mem_limit(uint64_t bytes);
-
-/* Whether there is such a limit. */
+/* Whether `ulimit -d` bounds the memory of this process. */
 bool mem_is_limited(void);
 
 /* Whether `ulimit -v` or `-d` is so low that a graphics driver may fail by it. */
 bool mem_is_scarce(void);
+
+/* Checks that `ulimit -v` leaves the address space an OpenGL driver takes. Drivers crash without it. */
+bool mem_check_driver(void);
 
 /* How many bytes are free, by the machine and by the limits of this process. */
 uint64_t mem_free_bytes(void);

@@ -3,11 +3,11 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/text.h"
+#include "base/unit.h"
 #include "library/desc.h"
 #include "library/door.h"
 #include "library/scene.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -237,11 +237,11 @@ static void add_node(struct glb *glb, const float eye[3], const float right[3], 
 static bool make_frame(const float direction[3], const float wanted[3], vec3 right, vec3 up,
                        vec3 forward) {
     vec3 above;
-    glm_vec3_normalize_to((float *)direction, forward);
+    vec3_unit_to((float *)direction, forward);
     glm_vec3_copy((float *)wanted, above);
     if (is_zero(above, 3))
         above[fabsf(forward[1]) > .999F ? 2 : 1] = 1;
-    glm_vec3_crossn(forward, above, right);
+    vec3_unit_cross(forward, above, right);
     glm_vec3_cross(right, forward, up);
     return !is_zero(right, 3);
 }

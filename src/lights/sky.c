@@ -1,8 +1,7 @@
 #include "lights/sky.h"
 
 #include "base/memory.h"
-
-#include <cglm/cglm.h>
+#include "base/unit.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -40,8 +39,8 @@ static void weighted_power(const struct environment_light *light, float weight, 
 /* By how far it moves how much. */
 static float cost_of_joining(const float a[4], const float b[4]) {
     vec3 x, y;
-    glm_vec3_normalize_to((float *)a, x);
-    glm_vec3_normalize_to((float *)b, y);
+    vec3_unit_to((float *)a, x);
+    vec3_unit_to((float *)b, y);
     return a[3] * b[3] / (a[3] + b[3]) * glm_vec3_distance2(x, y);
 }
 

@@ -100,7 +100,7 @@ static void ask_light(void *context, size_t index) {
         const float at[2] = {(float)radical_inverse(2, number), (float)radical_inverse(3, number)};
         vec3s to;
         environment_light_direction(&light, at, to.raw);
-        to = glms_vec3_normalize(to);
+        to = vec3s_unit(to);
         float cosine = cosine_at(asking->places, place, to);
         add_line(&asking->lines[index], cosine * power, glms_vec3_sub(place->position, middle), to);
         sum += cosine;

@@ -1,9 +1,9 @@
 #include "passes/smooth_surfaces.h"
 
 #include "base/memory.h"
+#include "base/unit.h"
 #include "scene/material.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -157,7 +157,7 @@ static double angle_between(vec3 a, vec3 b) {
 static void set_frame(struct caustics_params *params, vec3 axis) {
     glm_vec3_copy(axis, params->axis);
     glm_vec3_ortho(axis, params->right);
-    glm_vec3_normalize(params->right);
+    vec3_unit(params->right);
     glm_vec3_cross(params->right, axis, params->up);
 }
 
@@ -201,7 +201,7 @@ static bool fit_cap(const struct smooth_surfaces *surfaces, const struct geometr
                                   : light->type == EMITTER_AREA ? GLM_PI_2
                                                                 : GLM_PI;
     if (!is_inside) {
-        glm_vec3_normalize(axis);
+        vec3_unit(axis);
         angle = widest_angle(surfaces, geometry, light, axis);
         /* A wider cap is not convex: triangles reach out of it whose corners do not. */
         angle = angle > GLM_PI_2 ? GLM_PI : angle * (1 + 2 * margin / params->side);

@@ -45,29 +45,10 @@ struct quality_choice quality_named(enum quality quality) {
     return qualities[quality];
 }
 
-/* By insertion: equal ones stay as they were. Nothing is sorted by costs that lack one. */
-static void sort_by_costs(struct quality_choice *choices, int count, const struct costs *costs) {
-    double ms[QUALITY_CHOICES_MAX];
-    for (int i = 0; i < count; i++)
-        if ((ms[i] = costs_find(costs, choices[i].technique, choices[i].settings)) <= 0)
-            return;
-    for (int i = 1; i < count; i++)
-        for (int k = i; k > 0 && ms[k] < ms[k - 1]; k--) {
-            struct quality_choice choice = choices[k];
-            double cost = ms[k];
-            choices[k] = choices[k - 1];
-            ms[k] = ms[k - 1];
-            choices[k - 1] = choice;
-            ms[k - 1] = cost;
-        }
-}
-
-int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes,
-                   const struct costs *costs) {
+int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes) {
     int count = sizeof frames / sizeof *frames;
     struct quality_choice mean = quality_named(QUALITY_FINAL);
     memcpy(choices, frames, sizeof frames);
-    sort_by_costs(choices, count, costs);
     for (mean.passes = FEWEST_PASSES; mean.passes <= most_passes; mean.passes *= 2)
         choices[count++] = mean;
     return count;
@@ -145,11 +126,11 @@ static void settle(const struct climb *climb, double error, struct quality_found
     found->error = climb->errors[i];
 }
 
-bool quality_climb(double error, int most_passes, const struct costs *costs, quality_teller *tell,
-                   void *user, struct quality_found *found) {
+bool quality_climb(double error, int most_passes, quality_teller *tell, void *user,
+                   struct quality_found *found) {
     struct climb climb = {.tried = 0};
     bool ok = true, enough = false;
-    climb.count = quality_ladder(climb.choices, most_passes, costs);
+    climb.count = quality_ladder(climb.choices, most_passes);
     while (ok && !enough && climb.tried < climb.count) {
         const struct quality_choice *choice = &climb.choices[climb.tried];
         double *estimated = &climb.errors[climb.tried++];
@@ -218,7 +199,7 @@ bool quality_find(const struct quality_desc *desc, struct quality_found *found) 
     struct draft draft = {.desc = desc, .measure = *desc->measure};
     *found = (struct quality_found){normal, INFINITY, false};
     bool ok = is_possible(&draft, &normal) && estimate_init(&draft.estimate, &draft.measure) &&
-              quality_climb(desc->error, desc->most_passes, desc->costs, tell, &draft, found);
+              quality_climb(desc->error, desc->most_passes, tell, &draft, found);
     renderer_free(&draft.mean);
     estimate_free(&draft.estimate);
     return ok;

@@ -2,13 +2,11 @@
  *
  * Qualities are choices by name: the same settings on every machine. An error asked for is looked for on a ladder of
  * choices, each dearer than the one before: the first whose picture errs no more is taken, as estimate.h tells it of this
- * very scene and camera. The ladder's order is the one that the program comes with, or that of costs which the machine's
- * user has measured (costs.h): it depends on no clock of the run.
+ * very scene and camera. The ladder's order is fixed: it depends on no clock of the run.
  */
 #ifndef QUALITY_QUALITY_H
 #define QUALITY_QUALITY_H
 
-#include "quality/costs.h"
 #include "quality/measure.h"
 
 enum quality { QUALITY_DRAFT, QUALITY_NORMAL, QUALITY_HIGH, QUALITY_FINAL };
@@ -34,20 +32,17 @@ char *quality_describe(const struct quality_choice *choice);
 /* Where a ladder ends that nothing else ends. */
 enum { QUALITY_MOST_PASSES = 256, QUALITY_CHOICES_MAX = 20 };
 
-/* All of the ladder, cheapest first: frames, then means of up to so many passes. How many they are. Frames go by costs
- * that have them all; NULL: as the program comes. */
-int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes,
-                   const struct costs *costs);
+/* Fills in the ladder, cheapest first: frames, then means of up to most_passes. Returns their number. */
+int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes);
 
 struct quality_desc {
     /* Stage, size, technique and direct method; its settings do not count. */
     const struct measure_desc *measure;
     const char *const *texts; /* settings that are given, and win: as renderer_settings_assign's */
     int text_count;
-    double error;              /* relative RMSE of the indirect layer, as estimate.h has it */
-    int most_passes;           /* of a picture; 1: no means */
-    bool any_technique;        /* else the measure's alone */
-    const struct costs *costs; /* as quality_ladder's */
+    double error;       /* relative RMSE of the indirect layer, as estimate.h has it */
+    int most_passes;    /* of a picture; 1: no means */
+    bool any_technique; /* else the measure's alone */
 };
 
 struct quality_found {
@@ -61,8 +56,8 @@ typedef bool quality_teller(void *user, const struct quality_choice *choice, dou
 
 /* Up the ladder to the first choice that errs no more than asked for. Where none does, the cheapest of those that
  * nothing errs less than by a tenth; means end where twice as many passes gain less than that. Error: the teller's. */
-bool quality_climb(double error, int most_passes, const struct costs *costs, quality_teller *tell,
-                   void *user, struct quality_found *found);
+bool quality_climb(double error, int most_passes, quality_teller *tell, void *user,
+                   struct quality_found *found);
 
 /* With a context. Error: of the tracer or a renderer. */
 bool quality_find(const struct quality_desc *desc, struct quality_found *found);

@@ -18,7 +18,7 @@ static const struct row {
         int interleave, adaptive, adaptive_factor, samples;
         bool by_rays;
     } choices;
-} rows[TIME_BUDGET_ROWS] = {
+} rows[] = {
     {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, false}},
     {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, false}},
     {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, false}}, /* draft */
@@ -36,7 +36,7 @@ static const struct row {
 
 /* The last row that begins at the level or before, but the very last. */
 static const struct row *row_of(int level) {
-    const struct row *row = rows, *last = rows + TIME_BUDGET_ROWS - 2;
+    const struct row *row = rows, *last = rows + sizeof rows / sizeof *rows - 2;
     while (row < last && row[1].level <= level)
         row++;
     return row;
@@ -47,10 +47,6 @@ void time_budget_allow_rays(struct time_budget *budget, bool allowed) {
     while (!row->choices.by_rays)
         row++;
     budget->most = allowed ? TIME_BUDGET_LEVELS - 1 : row->level - 1;
-}
-
-int time_budget_level_of_row(int row) {
-    return rows[row].level;
 }
 
 static int between(int low, int high, double share) {
@@ -94,9 +90,6 @@ static const double changed = .15;
 /* Of a level, as long as none has been measured; and between which bounds it may lie. */
 static const double growth_usual = .06, growth_least = .02, growth_most = .25;
 
-/* The same over costs that are known. */
-static const double scale_least = .1, scale_most = 10;
-
 /* So far off, what had settled is looked for anew. */
 static const double unsettled = .6;
 
@@ -113,25 +106,7 @@ static double clamped(double value, double least, double most) {
     return fmin(fmax(value, least), most);
 }
 
-/* Between rows evenly. A row that is cheaper than the one before counts as hardly dearer: levels keep their order. */
-static bool fill_costs(struct time_budget *budget, const struct costs *costs) {
-    double before = 0;
-    for (int row = 0; row < TIME_BUDGET_ROWS; row++) {
-        int level = rows[row].level, apart = row ? level - rows[row - 1].level : 1;
-        char *settings = time_budget_settings(level);
-        double ms = costs_find(costs, NULL, settings);
-        free(settings);
-        if (ms <= 0)
-            return false;
-        double growth = clamped(log(ms / before) / apart, growth_least, growth_most);
-        for (int i = level - apart + 1; row && i <= level; i++)
-            budget->costs[i] = budget->costs[i - 1] + growth;
-        before = ms;
-    }
-    return true;
-}
-
-void time_budget_init(struct time_budget *budget, double target, const struct costs *costs) {
+void time_budget_init(struct time_budget *budget, double target) {
     *budget = (struct time_budget){.target = target,
                                    .level = LEVEL_FIRST,
                                    .most = TIME_BUDGET_LEVELS - 1,
@@ -139,9 +114,6 @@ void time_budget_init(struct time_budget *budget, double target, const struct co
                                    .growth = growth_usual,
                                    .too_slow = TIME_BUDGET_LEVELS,
                                    .patience = PATIENCE_FIRST};
-    budget->has_costs = fill_costs(budget, costs);
-    if (budget->has_costs)
-        budget->growth = 1;
 }
 
 /* The middle one of the last three; of fewer the last, as one frame in three may be disturbed. */
@@ -156,18 +128,12 @@ static double off_target(const struct time_budget *budget) {
     return log(typical(budget) / budget->target);
 }
 
-/* By how much the one level should be dearer than the other, over growth. */
-static double apart(const struct time_budget *budget, int level, int other) {
-    return budget->has_costs ? budget->costs[level] - budget->costs[other] : level - other;
-}
-
 /* How dear a level is, from the last two that were measured. */
 static void learn_growth(struct time_budget *budget, double ms) {
     if (budget->before < 0 || budget->level == budget->before)
         return;
-    double growth = log(ms / budget->before_ms) / apart(budget, budget->level, budget->before);
-    budget->growth = budget->has_costs ? clamped(growth, scale_least, scale_most)
-                                       : clamped(growth, growth_least, growth_most);
+    double growth = log(ms / budget->before_ms) / (budget->level - budget->before);
+    budget->growth = clamped(growth, growth_least, growth_most);
 }
 
 /* What was too slow once need not be so for ever: scenes change. */
@@ -192,11 +158,9 @@ static int wanted_level(const struct time_budget *budget) {
     int most = budget->settled ? STEP_SETTLED : STEP_MOST;
     double may_grow = (aim - off_target(budget)) / budget->growth;
     int level = budget->level, last = budget->most;
-    while (level < last && level - budget->level < most &&
-           apart(budget, level + 1, budget->level) <= may_grow)
+    while (level < last && level - budget->level < most && level + 1 - budget->level <= may_grow)
         level++;
-    while (level > 0 && budget->level - level < most &&
-           apart(budget, level, budget->level) > may_grow)
+    while (level > 0 && budget->level - level < most && level - budget->level > may_grow)
         level--;
     int top = budget->wait > 0 && budget->too_slow <= last ? budget->too_slow - 1 : last;
     level = level < top ? level : top;

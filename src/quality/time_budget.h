@@ -8,10 +8,9 @@
 #ifndef QUALITY_TIME_BUDGET_H
 #define QUALITY_TIME_BUDGET_H
 
-#include "quality/costs.h"
 #include "renderer/settings.h"
 
-enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3, TIME_BUDGET_ROWS = 13 };
+enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3 };
 
 struct time_budget {
     double target;                       /* ms */
@@ -21,10 +20,7 @@ struct time_budget {
     int count;                           /* of them, ever */
     int before;                          /* the level before; -1: there was none */
     double before_ms;
-    double growth; /* of time, a level: natural logarithm; with costs over theirs */
-    /* Where they are known: how dear levels are, as measured elsewhere: logarithms, over that of the first. */
-    bool has_costs;
-    double costs[TIME_BUDGET_LEVELS];
+    double growth; /* of time, a level: natural logarithm */
     bool settled; /* a level holds, or none is found: from now on times are believed less readily */
     int moves;    /* from level to level, before that */
     double first_ms; /* of this level, as it was when it had been drawn so often */
@@ -33,8 +29,8 @@ struct time_budget {
     int too_slow, patience, wait;
 };
 
-/* Costs that have all rows of settings say how far the first steps go; NULL: all levels grow alike. */
-void time_budget_init(struct time_budget *budget, double target, const struct costs *costs);
+/* Starts at the draft's level; target in ms. */
+void time_budget_init(struct time_budget *budget, double target);
 
 /* Whether levels by rays may be chosen, as they may at first: not where a large BVH would be built for each pose, whose
  * time is no frame's. */
@@ -48,8 +44,5 @@ bool time_budget_holds(const struct time_budget *budget);
 
 /* The level's settings, as renderer_settings_assign has them; the caller frees the text. */
 char *time_budget_settings(int level);
-
-/* Of the rows of settings between which levels lie, TIME_BUDGET_ROWS. */
-int time_budget_level_of_row(int row);
 
 #endif

@@ -10,8 +10,9 @@
 #ifndef REFERENCE_ATROUS_H
 #define REFERENCE_ATROUS_H
 
-#include <cglm/struct.h>
 #include <stdbool.h>
+
+#include "base/unit.h"
 
 struct atrous_guide {
     vec3s position, normal; /* metres; unit, or zero where nothing is seen: such pixels stay out */

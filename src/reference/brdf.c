@@ -51,9 +51,7 @@ void brdf_turn(struct brdf *brdf, vec3s n, vec3s v) {
 /* v as it is taken: above the horizon. */
 static vec3s facing(vec3s n, vec3s v) {
     float cosine = glms_vec3_dot(n, v);
-    return cosine >= least_cosine
-               ? v
-               : glms_vec3_normalize(glms_vec3_muladds(n, least_cosine - cosine, v));
+    return cosine >= least_cosine ? v : vec3s_unit(glms_vec3_muladds(n, least_cosine - cosine, v));
 }
 
 /* D, where 1 - (n.h)^2 would lose its digits on smooth surfaces. */
@@ -80,7 +78,7 @@ struct brdf_value brdf_eval(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) 
     if (brdf->diffuse)
         return (struct brdf_value){.diffuse = 1};
     v = facing(n, v);
-    vec3s h = glms_vec3_normalize(glms_vec3_add(v, l));
+    vec3s h = vec3s_unit(glms_vec3_add(v, l));
     float n_v = glms_vec3_dot(n, v), w = schlick(glms_vec3_dot(v, h));
     float visibility =
         .5F / (n_v * smith_root(brdf->alpha, n_l) + n_l * smith_root(brdf->alpha, n_v));
@@ -115,16 +113,14 @@ static float diffuse_share(const struct brdf *brdf, float n_v) {
 /* The direction with its part across n squeezed. */
 static vec3s squeeze(vec3s n, vec3s direction, float alpha) {
     float along = fmaxf(0, glms_vec3_dot(n, direction));
-    return glms_vec3_normalize(
-        glms_vec3_muladds(n, (1 - alpha) * along, glms_vec3_scale(direction, alpha)));
+    return vec3s_unit(glms_vec3_muladds(n, (1 - alpha) * along, glms_vec3_scale(direction, alpha)));
 }
 
 /* Of the microfacets' normals that v sees, one: of a hemisphere's, which v, squeezed as they are, sees as
  * half a disc and half an ellipse below. */
 static vec3s visible_normal(vec3s n, vec3s v, float alpha, vec2s sample) {
     vec3s seen_from = squeeze(n, v, alpha), right = glms_vec3_cross(n, seen_from);
-    right =
-        glms_vec3_norm2(right) > 0 ? glms_vec3_normalize(right) : warp_to_disc((vec2s){{1, 0}}, n);
+    right = glms_vec3_norm2(right) > 0 ? vec3s_unit(right) : warp_to_disc((vec2s){{1, 0}}, n);
     vec3s up = glms_vec3_cross(seen_from, right);
     float radius = sqrtf(sample.x), turn = 2 * GLM_PIf * sample.y, x = radius * cosf(turn);
     float upper = (1 + glms_vec3_dot(n, seen_from)) / 2;
@@ -143,7 +139,7 @@ vec3s brdf_sample(const struct brdf *brdf, vec3s n, vec3s v, vec2s sample) {
         return warp_to_cosine((vec2s){{sample.x / share, sample.y}}, n);
     sample.x = fminf((sample.x - share) / (1 - share), 0x1.fffffep-1F);
     vec3s h = visible_normal(n, v, brdf->alpha, sample);
-    return glms_vec3_normalize(glms_vec3_sub(glms_vec3_scale(h, 2 * glms_vec3_dot(v, h)), v));
+    return vec3s_unit(glms_vec3_sub(glms_vec3_scale(h, 2 * glms_vec3_dot(v, h)), v));
 }
 
 float brdf_density(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) {
@@ -153,7 +149,7 @@ float brdf_density(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) {
     v = facing(n, v);
     float n_v = glms_vec3_dot(n, v), share = diffuse_share(brdf, n_v);
     /* G1(v) D / (4 n.v), also of directions that come out below the horizon. */
-    vec3s h = glms_vec3_normalize(glms_vec3_add(v, l));
+    vec3s h = vec3s_unit(glms_vec3_add(v, l));
     float visible = distribution(brdf->alpha, n, h) / (2 * (n_v + smith_root(brdf->alpha, n_v)));
     return share * cosine + (1 - share) * visible;
 }

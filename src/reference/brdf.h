@@ -17,9 +17,8 @@
 #ifndef REFERENCE_BRDF_H
 #define REFERENCE_BRDF_H
 
+#include "base/unit.h"
 #include "scene/material.h"
-
-#include <cglm/struct.h>
 
 struct brdf {
     vec3s albedo; /* of the diffuse part, towards the view of brdf_turn; before it the mean */

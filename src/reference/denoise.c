@@ -27,7 +27,7 @@ static struct atrous_guide *make_guides(const struct denoise_desc *desc) {
         float depth = primary_depth(desc->primary, position);
         guides[i] = (struct atrous_guide){
             .position = position,
-            .normal = glms_vec3_normalize(vector_of(pixel->normal)),
+            .normal = vec3s_unit(vector_of(pixel->normal)),
             .pixel_size = primary_pixel_size(desc->primary, depth),
         };
     }

@@ -238,5 +238,5 @@ void film_pixel_develop(const struct film_pixel *pixel, int samples, float *chan
         channels[CHANNEL_NORMAL + c] = pixel->normal[c];
         channels[CHANNEL_STANDARD_ERROR + c] = (float)sqrt(estimate.variance[c]);
     }
-    glm_vec3_normalize(&channels[CHANNEL_NORMAL]);
+    vec3_unit(&channels[CHANNEL_NORMAL]);
 }

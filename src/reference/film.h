@@ -9,9 +9,8 @@
 #define REFERENCE_FILM_H
 
 #include "base/image.h"
+#include "base/unit.h"
 #include "reference/seen.h"
-
-#include <cglm/struct.h>
 
 /* Samples come in independent streams, whose spread tells the error: points of one low-discrepancy
  * stream repel each other, so theirs does not. More streams make a surer estimate, longer ones a

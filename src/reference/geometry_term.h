@@ -4,8 +4,9 @@
 #ifndef REFERENCE_GEOMETRY_TERM_H
 #define REFERENCE_GEOMETRY_TERM_H
 
-#include <cglm/struct.h>
 #include <math.h>
+
+#include "base/unit.h"
 
 enum geometry_bound {
     GEOMETRY_UNBOUNDED,

@@ -7,8 +7,7 @@
 #define REFERENCE_LIGHT_FILM_H
 
 #include "base/image.h"
-
-#include <cglm/struct.h>
+#include "base/unit.h"
 
 /* What one ray leaves in a pixel. */
 struct light_deposit {

@@ -40,7 +40,7 @@ static vec3s sent_to(const struct light_vertices *lights, uint32_t i, const stru
         return vertex->radiance;
     const struct arrival *arrival = &lights->specular[i].arrival;
     struct hit y = lights->specular[i].hit;
-    y.towards = glms_vec3_normalize(glms_vec3_sub(x->position, y.position));
+    y.towards = vec3s_unit(glms_vec3_sub(x->position, y.position));
     brdf_turn(&y.brdf, y.normal, y.towards);
     if (arrival->picked > 0)
         *light_found =
@@ -58,7 +58,7 @@ static struct reflected from_light_vertex(const struct light_vertices *lights, u
         float share = p_cosine / p_light * vertex_weight(p_light, p_ray, light_found);
         return (struct reflected){.diffuse = glms_vec3_scale(radiance, share)};
     }
-    vec3s to_y = glms_vec3_normalize(glms_vec3_sub(lights->items[i].position, x->position));
+    vec3s to_y = vec3s_unit(glms_vec3_sub(lights->items[i].position, x->position));
     float cosine = glms_vec3_dot(x->normal, to_y);
     struct brdf_value value = brdf_eval(&x->brdf, x->normal, x->towards, to_y);
     p_ray *= hit_density(x, to_y, cosine) / (cosine * GLM_1_PIf);

@@ -7,8 +7,9 @@
 #ifndef REFERENCE_SAMPLER_H
 #define REFERENCE_SAMPLER_H
 
-#include <cglm/struct.h>
 #include <stdint.h>
+
+#include "base/unit.h"
 
 struct sampler {
     uint32_t seed;  /* of the sequence: of a pixel and a stream */

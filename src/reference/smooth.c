@@ -24,14 +24,13 @@ bool smooth_refract(vec3s direction, vec3s normal, float from_to, vec3s *refract
     float within2 = cosine2_within(cosine, from_to);
     if (within2 <= 0)
         return false;
-    *refracted = glms_vec3_normalize(glms_vec3_muladds(normal, from_to * cosine - sqrtf(within2),
-                                                       glms_vec3_scale(direction, from_to)));
+    *refracted = vec3s_unit(glms_vec3_muladds(normal, from_to * cosine - sqrtf(within2),
+                                              glms_vec3_scale(direction, from_to)));
     return true;
 }
 
 vec3s smooth_reflect(vec3s direction, vec3s normal) {
-    return glms_vec3_normalize(
-        glms_vec3_muladds(normal, -2 * glms_vec3_dot(direction, normal), direction));
+    return vec3s_unit(glms_vec3_muladds(normal, -2 * glms_vec3_dot(direction, normal), direction));
 }
 
 static bool is_solid(const struct material *material) {

@@ -2,7 +2,7 @@
 #ifndef REFERENCE_VECTOR_H
 #define REFERENCE_VECTOR_H
 
-#include <cglm/struct.h>
+#include "base/unit.h"
 
 static inline vec3s vector_of(const float v[3]) {
     return (vec3s){{v[0], v[1], v[2]}};

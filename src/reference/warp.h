@@ -2,7 +2,7 @@
 #ifndef REFERENCE_WARP_H
 #define REFERENCE_WARP_H
 
-#include <cglm/struct.h>
+#include "base/unit.h"
 
 /* A unit vector perpendicular to a unit vector, the same as glsl/lib/tangent.glsl's. */
 vec3s warp_perpendicular(vec3s axis);

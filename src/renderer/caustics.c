@@ -1,5 +1,6 @@
 #include "renderer/caustics.h"
 
+#include "base/memory.h"
 #include "passes/frame.h"
 #include "shared/composite.h"
 
@@ -7,9 +8,16 @@ bool renderer_has_caustics(const struct renderer_desc *desc) {
     return caustics_shown(desc->scene, &desc->settings);
 }
 
-void renderer_block_glass(const struct renderer_desc *desc) {
-    geometry_block_glass((struct geometry *)(uintptr_t)desc->geometry, desc->scene,
-                         desc->settings.part_count > 0 && renderer_has_caustics(desc));
+void renderer_view_geometry(struct renderer *renderer) {
+    struct renderer_desc *desc = &renderer->desc;
+    if (desc->geometry->original)
+        desc->geometry = desc->geometry->original;
+    if (!renderer_has_caustics(desc))
+        return;
+    if (!renderer->glass_view)
+        renderer->glass_view = mem_alloc(1, sizeof *renderer->glass_view);
+    geometry_block_glass(renderer->glass_view, desc->geometry, desc->scene);
+    desc->geometry = renderer->glass_view;
 }
 
 static struct caustics_settings shown(const struct renderer_desc *desc) {

@@ -7,8 +7,9 @@
 
 bool renderer_has_caustics(const struct renderer_desc *desc);
 
-/* Makes glass of the geometry an occluder for caustics, and a pane for other frames. */
-void renderer_block_glass(const struct renderer_desc *desc);
+/* Gives the renderer its own view of its geometry where caustics are on, in which glass blocks light; after each
+ * pose. */
+void renderer_view_geometry(struct renderer *renderer);
 
 /* HAS_... of passes/picture/composite.h; medium: the frames have one. */
 unsigned renderer_caustic_kinds(const struct renderer_desc *desc, bool medium);

@@ -4,6 +4,7 @@
 #include "base/halton.h"
 #include "base/memory.h"
 #include "renderer/caustics.h"
+#include "renderer/light_plan.h"
 #include "renderer/light_search.h"
 #include "renderer/sky_pieces.h"
 #include "renderer/views.h"
@@ -319,66 +320,18 @@ static void set_defaults(struct renderer_desc *desc) {
         renderer_settings_init(&desc->settings);
 }
 
-/* Takes the fit of before where that is as wanted: it takes a while. */
-static void plan_sky(struct light_plan *plan, const struct renderer *renderer,
-                     const struct renderer_desc *desc) {
-    const struct light_plan *before = plan == &renderer->plan ? NULL : &renderer->plan;
-    const struct environment_settings *sky =
-        settings_of(struct environment_settings, &desc->settings, &sky_part);
-    const struct environment *environment = desc->emitters.sky;
-    int room = LIGHTS_MAX - desc->emitters.count;
-    struct sky_wanted *wanted = &plan->wanted;
-    *wanted = (struct sky_wanted){environment, sky->fit, sky->lights};
-    if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
-        before->wanted.lights == wanted->lights)
-        plan->sky = before->sky;
-    else {
-        environment_lights_fit(&plan->sky, environment, (enum sky_fit)wanted->fit, wanted->lights);
-        environment_lights_find_joins(&plan->sky);
-    }
-    light_search_group_sky(renderer->light_search, &plan->sky_samples, desc, &plan->sky,
-                           sky->directions < room ? sky->directions : room);
-}
-
-/* Light samples of all wide lights together, from which their reflected light starts. */
-enum { LIGHT_SAMPLES = 4 };
-
-/* A wider light has several light samples; over the scene's radius, of a sun in radians. */
-static const float wide_light = .3F;
-
-/* Takes what the renderer has where that is as wanted. Error: more lights than there is room for. */
-static bool plan_lights(struct light_plan *plan, const struct renderer *renderer,
-                        const struct renderer_desc *desc) {
-    struct light_samples samples;
-    if (!light_layout_of(&plan->layout, &desc->emitters))
-        return false;
-    if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
-        return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
-                         desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
-    plan_sky(plan, renderer, desc);
-    plan->light_samples =
-        (struct light_samples_desc){LIGHT_SAMPLES, wide_light, desc->geometry->radius};
-    light_samples_place(&samples, &desc->emitters,
-                        &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
-                        &plan->light_samples, 0);
-    plan->sample_layout = light_samples_layout(&samples);
-    plan->sample_layout.unseen =
-        light_search_is_unseen(renderer->light_search, desc, &plan->sample_layout);
-    return true;
-}
-
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
-    renderer_block_glass(desc);
     *renderer = (struct renderer){.desc = *desc,
-                                  .casters = caster_pool_create(desc->scene, desc->geometry),
                                   .light_search = light_search_create(),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
                                   .sample_block = mem_alloc(1, sizeof *renderer->sample_block)};
     renderer->desc.emitters = emitters_copy(&desc->emitters);
     set_defaults(&renderer->desc);
+    renderer_view_geometry(renderer);
+    renderer->casters = caster_pool_create(desc->scene, renderer->desc.geometry);
     timers_init(&renderer->timers, desc->timed, gl.software);
-    if (plan_lights(&renderer->plan, renderer, &renderer->desc) &&
-        scene_gpu_init(&renderer->scene, desc->scene, desc->geometry) &&
+    if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
+        scene_gpu_init(&renderer->scene, desc->scene, renderer->desc.geometry) &&
         (!desc->scene->environment || sky_pieces_init(&renderer->sky_pieces)) &&
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
@@ -423,6 +376,7 @@ void renderer_free(struct renderer *renderer) {
     buffer_free(&renderer->sample_buffer);
     free(renderer->light_block);
     free(renderer->sample_block);
+    free(renderer->glass_view);
     emitters_free(&renderer->desc.emitters);
     *renderer = (struct renderer){0};
 }
@@ -496,7 +450,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
     unsigned parts = 0;
     if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER |
-                 (geometry_has_panes(desc->geometry) ? PART_AIRLIGHT : 0U);
+                 (geometry_has_panes(old->geometry) ? PART_AIRLIGHT : 0U);
     if (desc->direct != old->direct ||
         !renderer_settings_same(&desc->settings, &old->settings, desc->direct->parts))
         parts |= PART_DIRECT;
@@ -534,8 +488,19 @@ bool renderer_makes_programs(const struct renderer *renderer, const struct rende
     struct renderer_desc desc = *wanted;
     struct light_plan plan;
     set_defaults(&desc);
-    return plan_lights(&plan, renderer, &desc) &&
+    return renderer_plan_lights(&plan, renderer, &desc) &&
            parts_between(renderer, &desc, &plan) & with_programs;
+}
+
+/* Puts a new one in its place. */
+static bool start_anew(struct renderer *renderer, const struct renderer_desc *wanted) {
+    struct renderer fresh;
+    if (!renderer_init(&fresh, wanted))
+        return false;
+    renderer_free(renderer);
+    *renderer = fresh;
+    renderer_write_views(renderer); /* the samples' emitters lie within the renderer */
+    return true;
 }
 
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *wanted) {
@@ -543,12 +508,11 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     struct emitters old = renderer->desc.emitters;
     struct light_plan plan;
     set_defaults(&desc);
-    if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc)) {
-        /* Glass becomes an occluder, or a pane: all that was made of the geometry is another. */
-        renderer_free(renderer);
-        return renderer_init(renderer, wanted);
-    }
-    if (!plan_lights(&plan, renderer, &desc))
+    /* Glass becomes an occluder, or a pane: all that was made of the geometry is another. */
+    if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc))
+        return start_anew(renderer, wanted);
+    desc.geometry = renderer->desc.geometry;
+    if (!renderer_plan_lights(&plan, renderer, &desc))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);
     bool same_samples = sky_groups_same(&plan.sky_samples, &renderer->plan.sky_samples);
@@ -580,6 +544,7 @@ static bool update_techniques(struct renderer *renderer) {
 }
 
 bool renderer_update(struct renderer *renderer) {
+    renderer_view_geometry(renderer);
     bool posed = renderer->scene.pose != renderer->desc.geometry->pose_count;
     renderer->lights_drawn &= !posed;
     if (posed)

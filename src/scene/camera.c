@@ -1,10 +1,10 @@
 #include "scene/camera.h"
 
 #include "base/error.h"
+#include "base/unit.h"
 #include "scene/animated.h"
 #include "scene/node.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <string.h>
 
@@ -51,9 +51,9 @@ void camera_default_size(const struct scene *scene, int n, int size[2]) {
 void camera_look(struct camera *camera, const float eye[3], const float forward[3],
                  const float up[3]) {
     vec3 direction, right;
-    glm_vec3_normalize_to((float *)forward, direction);
+    vec3_unit_to((float *)forward, direction);
     glm_vec3_cross(direction, (float *)up, right);
-    glm_vec3_normalize(right);
+    vec3_unit(right);
     glm_vec3_copy((float *)eye, camera->eye);
     glm_vec3_copy(direction, camera->forward);
     glm_vec3_copy(right, camera->right);
@@ -107,7 +107,7 @@ void camera_ray(const struct camera *camera, float x, float y, float aspect, flo
     memcpy(direction, camera->forward, sizeof camera->forward);
     glm_vec3_add(camera->orthographic ? origin : direction, offset,
                  camera->orthographic ? origin : direction);
-    glm_vec3_normalize(direction);
+    vec3_unit(direction);
 }
 
 bool camera_project(const struct camera *camera, const float point[3], float aspect,

@@ -77,8 +77,7 @@ static bool mirrors_nothing(const struct search *search, const struct camera *ca
                                                 search->srgb_to_linear, place->material);
     vec3s eye = {{camera->eye[0], camera->eye[1], camera->eye[2]}};
     vec3s forward = {{camera->forward[0], camera->forward[1], camera->forward[2]}};
-    vec3s way =
-        camera->orthographic ? forward : glms_vec3_normalize(glms_vec3_sub(place->position, eye));
+    vec3s way = camera->orthographic ? forward : vec3s_unit(glms_vec3_sub(place->position, eye));
     vec3s mirrored = glms_vec3_muladds(place->normal, -2 * glms_vec3_dot(way, place->normal), way);
     return is_mirror(&at) && surface_rays_leave(&search->rays, place->position, mirrored);
 }

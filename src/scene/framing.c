@@ -2,11 +2,11 @@
 
 #include "base/log.h"
 #include "base/memory.h"
+#include "base/unit.h"
 #include "scene/camera.h"
 #include "scene/node.h"
 #include "scene/room.h"
 
-#include <cglm/cglm.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -104,7 +104,7 @@ static void place_node(struct scene *scene, int index, vec3 eye, vec3 direction)
 /* A point on the line from the scene's centre in a direction, at a distance in radii. */
 static void point_around(const struct geometry *geometry, vec3 direction, float radii, vec3 out) {
     vec3 unit;
-    glm_vec3_normalize_to(direction, unit);
+    vec3_unit_to(direction, unit);
     glm_vec3_copy((float *)geometry->center, out);
     glm_vec3_muladds(unit, radii * geometry->radius, out);
 }
@@ -160,7 +160,7 @@ static void place_spot(struct scene *scene, int node, const struct geometry *geo
                        const struct camera *camera) {
     const float radii = 2.5F;
     vec3 back = {-camera->forward[0], 0, -camera->forward[2]}, eye, forward;
-    glm_vec3_normalize(back);
+    vec3_unit(back);
     glm_vec3_muladds((float *)camera->right, -.3F, back);
     back[1] += 1;
     point_around(geometry, back, radii, eye);

@@ -3,10 +3,9 @@
 #define SCENE_MATERIAL_H
 
 #include "base/settings.h"
+#include "base/unit.h"
 #include "scene/scene.h"
 #include "shared/brdf.h"
-
-#include <cglm/struct.h>
 
 /* Reflectance from straight on of what has an index of refraction of 1.5. */
 #define DIELECTRIC_F0 ((float)BRDF_DIELECTRIC_F0)

@@ -1,9 +1,9 @@
 #include "scene/room.h"
 
-#include <cglm/cglm.h>
-
 #include <float.h>
 #include <math.h>
+
+#include "base/unit.h"
 
 enum {
     LEVEL = 16,             /* directions around, the first ones */
@@ -22,7 +22,7 @@ static void direction_of(int ray, vec3 direction) {
         glm_vec3_copy((vec3){0, ray == UP ? 1 : -1, 0}, direction);
     else
         glm_vec3_copy((vec3){sinf(angle), height, -cosf(angle)}, direction);
-    glm_vec3_normalize(direction);
+    vec3_unit(direction);
 }
 
 /* The nearest surface along a ray, metres; negative where it turns its back. FLT_MAX: none. */

@@ -40,7 +40,7 @@ bool surface_rays_find(const struct surface_rays *rays, vec3s origin, vec3s dire
             return false;
         const struct material *material = material_of(rays, hit.triangle->number);
         vec3s at = glms_vec3_muladds(direction, hit.distance, origin);
-        vec3s normal = glms_vec3_crossn(hit.triangle->edges[0], hit.triangle->edges[1]);
+        vec3s normal = vec3s_unit_cross(hit.triangle->edges[0], hit.triangle->edges[1]);
         if (hit.front || material->double_sided) {
             place->normal = hit.front ? normal : glms_vec3_negate(normal);
             place->position = glms_vec3_muladds(place->normal, rays->clearance, at);
@@ -54,7 +54,7 @@ bool surface_rays_find(const struct surface_rays *rays, vec3s origin, vec3s dire
 }
 
 vec3s surface_ray_direction(vec3s normal, const float point[2]) {
-    vec3s tangent = glms_vec3_normalize(glms_vec3_ortho(normal));
+    vec3s tangent = vec3s_unit(glms_vec3_ortho(normal));
     vec3s bitangent = glms_vec3_cross(normal, tangent);
     float radius = sqrtf(point[0]), angle = 2 * GLM_PIf * point[1];
     vec3s direction = glms_vec3_scale(normal, sqrtf(1 - point[0]));

@@ -2,9 +2,8 @@
 #ifndef SCENE_TEXTURE_H
 #define SCENE_TEXTURE_H
 
+#include "base/unit.h"
 #include "scene/scene.h"
-
-#include <cglm/struct.h>
 
 /* What the 256 values of a byte of a colour are worth. */
 void texture_decode_table(float srgb_to_linear[256]);

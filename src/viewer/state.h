@@ -3,6 +3,7 @@
 #ifndef VIEWER_STATE_H
 #define VIEWER_STATE_H
 
+#include "base/file/file.h"
 #include "base/file/video_file.h"
 #include "gl/context/context.h"
 #include "inspect/inspect.h"
@@ -70,7 +71,6 @@ struct host {
     struct window *window;
     struct context *context;
     const struct input *input; /* of this turn */
-    struct costs costs;        /* of this machine */
     struct messages messages;
     int message_count; /* that are shown */
     double newest_message;
@@ -221,6 +221,12 @@ struct opening {
     bool is_arriving;
     bool is_announced; /* that its renderer is made next */
     bool is_given;     /* the command line says how the first scene is to look */
+    struct reloading {
+        struct file_stamp asked, shown, seen; /* of the file: viewer/files/reloading.c */
+        struct scene_open_desc desc;          /* that it was opened by */
+        double looked;                        /* when it was last looked at */
+        bool on;                              /* what arrives is the same file */
+    } reloading;
 };
 
 struct viewer {

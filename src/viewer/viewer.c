@@ -224,6 +224,7 @@ bool viewer_turn(struct viewer *viewer) {
     viewer->host.input =
         window_poll(viewer->host.window, waiting_time(viewer), ui_is_opening_field());
     viewer->done |= viewer->host.input->close;
+    viewer_watch_file(viewer);
     if (viewer->host.input->width == 0 || !is_awake(viewer)) {
         viewer->hand.last_update = window_time();
         return true;
@@ -275,8 +276,6 @@ static bool open_window(struct viewer *viewer) {
     viewer->host.context = context_adopt(window_getproc, desc->debug);
     viewer->host.input = window_poll(viewer->host.window, 0, false);
     compiling_init(&viewer->compiling, viewer->host.context, window_wake);
-    if (viewer->host.context)
-        costs_load(&viewer->host.costs);
     return viewer->host.context &&
            ui_init(window_native(viewer->host.window), viewer->host.input->scale) &&
            screen_init(&viewer->host.screen) && inspect_init(&viewer->shown.inspect);
@@ -303,7 +302,6 @@ static void close_window(struct viewer *viewer) {
         element_view_free(&viewer->shown.element);
         ui_free();
     }
-    costs_free(&viewer->host.costs);
     context_free(viewer->host.context);
     window_free(viewer->host.window);
 }

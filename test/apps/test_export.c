@@ -1,11 +1,11 @@
 /* manylight export: what other renderers would read is the scene, by readers of the test's own. */
+#include "base/unit.h"
 #include "command_support.h"
 
 #include "base/file/image_file.h"
 #include "renderer/stage.h"
 #include "scene/lights/slide.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -257,8 +257,8 @@ static void read_mitsuba_projector(struct projector *projector) {
                             &angle, &projector->scale),
                      2);
     glm_vec3_sub(target, origin, projector->forward);
-    glm_vec3_normalize(projector->forward);
-    glm_vec3_crossn(up, projector->forward, left);
+    vec3_unit(projector->forward);
+    vec3_unit_cross(up, projector->forward, left);
     glm_vec3_cross(projector->forward, left, projector->up);
     glm_vec3_negate_to(left, projector->right);
     projector->tangent = tanf(angle * GLM_PIf / 360);

@@ -46,8 +46,7 @@ static void test_shares(void **state) {
     (void)state;
     skip_other_builds();
     expect(0, "cd @/dest/opt/here/share && ls man/man1/manylight.1 man/man1/manylight-render.1 "
-              "bash-completion/completions/manylight zsh/site-functions/_manylight "
-              "fish/vendor_completions.d/manylight.fish "
+              "bash-completion/completions/manylight "
               "icons/hicolor/scalable/apps/org.manylight.manylight.svg "
               "applications/org.manylight.manylight.desktop");
     expect(0, "cd @/dest/opt/here && ./bin/manylight --help | sed -n 's,^  \\([a-z]*\\) .*,\\1,p' |"

@@ -1,5 +1,5 @@
-/* manylight manual: each option that --help-all lists has its line in the man page and in the completions of each shell,
- * and so has each setting. Checkers of man pages find nothing. The shells complete. */
+/* manylight manual: each option that --help-all lists has its line in the man page and in bash's completions,
+ * and so has each setting. Checkers of man pages find nothing. Bash completes. */
 #include "command_support.h"
 
 #include "base/file/file.h"
@@ -10,23 +10,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-static char *bash, *zsh, *fish;
+static char *bash;
 
 static int write_manual(void **state) {
     (void)state;
     if (run_line("rm -rf @/manual && % manual -o @/manual") != 0)
         return -1;
     bash = file_read_text(scratch("manual/manylight.bash"));
-    zsh = file_read_text(scratch("manual/_manylight"));
-    fish = file_read_text(scratch("manual/manylight.fish"));
-    return bash && zsh && fish ? 0 : -1;
+    return bash ? 0 : -1;
 }
 
 static int free_manual(void **state) {
     (void)state;
     free(bash);
-    free(zsh);
-    free(fish);
     return 0;
 }
 
@@ -62,21 +58,12 @@ static char *function_of(const char *script, const char *command) {
     return text;
 }
 
-static void check_option(const char *command, const char *page, const char *in_bash,
-                         const char *in_zsh, const char *name) {
+static void check_option(const char *page, const char *in_bash, const char *name) {
     char words[128];
     snprintf(words, sizeof words, "fB--%sfR", name);
     expect_in(page, words);
     snprintf(words, sizeof words, " --%s", name);
     expect_in(in_bash, words);
-    snprintf(words, sizeof words, "--%s", name);
-    const char *row = in_zsh;
-    while ((row = strstr(row, words)) && !strchr("[=", row[strlen(words)]))
-        row++;
-    if (!row)
-        fail_msg("zsh has no row of %s", words);
-    snprintf(words, sizeof words, "'__manylight_in %s' -l %s ", command, name);
-    expect_in(fish, words);
 }
 
 /* "  -o, --output FILE" and "  --size WxH": the name behind the dashes, or NULL. */
@@ -96,12 +83,11 @@ static void check_command(const char *command) {
     char name[64];
     int count = 0;
     assert_int_equal(run_program("%s --help-all", command), 0);
-    char *page = read_page(command), *in_bash = function_of(bash, command),
-         *in_zsh = function_of(zsh, command);
+    char *page = read_page(command), *in_bash = function_of(bash, command);
     for (const char *line = output; line; line = strchr(line, '\n')) {
         line += *line == '\n';
         if (option_of_line(line, name)) {
-            check_option(command, page, in_bash, in_zsh, name);
+            check_option(page, in_bash, name);
             count++;
         }
     }
@@ -109,7 +95,6 @@ static void check_command(const char *command) {
     assert_true(count >= 5);
     free(page);
     free(in_bash);
-    free(in_zsh);
 }
 
 /* Rows of two spaces, a name and a help; others, which begin otherwise, are no names. */
@@ -128,7 +113,7 @@ static void test_options(void **state) {
     (void)state;
     char names[32][32], modes[32][32];
     int count = names_of_help("", names, 32), mode_count = names_of_help("bench", modes, 32);
-    assert_true(count >= 12 && mode_count >= 11);
+    assert_true(count >= 11 && mode_count >= 11);
     for (int i = 0; i < count; i++)
         if (strcmp(names[i], "bench") != 0)
             check_command(names[i]);
@@ -152,9 +137,6 @@ static void test_settings(void **state) {
         expect_in(page, words);
         snprintf(words, sizeof words, " %s= ", name);
         expect_in(bash, words);
-        expect_in(fish, words);
-        snprintf(words, sizeof words, " %s", name);
-        expect_in(zsh, words);
     }
     printf("    %d settings\n", count);
     free(page);
@@ -246,32 +228,6 @@ static void test_bash(void **state) {
     assert_string_equal(output, "scenes\n");
 }
 
-static void test_fish(void **state) {
-    (void)state;
-    need_command("command -v fish");
-    check_completions("HOME=@ fish -N -c 'source @/manual/manylight.fish; complete -C \"%s\"'");
-    expect(0, "HOME=@ fish -N -c 'source @/manual/manylight.fish; "
-              "complete -C \"manylight render --set clustered.visibility=p\"'");
-    expect_text("clustered.visibility=pcss");
-}
-
-/* An interactive zsh of its own for each line. */
-static void test_zsh(void **state) {
-    (void)state;
-    need_command("command -v zsh");
-    expect(0, "zsh -n @/manual/_manylight");
-    for (size_t i = 0; i < COMPLETIONS; i++) {
-        char line[512];
-        if (!is_tried_here(i, 4))
-            continue;
-        snprintf(line, sizeof line, "HOME=@ test/apps/complete.zsh @/manual '%s' '%s'",
-                 completions[i].line, completions[i].has);
-        expect(0, line);
-    }
-    expect(0, "HOME=@ test/apps/complete.zsh @/manual "
-              "'manylight render --set clustered.visibility=p' visibility=pcss");
-}
-
 /* --- refusals --------------------------------------------------------------------------------- */
 
 static void test_refusals(void **state) {
@@ -289,8 +245,7 @@ int main(void) {
         cmocka_unit_test(test_options),    cmocka_unit_test(test_settings),
         cmocka_unit_test(test_groff),      cmocka_unit_test(test_mandoc),
         cmocka_unit_test(test_characters), cmocka_unit_test(test_titles),
-        cmocka_unit_test(test_bash),       cmocka_unit_test(test_fish),
-        cmocka_unit_test(test_zsh),        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_bash),       cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, write_manual, free_manual);
 }

@@ -336,9 +336,6 @@ static void test_no_memory(void **state) {
     assert_true(a && b && c && *a == 0 && *b == 0);
     c = mem_resize(c, 1, 0);
     assert_non_null(c);
-    assert_false(mem_limit(1));
-    printf("    %s\n", error_get());
-    assert_non_null(strstr(error_get(), "are in use already"));
     assert_true(mem_resident() > 0 && mem_most_resident() > 0); /* counted at different times */
     free(a);
     free(b);

@@ -1,17 +1,19 @@
 /* Light of a sky: what a sky of 1 gives, in closed forms; a day with a sun beside the path tracer; and that it
  * adds to whatever else shines. */
+#include "base/unit.h"
 #include "render_support.h"
 
 #include "gltf_parts.h"
 
 #include "direct/direct.h"
 #include "scene/lights/environment.h"
+#include "scene/lobe_albedo.h"
 #include "shared/vpl.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { SIZE = 80, SKY_WIDTH = 128, SKY_HEIGHT = 64 };
 
@@ -164,6 +166,89 @@ static void test_wall(void **state) {
     stage_free(&stage);
 }
 
+/* --- a furnace: a sky of 1 by kind of material, roughness and angle ------------------------------- */
+
+enum { ANGLES = 5, CELL = 4 }; /* pixels a side */
+static const double angles[ANGLES] = {0, 30, 60, 75, 80};
+static const float roughnesses[] = {.3F, .5F, .1F, .75F, .95F};
+
+/* A convex roof, so that no part hides another's sky: a column bends down for each angle, a row has a material each. */
+static void open_roof(struct stage *stage, int rows) {
+    char materials[512] = "", meshes[1024] = "", nodes[8192] = "";
+    for (int row = 0; row < rows; row++) {
+        const char *end = row + 1 < rows ? ", " : "";
+        double x = 0, z = 0;
+        snprintf(materials + strlen(materials), sizeof materials - strlen(materials),
+                 "{\"doubleSided\": false}%s", end);
+        snprintf(meshes + strlen(meshes), sizeof meshes - strlen(meshes),
+                 "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                 " \"material\": %d}]}%s",
+                 row, end);
+        for (int i = 0; i < ANGLES; i++) {
+            double angle = angles[i] * GLM_PI / 180;
+            snprintf(nodes + strlen(nodes), sizeof nodes - strlen(nodes),
+                     "{\"mesh\": %d, \"translation\": [%g, %d, %g], \"scale\": [%g, 1, 1],"
+                     " \"rotation\": [0, %g, 0, %g]}%s",
+                     row, x, row, z, 1 / cos(angle), sin(angle / 2), cos(angle / 2),
+                     i + 1 < ANGLES ? ", " : end);
+            x += 1;
+            z -= tan(angle);
+        }
+    }
+    char all[3][sizeof nodes + 2];
+    snprintf(all[0], sizeof all[0], "[%s]", materials);
+    snprintf(all[1], sizeof all[1], "[%s]", meshes);
+    snprintf(all[2], sizeof all[2], "[%s]", nodes);
+    open_stage(stage, write_parts("roof.glb", &(struct gltf_parts){.materials = all[0],
+                                                                   .meshes = all[1],
+                                                                   .nodes = all[2]}));
+    stage->camera = (struct camera){.eye = {ANGLES / 2.F, ANGLES / 2.F, 1},
+                                    .right = {1, 0, 0},
+                                    .up = {0, 1, 0},
+                                    .forward = {0, 0, -1},
+                                    .orthographic = true,
+                                    .y_extent = ANGLES / 2.F};
+    set_sky(stage, SKY_WIDTH, SKY_HEIGHT, paint_even);
+}
+
+/* A dielectric shows all light, a metal what its lobe reflects once. */
+static void test_furnace(void **state) {
+    (void)state;
+    static const struct {
+        const char *name;
+        float metalness, f0;
+    } kinds[] = {{"dielectric", 0, .04F}, {"specular-glossiness", 0, .3F}, {"metal", 1, .04F}};
+    int rows = is_long_run() ? 5 : 2;
+    struct stage stage;
+    open_roof(&stage, rows);
+    for (int k = 0; k < 3; k++) {
+        double most = 0, farthest = 0;
+        for (int row = 0; row < rows; row++) {
+            struct material *material = &stage.scene.materials[row];
+            material->metalness = kinds[k].metalness;
+            material->roughness = roughnesses[row];
+            material->specular_glossiness = k == 1;
+            glm_vec3_broadcast(kinds[k].f0, material->specular_f0);
+        }
+        struct image got = render_stage(&stage, "unshadowed", "", CELL * ANGLES);
+        int red = image_find_channel(&got, "R");
+        for (int i = 0; i < rows * ANGLES; i++) {
+            int row = i / ANGLES, x = CELL * (i % ANGLES) + CELL / 2;
+            float cosine = cosf(glm_rad((float)angles[i % ANGLES]));
+            double shown = image_at(&got, x, CELL * (ANGLES - row) - CELL / 2)[red];
+            double wanted =
+                k == 2 ? lobe_albedo(1, 1, roughnesses[row] * roughnesses[row], cosine) : 1;
+            most = fmax(most, shown);
+            farthest = fmax(farthest, fabs(shown - wanted));
+        }
+        printf("  %s\n", kinds[k].name);
+        check_at_most("most", most, 1.005);
+        check_at_most("farthest from what it reflects", farthest, .01);
+        image_free(&got);
+    }
+    stage_free(&stage);
+}
+
 /* --- a closed room, 1 m wide and high, its walls two triangles thin ------------------------------- */
 
 /* Wall x = .5 has a window there; +Z is up. */
@@ -178,7 +263,7 @@ static double through_window(const float place[3]) {
         return -1;
     for (int i = 0; i < 4; i++) {
         glm_vec3_sub((float *)window[i], (float *)place, to[i]);
-        glm_vec3_normalize(to[i]);
+        vec3_unit(to[i]);
     }
     for (int i = 0; i < 4; i++) {
         vec3 normal;
@@ -388,7 +473,7 @@ int main(void) {
         cmocka_unit_test(test_wall),      cmocka_unit_test(test_day),
         cmocka_unit_test(test_courtyard), cmocka_unit_test(test_texel),
         cmocka_unit_test(test_sum),       cmocka_unit_test(test_black),
-        cmocka_unit_test(test_room),
+        cmocka_unit_test(test_room),      cmocka_unit_test(test_furnace),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -26,7 +26,6 @@ struct open_box {
 
 static int open_box(void **state) {
     static struct open_box box;
-    setenv("XDG_CACHE_HOME", scratch("cache"), 1); /* not the user's own costs */
     box.context = open_context(CONTEXT_AUTO);
     open_stage(&box.stage, "scenes/cornell-box.glb");
     box.measure = measure_default(&box.stage, SIDE / 2, SIDE / 2);
@@ -176,7 +175,7 @@ static void test_slivers(void **state) {
 static struct quality_found find(const struct open_box *box, const char *text, double error,
                                  int most_passes) {
     struct quality_found found;
-    struct quality_desc desc = {&box->measure, &text, 1, error, most_passes, false, NULL};
+    struct quality_desc desc = {&box->measure, &text, 1, error, most_passes, false};
     check_ok("find", quality_find(&desc, &found));
     char *what = quality_describe(&found.choice);
     printf("    %g %% asked for: %s, %.2f %%\n", 100 * error, what, 100 * found.error);
@@ -217,8 +216,8 @@ static void test_climb(void **state) {
         {"none can be made", .1, {INFINITY}, {INFINITY, INFINITY, INFINITY}, 0, 3, 0, 1, false},
     };
     struct quality_choice choices[QUALITY_CHOICES_MAX];
-    int frames = quality_ladder(choices, 1, NULL);
-    assert_int_equal(quality_ladder(choices, 16, NULL), frames + 3);
+    int frames = quality_ladder(choices, 1);
+    assert_int_equal(quality_ladder(choices, 16), frames + 3);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct made_up made_up = {.asked = 0};
         struct quality_found found;
@@ -227,7 +226,7 @@ static void test_climb(void **state) {
             made_up.errors[k] = cases[i].frames[last];
         }
         memcpy(&made_up.errors[frames], cases[i].passes, sizeof cases[i].passes);
-        assert_true(quality_climb(cases[i].asked, 16, NULL, tell_made_up, &made_up, &found));
+        assert_true(quality_climb(cases[i].asked, 16, tell_made_up, &made_up, &found));
         printf("    %s: %d tried, %d passes of '%s'\n", cases[i].name, made_up.asked,
                found.choice.passes, found.choice.settings);
         assert_int_equal(made_up.asked, (cases[i].tried_frames ? cases[i].tried_frames : frames) +
@@ -243,7 +242,7 @@ static void test_climb(void **state) {
 static void test_rungs(void **state) {
     (void)state;
     struct quality_choice choices[QUALITY_CHOICES_MAX];
-    int count = quality_ladder(choices, QUALITY_MOST_PASSES, NULL);
+    int count = quality_ladder(choices, QUALITY_MOST_PASSES);
     check_at_most("rungs", count, QUALITY_CHOICES_MAX);
     for (int i = 0; i < count; i++) {
         struct settings settings;
@@ -276,8 +275,8 @@ static void test_techniques(void **state) {
     struct measure_desc measure = measure_default(&stage, SIDE, SIDE);
     for (int any = is_long_run() ? 0 : 1; any < 2; any++) {
         struct quality_found found;
-        check_ok("find", quality_find(&(struct quality_desc){&measure, NULL, 0, .16, 1, any, NULL},
-                                      &found));
+        check_ok("find",
+                 quality_find(&(struct quality_desc){&measure, NULL, 0, .16, 1, any}, &found));
         char *what = quality_describe(&found.choice);
         printf("    %s: %s, %.1f %%\n", any ? "any" : "the default alone", what, 100 * found.error);
         free(what);

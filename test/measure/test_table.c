@@ -232,17 +232,6 @@ static void test_refusals(void **state) {
     expect_count("cut/results.json", "\"error\": \"reference: ", 1);
 }
 
-/* In a long run alone: it starts 24 processes in turn. */
-static void test_slurm_array(void **state) {
-    (void)state;
-    need_file("bench/table/run");
-    need_command("PATH=$PATH:/usr/sbin command -v munged slurmctld slurmd sbatch");
-    expect(0, "rm -rf @/slurm && mkdir @/slurm && MANYLIGHT_BINARY=$(realpath "
-              "\"${MANYLIGHT_BINARY:-./manylight}\") "
-              "timeout 1500 test/slurm/one-node @/slurm test/slurm/table @/slurm");
-    expect_text("slurm: the same bytes");
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_failed_case_is_a_row),
@@ -256,7 +245,6 @@ int main(void) {
         cmocka_unit_test(test_odd_names),
         cmocka_unit_test(test_names_taken),
         cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_slurm_array),
     };
-    return run_some_tests(tests, (int)(sizeof tests / sizeof *tests) - 1, prepare, NULL);
+    return cmocka_run_group_tests_name("table", tests, prepare, NULL);
 }

@@ -52,22 +52,6 @@ static double cut(int level, int frame) {
     return even(level, frame) * (frame < FRAMES / 2 ? 1 : 2);
 }
 
-/* A table of a machine's costs. */
-static struct costs costs_of(machine *takes) {
-    struct costs costs = {0};
-    for (int row = 0; row < TIME_BUDGET_ROWS; row++) {
-        int level = time_budget_level_of_row(row);
-        char *settings = time_budget_settings(level), *choice = costs_choice(NULL, settings);
-        costs_add(&costs, choice, takes(level, 0));
-        free(settings);
-        free(choice);
-    }
-    return costs;
-}
-
-/* What time_budget_init gets; NULL: nothing is known. */
-static const struct costs *known;
-
 struct run {
     int found;          /* after so many frames none of the search was off by more than a tenth */
     double mean, worst; /* of time over target, and furthest off it, after the search */
@@ -86,7 +70,7 @@ static struct run play(machine *takes, double target, double noise, int search, 
     struct run run = {0};
     unsigned state = 1;
     int frames = 0;
-    time_budget_init(&budget, target, known);
+    time_budget_init(&budget, target);
     for (int i = 0; i < FRAMES; i++) {
         double other = chance(&state) < .04 && noise > 0 ? 1.8 : 1; /* something else ran */
         double ms = takes(budget.level, i) * (1 + noise * (2 * chance(&state) - 1)) * other;
@@ -132,46 +116,6 @@ static void test_search(void **state) {
         }
 }
 
-/* With its own costs a machine is met in fewer frames; with those of another it is met as well. */
-static void test_costs(void **state) {
-    (void)state;
-    machine *const machines[] = {even, steep, linear, bent};
-    enum { COUNT = sizeof machines / sizeof *machines };
-    int frames[3] = {0}; /* nothing known, its own, another's */
-    for (int m = 0; m < COUNT; m++) {
-        struct costs own = costs_of(machines[m]), other = costs_of(machines[(m + 1) % COUNT]);
-        const struct costs *const tables[] = {NULL, &own, &other};
-        for (int level = 2; level < LAST; level += 9)
-            for (int t = 0; t < 3; t++) {
-                known = tables[t];
-                struct run run = play(machines[m], machines[m](level, 0) * 1.03, 0,
-                                      t == 2 ? 2 * SEARCH : SEARCH, t == 2);
-                frames[t] += run.found;
-                assert_int_equal(run.levels, 0);
-                check_at_most("off the target", run.worst, .1);
-            }
-        costs_free(&own);
-        costs_free(&other);
-    }
-    known = NULL;
-    printf("    frames until found: %d with nothing known, %d with own costs, %d with another's\n",
-           frames[0], frames[1], frames[2]);
-    check_at_most("with own costs over nothing known", (double)frames[1] / frames[0], .8);
-}
-
-/* A table that lacks a row is none. */
-static void test_part_of_costs(void **state) {
-    (void)state;
-    struct costs costs = costs_of(even);
-    struct time_budget budget;
-    time_budget_init(&budget, 16, &costs);
-    assert_true(budget.has_costs);
-    free(costs.items[--costs.count].choice);
-    time_budget_init(&budget, 16, &costs);
-    assert_false(budget.has_costs);
-    costs_free(&costs);
-}
-
 /* What is out of reach takes the last level there is; a gap is stayed below, but for a look now and then. */
 static void test_ends(void **state) {
     (void)state;
@@ -208,7 +152,7 @@ static void test_clip(void **state) {
 static void test_without_rays(void **state) {
     (void)state;
     struct time_budget budget;
-    time_budget_init(&budget, 1000, NULL);
+    time_budget_init(&budget, 1000);
     for (int i = 0; i < 60; i++)
         time_budget_add(&budget, 1);
     printf("    with rays level %d, ", budget.level);
@@ -277,10 +221,9 @@ static void test_program(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_search),        cmocka_unit_test(test_costs),
-        cmocka_unit_test(test_part_of_costs), cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_noise),         cmocka_unit_test(test_clip),
-        cmocka_unit_test(test_without_rays),  cmocka_unit_test(test_levels),
+        cmocka_unit_test(test_search),       cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_noise),        cmocka_unit_test(test_clip),
+        cmocka_unit_test(test_without_rays), cmocka_unit_test(test_levels),
         cmocka_unit_test(test_program),
     };
     return cmocka_run_group_tests_name("time budget", tests, NULL, NULL);

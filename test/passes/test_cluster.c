@@ -1,5 +1,6 @@
 /* k-means of VPLs, step by step, against a second implementation on the CPU: both criteria, every start, seeds that are
  * told, clusters that get lost, the mapping of other lights, and the views of VALs. */
+#include "base/unit.h"
 #include "render_support.h"
 
 #include "base/error.h"
@@ -10,8 +11,6 @@
 #include "shared/cluster.h"
 #include "shared/map_view.h"
 #include "shared/vpl.h"
-
-#include <cglm/cglm.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -38,7 +37,7 @@ static void scatter(struct vpl vpls[POINTS], int cloud) {
         if (i % 7 == 0)
             glm_vec3_zero(vpls[i].flux);
         glm_vec3_copy(places[i % 3], vpls[i].position);
-        glm_vec3_normalize_to(normals[i % 3], vpls[i].normal);
+        vec3_unit_to(normals[i % 3], vpls[i].normal);
     }
 }
 

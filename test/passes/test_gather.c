@@ -1,5 +1,6 @@
 /* What cameras, lights and VPLs see, and the light that is gathered, against rays and sums on the
  * CPU. */
+#include "base/unit.h"
 #include "render_support.h"
 
 #include "base/memory.h"
@@ -7,8 +8,6 @@
 #include "reference/scene/emission.h"
 #include "shared/vpl.h"
 #include "techniques/many_lights.h"
-
-#include <cglm/cglm.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -117,9 +116,9 @@ static void make_directional(struct stage *stage) {
     struct emitter *light = stage->emitters.items;
     vec3 direction = {.3f, -.4f, -1}, up = {0, 1, 0}, back;
     light->type = EMITTER_DIRECTIONAL;
-    glm_vec3_normalize_to(direction, light->direction);
+    vec3_unit_to(direction, light->direction);
     glm_vec3_negate_to(light->direction, back);
-    glm_vec3_crossn(up, back, light->right);
+    vec3_unit_cross(up, back, light->right);
     glm_vec3_cross(back, light->right, light->up);
 }
 
@@ -180,7 +179,7 @@ static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
     vec3s origin = directional
                        ? glms_vec3_muladds(to_vec3s(light->direction), -4 * radius, position)
                        : to_vec3s(light->position);
-    vec3s direction = glms_vec3_normalize(glms_vec3_sub(position, origin));
+    vec3s direction = vec3s_unit(glms_vec3_sub(position, origin));
     struct hit hit;
     if (!ray_scene_hit(&bench->rays.scene, origin, direction, &hit))
         return false;

@@ -1,5 +1,6 @@
 /* Lookups in maps of depth: each projection and each filter against a second implementation in
  * doubles, over a small map that is made by hand; and each of one with each of the other. */
+#include "base/unit.h"
 #include "lookup_direct.h"
 #include "render_support.h"
 
@@ -11,8 +12,6 @@
 #include "shared/map_view.h"
 #include "shared/series_range.h"
 #include "shared/view.h"
-
-#include <cglm/cglm.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -101,7 +100,7 @@ static void make_points(struct lookups *lookups) {
         at = glms_vec3_muladds(lookups->axes[2], z, at);
         vec3s n = glms_vec3_scale(lookups->axes[2], -1);
         n = glms_vec3_muladds(lookups->axes[0], 1.2f * (RANDOM - .5f), n);
-        n = glms_vec3_normalize(glms_vec3_muladds(lookups->axes[1], 1.2f * (RANDOM - .5f), n));
+        n = vec3s_unit(glms_vec3_muladds(lookups->axes[1], 1.2f * (RANDOM - .5f), n));
         memcpy(lookups->points[i][0], at.raw, sizeof at.raw);
         memcpy(lookups->points[i][1], n.raw, sizeof n.raw);
     }
@@ -208,8 +207,8 @@ static struct lookups *open_lookups(int projection, int filter, double plate) {
     lookups->filter = filter;
     lookups->plate = plate;
     lookups->origin = (vec3s){{.3f, 2, -.7f}};
-    lookups->axes[2] = glms_vec3_normalize((vec3s){{.2f, -1, .4f}});
-    lookups->axes[0] = glms_vec3_normalize(glms_vec3_cross(lookups->axes[2], (vec3s){{0, 0, 1}}));
+    lookups->axes[2] = vec3s_unit((vec3s){{.2f, -1, .4f}});
+    lookups->axes[0] = vec3s_unit(glms_vec3_cross(lookups->axes[2], (vec3s){{0, 0, 1}}));
     lookups->axes[1] = glms_vec3_cross(lookups->axes[2], lookups->axes[0]);
     lookups->answers = mem_alloc(POINTS, sizeof *lookups->answers);
     make_depths(lookups);

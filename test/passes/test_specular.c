@@ -180,15 +180,14 @@ static void make_lights(struct emitter lights[LIGHTS]) {
 
 /* A normal that sees the light's middle at that cosine, and the eye beside where it is mirrored. */
 static void place_case(const struct emitter *light, float cosine, vec3s *n, vec3s *v) {
-    vec3s c = glms_vec3_normalize(light->type == EMITTER_DIRECTIONAL
-                                      ? glms_vec3_negate(to_vec3s(light->direction))
-                                      : to_vec3s(light->position));
-    vec3s aside = glms_vec3_normalize(glms_vec3_cross(c, (vec3s){{1, 0, .3F}}));
+    vec3s c =
+        vec3s_unit(light->type == EMITTER_DIRECTIONAL ? glms_vec3_negate(to_vec3s(light->direction))
+                                                      : to_vec3s(light->position));
+    vec3s aside = vec3s_unit(glms_vec3_cross(c, (vec3s){{1, 0, .3F}}));
     *n = glms_vec3_add(glms_vec3_scale(c, cosine),
                        glms_vec3_scale(aside, sqrtf(1 - cosine * cosine)));
     vec3s mirrored = glms_vec3_sub(glms_vec3_scale(*n, 2 * cosine), c);
-    *v = glms_vec3_normalize(
-        glms_vec3_add(mirrored, glms_vec3_scale(glms_vec3_cross(c, aside), .05F)));
+    *v = vec3s_unit(glms_vec3_add(mirrored, glms_vec3_scale(glms_vec3_cross(c, aside), .05F)));
 }
 
 /* The mean over places of the light, by which the path tracer finds it. */
@@ -206,7 +205,7 @@ static double traced(const struct emitter *light, const struct brdf *brdf, vec3s
         vec2s place = emission_place(&emission, 0, sample, &hit);
         if (!emission_reach(&emission, 0, place, &hit, &arrival))
             continue;
-        vec3s l = glms_vec3_normalize(arrival.at);
+        vec3s l = vec3s_unit(arrival.at);
         sum += (double)(arrival.irradiance.x * brdf_eval(brdf, n, v, l).specular.x);
     }
     emission_free(&emission);

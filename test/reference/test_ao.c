@@ -95,7 +95,7 @@ static void add_turned(struct world *world, const vec2s *profile, int count, flo
             vec3s p =
                 at(profile[j].x * (float)cos(phi), profile[j].y, profile[j].x * (float)sin(phi));
             vec3s inwards = glms_vec3_sub(at(0, isnan(focus) ? p.y : focus, 0), p);
-            add_vertex(world, p, glms_vec3_normalize(inwards), 0, 0);
+            add_vertex(world, p, vec3s_unit(inwards), 0, 0);
         }
     for (int j = 0; j + 1 < count; j++)
         for (uint32_t i = 0; i < SIDES; i++) {

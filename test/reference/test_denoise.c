@@ -64,7 +64,7 @@ static void test_constant(void **state) {
     static struct picture picture;
     make_plane(&picture);
     for (int i = 0; i < COUNT; i += 7)
-        picture.guides[i].normal = glms_vec3_normalize((vec3s){{0.3f, 0.1f, 1}});
+        picture.guides[i].normal = vec3s_unit((vec3s){{0.3f, 0.1f, 1}});
     filter(&picture);
     double worst = 0;
     for (int i = 0; i < COUNT; i++)
@@ -87,7 +87,7 @@ static void test_edges(void **state) {
     brighten_right(&picture);
     for (int i = 0; i < COUNT; i++)
         if (is_right(i))
-            picture.guides[i].normal = glms_vec3_normalize((vec3s){{0.6f, 0, 1}});
+            picture.guides[i].normal = vec3s_unit((vec3s){{0.6f, 0, 1}});
     filter(&picture);
     check_at_most("over a bend of 31 degrees", farthest(&picture), 1e-5);
 
@@ -142,7 +142,7 @@ static void test_lonely(void **state) {
     static struct picture picture;
     make_plane(&picture);
     int leaf = 20 * SIZE + 20;
-    picture.guides[leaf].normal = glms_vec3_normalize((vec3s){{0.5f, 0, 1}});
+    picture.guides[leaf].normal = vec3s_unit((vec3s){{0.5f, 0, 1}});
     picture.pixels[leaf].light = (vec3s){{50, 50, 50}};
     filter(&picture);
     assert_true(picture.guides[leaf].is_lonely);

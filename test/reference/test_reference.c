@@ -103,7 +103,7 @@ static double lambert_formula(const vec3s polygon[4], vec3s point, vec3s normal)
     double sum = 0;
     for (int i = 0; i < 4; i++) {
         vec3s a = glms_vec3_sub(polygon[i], point), b = glms_vec3_sub(polygon[(i + 1) % 4], point);
-        sum += glms_vec3_angle(a, b) * glms_vec3_dot(glms_vec3_crossn(a, b), normal);
+        sum += glms_vec3_angle(a, b) * glms_vec3_dot(vec3s_unit_cross(a, b), normal);
     }
     return fabs(sum) / (2 * GLM_PI);
 }

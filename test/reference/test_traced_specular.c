@@ -115,7 +115,7 @@ static void test_point_light(void **state) {
     world.camera.y_extent = 1e-4F;
     struct path_tracer_desc desc = describe(&world, 4, 4);
     render(&desc, &image);
-    vec3s to_light = glms_vec3_normalize(at(1.5F, 2, 0));
+    vec3s to_light = vec3s_unit(at(1.5F, 2, 0));
     struct reflectance at_hit = material_reflectance(&world.materials[0]);
     struct brdf brdf = brdf_of(&world.materials[0], glms_vec3_one(), &at_hit);
     double expected =
@@ -139,7 +139,7 @@ static vec3s normal_seen(const struct world *world, const struct hit_table *tabl
 
 static void check_direction(const char *what, vec3s seen, vec3s expected) {
     printf("    %s: %.3f %.3f %.3f\n", what, (double)seen.x, (double)seen.y, (double)seen.z);
-    check_near("apart", glms_vec3_distance(seen, glms_vec3_normalize(expected)), 0, 5e-3);
+    check_near("apart", glms_vec3_distance(seen, vec3s_unit(expected)), 0, 5e-3);
 }
 
 /* X follows u, Y goes against v, wherever these lie; the back's is the other way round. */

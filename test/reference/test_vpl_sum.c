@@ -30,7 +30,7 @@ static struct vpl trace_vpl(const struct world *world, const struct emission *em
     vec3s from = {{world->light.position[0], world->light.position[1], world->light.position[2]}};
     vec3s axis = {
         {world->light.direction[0], world->light.direction[1], world->light.direction[2]}};
-    vec3s way = glms_vec3_normalize(glms_vec3_sub(hit.position, from));
+    vec3s way = vec3s_unit(glms_vec3_sub(hit.position, from));
     float intensity =
         world->light.intensity[0] * emitter_cone(&world->light, glms_vec3_dot(way, axis));
     float flux = hit.brdf.albedo.x * intensity * emission->sources[0].solid_angle / (float)count;

@@ -147,6 +147,32 @@ static void test_panes(void **state) {
         }
 }
 
+/* Of two renderers of one geometry, glass is a pane to one and an occluder, which throws caustics, to the other. */
+static void test_two_renderers(void **state) {
+    (void)state;
+    static const char *const settings[] = {CHEAP, SHOWN};
+    struct stage stage;
+    struct renderer renderers[2];
+    open_slab(&stage, 1.5F, 4, 1);
+    place_light(&stage, 2);
+    for (int i = 0; i < 2; i++) {
+        struct renderer_desc desc = desc_of(&stage, "unshadowed", settings[i], SIZE, SIZE);
+        open_renderer(&renderers[i], &desc);
+    }
+    for (int i = 0; i < 2; i++) {
+        struct image alone = draw(&stage, settings[i]), beside;
+        check_ok("update", renderer_update(&renderers[i]));
+        renderer_render(&renderers[i]);
+        check_ok("layers", renderer_read_layers(&renderers[i], &beside));
+        assert_true(same_pixels(&beside, &alone));
+        image_free(&alone);
+        image_free(&beside);
+    }
+    for (int i = 0; i < 2; i++)
+        renderer_free(&renderers[i]);
+    stage_free(&stage);
+}
+
 /* A wall of one side, seen from behind through glass, is black, as in the reference; one of two sides has the light below
  * it. */
 static void test_wall_from_behind(void **state) {
@@ -330,6 +356,7 @@ int main(void) {
         cmocka_unit_test(test_indirect),
         cmocka_unit_test(test_slab),
         cmocka_unit_test(test_panes),
+        cmocka_unit_test(test_two_renderers),
         cmocka_unit_test(test_wall_from_behind),
         cmocka_unit_test(test_open_and_nested),
         cmocka_unit_test(test_traced),

@@ -1,10 +1,9 @@
 /* Where such methods break: far from the origin, at other scales, behind a closed door. */
+#include "base/unit.h"
 #include "render_support.h"
 
 #include "base/memory.h"
 #include "scene/recentre.h"
-
-#include <cglm/cglm.h>
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,6 +89,32 @@ static void test_scales(void **state) {
     }
 }
 
+/* A power of two scales without rounding: only a length that is absolute changes the picture. Cross products of
+ * the edges of these triangles are shorter than 1e-7. */
+static void test_millimetre(void **state) {
+    (void)state;
+    static const char *const paths[] = {"scenes/cornell-animal.glb", "scenes/gloss.glb"};
+    for (int i = 0; i < 2; i++) {
+        struct image traced[2], drawn[2];
+        struct stage stage;
+        open_stage(&stage, paths[i]);
+        for (int k = 0; k < 2; k++) {
+            traced[k] = trace_stage(&stage, 32, 4);
+            drawn[k] = render_stage(&stage, "clustered", "path=traced vpls=256 columns=256", 32);
+            scale_scene(&stage.scene, 0x1p-11F);
+            pose_stage(&stage);
+        }
+        printf("  %s\n", paths[i]);
+        check_at_most("traced", relative_rmse(&traced[1], &traced[0], ""), .001);
+        check_at_most("drawn", relative_rmse(&drawn[1], &drawn[0], ""), .001);
+        for (int k = 0; k < 2; k++) {
+            image_free(&traced[k]);
+            image_free(&drawn[k]);
+        }
+        stage_free(&stage);
+    }
+}
+
 /* --- the closed door -------------------------------------------------------------------------- */
 
 /* The mean of the indirect light that a camera sees. */
@@ -97,8 +122,8 @@ static double mean_from(struct stage *stage, const char *technique, const char *
                         const float eye[3], const float direction[3]) {
     struct camera *camera = &stage->camera;
     glm_vec3_copy((float *)eye, camera->eye);
-    glm_vec3_normalize_to((float *)direction, camera->forward);
-    glm_vec3_crossn(camera->forward, (vec3){0, 1, 0}, camera->right);
+    vec3_unit_to((float *)direction, camera->forward);
+    vec3_unit_cross(camera->forward, (vec3){0, 1, 0}, camera->right);
     glm_vec3_cross(camera->right, camera->forward, camera->up);
     struct image image = render_stage(stage, technique, settings, 64);
     double mean = layer_mean(&image, "indirect");
@@ -160,9 +185,8 @@ static void test_plain(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_far),
-        cmocka_unit_test(test_scales),
-        cmocka_unit_test(test_closed_door),
+        cmocka_unit_test(test_far),        cmocka_unit_test(test_scales),
+        cmocka_unit_test(test_millimetre), cmocka_unit_test(test_closed_door),
         cmocka_unit_test(test_plain),
     };
     return cmocka_run_group_tests_name("stability", tests, open_group_context, close_group_context);

@@ -1,6 +1,7 @@
 /* Models as artists bake them, drawn beside path-traced: two scenes of the Khronos Group's properties.
  * MultiUVTest: a cube with its colour on one TEXCOORD and its emission on another. DamagedHelmet: maps of everything,
  * and a few small lamps as the only lights. */
+#include "base/unit.h"
 #include "gltf_parts.h"
 #include "render_support.h"
 #include "tiny_png.h"
@@ -8,7 +9,6 @@
 #include "base/memory.h"
 #include "quality/picture.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -126,7 +126,7 @@ static void dents(int x, int y, unsigned char rgb[3]) {
     float dx = ((float)(x % 8) - 3.5F) / 4, dy = ((float)(y % 8) - 3.5F) / 4;
     float depth = fmaxf(0, 1 - dx * dx - dy * dy);
     vec3 normal = {.6F * dx * depth, -.6F * dy * depth, 1};
-    glm_vec3_normalize(normal);
+    vec3_unit(normal);
     set(rgb, (int)(127.5F + 127.5F * normal[0]), (int)(127.5F + 127.5F * normal[1]),
         (int)(127.5F + 127.5F * normal[2]));
 }

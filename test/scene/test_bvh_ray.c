@@ -54,7 +54,7 @@ static vec3s direction_of(uint32_t i) {
     vec3s direction = point_of(5 * i + 1);
     for (uint32_t c = 0; c < 3 && i % 8 == 0; c++)
         direction.raw[c] = c == i / 8 % 3 ? 1 : 0;
-    return glms_vec3_normalize(direction);
+    return vec3s_unit(direction);
 }
 
 static void test_nearest(void **state) {

@@ -1,4 +1,5 @@
 /* Several lights: which of them shine, what each is worth, and that the reference adds them up. */
+#include "base/unit.h"
 #include "hand_made.h"
 
 #include "base/deal.h"
@@ -6,7 +7,6 @@
 #include "scene/node.h"
 #include "scene/placing.h"
 
-#include <cglm/cglm.h>
 #include <stdio.h>
 
 /* --- dealing ---------------------------------------------------------------------------------- */
@@ -76,7 +76,7 @@ static void check_meet(const char *what, enum emitter_type type, float width, fl
             glm_vec3_negate_to(piece.direction, direction);
         else
             glm_vec3_sub(piece.position, origin, direction);
-        glm_vec3_normalize(direction);
+        vec3_unit(direction);
         bool hit = emitter_meet(&light, origin, direction, at, &distance);
         if (hit) { /* of a sphere, the side that is seen */
             double turned = fabs((double)(at[1] - place[1]));
@@ -88,7 +88,7 @@ static void check_meet(const char *what, enum emitter_type type, float width, fl
         }
         met += hit;
         glm_vec3_add(direction, light.right, beside);
-        glm_vec3_normalize(beside);
+        vec3_unit(beside);
         passed += !emitter_meet(&light, origin, beside, at, &distance);
         assert_false(emitter_meet(&light, origin, light.direction, at, &distance)); /* away */
     }

@@ -1,10 +1,10 @@
 /* An environment as area lights: nothing is lost, an even sky is one, the sun comes first. */
+#include "base/unit.h"
 #include "support.h"
 
 #include "base/memory.h"
 #include "lights/environment_fit.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -100,7 +100,7 @@ static double lambert(const struct environment_light *light, const float normal[
             glm_vec3_copy((float *)a, corners[count++]);
         if ((above_a < 0) != (above_b < 0)) {
             glm_vec3_lerp((float *)a, (float *)b, above_a / (above_a - above_b), corners[count]);
-            glm_vec3_normalize(corners[count++]);
+            vec3_unit(corners[count++]);
         }
     }
     double sum = 0;
@@ -145,7 +145,7 @@ static void middle_of(const struct environment_light *light, float middle[3]) {
     glm_vec3_zero(middle);
     for (int i = 0; i < 4; i++)
         glm_vec3_add(middle, (float *)light->corners[i], middle);
-    glm_vec3_normalize(middle);
+    vec3_unit(middle);
 }
 
 static void test_sun(void **state) {

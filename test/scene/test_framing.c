@@ -1,12 +1,11 @@
 /* Camera and lights for files that bring none: little scenes of boxes, and what is seen of them. */
 #define _XOPEN_SOURCE 700
+#include "base/unit.h"
 #include "cube_parts.h"
 #include "render_support.h"
 
 #include "base/file/image_file.h"
 #include "base/log.h"
-
-#include <cglm/cglm.h>
 
 enum { PICTURE = 160 };
 
@@ -187,7 +186,7 @@ static void test_camera_of_file(void **state) {
     check_at_most("and above", 2, spot->position[1]);
     vec3 to;
     glm_vec3_sub(stage.geometry.center, (float *)spot->position, to);
-    glm_vec3_normalize(to);
+    vec3_unit(to);
     check_near("towards the centre", glm_vec3_dot(to, (float *)spot->direction), 1, 1e-5);
     check_picture(&stage, "camera");
     stage_free(&stage);

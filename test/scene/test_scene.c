@@ -1,5 +1,6 @@
 /* The scene floor: geometry, lights and cameras of glTF files. */
 #define _XOPEN_SOURCE 700
+#include "base/unit.h"
 #include "gltf_parts.h"
 
 #include "base/error.h"
@@ -14,7 +15,6 @@
 #include "scene/room.h"
 #include "scene/stand_in.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 
 static void load(struct scene *scene, struct geometry *geometry, const struct gltf_parts *parts) {
@@ -32,7 +32,7 @@ static void winding_normal(const struct geometry *geometry, uint32_t triangle, v
     vec3 a, b;
     glm_vec3_sub(geometry->position[corner[1]], geometry->position[corner[0]], a);
     glm_vec3_sub(geometry->position[corner[2]], geometry->position[corner[0]], b);
-    glm_vec3_crossn(a, b, out);
+    vec3_unit_cross(a, b, out);
 }
 
 /* Whatever a node does to a flat mesh, its normals stay perpendicular and its front the front. */
@@ -253,7 +253,7 @@ static void test_framing(void **state) {
         widest = fmaxf(widest, fabsf(glm_vec3_dot(to, camera.right)) / half);
         widest = fmaxf(widest, fabsf(glm_vec3_dot(to, camera.up)) / half);
         glm_vec3_sub(geometry.position[i], light.position, to);
-        glm_vec3_normalize(to);
+        vec3_unit(to);
         check_at_most("outside the even part of the cone", light.cos_inner,
                       glm_vec3_dot(to, light.direction));
     }

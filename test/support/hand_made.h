@@ -2,6 +2,7 @@
 #ifndef TEST_HAND_MADE_H
 #define TEST_HAND_MADE_H
 
+#include "base/unit.h"
 #include "support.h"
 
 #include "base/memory.h"
@@ -9,7 +10,6 @@
 #include "reference/path_tracer.h"
 #include "scene/material.h"
 
-#include <cglm/struct.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -98,7 +98,7 @@ static inline void end_batch(struct world *world, int material, uint32_t first_i
 /* Counter-clockwise around u x v, which is its normal. */
 static inline void add_rectangle(struct world *world, int material, vec3s corner, vec3s u,
                                  vec3s v) {
-    vec3s normal = glms_vec3_crossn(u, v);
+    vec3s normal = vec3s_unit_cross(u, v);
     uint32_t first = world->geometry.index_count;
     uint32_t a = add_vertex(world, corner, normal, 0, 0);
     uint32_t b = add_vertex(world, glms_vec3_add(corner, u), normal, 1, 0);
@@ -162,7 +162,7 @@ static inline void place_light(struct world *world, enum emitter_type type, vec3
                               .cos_inner = -1,
                               .cos_outer = -1};
     memcpy(light->position, position.raw, sizeof position.raw);
-    memcpy(light->direction, glms_vec3_normalize(direction).raw, sizeof direction.raw);
+    memcpy(light->direction, vec3s_unit(direction).raw, sizeof direction.raw);
 }
 
 /* A camera within the unit sphere of albedo 1/2, off its centre, where a point light of pi W/sr is:

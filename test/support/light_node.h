@@ -3,12 +3,12 @@
 #ifndef TEST_LIGHT_NODE_H
 #define TEST_LIGHT_NODE_H
 
+#include "base/unit.h"
 #include "reference/geometry_term.h"
 #include "reference/vector.h"
 #include "reference/warp.h"
 #include "shared/vpl.h"
 
-#include <cglm/struct.h>
 #include <math.h>
 
 /* Bounds are taken so much wider than they are, for the rounding of what they bound. */

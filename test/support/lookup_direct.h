@@ -3,10 +3,9 @@
 #ifndef TEST_LOOKUP_DIRECT_H
 #define TEST_LOOKUP_DIRECT_H
 
+#include "base/unit.h"
 #include "gl/texture.h"
 #include "shared/lookup.h"
-
-#include <cglm/struct.h>
 
 #include <math.h>
 #include <stdbool.h>

@@ -3,9 +3,9 @@
 #define TEST_SURFACE_SHAPE_H
 
 #include "base/memory.h"
+#include "base/unit.h"
 #include "scene/shapes/surface.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -54,7 +54,7 @@ static inline struct surface_shape measure_surface(const struct surface *surface
         glm_vec3_cross(ab, ac, cross);
         shape.area += 0.5 * glm_vec3_norm(cross);
         shape.volume += glm_vec3_dot(a, cross) / 6.0;
-        glm_vec3_normalize(cross);
+        vec3_unit(cross);
         for (int k = 0; k < 3; k++) {
             double cosine = glm_vec3_dot(cross, surface->normal[v[k]]);
             shape.worst_normal = fmin(shape.worst_normal, cosine);

@@ -2,6 +2,7 @@
 #ifndef TEST_VOLUME_SCENES_H
 #define TEST_VOLUME_SCENES_H
 
+#include "base/unit.h"
 #include "gltf_parts.h"
 #include "render_support.h"
 
@@ -9,8 +10,6 @@
 #include "passes/frame.h"
 #include "passes/visibility/shadow_map.h"
 #include "techniques/volume.h"
-
-#include <cglm/struct.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -50,7 +49,7 @@ static inline void add_square(struct shape *shape, const uint32_t corners[4]) {
 
 /* Seen from where u x v points. */
 static inline void add_rectangle(struct shape *shape, vec3s corner, vec3s u, vec3s v) {
-    vec3s normal = glms_vec3_crossn(u, v), uv = glms_vec3_add(u, v);
+    vec3s normal = vec3s_unit_cross(u, v), uv = glms_vec3_add(u, v);
     const uint32_t corners[4] = {add_vertex(shape, corner, normal),
                                  add_vertex(shape, glms_vec3_add(corner, u), normal),
                                  add_vertex(shape, glms_vec3_add(corner, uv), normal),
@@ -144,11 +143,11 @@ static inline void open_shape(struct stage *stage, struct shape *shape, double a
 
 /* Orthographic, along a direction onto a place, so wide. */
 static inline void look(struct stage *stage, vec3s target, vec3s forward, vec3s up, float extent) {
-    vec3s right = glms_vec3_crossn(forward, up), above = glms_vec3_crossn(right, forward);
+    vec3s right = vec3s_unit_cross(forward, up), above = vec3s_unit_cross(right, forward);
     vec3s eye = glms_vec3_muladds(forward, -4 * stage->geometry.radius, target);
     stage->camera = (struct camera){.orthographic = true, .y_extent = extent / 2};
     memcpy(stage->camera.eye, eye.raw, sizeof eye.raw);
-    memcpy(stage->camera.forward, glms_vec3_normalize(forward).raw, sizeof eye.raw);
+    memcpy(stage->camera.forward, vec3s_unit(forward).raw, sizeof eye.raw);
     memcpy(stage->camera.right, right.raw, sizeof right.raw);
     memcpy(stage->camera.up, above.raw, sizeof above.raw);
 }

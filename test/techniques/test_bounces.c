@@ -336,7 +336,7 @@ static bool camera_sees(const struct rays *rays, const struct view *view, const 
         return false;
     vec3s eye = to_vec3s(view->origin), way = glms_vec3_sub(to_vec3s(to), eye);
     struct hit hit;
-    return ray_scene_hit(&rays->scene, eye, glms_vec3_normalize(way), &hit) &&
+    return ray_scene_hit(&rays->scene, eye, vec3s_unit(way), &hit) &&
            glms_vec3_distance(hit.position, to_vec3s(to)) < 1e-3F * glms_vec3_norm(way) &&
            glms_vec3_dot(glms_vec3_sub(to_vec3s(from), to_vec3s(to)), hit.geometric_normal) > 0;
 }

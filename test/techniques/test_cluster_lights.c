@@ -1,5 +1,6 @@
 /* Area lights of clusters: rectangles against closed forms and sums, clusters' shapes and fluxes, and pictures
  * against the sum over all VPLs. */
+#include "base/unit.h"
 #include "render_support.h"
 
 #include "base/halton.h"
@@ -13,8 +14,6 @@
 #include "shared/cluster.h"
 #include "shared/light_rectangle.h"
 #include "shared/vpl.h"
-
-#include <cglm/cglm.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -35,7 +34,7 @@ static struct form_case case_of(vec3 middle, vec3 right, vec3 up, vec3 normal) {
     glm_vec3_copy(middle, c.middle);
     glm_vec3_copy(right, c.right);
     glm_vec3_copy(up, c.up);
-    glm_vec3_normalize_to(normal, c.normal);
+    vec3_unit_to(normal, c.normal);
     return c;
 }
 
@@ -55,7 +54,7 @@ static void shaded(const struct form_case *cases, int count, double *factors) {
     for (int i = 0; i < count; i++) {
         vpls[i] = (struct vpl){.area = area_of(&cases[i]), .flux = {1, 1, 1}, .reach = 1};
         glm_vec3_copy((float *)cases[i].middle, vpls[i].position);
-        glm_vec3_crossn((float *)cases[i].right, (float *)cases[i].up, vpls[i].normal);
+        vec3_unit_cross((float *)cases[i].right, (float *)cases[i].up, vpls[i].normal);
         glm_vec3_copy((float *)cases[i].right, rectangles[i].right);
         glm_vec3_copy((float *)cases[i].up, rectangles[i].up);
         glm_vec3_copy((float *)cases[i].normal, normals[i]);
@@ -117,7 +116,7 @@ static double summed(const struct form_case *c) {
     enum { SIDE = 800 };
     vec3 light_normal;
     double sum = 0;
-    glm_vec3_crossn((float *)c->right, (float *)c->up, light_normal);
+    vec3_unit_cross((float *)c->right, (float *)c->up, light_normal);
     for (int i = 0; i < SIDE * SIDE; i++) {
         vec3 to;
         glm_vec3_copy((float *)c->middle, to);
@@ -144,7 +143,7 @@ static void test_any(void **state) {
     struct form_case cases[16];
     double factors[16];
     vec3 right = {.1f, .8f, .1f}, up = {.6f, -.1f, .2f}, across;
-    glm_vec3_crossn(right, up, across);
+    vec3_unit_cross(right, up, across);
     glm_vec3_cross(across, right, up);
     const struct {
         vec3 middle, normal;
@@ -231,8 +230,8 @@ static const float half_length = 1.5f, half_width = .4f;
 /* Even over a rectangle that is turned and far off, each with an area of 1 / POINTS of it. */
 static void scatter_points(struct vpl *vpls) {
     vec3 along, across = {.2f, 1, -.4f}, normal = {1, .3f, .9f}, middle = {5, -2, 7};
-    glm_vec3_normalize(normal);
-    glm_vec3_crossn(across, normal, along);
+    vec3_unit(normal);
+    vec3_unit_cross(across, normal, along);
     glm_vec3_cross(normal, along, across);
     for (int i = 0; i < POINTS; i++) {
         float s = 2 * (float)radical_inverse(2, (uint32_t)i) - 1;
@@ -266,7 +265,7 @@ static void test_sides(void **state) {
     check_near("half its length", (double)glm_vec3_norm((float *)r->right), 1.5, .015);
     check_near("half its width", (double)glm_vec3_norm((float *)r->up), .4, .004);
     vec3 normal;
-    glm_vec3_crossn((float *)r->right, (float *)r->up, normal);
+    vec3_unit_cross((float *)r->right, (float *)r->up, normal);
     check_near("sides across the normal",
                (double)glm_vec3_dot(normal, (float *)maker.lights[0].normal), 1, 1e-5);
     check_near("area", (double)maker.lights[0].area, 2.4, .04);

@@ -75,7 +75,7 @@ static void test_masks(void **state) {
     for (uint32_t t = 0; t < stage.geometry.index_count / 3; t++) {
         vec3s edges[2],
             corner = corners_edges(&stage.geometry, &stage.geometry.indices[3 * t], edges);
-        vec3s normal = glms_vec3_normalize(glms_vec3_cross(edges[0], edges[1]));
+        vec3s normal = vec3s_unit(glms_vec3_cross(edges[0], edges[1]));
         for (int k = 0; k < 100; k++) {
             float u = ((float)(k % 10) + .4F) / 10, v = ((float)(k / 10) + .4F) / 10;
             vec3s place = glms_vec3_muladds(edges[0], u, corner);

@@ -30,7 +30,7 @@ static double check_plane(float angle, const char *settings) {
     struct stage stage;
     struct seen seen;
     struct shape *shape = new_shape();
-    vec3s axis = glms_vec3_normalize(at(1, .3F, .7F));
+    vec3s axis = vec3s_unit(at(1, .3F, .7F));
     vec3s up = glms_vec3_rotate(at(0, 1, 0), angle, axis),
           side = glms_vec3_rotate(at(0, 0, 1), angle, axis);
     add_rectangle(shape, at(-2, 0, 2), at(4, 0, 0), at(0, 0, -4));
@@ -67,7 +67,7 @@ static double check_corner(float angle, const char *settings) {
     struct seen seen;
     struct truth truth = {.across = at(1, 0, 0)};
     struct shape *shape = new_shape();
-    vec3s axis = glms_vec3_normalize(at(.2F, 1, .1F));
+    vec3s axis = vec3s_unit(at(.2F, 1, .1F));
     add_rectangle(shape, at(0, 0, 2), at(4, 0, 0), at(0, 0, -4));
     add_rectangle(shape, at(0, 0, 2), at(0, 0, -4), at(0, 2, 0));
     turn_shape(shape, angle, axis);

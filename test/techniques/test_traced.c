@@ -38,7 +38,7 @@ static bool surface_at(const struct rays *rays, const struct geometry *geometry,
     static const uint32_t bases[2][3] = {{2, 3, 5}, {7, 11, 13}};
     vec3s from = place_within(geometry, number, bases[0]);
     vec3s towards = glms_vec3_sub(place_within(geometry, number, bases[1]), from);
-    return ray_scene_hit(&rays->scene, from, glms_vec3_normalize(towards), hit);
+    return ray_scene_hit(&rays->scene, from, vec3s_unit(towards), hit);
 }
 
 /* From a surface to another one, as from pixels to VPLs; or between places in the air. */

@@ -369,7 +369,7 @@ static bool sees_surface(const struct bench *bench, int x, int y) {
 static void surface_at(const struct bench *bench, int x, int y, vec3s *place, vec3s *normal) {
     int channel = image_find_channel(&bench->layers, "normal.X");
     pixel_position(&bench->renderer, &bench->layers, x, y, place->raw);
-    *normal = glms_vec3_normalize(vector_of(image_at(&bench->layers, x, y) + channel));
+    *normal = vec3s_unit(vector_of(image_at(&bench->layers, x, y) + channel));
 }
 
 /* How often leaves that have light are below a node of the cut. */

@@ -1,12 +1,11 @@
 /* The viewer's camera and its time, by real input events: what is under the mouse is circled, zoomed
  * to and framed; views are kept; a clip is stepped through and recorded. */
 #define _XOPEN_SOURCE 700
+#include "base/unit.h"
 #include "view_stage.h"
 
 #include "scene/placing.h"
 #include "viewer/scene/orbit.h"
-
-#include <cglm/cglm.h>
 
 #include <math.h>
 #include <stdio.h>
@@ -112,7 +111,7 @@ static void test_circle(void **state) {
     ray_of(&before, o1, d1);
     ray_of(&after, o2, d2);
     glm_vec3_sub(o2, o1, between);
-    glm_vec3_crossn(d1, d2, across);
+    vec3_unit_cross(d1, d2, across);
     float apart = fabsf(glm_vec3_dot(between, across)), turned = glm_deg(glm_vec3_angle(d1, d2));
     printf("    turned by %.3g degrees; the rays miss each other by %.3g m\n", (double)turned,
            (double)apart);

@@ -36,6 +36,31 @@ static void check_setting(const char *key, const char *expected) {
     assert_string_equal(value, expected);
 }
 
+/* A file that another program writes anew is shown, from where the user stood; one that cannot be read leaves the
+ * scene, and is not tried for ever. */
+static void test_changed_file(void **state) {
+    (void)state;
+    char before[600];
+    copy(BOX, "changed.glb");
+    start_viewer(SPHERE, "--verbose");
+    drop(in_stage("changed.glb"));
+    wait_for_scene("changed.glb");
+    xdo("keydown w sleep .3 keyup w");
+    save_settings();
+    read_setting("camera", before, sizeof before);
+    assert_string_not_equal(before, "0");
+    copy(SPHERE, "changed.glb");
+    assert_true(log_has("changed.glb has changed"));
+    save_settings();
+    check_setting("camera", before);
+    write_in_stage("changed.glb", "no scene");
+    assert_true(log_has("changed.glb: "));
+    copy(BOX, "changed.glb");
+    save_settings();
+    check_setting("camera", before);
+    end_viewer();
+}
+
 /* --- the list of files ------------------------------------------------------------------------ */
 
 /* Keys that move the camera, change the layer and compare, and a drag beside the list. */
@@ -328,11 +353,12 @@ static void test_pictures(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_dialog_is_modal),    cmocka_unit_test(test_dialog_keys),
-        cmocka_unit_test(test_broken_keeps_scene), cmocka_unit_test(test_start_page),
-        cmocka_unit_test(test_sky_dropped),        cmocka_unit_test(test_sky_turned),
-        cmocka_unit_test(test_sky_of_unlit_scene), cmocka_unit_test(test_sky_of_moving_scene),
-        cmocka_unit_test(test_pictures),           cmocka_unit_test(test_slide_and_none),
+        cmocka_unit_test(test_changed_file),        cmocka_unit_test(test_dialog_is_modal),
+        cmocka_unit_test(test_dialog_keys),         cmocka_unit_test(test_broken_keeps_scene),
+        cmocka_unit_test(test_start_page),          cmocka_unit_test(test_sky_dropped),
+        cmocka_unit_test(test_sky_turned),          cmocka_unit_test(test_sky_of_unlit_scene),
+        cmocka_unit_test(test_sky_of_moving_scene), cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_slide_and_none),
     };
     return run_some_tests(tests, 5, open_view_stage, close_view_stage);
 }

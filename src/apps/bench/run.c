@@ -67,8 +67,7 @@ static void hear(void *user, bool resumed) {
 }
 
 /* What makes no other rows, or shows in them. */
-static const char not_identity[] =
-    "csv restart cache output gl-debug quiet verbose max-memory progress";
+static const char not_identity[] = "csv restart cache output gl-debug quiet verbose progress";
 
 static bool is_identity(const struct option *option) {
     for (struct word word = {.at = not_identity}; word_next(&word);)

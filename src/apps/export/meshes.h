@@ -3,8 +3,7 @@
 #define APPS_EXPORT_MESHES_H
 
 #include "apps/export/target.h"
-
-#include <cglm/struct.h>
+#include "base/unit.h"
 
 /* Sorts the stage's triangles into target->meshes; points and lines are left out. */
 void export_meshes_find(struct export_target *target);

@@ -2,9 +2,9 @@
 
 #include "base/file/image_file.h"
 #include "base/memory.h"
+#include "base/unit.h"
 #include "scene/lights/slide.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -40,7 +40,7 @@ static void write_texel(const struct emitter *emitter, float x, float y, int cos
     glm_vec3_scale((float *)emitter->direction, scale, direction);
     glm_vec3_muladds((float *)emitter->right, x, direction);
     glm_vec3_muladds((float *)emitter->up, y, direction);
-    glm_vec3_normalize(direction);
+    vec3_unit(direction);
     float cosine = glm_vec3_dot(direction, (float *)emitter->direction);
     emitter_slide(emitter, direction, to);
     glm_vec3_mul(to, (float *)emitter->intensity, to);

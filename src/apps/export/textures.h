@@ -3,8 +3,7 @@
 #define APPS_EXPORT_TEXTURES_H
 
 #include "apps/export/target.h"
-
-#include <cglm/struct.h>
+#include "base/unit.h"
 
 /* Writes NAME: the factor times each texel's colour. */
 bool export_color_texture(const struct export_target *target, int texture, vec3s factor,

@@ -1,5 +1,5 @@
 /* Completions for bash. A function of each command answers by the word before the cursor. */
-#include "apps/manual/shells.h"
+#include "apps/manual/bash.h"
 #include "apps/manual/value.h"
 
 #include "apps/bench/bench.h"
@@ -7,13 +7,10 @@
 
 #include <string.h>
 
-const char *shell_function_name(const struct command *command) {
-    static char name[64];
-    snprintf(name, sizeof name, "%s", command->name);
-    for (char *c = name; *c; c++)
-        if (*c == ' ')
-            *c = '_';
-    return name;
+/* "bench times" as a part of a function's name: "bench_times". */
+static void put_function_name(FILE *out, const char *name) {
+    for (; *name; name++)
+        fputc(*name == ' ' ? '_' : *name, out);
 }
 
 /* --- what all commands use -------------------------------------------------------------------- */
@@ -47,7 +44,7 @@ static void put_key(FILE *out, const char *name, const char *words) {
     fprintf(out, " %s=", name);
 }
 
-static void begin(FILE *out) {
+void bash_begin(FILE *out) {
     fprintf(out, "# Completions of manylight for bash, made by manylight manual.\n\n%s", helpers);
     fprintf(out, "_manylight_settings() {\n    case $cur in\n");
     value_each_setting(out, put_case);
@@ -79,8 +76,10 @@ static void write_option(FILE *out, const struct option *option) {
     value_free(&value);
 }
 
-static void write_command(FILE *out, const struct command *command) {
-    fprintf(out, "_manylight_%s() {\n    case $previous in\n", shell_function_name(command));
+void bash_write_command(FILE *out, const struct command *command) {
+    fprintf(out, "_manylight_");
+    put_function_name(out, command->name);
+    fprintf(out, "() {\n    case $previous in\n");
     for (const struct option *o = command->table; o->name; o++)
         write_option(out, o);
     fprintf(out, "    esac\n    if [[ $cur == -* ]]; then\n        _manylight_words \"");
@@ -117,7 +116,7 @@ static const char dispatch[] =
     "}\n\n"
     "complete -F _manylight manylight\n";
 
-static void end(FILE *out) {
+void bash_end(FILE *out) {
     fprintf(out, "_manylight() {\n    local commands=\"--help --version");
     for (const struct subcommand *s = subcommands; s->name; s++)
         fprintf(out, " %s", s->name);
@@ -126,5 +125,3 @@ static void end(FILE *out) {
         fprintf(out, " %s", (*mode)->name);
     fprintf(out, "\"\n%s", dispatch);
 }
-
-const struct shell_writer bash_writer = {"manylight.bash", begin, write_command, end};

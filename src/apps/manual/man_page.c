@@ -286,7 +286,6 @@ void man_page_write_overview(FILE *out) {
     for (const struct subcommand *s = subcommands; s->name; s++)
         put_row(out, s->name, s->help);
     fprintf(out, ".SH ENVIRONMENT\n");
-    put_row(out, "XDG_CACHE_HOME",
-            "folder of cached references and of costs of the machine [~/.cache]");
+    put_row(out, "XDG_CACHE_HOME", "folder of cached references [~/.cache]");
     man_page_end(out, "");
 }

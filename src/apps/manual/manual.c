@@ -1,9 +1,9 @@
-/* manylight manual: man pages, and completions of shells, of the tables that parse command lines. */
+/* manylight manual: man pages, and completions for bash, of the tables that parse command lines. */
 #define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
 #include "apps/bench/bench.h"
 #include "apps/manual/man_page.h"
-#include "apps/manual/shells.h"
+#include "apps/manual/bash.h"
 #include "apps/subcommands.h"
 
 #include "base/error.h"
@@ -26,19 +26,15 @@ static const struct option options[] = {
 
 static const struct arguments arguments = {
     .synopsis = "-o FOLDER",
-    .summary = "Writes a man page for each subcommand, and completions for bash (manylight.bash),\n"
-               "zsh (_manylight) and fish (manylight.fish). make install installs them.",
+    .summary = "Writes a man page for each subcommand, and completions for bash (manylight.bash).\n"
+               "make install installs them.",
     .options = options,
 };
-
-static const struct shell_writer *const shells[] = {&bash_writer, &fish_writer, &zsh_writer};
-
-enum { SHELLS = sizeof shells / sizeof *shells };
 
 struct manual {
     const char *folder;
     struct output_text page; /* of the present subcommand */
-    struct output_text completions[SHELLS];
+    struct output_text completions;
 };
 
 static bool write_text(const struct manual *manual, struct output_text *text, const char *file) {
@@ -53,8 +49,7 @@ static void read_command(void *user, const char *name, const struct arguments *r
     struct manual *manual = user;
     const struct command command = {name, read, table, values};
     man_page_write_command(manual->page.stream, &command);
-    for (int i = 0; i < SHELLS; i++)
-        shells[i]->command(manual->completions[i].stream, &command);
+    bash_write_command(manual->completions.stream, &command);
 }
 
 static void read_modes(const struct subcommand *bench) {
@@ -95,18 +90,14 @@ static bool write_overview(struct manual *manual) {
 }
 
 static bool write_all(struct manual *manual) {
-    for (int i = 0; i < SHELLS; i++) {
-        output_text_init(&manual->completions[i]);
-        shells[i]->begin(manual->completions[i].stream);
-    }
+    output_text_init(&manual->completions);
+    bash_begin(manual->completions.stream);
     bool ok = write_overview(manual);
     for (const struct subcommand *s = subcommands; ok && s->name; s++)
         ok = subcommand_is_missing(s) || write_page(manual, s);
-    for (int i = 0; i < SHELLS; i++) {
-        shells[i]->end(manual->completions[i].stream);
-        ok = ok && write_text(manual, &manual->completions[i], shells[i]->file);
-        output_text_free(&manual->completions[i]);
-    }
+    bash_end(manual->completions.stream);
+    ok = ok && write_text(manual, &manual->completions, "manylight.bash");
+    output_text_free(&manual->completions);
     return ok;
 }
 

@@ -169,12 +169,3 @@ void value_each_setting(FILE *out, put_setting *put) {
     put(out, "path", presets.data ? presets.data : "");
     free(presets.data);
 }
-
-char *value_short_help(const struct option *option) {
-    struct text text = {0};
-    text_print(&text, "%.*s", (int)strcspn(option->help, ";"), option->help);
-    for (char *c = text.data; *c; c++)
-        if (*c == '\n')
-            *c = ' ';
-    return text.data;
-}

@@ -28,7 +28,4 @@ void value_free(struct value *value);
 typedef void put_setting(FILE *out, const char *name, const char *words);
 void value_each_setting(FILE *out, put_setting *put);
 
-/* The help up to its first semicolon in one line, to be freed. */
-char *value_short_help(const struct option *option);
-
 #endif

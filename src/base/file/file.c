@@ -27,6 +27,18 @@ static bool check_content(const void *bytes, size_t size, const char *path) {
            error_set("%s: a Git LFS pointer; git lfs pull fetches the file itself", path);
 }
 
+struct file_stamp file_stamp_of(const char *path) {
+    struct stat status;
+    if (stat(path, &status) != 0 || !S_ISREG(status.st_mode))
+        return (struct file_stamp){0};
+    return (struct file_stamp){true, status.st_size, status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+}
+
+bool file_stamps_same(const struct file_stamp *a, const struct file_stamp *b) {
+    return a->is_file == b->is_file && a->size == b->size && a->seconds == b->seconds &&
+           a->nanoseconds == b->nanoseconds;
+}
+
 bool file_can_be_read(const char *path) {
     struct stat status;
     char start[sizeof pointer_text];

@@ -21,6 +21,15 @@ char *file_read_text(const char *path);
  * reason. */
 bool file_can_be_read(const char *path);
 
+/* Tells whether a file was written since. Zeroed: it is not there, or no regular file. */
+struct file_stamp {
+    bool is_file;
+    long long size, seconds, nanoseconds; /* of the last change */
+};
+
+struct file_stamp file_stamp_of(const char *path);
+bool file_stamps_same(const struct file_stamp *a, const struct file_stamp *b);
+
 /* A device or a pipe, which may have no end. */
 bool file_is_stream(const char *path);
 

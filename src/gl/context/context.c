@@ -278,7 +278,7 @@ struct context *context_create(const struct context_desc *desc) {
     struct context *before = current;
     if (desc->screen != SCREEN_AUTO)
         screen_set_way(desc->screen);
-    if (!parse_wish(&wish, desc->device))
+    if (!parse_wish(&wish, desc->device) || !mem_check_driver())
         return NULL;
     if (!desc->embedded)
         instruct_mesa();

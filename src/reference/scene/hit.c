@@ -19,7 +19,7 @@ static struct corners find_corners(const struct hit_table *table,
 static vec3s winding_normal(const struct geometry *geometry, const uint32_t index[3]) {
     vec3s edges[2];
     corners_edges(geometry, index, edges);
-    return glms_vec3_crossn(edges[0], edges[1]);
+    return vec3s_unit_cross(edges[0], edges[1]);
 }
 
 static vec4s base_color(const struct hit_table *table, const struct material *material,
@@ -68,13 +68,13 @@ static vec3s mapped_normal(const struct hit_table *table, const struct material 
     float x = material->normal_scale * (2 * read.x - 1);
     float y = material->normal_scale * (2 * read.y - 1), z = 2 * read.z - 1;
     tangents_of(table->geometry, material->normal_mapping, corners->index, &right, &up);
-    right = glms_vec3_normalize(glms_vec3_muladds(normal, -glms_vec3_dot(normal, right), right));
+    right = vec3s_unit(glms_vec3_muladds(normal, -glms_vec3_dot(normal, right), right));
     vec3s across = glms_vec3_cross(normal, right);
     across = glms_vec3_scale(across, copysignf(1, glms_vec3_dot(across, up)));
     vec3s turned =
         glms_vec3_muladds(right, x, glms_vec3_muladds(across, y, glms_vec3_scale(normal, z)));
     bool is_told = glms_vec3_norm2(right) > 0 && glms_vec3_norm2(turned) > 0;
-    return is_told ? glms_vec3_normalize(turned) : normal;
+    return is_told ? vec3s_unit(turned) : normal;
 }
 
 static bool is_pane(const struct hit_table *table, const struct material *material) {
@@ -161,7 +161,7 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     float side = from_behind ? -1 : 1;
     hit->position = corners_vector(&corners, geometry->position);
     hit->geometric_normal = glms_vec3_scale(front, side);
-    hit->normal = glms_vec3_scale_as(corners_vector(&corners, geometry->normal), side);
+    hit->normal = glms_vec3_scale(vec3s_unit(corners_vector(&corners, geometry->normal)), side);
     hit->triangle = point->triangle;
     hit->is_back = from_behind;
     hit->towards = glms_vec3_negate(ray_direction);

@@ -7,10 +7,9 @@
 #ifndef REFERENCE_SCENE_HIT_H
 #define REFERENCE_SCENE_HIT_H
 
+#include "base/unit.h"
 #include "reference/brdf.h"
 #include "scene/mesh/geometry.h"
-
-#include <cglm/struct.h>
 
 /* A point of a triangle: position = (1 - u - v) p0 + u p1 + v p2. */
 struct triangle_point {

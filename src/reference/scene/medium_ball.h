@@ -2,9 +2,8 @@
 #ifndef REFERENCE_SCENE_MEDIUM_BALL_H
 #define REFERENCE_SCENE_MEDIUM_BALL_H
 
+#include "base/unit.h"
 #include "scene/mesh/geometry.h"
-
-#include <cglm/struct.h>
 
 /* All zero: none. */
 struct medium_ball {

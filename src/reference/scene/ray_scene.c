@@ -50,7 +50,7 @@ static bool passes_pane(struct ray_context *context, const struct triangle_point
         return false;
     if (!context->passes)
         return has_passed(context, point->triangle);
-    direction = glms_vec3_normalize(direction);
+    direction = vec3s_unit(direction);
     struct passing passing = hit_passing(context->rays->table, point, direction);
     context->passes[id] = glms_vec3_mul(context->passes[id], passing.passes);
     return glms_vec3_max(passing.passes) > 0;

@@ -3,9 +3,8 @@
 #ifndef REFERENCE_SCENE_RECTANGLE_H
 #define REFERENCE_SCENE_RECTANGLE_H
 
+#include "base/unit.h"
 #include "scene/lights/emitter.h"
-
-#include <cglm/struct.h>
 
 struct seen_rectangle {
     double x[2], y[2], z; /* of the corners, from the point, along right, up and across; z < 0 */

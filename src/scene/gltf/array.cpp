@@ -86,7 +86,7 @@ bool spend(Loader &loader, uint64_t count, size_t size) {
     if (count > loader.memory / size)
         return error_set(
             "%.1f MiB of memory are wanted, and %.1f MiB are left of what the scene may "
-            "take (--max-memory)",
+            "take (ulimit -d grants more)",
             double(count) * double(size) / mib, double(loader.memory) / mib);
     loader.memory -= count * size;
     return true;

@@ -66,7 +66,7 @@ struct OwnedBytes : file_bytes {
 /* Of an accessor: numbers of vertices and indices, three for a triangle of a strip, are ints. */
 const size_t max_elements = size_t(1) << 27;
 
-/* What a scene may take where --max-memory does not say: a small file can name any number of
+/* What a scene may take where `ulimit -d` does not say: a small file can name any number of
  * elements, share them among many users, and hold pictures that are thousands of times smaller
  * packed. */
 const uint64_t least_memory = uint64_t(2) << 30;

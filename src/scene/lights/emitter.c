@@ -1,10 +1,10 @@
 #include "scene/lights/emitter.h"
 
 #include "base/memory.h"
+#include "base/unit.h"
 #include "scene/animated.h"
 #include "scene/node.h"
 
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -131,11 +131,11 @@ struct emitters emitters_place(const struct scene *scene, double time) {
 
 void emitter_aim(struct emitter *emitter, const float direction[3]) {
     vec3 forward, right;
-    glm_vec3_normalize_to((float *)direction, forward);
+    vec3_unit_to((float *)direction, forward);
     /* Straight up and down, the frame turns about z. */
     vec3 aside = {0, fabsf(forward[1]) < .99F, fabsf(forward[1]) >= .99F};
     glm_vec3_cross(forward, aside, right);
-    glm_vec3_normalize(right);
+    vec3_unit(right);
     glm_vec3_copy(forward, emitter->direction);
     glm_vec3_copy(right, emitter->right);
     glm_vec3_cross(right, forward, emitter->up);

@@ -5,10 +5,10 @@
 #ifndef SCENE_MESH_BVH_H
 #define SCENE_MESH_BVH_H
 
-#include <cglm/struct.h>
-
 #include <stdbool.h>
 #include <stdint.h>
+
+#include "base/unit.h"
 
 /* By its corners: the front is where they go counter-clockwise. */
 struct bvh_triangle {

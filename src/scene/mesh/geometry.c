@@ -159,7 +159,7 @@ static enum batch_kind kind_of(const struct material *material) {
 }
 
 static void find_blocking(struct geometry *geometry, const struct scene *scene) {
-    enum batch_kind last = geometry->glass_blocks ? BATCH_GLASS : BATCH_MASKED;
+    enum batch_kind last = geometry->original ? BATCH_GLASS : BATCH_MASKED;
     geometry->blocking_batch_count = 0;
     geometry->blocking_index_count = 0;
     for (int b = 0; b < geometry->batch_count; b++) {
@@ -488,16 +488,11 @@ void geometry_free(struct geometry *geometry) {
     *geometry = (struct geometry){0};
 }
 
-bool geometry_block_glass(struct geometry *geometry, const struct scene *scene, bool blocks) {
-    uint32_t before = geometry->blocking_index_count;
-    geometry->glass_blocks = blocks;
-    find_blocking(geometry, scene);
-    if (geometry->blocking_index_count == before)
-        return false;
-    geometry->laid_out = ++geometry->pose_count;
-    for (int i = 0; i < geometry->part_count; i++)
-        geometry->parts[i].moved = geometry->pose_count;
-    return true;
+void geometry_block_glass(struct geometry *view, const struct geometry *geometry,
+                          const struct scene *scene) {
+    *view = *geometry;
+    view->original = geometry;
+    find_blocking(view, scene);
 }
 
 float geometry_clearance(const struct geometry *geometry) {

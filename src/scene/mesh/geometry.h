@@ -50,7 +50,7 @@ struct geometry {
     uint32_t opaque_index_count;   /* indices of the batches without alpha mask: [0, this) */
     uint32_t blocking_index_count; /* of all but panes: [0, this) */
     int blocking_batch_count;
-    bool glass_blocks; /* glass is no pane */
+    const struct geometry *original; /* of a view by which glass blocks; else NULL */
 
     /* Bounding box and sphere of the vertices that triangles use, throughout the clip that plays:
      * lengths that are fractions of the radius would breathe with a single pose's. */
@@ -85,9 +85,10 @@ void geometry_free(struct geometry *geometry);
  * Error: something ends up too far away; the geometry must not be used until a pose succeeds. */
 bool geometry_pose(struct geometry *geometry, struct scene *scene, double time);
 
-/* Says whether glass (SMOOTH_GLASS) counts among what blocks light, as caustics need it; at first it does not. True: that
- * is a new pose. */
-bool geometry_block_glass(struct geometry *geometry, const struct scene *scene, bool blocks);
+/* Fills a view of a geometry, with the same arrays, in which glass (SMOOTH_GLASS) counts among what blocks light,
+ * as caustics need it. The view owns nothing and is old after the next pose. */
+void geometry_block_glass(struct geometry *view, const struct geometry *geometry,
+                          const struct scene *scene);
 
 /* How far above a surface a ray begins that is not to meet it: about a hundred times the rounding of the scene's
  * coordinates, metres. */

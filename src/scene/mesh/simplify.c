@@ -2,9 +2,9 @@
 
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/unit.h"
 #include "scene/mesh/weld.h"
 
-#include <cglm/cglm.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -296,7 +296,7 @@ static void add_border(struct patch *patch, uint32_t a, uint32_t b, vec3 normal)
     vec3 edge, upright;
     glm_vec3_sub(patch->position[b], patch->position[a], edge);
     float length = glm_vec3_norm(edge);
-    glm_vec3_crossn(edge, normal, upright);
+    vec3_unit_cross(edge, normal, upright);
     add_plane(&patch->quadrics[a], upright, patch->position[a], border_weight * length);
     add_plane(&patch->quadrics[b], upright, patch->position[a], border_weight * length);
 }
@@ -324,7 +324,7 @@ static void make_quadrics(struct patch *patch) {
         vec3 normal;
         float area = triangle_normal(patch->position[corner[0]], patch->position[corner[1]],
                                      patch->position[corner[2]], normal);
-        glm_vec3_normalize(normal);
+        vec3_unit(normal);
         for (int c = 0; c < 3; c++) {
             add_plane(&patch->quadrics[corner[c]], normal, patch->position[corner[0]], sqrt(area));
             if (is_border(patch, corner[c], corner[(c + 1) % 3]))

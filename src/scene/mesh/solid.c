@@ -46,7 +46,7 @@ static float scatter(uint32_t key) {
 
 /* Around a unit normal, by the cosine to it. */
 static vec3s way(vec3s normal, float x, float y) {
-    vec3s side = glms_vec3_ortho(normal), tangent = glms_vec3_normalize(side);
+    vec3s side = glms_vec3_ortho(normal), tangent = vec3s_unit(side);
     vec3s bitangent = glms_vec3_cross(normal, tangent);
     float radius = sqrtf(x), angle = 2 * GLM_PIf * y;
     vec3s along = glms_vec3_scale(tangent, radius * cosf(angle));
@@ -55,7 +55,7 @@ static vec3s way(vec3s normal, float x, float y) {
 }
 
 static vec3s normal_of(const struct bvh_triangle *triangle) {
-    return glms_vec3_normalize(glms_vec3_cross(triangle->edges[0], triangle->edges[1]));
+    return vec3s_unit(glms_vec3_cross(triangle->edges[0], triangle->edges[1]));
 }
 
 /* --- the search ------------------------------------------------------------------------------- */

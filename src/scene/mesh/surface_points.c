@@ -257,7 +257,7 @@ struct surface_place surface_points_place(const struct surface_points *points,
     struct corners corners = surface_point_corners(point, geometry);
     return (struct surface_place){
         .position = corners_vector(&corners, geometry->position),
-        .normal = glms_vec3_normalize(corners_vector(&corners, geometry->normal)),
+        .normal = vec3s_unit(corners_vector(&corners, geometry->normal)),
         .area = point->share * (float)corners_area(geometry, corners.index),
     };
 }

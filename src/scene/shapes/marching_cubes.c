@@ -1,9 +1,9 @@
 #include "scene/shapes/marching_cubes.h"
 
 #include "base/memory.h"
+#include "base/unit.h"
 
 #include <assert.h>
-#include <cglm/cglm.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -148,7 +148,7 @@ static uint32_t add_vertex(const struct sweep *sweep, const int at[3], int axis,
         position[i] = grid->low[i] + ((float)at[i] + (i == axis ? t : 0.0f)) * grid->step;
     sweep->implicit->gradient(sweep->implicit->context, position, normal);
     glm_vec3_negate(normal);
-    glm_vec3_normalize(normal);
+    vec3_unit(normal);
     return surface_add_vertex(sweep->surface, position, normal);
 }
 
@@ -229,13 +229,13 @@ static void mend_normals(struct marching_cubes *cubes, struct surface *surface,
     for (uint32_t i = first_index; i < surface->index_count; i++)
         if (wrong[surface->indices[i] - first_vertex]) {
             face_normal(surface, surface->indices + i - (i - first_index) % 3, normal);
-            glm_vec3_normalize(normal);
+            vec3_unit(normal);
             glm_vec3_add(surface->normal[surface->indices[i]], normal,
                          surface->normal[surface->indices[i]]);
         }
     for (uint32_t i = 0; i < count; i++)
         if (wrong[i])
-            glm_vec3_normalize(surface->normal[first_vertex + i]);
+            vec3_unit(surface->normal[first_vertex + i]);
 }
 
 void marching_cubes_polygonise(struct marching_cubes *cubes, const struct implicit *implicit,

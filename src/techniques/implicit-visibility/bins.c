@@ -54,14 +54,14 @@ static void fill_bin(const struct bins *bins, int b) {
     const int side = bins->side, face = b / (side * side);
     const float width = 2 / (float)side;
     float x = (float)(b % side) * width - 1, y = (float)(b / side % side) * width - 1;
-    bins->directions[b] = glms_vec3_normalize(direction_at(face, x + width / 2, y + width / 2));
+    bins->directions[b] = vec3s_unit(direction_at(face, x + width / 2, y + width / 2));
     for (int p = 0; p < BIN_PARTS; p++) {
         double x0 = (double)(x + (float)(p % 2) * width / 2), x1 = x0 + (double)width / 2;
         double y0 = (double)(y + (float)(p / 2) * width / 2), y1 = y0 + (double)width / 2;
         double angle = corner_angle(x1, y1) - corner_angle(x0, y1) - corner_angle(x1, y0) +
                        corner_angle(x0, y0);
         vec3s middle = direction_at(face, (float)(x0 + x1) / 2, (float)(y0 + y1) / 2);
-        bin->parts[p] = glms_vec3_scale(glms_vec3_normalize(middle), (float)angle);
+        bin->parts[p] = glms_vec3_scale(vec3s_unit(middle), (float)angle);
     }
     for (int k = 0, i = 0; k < 9; k++) {
         float dx = (float)(k % 3 - 1) * width, dy = (float)(k / 3 - 1) * width;

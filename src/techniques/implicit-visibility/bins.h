@@ -2,10 +2,10 @@
 #ifndef TECHNIQUES_IMPLICIT_VISIBILITY_BINS_H
 #define TECHNIQUES_IMPLICIT_VISIBILITY_BINS_H
 
-#include <cglm/struct.h>
-
 #include <stdbool.h>
 #include <stdint.h>
+
+#include "base/unit.h"
 
 enum {
     BINS_SIDE_MAX = 32,

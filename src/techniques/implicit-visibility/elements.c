@@ -332,7 +332,7 @@ void elements_place(struct elements *elements, const struct geometry *geometry) 
         struct element *element = &elements->items[i];
         struct corners corners = corners_of(element->corners, element->weights);
         element->position = corners_vector(&corners, geometry->position);
-        element->normal = glms_vec3_scale(
-            glms_vec3_normalize(corners_vector(&corners, geometry->normal)), element->side);
+        element->normal =
+            glms_vec3_scale(vec3s_unit(corners_vector(&corners, geometry->normal)), element->side);
     }
 }

@@ -133,7 +133,7 @@ static vec3s intensity_to(const struct emitter *light, const struct element *ele
     const vec3s at = {{light->position[0], light->position[1], light->position[2]}};
     if (!light->slide)
         return intensity;
-    emitter_slide(light, glms_vec3_normalize(glms_vec3_sub(element->position, at)).raw, slide.raw);
+    emitter_slide(light, vec3s_unit(glms_vec3_sub(element->position, at)).raw, slide.raw);
     return glms_vec3_mul(intensity, slide);
 }
 

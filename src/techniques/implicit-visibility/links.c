@@ -90,7 +90,7 @@ static void offer_disk(struct walk *walk, uint32_t j, vec3s path, bool small) {
     const struct tree_node *node = &walk->tree->nodes[j];
     struct disk disk = {.node = j, .radius2 = disk_area * node->area / GLM_PIf};
     vec3s normal = {{node->normal[0], node->normal[1], node->normal[2]}};
-    normal = glms_vec3_normalize(glms_mat3_mulv(walk->turn, normal));
+    normal = vec3s_unit(glms_mat3_mulv(walk->turn, normal));
     memcpy(disk.center, path.raw, sizeof disk.center);
     memcpy(disk.normal, normal.raw, sizeof disk.normal);
     disk.along = glm_vec3_dot(disk.center, disk.normal);

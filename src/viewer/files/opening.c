@@ -21,6 +21,12 @@
 #include <string.h>
 #include <strings.h>
 
+static void open_file(struct viewer *viewer, const char *path, const struct scene_open_desc *desc) {
+    viewer->opening.reloading.asked = file_stamp_of(path);
+    loader_start(&viewer->opening.loader, path, desc);
+    viewer->opening.since = window_time();
+}
+
 void viewer_open(struct viewer *viewer, const char *path) {
     char *whole = path_of_user(path);
     messages_forget_errors(&viewer->host.messages);
@@ -28,9 +34,35 @@ void viewer_open(struct viewer *viewer, const char *path) {
                                          .light = viewer->desc.light,
                                          .environment = viewer->desc.environment,
                                          .punctual_scale = viewer->desc.punctual_scale};
-    loader_start(&viewer->opening.loader, whole, &desc);
-    viewer->opening.since = window_time();
+    viewer->opening.reloading.on = false;
+    open_file(viewer, whole, &desc);
     free(whole);
+}
+
+void viewer_reload(struct viewer *viewer) {
+    struct reloading *reloading = &viewer->opening.reloading;
+    if (!viewer->has_scene || viewer_is_opening(viewer))
+        return;
+    messages_forget_errors(&viewer->host.messages);
+    reloading->on = true;
+    open_file(viewer, viewer->document.scene.path, &reloading->desc);
+    reloading->shown = reloading->asked; /* tried once, if it cannot be read */
+}
+
+void viewer_watch_file(struct viewer *viewer) {
+    const double period = .5;
+    struct reloading *reloading = &viewer->opening.reloading;
+    if (!viewer->has_scene || viewer_is_scripted(viewer) || viewer_is_opening(viewer) ||
+        window_time() - reloading->looked < period)
+        return;
+    reloading->looked = window_time();
+    struct file_stamp before = reloading->seen;
+    reloading->seen = file_stamp_of(viewer->document.scene.path);
+    if (reloading->seen.is_file && file_stamps_same(&reloading->seen, &before) &&
+        !file_stamps_same(&reloading->seen, &reloading->shown)) {
+        log_detail("%s has changed", viewer->document.scene.path);
+        viewer_reload(viewer);
+    }
 }
 
 static void set_title(struct viewer *viewer) {
@@ -88,6 +120,7 @@ static bool is_changed(const struct settings *settings, const struct settings *u
 /* Technique and settings stay, and so does a comparison with a technique; a reference was of the scene before. */
 static void tell_what_stays(struct viewer *viewer) {
     struct compare *compare = &viewer->shown.compare;
+    bool again = viewer->opening.reloading.on;
     const struct technique *first =
         viewer->desc.technique ? viewer->desc.technique : technique_default;
     bool changed = viewer->wish.technique != first || viewer->wish.direct != viewer->desc.direct ||
@@ -99,7 +132,10 @@ static void tell_what_stays(struct viewer *viewer) {
         messages_add(&viewer->host.messages, UI_NORMAL,
                      "The comparison has ended: its reference was of the scene before.");
     }
-    if (changed && !viewer->kept.was_restored)
+    if (again)
+        messages_add(&viewer->host.messages, UI_NORMAL, "%s is read again.",
+                     path_name(viewer->document.scene.path));
+    else if (changed && !viewer->kept.was_restored)
         messages_add(&viewer->host.messages, UI_NORMAL,
                      "Technique and settings are those of the scene before.");
     if (compare->mode == COMPARE_TECHNIQUE)
@@ -129,11 +165,21 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
         recent_add(&viewer->start.recent, path);
     viewer_begin_exposure(viewer);
     pace_forget(&viewer->shown.pace);
+    viewer->opening.reloading.shown = viewer->opening.reloading.asked;
     set_title(viewer);
     snprintf(viewer->panel.scene_path, sizeof viewer->panel.scene_path, "%s", path);
     /* A file of settings is of the scene before: Save must not overwrite it. */
     snprintf(viewer->panel.session_path, sizeof viewer->panel.session_path, SESSION_PATH);
     viewer_tell_sky(viewer);
+}
+
+/* The same file is looked at as before it changed; what outlives the window has seen to that where it is on. */
+static void show_as_before(struct viewer *viewer, struct session *before) {
+    before->scene = viewer->document.scene.path;
+    if (viewer->opening.reloading.on && !viewer->kept.on && !viewer_show_session(viewer, before))
+        viewer_tell_error(viewer);
+    viewer->opening.reloading.on = false;
+    session_free(before);
 }
 
 /* The new scene takes the place of the old one when it has a renderer; the old one is kept
@@ -142,6 +188,9 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     struct document before = viewer->document;
     struct placed placed_before = viewer->placed;
     struct renderer renderer;
+    struct session session_before = {0};
+    if (viewer->has_scene)
+        session_before = viewer_session(viewer);
     kept_save(viewer);
     viewer->document = *document;
     viewer->placed = (struct placed){0};
@@ -156,6 +205,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
         viewer->placed = placed_before;
         error_prefix("%s", document->scene.path);
         document_free(document);
+        session_free(&session_before);
         return false;
     }
     compare_forget(&viewer->shown.compare);
@@ -169,6 +219,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     kept_begin(viewer);
     if (replaces)
         tell_what_stays(viewer);
+    show_as_before(viewer, &session_before);
     forget_given(viewer); /* it meant the first scene */
     return !session || viewer_load_session(viewer, session) || !viewer_is_scripted(viewer);
 }
@@ -232,6 +283,7 @@ static void await_document(struct viewer *viewer, const struct document *documen
         leave_arriving(viewer);
     log_detail("the scene is read after %.2f s", window_time());
     viewer->opening.arriving = *document;
+    viewer->opening.reloading.desc = viewer->opening.loader.desc;
     viewer->opening.is_arriving = true;
     viewer->opening.is_announced = false;
     start_preview(viewer);

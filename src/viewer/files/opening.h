@@ -7,6 +7,12 @@
 
 void viewer_open(struct viewer *viewer, const char *path);
 
+/* Opens the scene's file anew, with the scenes and variants that were chosen, and looks at it as before. */
+void viewer_reload(struct viewer *viewer);
+
+/* Does so where the file was changed and has rested since the last look; looks twice a second. */
+void viewer_watch_file(struct viewer *viewer);
+
 /* Takes a scene that has been loaded, when its shaders are compiled. False: it cannot be shown; the one before stays. */
 bool viewer_poll_loader(struct viewer *viewer);
 

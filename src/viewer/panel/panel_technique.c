@@ -68,10 +68,8 @@ static bool draw_setting(const struct setting *setting, struct settings *setting
 
 /* --- presets --- */
 
-/* Each sets all there is to set. Costs are of the default technique. */
-static bool draw_presets(const struct technique *technique, const struct costs *costs,
-                         struct settings *settings) {
-    const struct costs *own = technique == technique_default ? costs : NULL;
+/* Each sets all there is to set. */
+static bool draw_presets(const struct technique *technique, struct settings *settings) {
     char titles[PRESETS_MAX][PRESET_TITLE_SIZE], texts[PRESETS_MAX][PRESET_HELP_SIZE];
     const char *names[PRESETS_MAX], *helps[PRESETS_MAX];
     const struct preset *presets = technique->presets;
@@ -79,7 +77,7 @@ static bool draw_presets(const struct technique *technique, const struct costs *
     for (; presets && count < PRESETS_MAX && presets[count].name; count++) {
         struct settings with = preset_settings(&presets[count], settings);
         preset_title(&presets[count], titles[count]);
-        preset_explain(&presets[count], own, texts[count]);
+        preset_explain(&presets[count], texts[count]);
         names[count] = titles[count];
         helps[count] = texts[count];
         if (renderer_settings_same(&with, settings, technique->parts))
@@ -272,7 +270,7 @@ void panel_draw_technique(struct viewer *viewer) {
         viewer->panel.edits_right = side == 1;
     const struct technique **technique = side ? &compare->technique : &viewer->wish.technique;
     struct settings *settings = side ? &compare->settings : &viewer->wish.settings;
-    bool changed = draw_presets(*technique, &viewer->host.costs, settings);
+    bool changed = draw_presets(*technique, settings);
     ui_space();
     changed |= draw_technique_choice(technique);
     changed |= draw_main(*technique, viewer->shown.renderer.desc.direct, settings);

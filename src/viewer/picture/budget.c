@@ -18,7 +18,7 @@ static void take_level(struct viewer *viewer) {
 
 void viewer_set_budget(struct viewer *viewer, float ms) {
     viewer->wish.budget = ms;
-    time_budget_init(&viewer->shown.budget, (double)ms, &viewer->host.costs);
+    time_budget_init(&viewer->shown.budget, (double)ms);
     if (ms > 0)
         take_level(viewer);
 }

@@ -37,31 +37,16 @@ static const struct price *price_of(const char *word) {
     return NULL;
 }
 
-/* "x0.52 the time of Normal on this machine", or as the program comes; the caller frees it. */
-static char *time_text(const struct preset *preset, const struct price *price,
-                       const struct costs *costs) {
-    char *path = mem_printf("path=%s", preset->name);
-    double ms = costs_find(costs, NULL, path), normal = costs_find(costs, NULL, "");
-    free(path);
-    return ms > 0 && normal > 0
-               ? mem_printf("x%.2g the time of Normal on this machine", ms / normal)
-               : mem_strdup(price->time);
-}
-
 /* The caller frees it. */
-static char *help_text(const struct preset *preset, const struct costs *costs) {
+static char *help_text(const struct preset *preset) {
     const struct price *price = price_of(word_of(preset));
     if (!price || !price->time)
         return mem_strdup(price ? price->use : preset->help);
-    char *time = time_text(preset, price, costs);
-    char *text = mem_printf("%s. %s, and %s", price->use, time, price->error);
-    free(time);
-    return text;
+    return mem_printf("%s. %s, and %s", price->use, price->time, price->error);
 }
 
-void preset_explain(const struct preset *preset, const struct costs *costs,
-                    char text[PRESET_HELP_SIZE]) {
-    char *help = help_text(preset, costs);
+void preset_explain(const struct preset *preset, char text[PRESET_HELP_SIZE]) {
+    char *help = help_text(preset);
     const char *word = word_of(preset);
     bool is_quality =
         strcmp(word, "draft") == 0 || strcmp(word, "normal") == 0 || strcmp(word, "high") == 0;

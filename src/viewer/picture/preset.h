@@ -2,7 +2,6 @@
 #ifndef VIEWER_PRESET_H
 #define VIEWER_PRESET_H
 
-#include "quality/costs.h"
 #include "renderer/settings.h"
 
 enum { PRESET_TITLE_SIZE = 24, PRESET_HELP_SIZE = 320 };
@@ -10,10 +9,8 @@ enum { PRESET_TITLE_SIZE = 24, PRESET_HELP_SIZE = 320 };
 /* The word of --quality or its name, with a capital. */
 void preset_title(const struct preset *preset, char title[PRESET_TITLE_SIZE]);
 
-/* For which pictures it is, how much dearer and truer, and its words on the command line. How dear is by the costs of this
- * machine, where they have it; NULL: as the program comes. */
-void preset_explain(const struct preset *preset, const struct costs *costs,
-                    char text[PRESET_HELP_SIZE]);
+/* Writes for which pictures it is, its time and error against Normal, and its words on the command line. */
+void preset_explain(const struct preset *preset, char text[PRESET_HELP_SIZE]);
 
 /* Exposure and tone map as they are: they are no part of how well a picture is made. */
 void preset_keep_tone(struct settings *settings, const struct settings *now);

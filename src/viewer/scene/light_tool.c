@@ -57,9 +57,10 @@ static bool project_ray(const struct light_stage *stage, const float position[3]
     if (!project(stage, position, ray->from) || !project(stage, point, to))
         return false;
     glm_vec2_sub(to, ray->from, ray->along);
-    ray->pixels = glm_vec2_norm(ray->along) / step;
-    glm_vec2_normalize(ray->along);
-    return ray->pixels > 0;
+    float length = glm_vec2_norm(ray->along);
+    ray->pixels = length / step;
+    glm_vec2_scale(ray->along, 1 / length, ray->along);
+    return length > 0;
 }
 
 /* Along which a size is measured. A sphere has the same in all directions, and what is seen from the

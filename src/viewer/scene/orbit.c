@@ -1,9 +1,9 @@
 #include "viewer/scene/orbit.h"
 
-#include <cglm/cglm.h>
-
 #include <math.h>
 #include <string.h>
+
+#include "base/unit.h"
 
 static const float steepest = 0.9995F; /* sine of the highest and lowest view */
 
@@ -43,7 +43,7 @@ static void turn(struct orbit *orbit, float right_angle, float down_angle) {
     glm_vec3_rotate(forward, -right_angle, orbit->world_up);
     vec3 right;
     glm_vec3_cross(forward, orbit->world_up, right);
-    glm_vec3_normalize(right);
+    vec3_unit(right);
     float sine = glm_vec3_dot(forward, orbit->world_up);
     float angle = asinf(glm_clamp(sine, -1, 1));
     float limit = asinf(steepest);

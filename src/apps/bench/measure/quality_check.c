@@ -163,7 +163,7 @@ static void add_choice(struct check *check, const struct quality_choice *choice)
 
 static void list_choices(struct check *check) {
     struct quality_choice choices[QUALITY_CHOICES_MAX];
-    int count = quality_ladder(choices, check->desc->most_passes, NULL);
+    int count = quality_ladder(choices, check->desc->most_passes);
     for (int i = 0; i < count; i++)
         add_choice(check, &choices[i]);
     check->ladder = check->count;
@@ -238,7 +238,7 @@ static bool ask(struct check *check, double error) {
     char point[32];
     bool resumed;
     check->asked = error;
-    if (!quality_climb(error, check->desc->most_passes, NULL, tell_of_picture, check, &found))
+    if (!quality_climb(error, check->desc->most_passes, tell_of_picture, check, &found))
         return false;
     snprintf(point, sizeof point, "error=%g%%", 100 * error);
     struct measure_desc measure = describe(check, find(check, &found.choice), "automatic", point);
