@@ -1,6 +1,7 @@
 #include "renderer/sky_pieces.h"
 
 #include "base/memory.h"
+#include "base/unit.h"
 #include "shared/sky_piece.h"
 #include "shared/vpl_density.h"
 
@@ -34,7 +35,7 @@ static void turn_like(struct emitter *piece, const struct emitter *sample) {
     glm_vec3_muladds(piece->direction, -glm_vec3_dot(right, piece->direction), right);
     if (glm_vec3_norm(right) < least)
         return;
-    glm_vec3_normalize_to(right, piece->right);
+    vec3_unit_to(right, piece->right);
     glm_vec3_cross(piece->right, piece->direction, piece->up);
 }
 
