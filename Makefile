@@ -50,7 +50,7 @@ SCENE_FOLDER := scenes
 SCENES := $(BUILD)/scenes/made
 
 # Debian's packages; OpenGL itself (libEGL, libOSMesa) is opened at run time. "?": where the release has it.
-PACKAGES := gcc g++ make pkg-config git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6? \
+PACKAGES := gcc g++ make pkgconf git libegl-dev libegl1 libgl-dev libgl1-mesa-dri libosmesa6? \
     libglfw3-dev libtinygltf-dev libstb-dev nlohmann-json3-dev libdraco-dev libmeshoptimizer-dev libopenimageio-dev libcglm-dev \
     libopenexr-dev libpng-dev libjpeg-dev libwebp-dev \
     libembree-dev libimgui-dev fonts-dejavu-core libcmocka-dev libx11-dev gnuplot-nox xvfb xauth xdotool python3-dev python3-cffi python3-numpy

@@ -13,5 +13,6 @@ deb: deps
 	@test/install-packages $(DEB_PACKAGES)
 	@rm -rf $(DEB) && mkdir -p $(DEB_SOURCE)
 	$(Q)git ls-files -z | tar -c --null -T - | tar -x -C $(DEB_SOURCE)
+	$(Q)sed -i '/^# The tag abi3/,$$d' $(DEB_SOURCE)/pyproject.toml
 	$(Q)cd $(DEB_SOURCE) && PATH=$(DEB_PATH) dpkg-buildpackage --unsigned-source --unsigned-changes
 	$(Q)lintian --fail-on error,warning $(DEB)/*.changes

@@ -1,6 +1,6 @@
 # Tests, sanitizers, fuzzers, coverage, mutants, static checks, and the bundle.
 
-.PHONY: test test-long tests asan tsan fuzz fuzzers test-all coverage mutants lint analyze bundle bundle-parts
+.PHONY: test test-long tests asan tsan fuzz fuzzers test-all coverage mutants lint analyze bundle bundle-parts systems
 
 # --- tests ----------------------------------------------------------------------------------------
 
@@ -156,6 +156,11 @@ test-all: deps
 	    CFLAGS="-$(word 2,$(subst -, ,$(c))) -g $(if $(findstring clang,$(c)),-Wno-missing-field-initializers)" \
 	    TESTS="$(SOME_TESTS:%=build/$(c)/test/test_%)" &&) true
 	@$(MAKE) --no-print-directory lint analyze
+
+# Other releases of Debian, each in a chroot below build/systems. Root is needed.
+SYSTEMS := trixie sid
+systems: all
+	@test/systems $(SYSTEMS)
 
 # How much of the lower floors their tests reach, and the programs that those start, as gcovr tells it; of branches
 # without those that exceptions take. C++ is compiled with -O1: without it GCC gives the destructors of temporaries

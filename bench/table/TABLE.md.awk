@@ -2,7 +2,7 @@
 
 # A name in a table, whose columns | parts.
 function cell(name) {
-    gsub(/[|]/, "\\\\|", name)
+    gsub(/[|]/, "\\\\&", name)
     return name
 }
 function cells(list, what, device, size, method,    i, row, count) {

@@ -1,7 +1,7 @@
 # All pictures for the JERI viewer: a tab for each scene and size, with the reference and the methods. Paths are relative
 # to the folder. JERI finds a tab by its title, so no other method may have the reference's.
 function quoted(text) {
-    gsub(/\\/, "\\\\\\\\", text)
+    gsub(/\\/, "&&", text)
     gsub(/"/, "\\\"", text)
     return "\"" text "\""
 }

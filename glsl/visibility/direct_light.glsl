@@ -8,10 +8,16 @@ layout(location = LOCATION_LIGHT) uniform int light_index;
 
 layout(location = TARGET_RESULT) out vec4 direct;
 #ifdef HAS_SPECULAR
-#include "lib/gbuffer_specular.glsl"
 #include "lib/unshadowed_specular.glsl"
+#include "visibility/pixel_spread.glsl"
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
+
+// The narrower side as an angle, rad.
+float angular_width(light l, float away) {
+    float width = l.shape == LIGHT_SHAPE_RECTANGLE ? min(l.width, l.height) : l.width;
+    return l.shape == LIGHT_SHAPE_CAP ? width : width / max(away, 1e-20);
+}
 
 // By the light's middle; where it shines from below the horizon, at the horizon.
 float diffuse_share(specular_surface seen, vec3 direction) {
@@ -49,7 +55,8 @@ void main() {
         return;
     float lit = arriving(s, l, direction);
     specular_surface seen = gbuffer_specular(s, pixel);
-    vec3 reflected = unshadowed_specular(l, seen, s.position, direction, distance2);
+    specular_surface wide = widened(seen, angular_width(l, sqrt(distance2)), pixel);
+    vec3 reflected = unshadowed_specular(l, wide, s.position, direction, distance2) * widened_scale(seen, wide);
     direct.rgb = l.radiance * (share * lit * diffuse_share(seen, direction));
     specular.rgb = l.radiance * reflected * lit * in_range;
 #else

@@ -13,8 +13,8 @@ layout(location = LOCATION_SKY_LAYERS) uniform ivec4 layers; // first, count
 
 layout(location = TARGET_RESULT) out vec4 lit;
 #ifdef HAS_SPECULAR
-#include "lib/gbuffer_specular.glsl"
 #include "lib/lobe.glsl"
+#include "visibility/pixel_spread.glsl"
 
 layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_specular; // of all other lights
 
@@ -95,7 +95,9 @@ void main() {
     vec3 sum = vec3(0.0);
 #ifdef HAS_SPECULAR
     vec3 shining = vec3(0.0);
-    lobe o = lobe_of(gbuffer_specular(s, pixel));
+    specular_surface seen = gbuffer_specular(s, pixel), wide = widened(seen, 0.0, pixel);
+    lobe o = lobe_of(wide);
+    o.albedo *= widened_scale(seen, wide);
 #endif
     // A mask and a loop over its bits, no branch in the loop over lights: a software rasteriser runs what a branch
     // leaves out for all pixels.

@@ -4,7 +4,6 @@
 #define VIEWER_STATE_H
 
 #include "base/file/file.h"
-#include "base/file/video_file.h"
 #include "gl/context/context.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
@@ -15,10 +14,8 @@
 #include "scene/lights/environment.h"
 #include "techniques/element_view.h"
 #include "viewer/files/file_dialog.h"
-#include "viewer/files/gallery.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/preview.h"
-#include "viewer/files/recent.h"
 #include "viewer/picture/compare.h"
 #include "viewer/picture/compiling.h"
 #include "viewer/picture/pace.h"
@@ -160,37 +157,6 @@ struct panel {
     int places_asked, places_answered; /* how often */
 };
 
-/* The empty window, and the way to files: viewer/files/start.c. */
-struct start {
-    struct recent recent;
-    struct gallery gallery; /* where has_gallery */
-    bool has_gallery;
-    struct file_dialog dialog;
-};
-
-/* A clip that is recorded: viewer/files/recorder.c. */
-enum record_kind { RECORD_PICTURES, RECORD_VIDEO };
-
-struct recorder {
-    bool on;
-    enum record_kind kind;
-    int first, frame,
-        count;        /* of the clip where it begins; the one to come, from there; how many */
-    double started;   /* when, window_time */
-    char folder[512]; /* where it goes */
-    char name[600];   /* of its own folder, or of the video */
-    char lock[600];   /* an empty file that keeps the video's number until the video is whole */
-    struct video_file video; /* zeroed before the first frame */
-};
-
-/* What is to be recorded, while it is asked for. */
-struct record_request {
-    bool is_open;
-    enum record_kind kind;
-    float from, to; /* seconds of the clip */
-    char folder[512];
-};
-
 /* The reference that is traced: viewer/reference/tracing.c. */
 struct tracing {
     struct reference_tracer tracer;
@@ -251,11 +217,9 @@ struct viewer {
     struct look look;
     struct hand hand;
     struct panel panel;
-    struct recorder recorder;
-    struct record_request record;
     struct history history;
     struct tracing tracing;
-    struct start start;
+    struct file_dialog dialog;
     struct kept {
         bool on;              /* nobody has said how the scene is to look */
         bool was_restored;    /* it is as it was left */

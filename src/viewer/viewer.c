@@ -7,7 +7,6 @@
 #include "gl/screen.h"
 #include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
-#include "viewer/files/recorder.h"
 #include "viewer/files/screenshot.h"
 #include "viewer/files/start.h"
 #include "viewer/panel/controls.h"
@@ -81,7 +80,7 @@ static void tell_start(struct viewer *viewer) {
 /* Whether all that was asked for is shown; what goes on by itself has no end to wait for. */
 static bool is_settled(struct viewer *viewer) {
     const struct shown *shown = &viewer->shown;
-    if (viewer->wish.play.on || viewer->recorder.on || viewer_is_charting(viewer))
+    if (viewer->wish.play.on || viewer_is_charting(viewer))
         return true;
     bool pending = shown->dirty || shown->recompose || shown->moving || shown->coarse ||
                    shown->awaits || viewer_is_accumulating(viewer);
@@ -138,9 +137,8 @@ static void draw(struct viewer *viewer) {
 
 static bool is_busy(const struct viewer *viewer) {
     return viewer->shown.dirty || viewer->shown.recompose || viewer->shown.moving ||
-           viewer->shown.coarse || viewer->wish.play.on || viewer->recorder.on ||
-           viewer_is_scripted(viewer) || viewer_is_accumulating(viewer) ||
-           viewer_is_charting(viewer) || ui_is_opening_field();
+           viewer->shown.coarse || viewer->wish.play.on || viewer_is_scripted(viewer) ||
+           viewer_is_accumulating(viewer) || viewer_is_charting(viewer) || ui_is_opening_field();
 }
 
 /* Seconds are shown while a scene is opened. */
@@ -161,8 +159,7 @@ static bool has_news(struct viewer *viewer) {
                 (viewer->opening.is_arriving && viewer->opening.is_announced) ||
                 newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
                 reference_tracer_has_news(&viewer->tracing.tracer) ||
-                measuring_has_news(&viewer->shown.compare.measuring) ||
-                start_has_news(&viewer->start);
+                measuring_has_news(&viewer->shown.compare.measuring) || viewer->dialog.answer;
     host->message_count = count;
     host->newest_message = newest;
     return news;
@@ -205,17 +202,14 @@ static void update(struct viewer *viewer) {
     if (!viewer->has_scene)
         return;
     viewer_follow_sky(viewer);
-    recorder_pose(viewer);
     viewer_animate(viewer, seconds);
-    viewer->shown.moving =
-        !viewer->recorder.on && window_time() - viewer->shown.pace.last_motion < rest_after;
+    viewer->shown.moving = window_time() - viewer->shown.pace.last_motion < rest_after;
     viewer->shown.dirty |= viewer_is_scripted(viewer);
     if (!viewer_update_picture(viewer)) {
         viewer_close_scene(viewer);
         return;
     }
     viewer_note_reference_view(viewer);
-    recorder_write(viewer);
     viewer_follow_exposure(viewer);
     viewer_follow_reference(viewer);
 }
@@ -244,7 +238,6 @@ bool viewer_turn(struct viewer *viewer) {
     overlay_draw(viewer);
     inspector_draw(viewer);
     timeline_draw(viewer);
-    timeline_draw_request(viewer);
     draw(viewer);
     return ok;
 }
@@ -283,7 +276,6 @@ static bool open_window(struct viewer *viewer) {
 
 static void close_window(struct viewer *viewer) {
     viewer_forget_reference(viewer);
-    gallery_free(&viewer->start.gallery);
     preview_free(&viewer->opening.preview);
     compiling_free(&viewer->compiling);
     document_free(&viewer->opening.leaving);
@@ -311,8 +303,6 @@ static bool begin(struct viewer *viewer) {
     const struct viewer_desc *desc = &viewer->desc;
     viewer->shown.compare.settings = desc->settings;
     viewer_set_budget(viewer, desc->budget);
-    if (!viewer_is_scripted(viewer))
-        recent_read(&viewer->start.recent);
     if (desc->places)
         ui_note_places();
     if (desc->scene)
@@ -359,12 +349,11 @@ void viewer_end(struct viewer *viewer) {
     kept_save(viewer);
     kept_free(viewer);
     loader_free(&viewer->opening.loader);
-    recorder_stop(viewer);
     close_window(viewer);
     emitters_free(&viewer->placed.emitters);
     free(viewer->panel.places);
     free(viewer->shown.reference_view);
-    start_free(&viewer->start);
+    file_dialog_close(&viewer->dialog);
     history_forget(&viewer->history);
     messages_free(&viewer->host.messages);
 }

@@ -222,7 +222,7 @@ static bool projector_sends(const struct projector *projector, vec3 direction, f
 
 /* pbrt-v4 flips y, so that the first row is towards +y; x and y come by columns of the transform. */
 static void read_pbrt_projector(struct projector *projector) {
-    float m[16], angle;
+    float m[16], angle = 0;
     expect(0, "grep -B1 projection @/slide-pbrt/scene.pbrt | tr -dc '0-9. e\\n-' | tr '\\n' ' ' |"
               " tr -s ' ' | sed 's/[a-z]* [a-z]* / /g'");
     int got = 0, used = 0;

@@ -25,16 +25,9 @@ static int install_beside_others(void **state) {
     return run_line(MAKE " install");
 }
 
-static void skip_other_builds(void) {
-    if (strcmp(binary_path(), "./manylight") == 0)
-        return;
-    printf("    skipped: only the default build is installed\n");
-    skip();
-}
-
 static void test_files(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "cmp manylight @/dest/opt/here/bin/manylight");
     expect(0, "cmp LICENSE @/dest/opt/here/share/doc/manylight/LICENSE");
     expect(0, "cd scenes && for s in *.glb *.hdr failures/*.glb; do"
@@ -44,7 +37,7 @@ static void test_files(void **state) {
 /* Of manylight manual, and of desktop/. */
 static void test_shares(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "cd @/dest/opt/here/share && ls man/man1/manylight.1 man/man1/manylight-render.1 "
               "bash-completion/completions/manylight "
               "icons/hicolor/scalable/apps/org.manylight.manylight.svg "
@@ -55,7 +48,7 @@ static void test_shares(void **state) {
 
 static void test_desktop_files(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     need_command("command -v desktop-file-validate");
     expect(0, "desktop-file-validate @/dest/opt/here/share/applications/*.desktop");
     assert_string_equal(output, "");
@@ -68,7 +61,7 @@ static void test_desktop_files(void **state) {
  * picture's. */
 static void test_thumbnailer(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     static const int sizes[] = {128, 512};
     for (size_t i = 0; i < 2; i++) {
         char line[512];
@@ -92,7 +85,7 @@ static void test_thumbnailer(void **state) {
 /* The installed program finds the installed bridge to OpenImageIO. */
 static void test_bridge(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "cd @/else && " BIN " render @/dest/opt/here/share/manylight/scenes/cornell-box.glb "
               "--size 8x8 --technique unshadowed -o picture.tif");
     expect(0, "cd @/else && " BIN " compare picture.tif picture.tif -m rmse --max rmse=0");
@@ -103,7 +96,7 @@ static void test_bridge(void **state) {
 /* From a folder that has no scenes: one of its four, which is none, is found in the installed tree. */
 static void test_bench_finds_scenes(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "cd @/dest/opt/here/share/manylight/scenes && mv cornell-box.glb kept && echo no > "
               "cornell-box.glb");
     expect(1, "cd @/else && " BIN " bench times");
@@ -116,7 +109,7 @@ static void test_bench_finds_scenes(void **state) {
 /* scenes/ of the working folder comes first. */
 static void test_bench_prefers_working_folder(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "mkdir -p @/else/scenes && echo no > @/else/scenes/cornell-box.glb");
     expect(1, "cd @/else && " BIN " bench times");
     expect_text("bench times: scenes/cornell-box.glb: not a scene");
@@ -126,7 +119,7 @@ static void test_bench_prefers_working_folder(void **state) {
 /* Two installs and an uninstall leave what others put there, and nothing else. */
 static void test_uninstall(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, MAKE " install");
     expect(0, MAKE " uninstall");
     expect(0, "cd @/dest && (find . -type f | LC_ALL=C sort)");

@@ -146,7 +146,7 @@ static void test_interrupts(void **state) {
         assert_int_equal(end_of(process), 128 + signals[i]);
         int count = count_whole(folder);
         printf("    %s after %d frames\n", strsignal(signals[i]), count);
-        assert_in_range(count, 2, 99);
+        assert_true(count >= 2 && count <= 99);
         check_message(folder, "manylight render: stopped before frame ");
         assert_int_equal(end_of(start(folder, "--skip-existing")), 0);
         check_same(folder, whole);

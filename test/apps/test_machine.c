@@ -147,7 +147,6 @@ static void test_opengl(void **state) {
         {"LD_LIBRARY_PATH=@/no-osmesa", "", NULL},
         {"LD_LIBRARY_PATH=@/no-osmesa", "--context osmesa", "OSMesa: cannot open libOSMesa.so.8"},
         {"LD_LIBRARY_PATH=@/neither", "", "EGL: cannot open libEGL.so.1; OSMesa: cannot open "},
-        {"LIBGL_DRIVERS_PATH=/none", "--context egl", "no OpenGL 4.5 core context: EGL"},
     };
     if (!has_opengl())
         skip();
@@ -176,8 +175,9 @@ static void check_viewer_log(const char *message) {
 static void test_no_display(void **state) {
     (void)state;
     char command[700];
-    snprintf(command, sizeof command, "DISPLAY=:9999 %s view scenes/cornell-box.glb",
-             binary_path());
+    /* libwayland has words of its own where that folder is not named. */
+    snprintf(command, sizeof command,
+             "XDG_RUNTIME_DIR=/none DISPLAY=:9999 %s view scenes/cornell-box.glb", binary_path());
     assert_int_equal(run_command(command, output, sizeof output), 1);
     printf("    %s", output);
     expect_text("no window");

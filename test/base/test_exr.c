@@ -1,6 +1,7 @@
 /* EXR files as other programs, faults and strangers make them, made here byte by byte: what is read is
  * what the file holds, and all else is refused with one message, in little time and memory. */
 #include "command_support.h"
+#include "exr_parts.h"
 
 #include "base/error.h"
 #include "base/file/file.h"
@@ -25,29 +26,6 @@ struct exr {
     const uint32_t *values; /* the bits of each, R G B by pixel, of one part after another; NULL: no
                                chunk follows */
 };
-
-struct bytes {
-    unsigned char data[4096];
-    size_t size;
-};
-
-static void put(struct bytes *bytes, const void *from, size_t size) {
-    assert_true(bytes->size + size <= sizeof bytes->data);
-    memcpy(bytes->data + bytes->size, from, size);
-    bytes->size += size;
-}
-
-static void put_int(struct bytes *bytes, int32_t value) {
-    put(bytes, &value, 4);
-}
-
-static void put_attribute(struct bytes *bytes, const char *name, const char *type,
-                          const void *value, int32_t size) {
-    put(bytes, name, strlen(name) + 1);
-    put(bytes, type, strlen(type) + 1);
-    put_int(bytes, size);
-    put(bytes, value, (size_t)size);
-}
 
 static void put_channels(struct bytes *bytes, int type) {
     struct bytes list = {.size = 0};

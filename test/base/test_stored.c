@@ -1,5 +1,6 @@
 /* Pictures of other programs, made byte by byte: colours are as stored whatever alpha is, and
  * pictures stand upright however their lines lie. */
+#include "bytes.h"
 #include "command_support.h"
 
 #include "base/error.h"
@@ -14,17 +15,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct bytes {
-    unsigned char data[4096];
-    size_t size;
-};
-
-static void put(struct bytes *bytes, const void *from, size_t size) {
-    assert_true(bytes->size + size <= sizeof bytes->data);
-    memcpy(bytes->data + bytes->size, from, size);
-    bytes->size += size;
-}
 
 static void put_number(struct bytes *bytes, unsigned value, int size, bool big_endian) {
     for (int i = 0; i < size; i++) {

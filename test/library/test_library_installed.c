@@ -16,13 +16,6 @@ static int install_library(void **state) {
     return run_line("rm -rf " PREFIX " && make -s -o all install PREFIX=$(realpath -m " PREFIX ")");
 }
 
-static void skip_other_builds(void) {
-    if (strcmp(binary_path(), "./manylight") == 0)
-        return;
-    printf("    skipped: only the default build is installed\n");
-    skip();
-}
-
 static void check_same_layers(const char *file) {
     static const char *const layers[] = {"beauty", "direct", "indirect", "albedo", "normal", "Z"};
     for (size_t i = 0; i < sizeof layers / sizeof *layers; i++) {
@@ -35,7 +28,7 @@ static void check_same_layers(const char *file) {
 
 static void test_pkg_config(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     need_command("pkg-config --version");
     expect(
         0, ENVIRONMENT
@@ -55,7 +48,7 @@ static void test_pkg_config(void **state) {
 /* Of C++, too. */
 static void test_cmake(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     need_command("cmake --version");
     write_text(scratch("CMakeLists.txt"),
                "cmake_minimum_required(VERSION 3.13)\n"
@@ -74,7 +67,7 @@ static void test_cmake(void **state) {
 
 static void test_cxx_reads_header(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "echo '#include <manylight.h>' | c++ -x c++ -std=c++11 -Wall -Wextra -Werror "
               "-pedantic -I" PREFIX "/include -fsyntax-only -");
 }
@@ -82,7 +75,7 @@ static void test_cxx_reads_header(void **state) {
 /* A header of another ABI asks for functions that this library does not have. */
 static void test_other_header(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0,
            "mkdir -p @/other && sed -E 's/(_create|_open|_read)_0$/\\1_1/; s/ABI 0/ABI 1/' " PREFIX
            "/include/manylight.h > @/other/manylight.h");
@@ -94,7 +87,7 @@ static void test_other_header(void **state) {
 /* What the header declares, by its own names. */
 static void test_symbols(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "nm -D --defined-only " PREFIX
               "/lib/libmanylight.so | sed 's/.* //; s/[^A-Za-z0-9_].*//' |"
               " grep -v '^MANYLIGHT_0$' | LC_ALL=C sort > @/exported");
@@ -112,7 +105,7 @@ static void test_symbols(void **state) {
 /* What would change the process for others. */
 static void test_process_stays(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "nm -D --undefined-only " PREFIX
               "/lib/libmanylight.so | sed 's/.* //; s/[^A-Za-z0-9_].*//' > @/needed");
     expect(0, "grep -x dlopen @/needed");
@@ -122,7 +115,7 @@ static void test_process_stays(void **state) {
 /* Compiled against the first header of ABI 0, kept beside the test. */
 static void test_old_binary(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(
         0,
         "cc -std=c99 -Wall -Werror -Itest/library/abi-0 test/library/abi-0/old.c -o @/old -L" PREFIX
@@ -133,7 +126,7 @@ static void test_old_binary(void **state) {
 
 static void test_window(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     need_command("xvfb-run --help");
     need_command("pkg-config --exists glfw3 gl");
     expect(0, "PKG_CONFIG_PATH=" PREFIX
@@ -146,7 +139,7 @@ static void test_window(void **state) {
 
 static void test_uninstall(void **state) {
     (void)state;
-    skip_other_builds();
+    need_default_build();
     expect(0, "make -s uninstall PREFIX=$(realpath " PREFIX ") && find " PREFIX
               " -name '*manylight*'");
     assert_null(strstr(output, "/lib/"));

@@ -55,7 +55,7 @@ static void test_rows(void **state) {
         desc.columns = columns_of(i);
         row.height = is_long_run() || row.height < 512 ? row.height : 512;
         check_ok(row.name, failure_measure(&results, &row, &desc));
-        assert_in_range(results.subject_count, 2, FAILURE_COLUMNS);
+        assert_true(results.subject_count >= 2 && results.subject_count <= FAILURE_COLUMNS);
         broken += count_broken(&results);
         results_free(&results);
     }

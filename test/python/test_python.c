@@ -80,7 +80,8 @@ static void test_notebook(void **state) {
 static void test_wheel(void **state) {
     (void)state;
     need_python();
-    need_command("/usr/bin/python3 -c 'import mesonpy, pip'");
+    need_command(
+        "/usr/bin/python3 -c 'import mesonpy, pip; mesonpy.__version__ >= \"0.14\" or exit(1)'");
     expect(0, "rm -rf @/wheel @/site && BUILD=" BUILD " /usr/bin/python3 -m pip wheel -q -w @/wheel"
               " --no-deps --no-build-isolation . && /usr/bin/python3 -m zipfile -e @/wheel/*.whl"
               " @/site && ls @/wheel @/site/manylight && git status --short");

@@ -70,14 +70,6 @@ static void test_energy(void **state) {
     check_energy(.005); /* small in the light's wide cone */
 }
 
-static void set_medium(struct stage *stage, float scattering, float absorption, float g) {
-    stage->scene.medium = (struct medium){.g = g};
-    for (int c = 0; c < 3; c++) {
-        stage->scene.medium.scattering[c] = scattering;
-        stage->scene.medium.absorption[c] = absorption;
-    }
-}
-
 /* An object that bends nothing: light that was direct is a caustic, airlight a caustic in the medium. It holds for any
  * pictures, cameras and numbers of rays. */
 static void test_no_refraction(void **state) {

@@ -35,14 +35,6 @@ static void open_wall(struct stage *stage, float distance, float radius) {
     stage->emitters.items[0] = emitter_new(EMITTER_POINT);
 }
 
-static void set_medium(struct stage *stage, float scattering, float absorption, float g) {
-    stage->scene.medium = (struct medium){.g = g};
-    for (int c = 0; c < 3; c++) {
-        stage->scene.medium.scattering[c] = scattering;
-        stage->scene.medium.absorption[c] = absorption;
-    }
-}
-
 /* So far from the eye, at that angle to its ray, degrees. */
 static void place_light(struct stage *stage, double distance, double angle) {
     struct emitter *light = &stage->emitters.items[0];

@@ -68,3 +68,10 @@ void expect_in(const char *where, const char *text) {
     if (!strstr(where, text))
         fail_msg("'%s' is not in: %s", text, where);
 }
+
+void need_default_build(void) {
+    if (strcmp(binary_path(), "./manylight") != 0) {
+        printf("    skipped: only the default build is installed\n");
+        skip();
+    }
+}

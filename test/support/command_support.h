@@ -29,4 +29,7 @@ int count_text(const char *where, const char *text);
 /* Fails unless the first text has the second. */
 void expect_in(const char *where, const char *text);
 
+/* Skips the test of another build than the one that is installed. */
+void need_default_build(void);
+
 #endif

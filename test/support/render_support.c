@@ -140,6 +140,14 @@ void scale_scene(struct scene *scene, float s) {
     }
 }
 
+void set_medium(struct stage *stage, float scattering, float absorption, float g) {
+    stage->scene.medium = (struct medium){.g = g};
+    for (int c = 0; c < 3; c++) {
+        stage->scene.medium.scattering[c] = scattering;
+        stage->scene.medium.absorption[c] = absorption;
+    }
+}
+
 void turn_stage(struct stage *stage, double degrees) {
     vec3 y = {0, 1, 0};
     mat4 turn;

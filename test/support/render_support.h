@@ -35,6 +35,9 @@ void scale_scene(struct scene *scene, float s);
 void set_sky(struct stage *stage, int width, int height,
              void (*paint)(const float direction[3], float radiance[3]));
 
+/* A medium that fills the scene; coefficients in 1/m. */
+void set_medium(struct stage *stage, float scattering, float absorption, float g);
+
 /* Turns everything, camera and light too, about the y axis. */
 void turn_stage(struct stage *stage, double degrees);
 

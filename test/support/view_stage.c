@@ -72,10 +72,11 @@ static bool start_server(void) {
     snprintf(stage.display, sizeof stage.display, ":%d", atoi(text));
     snprintf(stage.screen, sizeof stage.screen, "%s/Xvfb_screen0", stage.folder);
     setenv("DISPLAY", stage.display, 1);
+    unsetenv("WAYLAND_DISPLAY");
     return strchr(text, '\n') != NULL;
 }
 
-static void stop(pid_t *process) {
+static void end_process(pid_t *process) {
     if (*process > 0) {
         kill(*process, SIGTERM);
         waitpid(*process, NULL, 0);
@@ -482,7 +483,7 @@ void keep_driver(void) {
 
 int close_view_stage(void **state) {
     (void)state;
-    stop(&stage.viewer);
-    stop(&stage.server);
+    end_process(&stage.viewer);
+    end_process(&stage.server);
     return 0;
 }

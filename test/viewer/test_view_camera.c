@@ -1,5 +1,5 @@
 /* The viewer's camera and its time, by real input events: what is under the mouse is circled, zoomed
- * to and framed; views are kept; a clip is stepped through and recorded. */
+ * to and framed; views are kept; a clip is stepped through. */
 #define _XOPEN_SOURCE 700
 #include "base/unit.h"
 #include "view_stage.h"
@@ -157,115 +157,23 @@ static void test_frame(void **state) {
 
 /* --- time ------------------------------------------------------------------------------------- */
 
-/* Stands in for ffmpeg; its last argument is the file, which has no name before it is whole. */
-static void write_ffmpeg(const char *command) {
-    char path[700];
-    snprintf(path, sizeof path, "%s/ffmpeg", stage.folder);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    fprintf(file, "#!/bin/sh\nfor last; do :; done\n%s\n", command);
-    fclose(file);
-    chmod(path, 0755);
-}
-
 static void test_steps(void **state) {
     (void)state;
     if (!stage.server)
         skip();
-    char old[2000], with[2800];
-    write_ffmpeg("tee \"${0%/*}/given\" >\"$last\""); /* keeps what it is given, and shows it */
-    snprintf(old, sizeof old, "%s", getenv("PATH"));
-    snprintf(with, sizeof with, "%s:%s", stage.folder, old);
-    setenv("PATH", with, 1);
     start_viewer(MOVING, "");
-    setenv("PATH", old, 1);
     sync_viewer();
     xdo("key period key period key period key comma");
     check_same("three frames on and one back", MOVING " --time 0.08");
     press(">");
     check_same("by its button", MOVING " --time 0.12");
-}
-
-/* Waits for a file of a clip. */
-static bool wait_for(const char *name) {
-    char path[700];
-    snprintf(path, sizeof path, "%s/%s", stage.folder, name);
-    for (int i = 0; i < PATIENCE_MS / 50 && access(path, R_OK) != 0; i++)
-        pause_ms(50);
-    return access(path, R_OK) == 0;
-}
-
-static void test_record(void **state) {
-    (void)state;
-    char path[700];
-    int x, y;
-    need_viewer();
-    press("Record");
-    press("Start");
-    assert_true(wait_for("manylight-clip-0001/0002.png"));
-    xdo("key Escape");
-    find_place("Record", &x, &y);
-    snprintf(path, sizeof path, "%s/manylight-clip-0001/0001.png", stage.folder);
-    struct bitmap got = read_bitmap(path), expected = offscreen(MOVING " --time 0.04");
-    int different = count_differences(&got, &expected);
-    printf("    %-48s %d pixels differ\n", "frame 1 of the clip", different);
-    assert_int_equal(different, 0);
-    bitmap_free(&got);
-    bitmap_free(&expected);
-}
-
-static void test_video(void **state) {
-    (void)state;
-    char path[700];
-    struct stat info = {0};
-    int x, y;
-    const long frame = 4L * WIDTH * HEIGHT;
-    need_viewer();
-    press("Video");
-    find_place("Start", &x, &y);
-    xdo("key Return");
-    assert_true(wait_for(".manylight-clip-0001.mp4"));
-    snprintf(path, sizeof path, "%s/given", stage.folder);
-    for (int i = 0; i < PATIENCE_MS / 50 && info.st_size < 2 * frame; i++) {
-        pause_ms(50);
-        stat(path, &info);
-    }
-    press("Stop");
-    find_place("Record", &x, &y); /* it has ended */
-    snprintf(path, sizeof path, "%s/.manylight-clip-0001.mp4", stage.folder);
-    assert_int_equal(access(path, F_OK), -1);
-    snprintf(path, sizeof path, "%s/manylight-clip-0001.mp4", stage.folder);
-    assert_int_equal(stat(path, &info), 0);
-    printf("    ffmpeg was given %.2f frames\n", (double)info.st_size / (double)frame);
-    assert_true(info.st_size >= 2 * frame && info.st_size % frame == 0);
-}
-
-/* An ffmpeg that fails, as on a full disk, leaves nothing that passes for a clip. */
-static void test_broken_video(void **state) {
-    (void)state;
-    char command[1600];
-    static char listed[4096];
-    int x, y;
-    need_viewer();
-    write_ffmpeg("head -c 99 >\"$last\"; exit 1");
-    press("Video");
-    press("Start");
-    sync_viewer();
-    find_place("Record", &x, &y); /* it has ended by itself */
-    snprintf(command, sizeof command, "(ls -A %s | grep clip)", stage.folder);
-    run_command(command, listed, sizeof listed);
-    printf("%s", listed);
-    assert_string_equal(listed, "manylight-clip-0001\nmanylight-clip-0001.mp4\n");
     end_viewer();
 }
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orbit),        cmocka_unit_test(test_zoom),
-        cmocka_unit_test(test_circle),       cmocka_unit_test(test_views),
-        cmocka_unit_test(test_frame),        cmocka_unit_test(test_steps),
-        cmocka_unit_test(test_record),       cmocka_unit_test(test_video),
-        cmocka_unit_test(test_broken_video),
+        cmocka_unit_test(test_orbit), cmocka_unit_test(test_zoom),  cmocka_unit_test(test_circle),
+        cmocka_unit_test(test_views), cmocka_unit_test(test_frame), cmocka_unit_test(test_steps),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -13,7 +13,7 @@
 
 static void open_box(void) {
     start_empty_viewer(NOTHING);
-    press("cornell-box");
+    open_by_panel("scenes/cornell-box.glb");
     wait_for_scene("cornell-box.glb");
 }
 

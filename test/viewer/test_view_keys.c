@@ -1,9 +1,7 @@
-/* Keys by real input events, in the window's own process: a key that is held, and what Esc closes first. */
+/* Keys by real input events, in the window's own process: a key that is held, and an early Esc. */
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
-#include "viewer/files/recorder.h"
-#include "viewer/panel/timeline.h"
 #include "viewer/window/ui.h"
 #include "viewer/window/window.h"
 
@@ -48,40 +46,6 @@ static void test_held_key(void **state) {
     finish_viewer();
 }
 
-static void record_all(void) {
-    timeline_ask(&viewer, RECORD_PICTURES);
-    int length = snprintf(viewer.record.folder, sizeof viewer.record.folder, "%s", stage.folder);
-    assert_true(length > 0 && (size_t)length < sizeof viewer.record.folder);
-    viewer.record.is_open = false;
-    recorder_start(&viewer);
-    turn_until(viewer.recorder.frame > 0);
-}
-
-/* Esc closes the list of files first, then ends the recording, and only then asks whether to quit. */
-static void test_escape_while_recording(void **state) {
-    (void)state;
-    begin("scenes/moving-spot.glb");
-    record_all();
-    xdo("key ctrl+o");
-    turn_until(viewer.start.dialog.is_open);
-    xdo("key Escape");
-    turn_until(!viewer.start.dialog.is_open);
-    turn();
-    printf("    the list is closed: recording %d, frame %d of %d\n", viewer.recorder.on,
-           viewer.recorder.frame, viewer.recorder.count);
-    assert_true(viewer.recorder.on);
-    xdo("key Escape");
-    turn_until(!viewer.recorder.on);
-    assert_true(is_message_told("manylight-clip-0001", UI_NORMAL));
-    assert_false(is_message_told("Esc once more quits", UI_NORMAL));
-    xdo("key Escape");
-    turn_until(viewer.done || is_message_told("Esc once more quits", UI_NORMAL));
-    assert_false(viewer.done);
-    xdo("key Escape");
-    turn_until(viewer.done);
-    finish_viewer();
-}
-
 /* The first Esc of all comes in the window's first two seconds, and quits nothing. */
 static void test_early_escape(void **state) {
     (void)state;
@@ -93,24 +57,10 @@ static void test_early_escape(void **state) {
     finish_viewer();
 }
 
-/* Keys wait until the list's field has the keyboard, and the window does not fall asleep before. */
-static void test_waiting_keys(void **state) {
-    (void)state;
-    begin("scenes/cornell-box.glb");
-    xdo("key ctrl+o");
-    turn_until(ui_is_opening_field());
-    viewer.host.awake_until = 0;
-    xdo("key Escape");
-    turn_until(!viewer.start.dialog.is_open);
-    finish_viewer();
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_held_key),
-        cmocka_unit_test(test_escape_while_recording),
         cmocka_unit_test(test_early_escape),
-        cmocka_unit_test(test_waiting_keys),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -1,5 +1,4 @@
-/* How files come into the viewer, by real input events: the list of files takes the keyboard, a sky is
- * dropped, turned and removed, and what cannot be opened leaves a window that goes on. */
+/* How files come into the viewer, by real input events: a sky is dropped, turned and removed, and what cannot be opened leaves a window that goes on. */
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
@@ -15,11 +14,6 @@
 #define BOX "scenes/cornell-box.glb"
 #define SPHERE "scenes/sphere.glb"
 
-static void copy(const char *from, const char *name) {
-    assert_int_equal(
-        shell("mkdir -p %s/sub && cp %s/%s %s", stage.folder, stage.here, from, in_stage(name)), 0);
-}
-
 static bool log_has(const char *text) {
     for (int i = 0; i < 100; i++) {
         if (shell(": search; grep -q -- '%s' %s/viewer.log", text, stage.folder) == 0)
@@ -34,6 +28,11 @@ static void check_setting(const char *key, const char *expected) {
     read_setting(key, value, sizeof value);
     printf("    %s = %s\n", key, value);
     assert_string_equal(value, expected);
+}
+
+static void copy(const char *from, const char *name) {
+    assert_int_equal(
+        shell("mkdir -p %s/sub && cp %s/%s %s", stage.folder, stage.here, from, in_stage(name)), 0);
 }
 
 /* A file that another program writes anew is shown, from where the user stood; one that cannot be read leaves the
@@ -61,91 +60,16 @@ static void test_changed_file(void **state) {
     end_viewer();
 }
 
-/* --- the list of files ------------------------------------------------------------------------ */
-
-/* Keys that move the camera, change the layer and compare, and a drag beside the list. */
-static void test_dialog_is_modal(void **state) {
-    (void)state;
-    char before[600];
-    start_viewer(BOX, "");
-    save_settings();
-    read_setting("camera", before, sizeof before);
-    xdo("key F1"); /* the help gives way */
-    sync_viewer();
-    xdo("key ctrl+o");
-    sync_viewer();
-    xdo("type --delay 40 wasdqe2rcv");
-    xdo("mousemove 12 700 mousedown 1 mousemove 60 650 mouseup 1 mousemove 12 600 click 4");
-    sync_viewer();
-    assert_true(is_on_screen("Home"));
-    xdo("key Escape");
-    assert_false(is_on_screen("Home"));
-    save_settings();
-    check_setting("camera", before);
-    check_setting("layer", "full");
-    check_same("nothing has changed behind the list", BOX);
-    xdo("key 2"); /* and keys are the picture's again */
-    check_same("afterwards", BOX " --layer indirect");
-    xdo("key 1");
-}
-
-/* It begins beside the scene that is open; letters, arrows, Enter and Backspace go through it. */
-static void test_dialog_keys(void **state) {
-    (void)state;
-    need_viewer();
-    copy(SPHERE, "sub/one.glb");
-    copy(BOX, "sub/Two.glb");
-    copy("scenes/overcast.hdr", "sub/sky.hdr");
-    assert_int_equal(shell("touch %s/sub/note.txt %s/sub/a.settings %s/sub/a.exr", stage.folder,
-                           stage.folder, stage.folder),
-                     0);
-    xdo("key ctrl+o");
-    assert_true(is_on_screen("cornell-box.glb"));
-    xdo("type --delay 20 %s", in_stage("sub/one.glb"));
-    xdo("key Return");
-    wait_for_scene("one.glb");
-    xdo("key ctrl+o");
-    assert_true(is_on_screen("Two.glb") && is_on_screen("sky.hdr") && is_on_screen("a.exr") &&
-                is_on_screen("a.settings"));
-    assert_false(is_on_screen("note.txt"));
-    xdo("type --delay 20 tw");
-    xdo("key Return");
-    wait_for_scene("Two.glb");
-    xdo("key ctrl+o"); /* Two.glb is chosen; upper case comes first: ../, Two.glb, a.exr, ... one.glb */
-    sync_viewer();
-    xdo("key Down key Down key Down");
-    xdo("key Return");
-    wait_for_scene("one.glb");
-    xdo("key ctrl+o");
-    sync_viewer();
-    xdo("key x key BackSpace key BackSpace");
-    assert_true(is_on_screen("sub/"));
-    xdo("key Return"); /* the folder that was left is chosen */
-    assert_true(is_on_screen("Two.glb"));
-    press("one.glb"); /* by the mouse, too; and a button */
-    wait_for_scene("one.glb");
-    xdo("key ctrl+o");
-    press("Up");
-    assert_true(is_on_screen("sub/"));
-    press("sub/");
-    assert_true(is_on_screen("Two.glb"));
-    xdo("type --delay 20 nosuch");
-    xdo("key Return");
-    assert_true(is_on_screen("Two.glb"));
-    xdo("key Escape");
-    assert_false(is_on_screen("Two.glb"));
-    wait_for_scene("one.glb");
-}
-
 /* --- what cannot be opened -------------------------------------------------------------------- */
 
 static void test_broken_keeps_scene(void **state) {
     (void)state;
-    need_viewer();
+    assert_int_equal(shell("mkdir -p %s/sub", stage.folder), 0);
+    start_viewer(SPHERE, "");
     write_in_stage("broken.glb", "glTF and then nothing");
     drop(in_stage("broken.glb"));
     assert_true(log_has("broken.glb"));
-    wait_for_scene("one.glb");
+    wait_for_scene("sphere.glb");
     check_same("the scene before", SPHERE);
     end_viewer();
 }
@@ -154,16 +78,18 @@ static void test_broken_keeps_scene(void **state) {
 static void test_start_page(void **state) {
     (void)state;
     static const char *const names[] = {"nosuch.glb", "sub", "broken.glb"};
+    char arguments[64];
     for (int i = 0; i < 3; i++) {
         if (!is_tried_here((size_t)i, 2))
             continue;
-        start_empty_viewer(names[i]);
+        snprintf(arguments, sizeof arguments, "%s --size %dx%d", names[i], WIDTH, HEIGHT);
+        start_empty_viewer(arguments);
         assert_true(log_has(names[i]));
         printf("    %s: the start page\n", names[i]);
         if (i < 2)
             end_viewer();
     }
-    press("cornell-box");
+    open_by_panel(BOX);
     wait_for_scene("cornell-box.glb");
     end_viewer();
     assert_int_equal(shell(": search; cd %s && %s view nosuch.glb --frames 1 >script.log 2>&1",
@@ -353,12 +279,11 @@ static void test_pictures(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_changed_file),        cmocka_unit_test(test_dialog_is_modal),
-        cmocka_unit_test(test_dialog_keys),         cmocka_unit_test(test_broken_keeps_scene),
+        cmocka_unit_test(test_changed_file),        cmocka_unit_test(test_broken_keeps_scene),
         cmocka_unit_test(test_start_page),          cmocka_unit_test(test_sky_dropped),
         cmocka_unit_test(test_sky_turned),          cmocka_unit_test(test_sky_of_unlit_scene),
         cmocka_unit_test(test_sky_of_moving_scene), cmocka_unit_test(test_pictures),
         cmocka_unit_test(test_slide_and_none),
     };
-    return run_some_tests(tests, 5, open_view_stage, close_view_stage);
+    return run_some_tests(tests, 4, open_view_stage, close_view_stage);
 }

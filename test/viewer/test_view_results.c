@@ -7,7 +7,6 @@
 #include "base/file/image_file.h"
 #include "renderer/settings.h"
 #include "viewer/files/kept.h"
-#include "viewer/files/recorder.h"
 #include "viewer/files/screenshot.h"
 #include "viewer/panel/timeline.h"
 #include "viewer/picture/preset.h"
@@ -229,47 +228,6 @@ static void test_timeline(void **state) {
     assert_int_equal(area->height + (int)timeline_height(&viewer), viewer.host.input->height);
     assert_true(picture->y + picture->height <= area->height);
     assert_int_equal(viewer.shown.renderer.desc.height, 96);
-}
-
-static bool exists(int frame) {
-    char path[700];
-    snprintf(path, sizeof path, "%s/a 'folder'/manylight-clip-0001/%04d.png", stage.folder, frame);
-    return access(path, R_OK) == 0;
-}
-
-static void set_folder(struct record_request *request, const char *name) {
-    int length = snprintf(request->folder, sizeof request->folder, "%.400s/%s", stage.folder, name);
-    assert_true(length > 0 && (size_t)length < sizeof request->folder);
-}
-
-/* Frames 2 to 4 alone, into a folder that a shell would take apart. */
-static void test_record_range(void **state) {
-    (void)state;
-    char text[96];
-    struct record_request *request = &viewer.record;
-    if (!stage.server)
-        skip();
-    timeline_ask(&viewer, RECORD_PICTURES);
-    assert_true(request->is_open && request->to > 1);
-    turn();
-    request->from = 2.F / TIMELINE_FPS;
-    request->to = 5.F / TIMELINE_FPS;
-    set_folder(request, "a 'folder'");
-    assert_int_equal(shell("mkdir -p \"%s\"", request->folder), 0);
-    request->is_open = false;
-    recorder_start(&viewer);
-    assert_int_equal(viewer.recorder.count, 3);
-    turn_until(viewer.recorder.frame >= 1 || !viewer.recorder.on);
-    recorder_tell(&viewer, text, sizeof text);
-    printf("    %s\n", text);
-    assert_true(strncmp(text, "recording 1 of 3, ", 18) == 0 && strstr(text, " left"));
-    turn_until(!viewer.recorder.on);
-    assert_true(exists(2) && exists(3) && exists(4));
-    assert_false(exists(1) || exists(5));
-    /* A folder that is not there is an error, and nothing is recorded. */
-    set_folder(request, "nowhere");
-    recorder_start(&viewer);
-    assert_false(viewer.recorder.on);
     finish_viewer();
 }
 
@@ -289,14 +247,12 @@ static void test_second_scene(void **state) {
     begin("scenes/cornell-box.glb");
     check_ok("settings", settings_assign(&viewer.wish.settings, "vpls=32"));
     viewer.wish.passes = 4;
-    viewer.record.is_open = true;
     snprintf(viewer.panel.session_path, sizeof viewer.panel.session_path, "a.settings");
     open_scene("scenes/three-lights.glb");
     printf("    %g virtual lights, settings in %s\n",
            settings_number(&viewer.wish.settings, "lights.vpls"), viewer.panel.session_path);
     assert_int_equal(settings_number(&viewer.wish.settings, "lights.vpls"), 32);
     assert_string_equal(viewer.panel.session_path, "manylight.settings");
-    assert_false(viewer.record.is_open);
     check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
     open_scene("scenes/cornell-box.glb");
     assert_true(viewer.kept.was_restored);
@@ -408,7 +364,7 @@ static void test_words(void **state) {
     for (const struct preset *p = technique_default->presets; p->name; p++) {
         char title[PRESET_TITLE_SIZE], help[PRESET_HELP_SIZE];
         preset_title(p, title);
-        preset_explain(p, NULL, help);
+        preset_explain(p, help);
         printf("    %-8s %s\n", title, help);
         assert_non_null(strstr(help, "On the command line: --"));
     }
@@ -446,7 +402,6 @@ int main(void) {
         cmocka_unit_test(test_reference_is_saved),
         cmocka_unit_test(test_refused_direct),
         cmocka_unit_test(test_timeline),
-        cmocka_unit_test(test_record_range),
         cmocka_unit_test(test_second_scene),
         cmocka_unit_test(test_settings_name_no_clip),
         cmocka_unit_test(test_sky_is_gone),

@@ -382,10 +382,6 @@ bool context_check(void) {
                                                          : "the driver has reset the GPU");
 }
 
-bool context_is_software(const struct context *context) {
-    return context->api.software;
-}
-
 const char *context_description(const struct context *context) {
     return context->description;
 }

@@ -61,9 +61,6 @@ struct context *context_adopt(void *(*getproc)(const char *name), bool debug);
 struct context *context_adopt_embedded(void *(*getproc)(const char *name));
 void context_delete_objects(struct context *context);
 
-/* Whether it renders on the CPU. */
-bool context_is_software(const struct context *context);
-
 /* Error: the driver has lost the current context, as when it resets the GPU; what was read back since is
  * no picture. EGL tells it where the driver does; a window's context is not asked to, as GLFW has that only
  * with checks of every access. */

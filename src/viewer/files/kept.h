@@ -8,7 +8,7 @@
 void viewer_save_session(struct viewer *viewer);
 void viewer_tell_saved(struct viewer *viewer, bool ok, const char *path);
 
-/* How each scene was left, beside the list of recent files: kept where something was changed, and taken up when
+/* How each scene was left: kept where something was changed, and taken up when
  * the scene is opened again and no option says how it is to look. */
 void kept_save(struct viewer *viewer);
 void kept_begin(struct viewer *viewer);

@@ -6,7 +6,6 @@
 #include "base/log.h"
 #include "scene/clips.h"
 #include "viewer/files/kept.h"
-#include "viewer/files/recorder.h"
 #include "viewer/picture/picture.h"
 #include "viewer/reference/comparing.h"
 #include "viewer/reference/tracing.h"
@@ -73,8 +72,6 @@ static void set_title(struct viewer *viewer) {
 
 void viewer_close_scene(struct viewer *viewer) {
     viewer_tell_error(viewer);
-    recorder_stop(viewer);
-    viewer->record.is_open = false;
     viewer_forget_reference(viewer);
     compare_forget(&viewer->shown.compare);
     compiling_wait(&viewer->compiling);
@@ -153,16 +150,12 @@ static void take_away_before(struct viewer *viewer, struct document *before,
 static void begin_scene(struct viewer *viewer, const struct renderer *renderer) {
     const char *path = viewer->document.scene.path;
     viewer->wish.play.on = false;
-    recorder_stop(viewer);
-    viewer->record.is_open = false;
     viewer->shown.renderer = *renderer;
     inspect_forget(&viewer->shown.inspect);
     viewer->has_scene = true;
     viewer->shown.has_pick = false;
     viewer->shown.left = viewer->shown.right = NULL;
     history_forget(&viewer->history);
-    if (!viewer_is_scripted(viewer))
-        recent_add(&viewer->start.recent, path);
     viewer_begin_exposure(viewer);
     pace_forget(&viewer->shown.pace);
     viewer->opening.reloading.shown = viewer->opening.reloading.asked;

@@ -3,7 +3,6 @@
 #include "shared/composite.h"
 #include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
-#include "viewer/files/recorder.h"
 #include "viewer/files/screenshot.h"
 #include "viewer/files/start.h"
 #include "viewer/panel/timeline.h"
@@ -48,11 +47,7 @@ static void key_escape(struct viewer *viewer) {
     double now = window_time();
     if (ui_close_popup())
         return;
-    if (viewer->start.dialog.is_open) {
-        file_dialog_close(&viewer->start.dialog);
-    } else if (viewer->recorder.on) {
-        recorder_stop(viewer);
-    } else if (viewer_is_opening(viewer)) {
+    if (viewer_is_opening(viewer)) {
         viewer_stop_opening(viewer);
     } else if (viewer->panel.help) {
         viewer->panel.help = false;
@@ -340,33 +335,10 @@ static void use_mouse(struct viewer *viewer) {
         camera_hand_scroll(viewer);
 }
 
-static void escape_request(struct viewer *viewer) {
-    for (int i = 0; i < viewer->host.input->key_count; i++)
-        if (viewer->host.input->keys[i] == KEY_ESCAPE && !ui_wants_keys())
-            viewer->record.is_open = false;
-}
-
-/* The list of files has all other keys, and the mouse. */
-static void run_dialog_keys(struct viewer *viewer) {
-    const struct input *input = viewer->host.input;
-    for (int i = 0; i < input->key_count; i++)
-        if (input->keys[i] == KEY_ESCAPE)
-            key_escape(viewer);
-        else if (input->keys[i] == 'Q' + KEY_WITH_CONTROL)
-            key_quit(viewer);
-}
-
 void controls_update(struct viewer *viewer, double seconds) {
     if (viewer->host.input->dropped)
         viewer_take_file(viewer, viewer->host.input->dropped);
-    if (viewer->start.dialog.is_open) {
-        run_dialog_keys(viewer);
-        return;
-    }
-    /* While a clip is asked for, keys but Esc are the question's. */
-    if (viewer->record.is_open)
-        escape_request(viewer);
-    else if (!ui_wants_keys())
+    if (!ui_wants_keys())
         run_keys(viewer);
     if (viewer->panel.saves_picture)
         key_screenshot(viewer);
@@ -375,6 +347,6 @@ void controls_update(struct viewer *viewer, double seconds) {
         return;
     use_mouse(viewer);
     show_cursor(viewer);
-    if (!ui_wants_keys() && !viewer->record.is_open)
+    if (!ui_wants_keys())
         camera_hand_fly(viewer, seconds);
 }

@@ -9,10 +9,6 @@
 float timeline_height(const struct viewer *viewer);
 void timeline_draw(struct viewer *viewer);
 
-/* Asks for range and folder of a clip to record: all of it, and the working folder, at first. */
-void timeline_ask(struct viewer *viewer, enum record_kind kind);
-void timeline_draw_request(struct viewer *viewer);
-
 /* Pauses, and goes so many frames on. */
 void timeline_step(struct viewer *viewer, int frames);
 

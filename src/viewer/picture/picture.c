@@ -163,7 +163,7 @@ static const char *what_takes_long(const struct viewer *viewer, double pixels) {
     const struct pace *pace = &shown->pace;
     const struct direct_method *direct =
         viewer->wish.direct ? viewer->wish.direct : direct_for(&viewer->placed.emitters);
-    if (viewer_is_scripted(viewer) || viewer->recorder.on || viewer->wish.budget > 0)
+    if (viewer_is_scripted(viewer) || viewer->wish.budget > 0)
         return NULL;
     bool makes = makes_technique(viewer) || direct != shown->renderer.desc.direct;
     if (pace->frame_count == 0)
@@ -205,7 +205,7 @@ static bool has_shaders_of_right(struct viewer *viewer) {
 /* Whether what is wanted waits for shaders, which are compiled in the background. */
 static bool awaits_shaders(struct viewer *viewer) {
     struct renderer_desc desc = wished(viewer);
-    if (viewer_is_scripted(viewer) || viewer->recorder.on)
+    if (viewer_is_scripted(viewer))
         return false;
     bool left =
         !renderer_makes_programs(&viewer->shown.renderer, &desc) || has_shaders(viewer, desc);

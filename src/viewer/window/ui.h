@@ -33,9 +33,6 @@ const char *ui_places(void);
 bool ui_wants_mouse(void);
 bool ui_wants_keys(void);
 
-/* Whether Enter was pressed, and no text takes it. */
-bool ui_is_entered(void);
-
 /* Whether a click has begun to open a field to type in, which takes some frames: what is typed is to wait. */
 bool ui_is_opening_field(void);
 
@@ -62,9 +59,6 @@ enum ui_area {
 
 void ui_area_begin(const char *id, enum ui_area kind, float x, float y, float width, float height);
 void ui_area_end(void);
-
-/* Darkens all areas that have been drawn and keeps the mouse from them: what follows is a UI_PAGE. */
-void ui_veil(float window_width, float window_height);
 
 /* A UI_PAGE in the middle of a window of that size: so many lines wide and high, or as much as there is room
  * for. ui_area_end ends it. */
@@ -161,30 +155,6 @@ bool ui_button(const char *name, const char *help);
 
 /* A button as wide as the area. */
 bool ui_wide_button(const char *name, const char *help);
-
-/* A picture with a name below, to be clicked; texture 0: there is none yet. */
-bool ui_tile(const char *name, unsigned texture, float width, float height, const char *help);
-
-/* A line of a list, in which one is chosen, that can be clicked; seeks: the list scrolls to it. */
-bool ui_entry(const char *name, bool chosen, bool seeks);
-
-/* A part that scrolls by itself, as high as the area has room for. */
-void ui_list_begin(const char *id);
-void ui_list_end(void);
-
-/* A text to search a list by, which has the keyboard as long as it is there; and what was typed. */
-enum ui_search {
-    UI_SEARCH_NOTHING,
-    UI_SEARCH_EDITED,
-    UI_SEARCH_ENTERED,
-    UI_SEARCH_BACK, /* Backspace, and there is no letter to be deleted */
-    UI_SEARCH_UP,
-    UI_SEARCH_DOWN,
-    UI_SEARCH_PAGE_UP,
-    UI_SEARCH_PAGE_DOWN,
-};
-
-enum ui_search ui_search_field(const char *id, char *text, size_t size, const char *hint);
 
 /* Buttons side by side of which one is on; whether another was chosen. */
 bool ui_segments(const char *id, int *value, const char *const *names, int count);

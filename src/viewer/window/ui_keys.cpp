@@ -81,10 +81,3 @@ void look_begin_keys(void) {
     }
     look.begins_keys = false;
 }
-
-bool ui_is_entered(void) {
-    const ImGuiIO &io = ImGui::GetIO();
-    return !io.WantTextInput && !look.has_keys &&
-           (imgui_is_pressed(ImGuiKey_Enter, false) ||
-            imgui_is_pressed(ImGuiKey_KeypadEnter, false));
-}

@@ -98,10 +98,6 @@ bool results_commit(struct results *results) {
     return true;
 }
 
-int results_resumable(const struct results *results) {
-    return results->journal ? journal_left(results->journal) : 0;
-}
-
 void results_tell_work(const struct results *results, const struct measure_desc *desc,
                        double subjects) {
     if (results->work_listener)

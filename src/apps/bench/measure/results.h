@@ -70,9 +70,6 @@ bool results_resume(struct results *results, const struct measure_desc *desc, bo
  * the file. */
 bool results_commit(struct results *results);
 
-/* How many subjects the journal still has. */
-int results_resumable(const struct results *results);
-
 /* The subject is at work, of which and of whose neighbours so many are measured. */
 void results_tell_work(const struct results *results, const struct measure_desc *desc,
                        double subjects);

@@ -12,6 +12,9 @@
 #include <string.h>
 #include <strings.h>
 
+/* The initialisers of OpenEXR 3.4 leave fields out. */
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
 /* Attributes of an EXR that is a mean of passes. */
 static const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
 
