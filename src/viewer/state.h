@@ -14,6 +14,7 @@
 #include "scene/lights/environment.h"
 #include "techniques/element_view.h"
 #include "viewer/files/file_dialog.h"
+#include "viewer/files/gallery.h"
 #include "viewer/files/loader.h"
 #include "viewer/files/preview.h"
 #include "viewer/picture/compare.h"
@@ -219,6 +220,8 @@ struct viewer {
     struct panel panel;
     struct history history;
     struct tracing tracing;
+    struct gallery gallery; /* of the empty window, where has_gallery */
+    bool has_gallery;
     struct file_dialog dialog;
     struct kept {
         bool on;              /* nobody has said how the scene is to look */

@@ -159,7 +159,8 @@ static bool has_news(struct viewer *viewer) {
                 (viewer->opening.is_arriving && viewer->opening.is_announced) ||
                 newest != host->newest_message || compiling_has_news(&viewer->compiling) ||
                 reference_tracer_has_news(&viewer->tracing.tracer) ||
-                measuring_has_news(&viewer->shown.compare.measuring) || viewer->dialog.answer;
+                measuring_has_news(&viewer->shown.compare.measuring) || viewer->dialog.answer ||
+                gallery_has_news(&viewer->gallery);
     host->message_count = count;
     host->newest_message = newest;
     return news;
@@ -276,6 +277,7 @@ static bool open_window(struct viewer *viewer) {
 
 static void close_window(struct viewer *viewer) {
     viewer_forget_reference(viewer);
+    gallery_free(&viewer->gallery);
     preview_free(&viewer->opening.preview);
     compiling_free(&viewer->compiling);
     document_free(&viewer->opening.leaving);

@@ -108,6 +108,24 @@ static void test_texels(void **state) {
     free(sky.path);
 }
 
+/* The numbers of a picture that is halved are means, and a row's is the middle by solid angle. */
+static void test_wide(void **state) {
+    (void)state;
+    struct environment sky;
+    if (!is_long_run())
+        skip();
+    hear_notes();
+    check_ok("load", environment_load(&sky, write_numbered("wide.pfm", 8194, 3278)));
+    end_notes();
+    assert_non_null(strstr(notes, "scaled from 8194 x 3278 to 4097 x 1639"));
+    check_near("column", (double)sky.texels[4097 * 800 + 4000][0], 8001.5, 1e-3);
+    check_near("row 800", (double)sky.texels[4097 * 800][1], 1601.5, .01);
+    check_near("the first row", (double)sky.texels[0][1], 1.75, 1e-5);
+    check_near("blue", (double)sky.texels[0][2], 1, 0);
+    free(sky.texels);
+    free(sky.path);
+}
+
 /* --- files ------------------------------------------------------------------------------------ */
 
 static void check_sky_refused(const char *path, const char *message) {
@@ -296,10 +314,10 @@ static void test_background(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_directions),     cmocka_unit_test(test_texels),
-        cmocka_unit_test(test_refusals),       cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_scene_refusals), cmocka_unit_test(test_choice),
-        cmocka_unit_test(test_background),
+        cmocka_unit_test(test_directions), cmocka_unit_test(test_wide),
+        cmocka_unit_test(test_texels),     cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_scenes),     cmocka_unit_test(test_scene_refusals),
+        cmocka_unit_test(test_choice),     cmocka_unit_test(test_background),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -1,54 +1,32 @@
-#define _GNU_SOURCE
 #include "apps/report/embedded.h"
 
-#include "base/error.h"
-#include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/memory.h"
 #include "metrics/colour.h"
 #include "metrics/heat_map.h"
 #include "metrics/layer.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
-#include <unistd.h>
 
-static void print_base64(FILE *out, const unsigned char *bytes, size_t size) {
+static void print_base64(FILE *out, const char *bytes, size_t size) {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < size; i += 3) {
         unsigned left = (unsigned)(size - i < 3 ? size - i : 3), bits = 0;
         for (unsigned k = 0; k < 3; k++)
-            bits = bits << 8 | (k < left ? bytes[i + k] : 0);
+            bits = bits << 8 | (k < left ? (unsigned char)bytes[i + k] : 0u);
         for (unsigned k = 0; k < 4; k++)
             fputc(k <= left ? digits[bits >> (18 - 6 * k) & 63] : '=', out);
     }
 }
 
-/* The writers of pictures know files alone. */
-static bool encode(const struct bitmap *bitmap, struct file_bytes *bytes) {
-    const char *folder = getenv("TMPDIR");
-    char *path = mem_printf("%s/manylight-XXXXXX.png", folder && *folder ? folder : "/tmp");
-    int file = mkstemps(path, 4);
-    bool ok = file >= 0 || error_set("cannot make %s: %s", path, strerror(errno));
-    if (file >= 0)
-        close(file);
-    ok = ok && bitmap_write(bitmap, path) && file_read(bytes, path);
-    if (file >= 0)
-        unlink(path);
-    free(path);
-    return ok;
-}
-
 bool embedded_print(FILE *out, const struct bitmap *bitmap) {
-    struct file_bytes bytes = {0};
-    if (!encode(bitmap, &bytes))
-        return false;
+    struct text bytes = {0};
+    bool ok = bitmap_encode(bitmap, &bytes);
     fprintf(out, "data:image/png;base64,");
-    print_base64(out, bytes.data, bytes.size);
+    print_base64(out, bytes.data, ok ? bytes.length : 0);
     free(bytes.data);
-    return true;
+    return ok;
 }
 
 bool embedded_print_picture(FILE *out, const struct image *picture) {

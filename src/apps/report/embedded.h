@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-/* "data:image/png;base64,...". Error: of a temporary file. */
+/* "data:image/png;base64,...". Error: of the encoder. */
 bool embedded_print(FILE *out, const struct bitmap *bitmap);
 
 /* The beauty layer as a screen shows it: clamped to [0, 1] and sRGB-encoded. */

@@ -12,6 +12,7 @@ extern "C" {
 #endif
 
 #include "base/image.h"
+#include "base/text.h"
 
 /* Reads any format that OpenImageIO knows: all channels of all parts of an EXR, of other formats the
  * first picture, as floats. Colours are as stored, not times alpha. Integer formats come over [0, 1]
@@ -38,7 +39,10 @@ bool image_write_layer(const struct image *image, const char *path, const char *
 /* Writes an 8-bit picture (PNG, JPEG, ...) without its alpha. */
 bool bitmap_write(const struct bitmap *bitmap, const char *path);
 
-/* The same with alpha, by which colours are not multiplied. Error: also of a
+/* Appends the same as a PNG. */
+bool bitmap_encode(const struct bitmap *bitmap, struct text *file);
+
+/* Writes an 8-bit picture with alpha, by which colours are not multiplied. Error: also of a
  * format that is written without alpha. */
 bool bitmap_write_alpha(const struct bitmap *bitmap, const char *path);
 

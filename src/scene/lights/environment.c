@@ -8,6 +8,7 @@
 
 #include <cglm/cglm.h>
 #include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -56,10 +57,9 @@ static int count_odd(const struct odd_texels *odd) {
 }
 
 /* A texel counts once for each kind of odd numbers that it has. */
-static void take_texel(struct environment *environment, const struct image *image,
-                       const int channels[3], int x, int y, struct odd_texels *odd) {
+static void take_texel(float to[3], const struct image *image, const int channels[3], int x, int y,
+                       struct odd_texels *odd) {
     const float *from = image_at(image, x, y);
-    float *to = environment->texels[(size_t)y * (size_t)image->width + (size_t)x];
     struct odd_texels own = {0};
     for (int c = 0; c < 3; c++)
         to[c] = take_number(from[channels[c]], &own);
@@ -94,18 +94,48 @@ static bool tell_odd(const struct odd_texels *odd, const char *path) {
     return true;
 }
 
+/* The mean, by solid angle, of the picture's texels that one of the environment's stands for. */
+static void take_block(struct environment *environment, const struct image *image,
+                       const int channels[3], int column, int row, struct odd_texels *odd) {
+    int width = environment->width, height = environment->height;
+    int left = (int)((int64_t)column * image->width / width);
+    int right = (int)((int64_t)(column + 1) * image->width / width);
+    int top = (int)((int64_t)row * image->height / height);
+    int bottom = (int)((int64_t)(row + 1) * image->height / height);
+    double sum[3] = {0}, weights = 0;
+    for (int y = top; y < bottom; y++)
+        for (int x = left; x < right; x++) {
+            float texel[3];
+            double weight = sin((y + .5) / image->height * GLM_PI);
+            take_texel(texel, image, channels, x, y, odd);
+            for (int c = 0; c < 3; c++)
+                sum[c] += weight * (double)texel[c];
+            weights += weight;
+        }
+    float *to = environment->texels[(size_t)row * (size_t)width + (size_t)column];
+    for (int c = 0; c < 3; c++)
+        to[c] = (float)(sum[c] / weights);
+}
+
+/* Wider ones cost much and show no more. */
+enum { WIDEST = 8192 };
+
 static bool take_texels(struct environment *environment, const struct image *image,
                         const int channels[3], const char *path) {
     struct odd_texels odd = {0};
     if (!check_picture(image, path))
         return false;
-    environment->width = image->width;
-    environment->height = image->height;
-    environment->texels =
-        mem_alloc((size_t)image->width * (size_t)image->height, sizeof *environment->texels);
-    for (int y = 0; y < image->height; y++)
-        for (int x = 0; x < image->width; x++)
-            take_texel(environment, image, channels, x, y, &odd);
+    int less = (image->width + WIDEST - 1) / WIDEST;
+    environment->width = image->width / less;
+    environment->height = image->height / less;
+    environment->texels = mem_alloc((size_t)environment->width * (size_t)environment->height,
+                                    sizeof *environment->texels);
+    for (int y = 0; y < environment->height; y++)
+        for (int x = 0; x < environment->width; x++)
+            take_block(environment, image, channels, x, y, &odd);
+    if (less > 1)
+        log_note("%s: scaled from %d x %d to %d x %d", path, image->width, image->height,
+                 environment->width, environment->height);
     return tell_odd(&odd, path);
 }
 

@@ -1,4 +1,4 @@
-/* The empty window, and the desktop's dialog of files. */
+/* The empty window's pictures of scenes to click, and the desktop's dialog of files. */
 #ifndef VIEWER_START_H
 #define VIEWER_START_H
 

@@ -156,6 +156,9 @@ bool ui_button(const char *name, const char *help);
 /* A button as wide as the area. */
 bool ui_wide_button(const char *name, const char *help);
 
+/* A picture with a name below, to be clicked; texture 0: there is none yet. */
+bool ui_tile(const char *name, unsigned texture, float width, float height, const char *help);
+
 /* Buttons side by side of which one is on; whether another was chosen. */
 bool ui_segments(const char *id, int *value, const char *const *names, int count);
 
