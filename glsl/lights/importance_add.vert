@@ -5,6 +5,9 @@
 #if ROUND > 0
 #include "lights/vpl_density.glsl"
 #endif
+#ifdef SKY_RAYS
+#include "lights/sky_pieces.glsl"
+#endif
 
 layout(binding = UNIT_CANDIDATES) uniform sampler2D candidates;
 
@@ -14,6 +17,9 @@ void main() {
     vec4 candidate = texelFetch(candidates, ivec2(gl_VertexID % params.side, gl_VertexID / params.side), 0);
     int index = int(candidate.z);
     float density = 1.0 / max(float(light_count) * light_fraction(index), 1e-30);
+#ifdef SKY_RAYS
+    density *= sky_door_density(index, candidate.xy);
+#endif
 #if ROUND > 0
     density += vpl_density(index, candidate.xy);
 #endif

@@ -49,7 +49,7 @@ void main() {
     vec4 number = numbers_of(i + 1);
     vec2 place;
     vpl_choose(number.xyz, index, place);
-    vpl v = vpl_reflected(light_at(index), vpl_share_at(index).measure, place);
+    vpl v = vpl_reflected(index, i, vpl_share_at(index).measure, place);
     vec2 shift = fract(number.xy * 31.0 + number.wz);
     candidate = vec4(place, float(index), value_of(v, shift, number.w));
 #ifdef LATER

@@ -3,6 +3,7 @@
 // ends a walk as often as surfaces absorb light, and walks that go on keep their flux [Arvo and Kirk 1990]: no light is lost.
 // Includers define the functions that are declared here.
 #include "visibility/bvh.glsl"
+#include "lights/triangle_albedo.glsl"
 #include "lib/medium.glsl"
 #include "lib/random.glsl"
 #include "lib/tangent.glsl"
@@ -11,8 +12,6 @@
 
 vec2 walk_number(int ray);
 float walk_weight(vec3 position, vec3 normal);
-
-layout(binding = UNIT_TRIANGLE_ALBEDOS) uniform samplerBuffer albedos; // A: 1 where backs reflect, too
 
 struct walk {
     vec3 place, axis, carried;
@@ -32,11 +31,6 @@ vec3 cosine_direction(vec3 axis, vec2 number) {
     float turn = 6.28318530718 * number.y, radius = sqrt(number.x);
     vec3 right = perpendicular(axis);
     return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
-}
-
-vec3 reflected(bvh_hit hit) {
-    vec4 albedo = texelFetch(albedos, hit.triangle);
-    return hit.back ? albedo.rgb * albedo.a : albedo.rgb;
 }
 
 // `pick` picks the surface, `chance` is another number for each walk. One more ray than bounces tells the next place.

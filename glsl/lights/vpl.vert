@@ -12,7 +12,7 @@ void main() {
     vec2 place;
     float density = vpl_choose(halton_and_light, index, place);
     vpl_share share = vpl_share_at(index);
-    vpl v = vpl_reflected(light_at(index), share.measure, place);
+    vpl v = vpl_reflected(index, gl_VertexID, share.measure, place);
     v.reach = dot(v.flux, vec3(1.0)) > 0.0 ? share.reach : 0.0;
     v.flux /= density;
     v.area = vpl_dense_area(v.area, density);

@@ -3,6 +3,9 @@
 #include "lib/medium.glsl"
 #include "lib/rsm.glsl"
 #include "shared/vpl.h"
+#ifdef SKY_RAYS
+#include "lights/sky_ray.glsl"
+#endif
 
 // The VPL where the light meets that texel's surface; one without flux where it meets nothing.
 vpl vpl_of_texel(light l, float measure, light_view view, ivec2 texel, vec3 direction) {
@@ -24,8 +27,13 @@ vpl vpl_of_texel(light l, float measure, light_view view, ivec2 texel, vec3 dire
     return v;
 }
 
-// `measure`: what it stands for, of the light's own.
-vpl vpl_reflected(light l, float measure, vec2 place) {
+// `measure`: what it stands for, of the light's own. `number` tells VPLs apart that have one place.
+vpl vpl_reflected(int index, int number, float measure, vec2 place) {
+#ifdef SKY_RAYS
+    if (has_sky_pieces(index))
+        return vpl_by_sky_ray(index, number, measure, place);
+#endif
+    light l = light_at(index);
     bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
     vec3 direction = l.direction;
     vec2 ndc = place * 2.0 - 1.0;

@@ -8,9 +8,9 @@
 #define UNIT_IMPORTANCE_VALUES (UNIT_OWN + 1)
 #define UNIT_IMPORTANCE_LIGHTS (UNIT_OWN + 2)
 
-/* Squared: candidates of a round, for VPLs and for starts of paths. */
+/* Squared: candidates of a round; and of rays from a sky, or of starts of paths. */
 #define CANDIDATES_SIDE 64
-#define CANDIDATES_SIDE_LATER 128
+#define CANDIDATES_SIDE_MANY 128
 #define CANDIDATE_PIXELS 64
 
 struct importance_map_params {

@@ -20,8 +20,9 @@ static const struct option table[] = {
     {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 32,
      .help = "shadow rays per environment light; at least 16 for a sun"},
     {"directions", 0, OPTION_INT, ROW(directions), 12, ENVIRONMENT_LIGHTS_MIN, LIGHTS_MAX,
-     .help = "largest number of directions from which an environment's reflected\n"
-             "light starts; raise, with lights.vpls, where it comes through windows"},
+     .help = "largest number of groups of an environment's lights, each with a view from\n"
+             "one direction for near light; VPLs take directions of their own; raise,\n"
+             "with lights.vpls, where light comes through windows"},
     {NULL},
 };
 

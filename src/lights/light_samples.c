@@ -19,8 +19,7 @@ static bool is_wide(const struct emitter *light, const struct light_samples_desc
     return false;
 }
 
-/* Place k of n: Hammersley's, their mean in the middle, in each pass shifted on the torus. */
-static void choose_place(float place[2], int k, int n, int pass) {
+void light_samples_choose_place(float place[2], int k, int n, int pass) {
     double half = .5 / n;
     double x = half + (double)k / n + radical_inverse(2, (uint32_t)pass);
     double y = half + radical_inverse(2, (uint32_t)k) + radical_inverse(3, (uint32_t)pass);
@@ -36,7 +35,7 @@ static void add_pieces(struct light_samples *samples, const struct emitter *ligh
     for (int k = 0; k < n; k++) {
         struct emitter *piece = &samples->items[samples->count++];
         float place[2];
-        choose_place(place, k, n, pass);
+        light_samples_choose_place(place, k, n, pass);
         *piece = n > 1 || pass > 0 ? emitter_piece(light, place) : *light;
         for (int c = 0; n > 1 && c < 3; c++)
             piece->intensity[c] /= (float)n;
@@ -47,7 +46,7 @@ static void add_sky(struct light_samples *samples, const struct light_samples_sk
                     const struct environment *environment, int pass) {
     int count = sky->groups->count;
     float place[2];
-    choose_place(place, 0, 1, pass);
+    light_samples_choose_place(place, 0, 1, pass);
     samples->sky = count ? environment : NULL;
     if (count)
         samples->groups[samples->group_count++] = (struct light_group){samples->count, count};

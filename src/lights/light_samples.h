@@ -42,6 +42,9 @@ void light_samples_place(struct light_samples *samples, const struct emitters *e
                          const struct light_samples_sky *sky, const struct light_samples_desc *desc,
                          int pass);
 
+/* Place k of n: Hammersley's, their mean in the middle, in each pass shifted on the torus. */
+void light_samples_choose_place(float place[2], int k, int n, int pass);
+
 struct emitters light_samples_emitters(struct light_samples *samples);
 
 struct light_layout light_samples_layout(struct light_samples *samples);

@@ -89,7 +89,7 @@ void environment_lights_group(struct sky_groups *groups, const struct environmen
     *groups = (struct sky_groups){.count = lights->count};
     for (int i = 0; i < lights->count; i++) {
         groups->of[i] = i;
-        groups->weights[i] = groups->scales[i] = 1;
+        groups->weights[i] = 1;
     }
     for (int k = 0; groups->count > count; k++)
         join(groups, lights->count, lights->joins[k]);
@@ -161,10 +161,8 @@ void environment_lights_group_by_weights(struct sky_groups *groups,
         parts[widest] = pair[0];
     }
     *groups = (struct sky_groups){.count = part_count};
-    for (int g = 0; g < part_count; g++) {
+    for (int g = 0; g < part_count; g++)
         put_in_group(groups, tree, parts[g], g);
-        groups->scales[g] = 1;
-    }
     memcpy(groups->weights, weights, (size_t)lights->count * sizeof *weights);
     free(tree);
 }
@@ -217,8 +215,9 @@ static struct weighted weighted_sums(const struct environment_lights *lights,
     return power;
 }
 
-float sky_group_weight(const struct environment_lights *lights, const struct sky_groups *groups,
-                       int group) {
+/* The mean weight of the power that is drawn. */
+static float group_weight(const struct environment_lights *lights, const struct sky_groups *groups,
+                          int group) {
     struct weighted power = weighted_sums(lights, groups, group);
     return power.once > 0 ? power.twice / power.once : 1;
 }
@@ -234,7 +233,7 @@ struct emitter sky_group_emitter(const struct environment_lights *lights,
             add_power(&light, groups->weights[i], power);
         }
     struct emitter emitter = towards(power);
-    float scale = sky->strength * groups->scales[group] / sky_group_weight(lights, groups, group);
+    float scale = sky->strength / group_weight(lights, groups, group);
     for (int i = 0; i < lights->count; i++)
         if (groups->of[i] == group)
             add_light(&lights->items[i], scale * groups->weights[i], &emitter);

@@ -34,10 +34,12 @@ struct sky_groups {
     int of[ENVIRONMENT_LIGHTS_MAX];
     int count;
     float weights[ENVIRONMENT_LIGHTS_MAX]; /* of each light: its chance is its power times that */
-    float scales[ENVIRONMENT_LIGHTS_MAX];  /* of each group: times the light of its middle */
+    struct sky_door {
+        float position[3], radius; /* 0: anywhere */
+    } doors[ENVIRONMENT_LIGHTS_MAX];
 };
 
-/* At most `count`, by the first joins. Weights and scales are 1. */
+/* At most `count`, by the first joins. Weights are 1. */
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
                               int count);
 
@@ -51,10 +53,6 @@ bool sky_groups_same(const struct sky_groups *a, const struct sky_groups *b);
 
 /* What a light gives a surface that faces it, the mean of RGB, W/m2. */
 float environment_light_power(const struct environment_light *light);
-
-/* The mean weight of the power that is drawn. */
-float sky_group_weight(const struct environment_lights *lights, const struct sky_groups *groups,
-                       int group);
 
 /* As the sky is turned. */
 void sky_block_of(struct sky_block *block, const struct environment_lights *lights,

@@ -10,10 +10,10 @@
 #include "lights/sky.h"
 #include "scene/surface_rays.h"
 
-/* At most `count` groups, by weights of mean 1: how much of each light comes to the places, and a tenth for light that has
- * longer ways. The light of a group's middle is scaled so that the places get as much of it as of the group. All weights
- * are 1 where no light comes to them. The same inputs give the same bits. Cost: at most 512 places, one ray for each of
- * them and for each two lights. */
+/* At most `count` groups, by weights: how much of each light comes to the places, of mean 1, and 1 for light that has longer
+ * ways. Doors are where the light that comes to the places lies closest together. All weights are 1, and there are no doors,
+ * where none comes. The same inputs give the same bits. Cost: at most 512 places, one ray for each of them and for each
+ * two lights. */
 void sky_groups_by_seen(struct sky_groups *groups, const struct environment_lights *lights,
                         int count, const struct environment *sky, const struct surface_rays *rays,
                         const struct camera *camera, float aspect);

@@ -89,7 +89,8 @@ static int map_count(const struct emitter *light) {
 }
 
 void light_layout_count(struct light_layout *layout, const struct emitters *emitters) {
-    *layout = (struct light_layout){.lights = emitters->count, .groups = emitters->count};
+    *layout = (struct light_layout){
+        .lights = emitters->count, .groups = emitters->count, .sky = emitters->sky};
     for (int i = 0; i < emitters->count; i++) {
         int views = view_count(&emitters->items[i]);
         layout->views[views > 1 ? LIGHT_MAP_FACE : LIGHT_MAP_SINGLE] += views;
@@ -116,7 +117,7 @@ bool light_layout_of(struct light_layout *layout, const struct emitters *emitter
 
 bool light_layouts_same(const struct light_layout *a, const struct light_layout *b) {
     return a->lights == b->lights && a->groups == b->groups && a->maps == b->maps &&
-           a->sized == b->sized && a->unseen == b->unseen &&
+           a->sized == b->sized && a->sky == b->sky && a->unseen == b->unseen &&
            memcmp(a->views, b->views, sizeof a->views) == 0;
 }
 

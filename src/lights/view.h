@@ -23,6 +23,7 @@ struct light_layout {
     int views[LIGHT_MAP_KINDS];
     int maps;   /* of the lights' own: one each, six of a point light */
     bool sized; /* one of them has a size */
+    bool sky;   /* some are a sky's */
     /* Most of what they light shows the camera nothing of its light (renderer/light_search.h): of light samples alone. */
     bool unseen;
 };

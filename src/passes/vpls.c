@@ -53,6 +53,15 @@ void vpl_buffer_free(struct vpl_buffer *vpls) {
     *vpls = (struct vpl_buffer){0};
 }
 
+void light_rays_add(struct pass_state *state, const struct light_rays *rays) {
+    const struct pass_texture textures[] = {{UNIT_BVH, rays->tree},
+                                            {UNIT_TRIANGLE_ALBEDOS, rays->albedos},
+                                            {UNIT_SKY_PIECES, rays->sky_pieces}};
+    for (size_t i = 0; i < sizeof textures / sizeof *textures; i++)
+        if (textures[i].texture)
+            pass_add_texture(state, textures[i].unit, textures[i].texture);
+}
+
 const char *vpl_area_file(bool by_importance) {
     return by_importance ? "gather/vpl_area_by_importance.glsl" : "gather/vpl_area_by_flux.glsl";
 }

@@ -31,6 +31,13 @@ struct importance_map {
     struct texture values, lights, densities;
 };
 
+/* What rays of light read: the scene's tree, the albedos of its triangles, and the directions of a sky; 0: none. */
+struct light_rays {
+    GLuint tree, albedos, sky_pieces;
+};
+
+void light_rays_add(struct pass_state *state, const struct light_rays *rays);
+
 /* A binary tree over VPLs (shared/vpl_tree.h), and the VPL that stands for each node, as many times as there are sets
  * of pixels: R32UI, a layer a set. */
 struct vpl_tree {

@@ -65,6 +65,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .light_block = renderer->sample_block,
         .layout = renderer->plan.sample_layout,
         .groups = renderer->light_samples.groups,
+        .sky_pieces = &renderer->sky_pieces,
         .geometry = desc->geometry,
         .assignment = &antialias_of(renderer)->assignment,
         .edge_samples = &antialias_of(renderer)->edge_samples,

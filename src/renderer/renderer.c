@@ -6,6 +6,7 @@
 #include "renderer/caustics.h"
 #include "renderer/light_plan.h"
 #include "renderer/light_search.h"
+#include "renderer/sky_pieces.h"
 #include "renderer/views.h"
 #include "scene/material.h"
 #include "scene/medium.h"
@@ -255,8 +256,7 @@ static float place_in_pixel(uint32_t base, int pass) {
     return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
 }
 
-/* Each pass's reflective shadow maps lie elsewhere, by a texel of 1024 or less: what no texel's middle sees in one of them
- * another one's does. */
+/* Reflective shadow maps of each pass lie elsewhere, by a texel of 1024 or less, and see other things. */
 static void shift_light_samples(struct renderer *renderer) {
     const struct light_block *block = renderer->sample_block;
     const float ndc[2] = {place_in_pixel(5, renderer->pass) / 512,
@@ -297,6 +297,7 @@ void renderer_write_views(struct renderer *renderer) {
     views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);
     place_light_samples(renderer);
     views_of_emitters(renderer->sample_block, &renderer->sample_emitters, desc->geometry);
+    sky_pieces_write(renderer);
     if (renderer->pass > 0)
         shift_light_samples(renderer);
     buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
@@ -331,11 +332,11 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     timers_init(&renderer->timers, desc->timed, gl.software);
     if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, renderer->desc.geometry) &&
+        (!desc->scene->environment || sky_pieces_init(&renderer->sky_pieces)) &&
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
-        buffer_init(&renderer->sample_buffer, "light samples", sizeof *renderer->sample_block,
-                    NULL)) {
+        buffer_init(&renderer->sample_buffer, "samples", sizeof *renderer->sample_block, NULL)) {
         renderer_write_views(renderer);
         return true;
     }
@@ -367,6 +368,7 @@ void renderer_free(struct renderer *renderer) {
     renderer_forget_ambient_occlusion(renderer);
     timers_free(&renderer->timers);
     scene_gpu_free(&renderer->scene);
+    texture_free(&renderer->sky_pieces);
     caster_pool_free(renderer->casters);
     light_search_free(renderer->light_search);
     buffer_free(&renderer->view_buffer);

@@ -104,6 +104,7 @@ struct renderer {
     struct light_block *light_block, *sample_block;
     struct buffer light_buffer, sample_buffer;
     struct light_samples light_samples;
+    struct texture sky_pieces; /* of those that are a sky's; zeroed where the scene has none */
     struct emitters sample_emitters; /* of the light samples: nothing to be freed */
 };
 

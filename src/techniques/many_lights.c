@@ -4,21 +4,26 @@
 #include "passes/frame.h"
 
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
+    bool by_importance = many_lights_follow_camera(lights);
+    albedos_follow(&lights->albedos, frame->geometry);
+    const struct light_rays rays = {by_importance ? lights->importance.bvh->texels : 0,
+                                    lights->albedos.texels, frame->sky_pieces->id};
     geometry_pass_render_lights(&lights->geometry, frame, lights->rsm);
     vpl_pass_share_out(&lights->vpl, frame);
-    if (many_lights_follow_camera(lights))
-        importance_map_pass_render(&lights->importance, frame, lights->rsm, &lights->vpl.shares);
-    vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->importance.map, &lights->vpls);
+    if (by_importance)
+        importance_map_pass_render(&lights->importance, frame, lights->rsm, &rays,
+                                   &lights->vpl.shares);
+    vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->importance.map, &rays,
+                    &lights->vpls);
     if (lights->near_field.program)
         near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares,
                                       &lights->importance.map);
     if (lights->bounces == 1)
         return;
-    bool starts = many_lights_follow_camera(lights);
-    if (starts)
-        path_starts_render(&lights->path_starts, frame, lights->rsm,
-                           bounce_pass_follow(&lights->bounce, frame->geometry));
-    bounce_pass_render(&lights->bounce, frame, starts ? &lights->path_starts.vpls : &lights->vpls);
+    if (by_importance)
+        path_starts_render(&lights->path_starts, frame, lights->rsm, &rays);
+    bounce_pass_render(&lights->bounce, frame,
+                       by_importance ? &lights->path_starts.vpls : &lights->vpls, rays.albedos);
     vpl_pass_sum_up(&lights->vpl, &lights->bounce.vpls);
 }
 

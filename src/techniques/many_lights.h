@@ -8,6 +8,7 @@
 #include "passes/gather/gather.h"
 #include "passes/gather/specular_rays.h"
 #include "passes/gather/near_field.h"
+#include "passes/lights/albedos.h"
 #include "passes/lights/bounce.h"
 #include "passes/lights/importance_map.h"
 #include "techniques/path_starts.h"
@@ -115,7 +116,8 @@ struct many_lights {
     struct importance_map_pass importance; /* where VPLs are placed by it */
     struct vpl_pass vpl;
     struct vpl_buffer vpls;
-    int bounces; /* where more than one: */
+    struct albedos albedos; /* of what rays of light meet; zeroed where there are none */
+    int bounces;            /* where more than one: */
     struct bounce_pass bounce;
     struct path_starts path_starts;          /* where VPLs are placed by importance */
     struct near_field_pass near_field;       /* clamp=near */

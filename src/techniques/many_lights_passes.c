@@ -234,19 +234,14 @@ static bool init_bounces(struct many_lights *lights, const struct technique_desc
         settings_of(struct lights_settings, desc->settings, &lights_part);
     lights->bounces = own->bounces;
     return lights->bounces == 1 ||
-           bounce_pass_init(&lights->bounce,
-                            &(struct bounce_desc){
-                                .scene = desc->scene,
-                                .geometry = desc->geometry,
-                                .materials = desc->specular ? MATERIALS_FULL : MATERIALS_DIFFUSE,
-                                .smooth_black = caustics_shown(desc->scene, desc->settings),
-                                .casters = desc->casters,
-                                .bounces = own->bounces,
-                                .medium = lights->medium,
-                                .seen = many_lights_follow_camera(lights),
-                                .count = own->paths,
-                                .seed = own->seed,
-                            });
+           bounce_pass_init(&lights->bounce, &(struct bounce_desc){
+                                                 .casters = desc->casters,
+                                                 .bounces = own->bounces,
+                                                 .medium = lights->medium,
+                                                 .seen = many_lights_follow_camera(lights),
+                                                 .count = own->paths,
+                                                 .seed = own->seed,
+                                             });
 }
 
 bool many_lights_may_trace(const struct scene *scene, const struct geometry *geometry) {
@@ -293,6 +288,11 @@ static bool wants_importance(const struct many_lights *lights, const struct tech
                                    many_lights_may_trace(desc->scene, desc->geometry)));
 }
 
+/* Light of a sky has no light samples alone, but directions of its own for each VPL. */
+static bool has_sky_rays(const struct many_lights *lights, const struct technique_desc *desc) {
+    return desc->lights->sky && many_lights_follow_camera(lights);
+}
+
 /* Several for each path, as long as there are no more than VPLs may be. */
 static int starts_of(int vpls) {
     int paths = vpls * BOUNCE_ROWS, tries = VPLS_MAX / paths;
@@ -311,7 +311,18 @@ static bool init_path_starts(struct many_lights *lights, const struct technique_
                                                        .bounces = own->bounces,
                                                        .seed = own->seed,
                                                        .medium = lights->medium,
-                                                       .slides = lights->slides});
+                                                       .slides = lights->slides,
+                                                       .sky_rays = has_sky_rays(lights, desc)});
+}
+
+static bool init_albedos(struct many_lights *lights, const struct technique_desc *desc) {
+    return (lights->bounces == 1 && !has_sky_rays(lights, desc)) ||
+           albedos_init(&lights->albedos,
+                        &(struct albedos_desc){
+                            .scene = desc->scene,
+                            .materials = desc->specular ? MATERIALS_FULL : MATERIALS_DIFFUSE,
+                            .smooth_black = caustics_shown(desc->scene, desc->settings)},
+                        desc->geometry);
 }
 
 static bool init_importance(struct many_lights *lights, const struct technique_desc *desc) {
@@ -321,7 +332,8 @@ static bool init_importance(struct many_lights *lights, const struct technique_d
            importance_map_pass_init(&lights->importance,
                                     &(struct importance_map_desc){.casters = desc->casters,
                                                                   .lights = desc->lights->lights,
-                                                                  .vpls = own->vpls});
+                                                                  .vpls = own->vpls,
+                                                                  .sky_rays = desc->lights->sky});
 }
 
 bool many_lights_init(struct many_lights *lights, const struct technique_desc *desc,
@@ -345,10 +357,11 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                          .seed = own->seed,
                                          .reach = reach,
                                          .by_importance = many_lights_follow_camera(lights),
+                                         .sky_rays = has_sky_rays(lights, desc),
                                          .medium = lights->medium,
                                          .slides = lights->slides}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&
-        init_path_starts(lights, desc) && init_sized(lights, desc) &&
+        init_path_starts(lights, desc) && init_albedos(lights, desc) && init_sized(lights, desc) &&
         init_specular_rays(lights, desc) && init_near_field(lights, desc))
         return true;
     many_lights_free(lights);
@@ -372,6 +385,7 @@ void many_lights_free(struct many_lights *lights) {
     vpl_pass_free(&lights->vpl);
     vpl_buffer_free(&lights->vpls);
     bounce_pass_free(&lights->bounce);
+    albedos_free(&lights->albedos);
     path_starts_free(&lights->path_starts);
     near_field_pass_free(&lights->near_field);
     specular_rays_pass_free(&lights->specular_rays);

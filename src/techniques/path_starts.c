@@ -6,11 +6,13 @@ bool path_starts_init(struct path_starts *starts, const struct path_starts_desc 
                                  &(struct importance_map_desc){.casters = desc->casters,
                                                                .lights = desc->lights,
                                                                .vpls = desc->count,
+                                                               .sky_rays = desc->sky_rays,
                                                                .bounces = desc->bounces}) &&
         vpl_pass_init(&starts->places, &(struct vpl_desc){.count = desc->count,
                                                           .seed = desc->seed,
                                                           .reach = 1,
                                                           .by_importance = true,
+                                                          .sky_rays = desc->sky_rays,
                                                           .of_paths = true,
                                                           .medium = desc->medium,
                                                           .slides = desc->slides}) &&
@@ -29,9 +31,8 @@ void path_starts_free(struct path_starts *starts) {
 }
 
 void path_starts_render(struct path_starts *starts, const struct frame *frame,
-                        const struct gbuffer rsm[LIGHT_MAP_KINDS], GLuint albedos) {
+                        const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct light_rays *rays) {
     vpl_pass_share_out(&starts->places, frame);
-    starts->importance.albedos = albedos;
-    importance_map_pass_render(&starts->importance, frame, rsm, &starts->places.shares);
-    vpl_pass_render(&starts->places, frame, rsm, &starts->importance.map, &starts->vpls);
+    importance_map_pass_render(&starts->importance, frame, rsm, rays, &starts->places.shares);
+    vpl_pass_render(&starts->places, frame, rsm, &starts->importance.map, rays, &starts->vpls);
 }

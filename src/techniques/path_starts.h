@@ -17,7 +17,7 @@ struct path_starts_desc {
     int count;                   /* of starts, one or more for each path */
     int bounces;                 /* more than 1 */
     int seed;
-    bool medium, slides; /* as VPLs have them */
+    bool medium, slides, sky_rays; /* as VPLs have them */
 };
 
 struct path_starts {
@@ -30,8 +30,8 @@ struct path_starts {
 bool path_starts_init(struct path_starts *starts, const struct path_starts_desc *desc);
 void path_starts_free(struct path_starts *starts);
 
-/* Fills starts->vpls for frame->gbuffer. `albedos` are the triangles' (bounce_pass_follow). */
+/* Fills starts->vpls for frame->gbuffer. `rays` have a tree and albedos. */
 void path_starts_render(struct path_starts *starts, const struct frame *frame,
-                        const struct gbuffer rsm[LIGHT_MAP_KINDS], GLuint albedos);
+                        const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct light_rays *rays);
 
 #endif

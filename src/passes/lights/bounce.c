@@ -7,7 +7,6 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
-#include "scene/mesh/triangle_albedos.h"
 #include "shared/bounce.h"
 #include "shared/light_walk.h"
 
@@ -125,40 +124,12 @@ static bool init_numbers(struct bounce_pass *pass) {
     return true;
 }
 
-/* --- what triangles reflect ------------------------------------------------------------------- */
-
-static void free_albedos(struct bounce_pass *pass) {
-    if (pass->albedo_texels)
-        gl.DeleteTextures(1, &pass->albedo_texels);
-    pass->albedo_texels = 0;
-    buffer_free(&pass->albedos);
-}
-
-static bool init_albedos(struct bounce_pass *pass, const struct geometry *geometry) {
-    size_t count = geometry->index_count / 3;
-    struct triangle_albedo *albedos = mem_alloc(count, sizeof *albedos);
-    struct surface_colors colors = {.scene = pass->desc.scene,
-                                    .geometry = geometry,
-                                    .materials = pass->desc.materials,
-                                    .smooth_black = pass->desc.smooth_black};
-    texture_decode_table(colors.srgb_to_linear);
-    triangle_albedos_find(albedos, &colors);
-    bool ok = buffer_init(&pass->albedos, "albedos of triangles", count * sizeof *albedos, albedos);
-    free(albedos);
-    pass->painted = geometry->painted;
-    if (!ok)
-        return false;
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->albedo_texels);
-    gl.TextureBuffer(pass->albedo_texels, GL_RGBA32F, pass->albedos.id);
-    return true;
-}
-
 /* --- life ------------------------------------------------------------------------------------- */
 
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) {
     *pass = (struct bounce_pass){.desc = *desc};
     if (caster_pool_acquire_tree(desc->casters, &pass->tree) && init_programs(pass) &&
-        init_targets(pass) && init_numbers(pass) && init_albedos(pass, desc->geometry) &&
+        init_targets(pass) && init_numbers(pass) &&
         vpl_buffer_init(&pass->vpls, "VPLs of bounces", desc->count) &&
         buffer_init(&pass->params, "paths' parameters", sizeof(struct bounce_params), NULL))
         return true;
@@ -175,7 +146,6 @@ void bounce_pass_free(struct bounce_pass *pass) {
     program_free(&pass->seen_program);
     program_free(&pass->kept_program);
     program_free(&pass->vpl_program);
-    free_albedos(pass);
     framebuffer_free(&pass->path_framebuffer);
     framebuffer_free(&pass->area_framebuffer);
     framebuffer_free(&pass->share_framebuffer);
@@ -198,14 +168,6 @@ void bounce_pass_free(struct bounce_pass *pass) {
 }
 
 /* --- the frame -------------------------------------------------------------------------------- */
-
-GLuint bounce_pass_follow(struct bounce_pass *pass, const struct geometry *geometry) {
-    if (pass->painted != geometry->painted) {
-        free_albedos(pass);
-        init_albedos(pass, geometry);
-    }
-    return pass->albedo_texels;
-}
 
 static void write_params(struct bounce_pass *pass, const struct frame *frame, int vpls) {
     struct bounce_params params = {
@@ -242,13 +204,13 @@ static void draw_rows(struct pass_state *state, GLuint framebuffer, int width, i
 }
 
 static void trace_paths(const struct bounce_pass *pass, const struct frame *frame,
-                        const struct vpl_buffer *vpls) {
+                        const struct vpl_buffer *vpls, GLuint albedos) {
     struct pass_state trace = {
         .name = "bounces",
         .program = pass->path_program,
         .textures = {{UNIT_VPLS, vpls->texels},
                      {UNIT_BVH, pass->tree->texels},
-                     {UNIT_TRIANGLE_ALBEDOS, pass->albedo_texels},
+                     {UNIT_TRIANGLE_ALBEDOS, albedos},
                      {UNIT_PATH_NUMBERS, pass->numbers.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
     };
@@ -262,12 +224,11 @@ static void trace_paths(const struct bounce_pass *pass, const struct frame *fram
 }
 
 void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
-                        const struct vpl_buffer *vpls) {
+                        const struct vpl_buffer *vpls, GLuint albedos) {
     int count = pass->desc.count;
     timer_begin(frame->timers, "bounces");
-    bounce_pass_follow(pass, frame->geometry);
     write_params(pass, frame, vpls->count);
-    trace_paths(pass, frame, vpls);
+    trace_paths(pass, frame, vpls, albedos);
     struct pass_state areas = state_of(pass, pass->area_program),
                       shares = state_of(pass, pass->share_program),
                       fluxes = state_of(pass, pass->flux_program),

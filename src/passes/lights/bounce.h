@@ -24,16 +24,11 @@
 
 #include "passes/vpls.h"
 #include "scene/gpu/caster_pool.h"
-#include "scene/material.h"
 
 struct frame;
 
 struct bounce_desc {
-    const struct scene *scene;
-    const struct geometry *geometry;
-    struct caster_pool *casters; /* of the geometry */
-    enum materials materials;
-    bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
+    struct caster_pool *casters;
     int bounces;
     bool medium; /* frames have one */
     bool seen;   /* paths start by importance, and leave light where pixels see it */
@@ -46,9 +41,6 @@ struct bounce_pass {
     GLuint path_program, area_program, share_program, flux_program, vpl_program;
     GLuint seen_program, kept_program;
     const struct caster_bvh *tree;
-    struct buffer albedos; /* struct triangle_albedo of each triangle */
-    GLuint albedo_texels;
-    unsigned painted;       /* the geometry's, that they are of */
     struct texture numbers; /* P x 4 (1 + bounces), RG32F: shared/bounce.h */
     int dealt_pass;         /* that they are those of */
     struct texture positions, normals, fluxes, nexts; /* P x 4, RGBA32F: what paths leave */
@@ -66,13 +58,10 @@ struct bounce_pass {
 bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc);
 void bounce_pass_free(struct bounce_pass *pass);
 
-/* Follows a change of the geometry's triangles. Returns the buffer texture of their albedos, at UNIT_TRIANGLE_ALBEDOS. Where
- * memory for metaballs that have grown is lacking, triangles without an albedo are black. */
-GLuint bounce_pass_follow(struct bounce_pass *pass, const struct geometry *geometry);
-
-/* From the first bounce's VPLs, or from starts of its light, to pass->vpls. Timer "bounces". */
+/* From the first bounce's VPLs, or from starts of its light, to pass->vpls. `albedos` are the triangles'
+ * (passes/lights/albedos.h). Timer "bounces". */
 void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
-                        const struct vpl_buffer *vpls);
+                        const struct vpl_buffer *vpls, GLuint albedos);
 
 /* What patches keep of the light that goes to what the camera sees, into pass->kept. Timer "bounces". */
 void bounce_pass_find_kept(const struct bounce_pass *pass, const struct frame *frame);

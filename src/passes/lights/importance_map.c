@@ -14,7 +14,7 @@ static_assert(VPL_DENSITY_SIDE == 1 << (VPL_DENSITY_LEVELS - 1), "levels down to
 
 /* Squared: candidates of a round. */
 static int side_of(const struct importance_map_pass *pass) {
-    return pass->desc.bounces > 1 ? CANDIDATES_SIDE_LATER : CANDIDATES_SIDE;
+    return pass->desc.bounces > 1 || pass->desc.sky_rays ? CANDIDATES_SIDE_MANY : CANDIDATES_SIDE;
 }
 
 /* Area of a VPL of later bounces, over the squared radius of the scene. */
@@ -22,8 +22,9 @@ static const float later_area = 1e-3F;
 
 static bool init_round(struct importance_map_pass *pass, int round) {
     static const char *const choices[] = {"candidate_by_light", "vpl_by_importance"};
-    char *defines = mem_printf("ROUND %d;%sVPL_CHOICE lights/%s.glsl", round,
-                               pass->desc.bounces > 1 ? "LATER;" : "", choices[round > 0]);
+    char *defines = mem_printf("ROUND %d;%s%sVPL_CHOICE lights/%s.glsl", round,
+                               pass->desc.bounces > 1 ? "LATER;" : "",
+                               pass->desc.sky_rays ? "SKY_RAYS;" : "", choices[round > 0]);
     bool ok = program_init(&pass->candidate_programs[round],
                            &(struct program_desc){.screen = {"lights/importance_candidate.frag"},
                                                   .defines = defines}) &&
@@ -113,8 +114,8 @@ void importance_map_pass_free(struct importance_map_pass *pass) {
 }
 
 static void draw_candidates(const struct importance_map_pass *pass, const struct frame *frame,
-                            const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct buffer *shares,
-                            int round) {
+                            const struct gbuffer rsm[LIGHT_MAP_KINDS],
+                            const struct light_rays *rays, const struct buffer *shares, int round) {
     int side = side_of(pass);
     struct pass_state state = {
         .name = "importance map",
@@ -124,16 +125,14 @@ static void draw_candidates(const struct importance_map_pass *pass, const struct
         .width = side,
         .height = side,
         .textures = {{UNIT_GBUFFER_DEPTH, frame->gbuffer->depth.id},
-                     {UNIT_GBUFFER_NORMAL, frame->gbuffer->normal.id},
-                     {UNIT_BVH, pass->bvh->texels}},
+                     {UNIT_GBUFFER_NORMAL, frame->gbuffer->normal.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_PASS, &pass->params},
                    {BLOCK_VPL_SHARES, shares}},
     };
     rsm_add(&state, rsm);
-    if (pass->desc.bounces > 1)
-        pass_add_texture(&state, UNIT_TRIANGLE_ALBEDOS, pass->albedos);
+    light_rays_add(&state, rays);
     if (round > 0)
         importance_map_add(&state, &pass->map);
     pass_set_state(&state);
@@ -142,7 +141,7 @@ static void draw_candidates(const struct importance_map_pass *pass, const struct
 
 /* All candidates so far, as points onto cells. */
 static void add_values(const struct importance_map_pass *pass, const struct frame *frame,
-                       const struct buffer *shares, int round) {
+                       const struct light_rays *rays, const struct buffer *shares, int round) {
     struct pass_state state = {
         .name = "importance map",
         .program = pass->add_programs[round],
@@ -155,6 +154,7 @@ static void add_values(const struct importance_map_pass *pass, const struct fram
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_VPL_SHARES, shares}},
     };
+    light_rays_add(&state, rays);
     if (round > 0)
         pass_add_texture(&state, UNIT_VPL_DENSITY, pass->map.densities.id);
     framebuffer_clear_color(pass->value_framebuffer, TARGET_RESULT, (float[]){0, 0, 0, 0});
@@ -189,7 +189,7 @@ static void find_densities(const struct importance_map_pass *pass, const struct 
 
 void importance_map_pass_render(const struct importance_map_pass *pass, const struct frame *frame,
                                 const struct gbuffer rsm[LIGHT_MAP_KINDS],
-                                const struct buffer *shares) {
+                                const struct light_rays *rays, const struct buffer *shares) {
     float radius = frame->geometry->radius;
     struct importance_map_params params = {.vpls = (float)pass->desc.vpls,
                                            .bounces = pass->desc.bounces,
@@ -200,8 +200,8 @@ void importance_map_pass_render(const struct importance_map_pass *pass, const st
     timer_begin(frame->timers, "importance map");
     buffer_write(&pass->params, 0, sizeof params, &params);
     for (int round = 0; round < IMPORTANCE_ROUNDS; round++) {
-        draw_candidates(pass, frame, rsm, shares, round);
-        add_values(pass, frame, shares, round);
+        draw_candidates(pass, frame, rsm, rays, shares, round);
+        add_values(pass, frame, rays, shares, round);
         find_densities(pass, frame, shares);
     }
     timer_end(frame->timers);

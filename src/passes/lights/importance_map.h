@@ -22,6 +22,7 @@ struct importance_map_desc {
     struct caster_pool *casters; /* must outlive the pass */
     int lights;                  /* of the frame's layout, at least 1 */
     int vpls;                    /* N */
+    bool sky_rays;               /* as VPLs */
     int bounces;                 /* more than 1: where light of the second bounce and on starts */
 };
 
@@ -37,7 +38,6 @@ struct importance_map_pass {
     struct importance_map map;
     GLuint candidate_framebuffer, value_framebuffer, light_framebuffer, density_framebuffer;
     struct buffer params;
-    GLuint albedos; /* bounces > 1: of triangles, to be set before the pass renders */
 };
 
 /* Error: driver, memory, or more triangles than OpenGL has room for. */
@@ -45,10 +45,10 @@ bool importance_map_pass_init(struct importance_map_pass *pass,
                               const struct importance_map_desc *desc);
 void importance_map_pass_free(struct importance_map_pass *pass);
 
-/* Fills pass->map for frame->gbuffer. `shares` has how many VPLs each light takes by flux alone (passes/lights/vpl.h). Timer
+/* Fills pass->map for frame->gbuffer. `rays` have a tree. `shares` has how many VPLs each light takes by flux alone (passes/lights/vpl.h). Timer
  * "importance map". */
 void importance_map_pass_render(const struct importance_map_pass *pass, const struct frame *frame,
                                 const struct gbuffer rsm[LIGHT_MAP_KINDS],
-                                const struct buffer *shares);
+                                const struct light_rays *rays, const struct buffer *shares);
 
 #endif

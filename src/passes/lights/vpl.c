@@ -27,8 +27,9 @@ static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
     char *vpl_defines = mem_printf(
-        "%s%sVPL_CHOICE lights/vpl_by_%s.glsl", light_defines(pass->desc.medium, pass->desc.slides),
-        pass->desc.of_paths ? "LATER;" : "", pass->desc.by_importance ? "importance" : "flux");
+        "%s%s%sVPL_CHOICE lights/vpl_by_%s.glsl",
+        light_defines(pass->desc.medium, pass->desc.slides), pass->desc.of_paths ? "LATER;" : "",
+        pass->desc.sky_rays ? "SKY_RAYS;" : "", pass->desc.by_importance ? "importance" : "flux");
     const struct program_desc vpl = {.vertex = "lights/vpl.vert", .defines = vpl_defines};
     bool ok =
         program_init(&pass->program, &vpl) &&
@@ -191,15 +192,18 @@ void vpl_pass_share_out(struct vpl_pass *pass, const struct frame *frame) {
 
 void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS],
-                     const struct importance_map *importance, const struct vpl_buffer *vpls) {
+                     const struct importance_map *importance, const struct light_rays *rays,
+                     const struct vpl_buffer *vpls) {
     struct pass_state state = {
         .name = "vpls",
         .program = pass->program,
         .vertex_array = pass->vertices,
         .blocks = {{BLOCK_LIGHTS, frame->lights}, {BLOCK_VPL_SHARES, &pass->shares}},
     };
-    if (pass->desc.by_importance)
+    if (pass->desc.by_importance) {
         importance_map_add(&state, importance);
+        light_rays_add(&state, rays);
+    }
     frame_add_light(frame, &state);
     add_maps(pass, &state, rsm);
     pass_begin(frame->timers, &state);

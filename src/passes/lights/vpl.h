@@ -18,6 +18,7 @@
 struct frame;
 struct vpl_buffer;
 struct importance_map;
+struct light_rays;
 
 /* How many VPLs all others are measured from: as many as say what all would. */
 enum { VPL_PARTNERS_MAX = 256 };
@@ -27,6 +28,7 @@ struct vpl_desc {
     int seed;    /* 0 = Halton's points as they are; else shifted on the torus */
     float reach; /* of the near field that is asked for, in spacings of VPLs */
     bool by_importance;
+    bool sky_rays; /* by rays from the sky, where light is its; by importance */
     bool of_paths; /* places where paths of light start; by importance of later bounces */
     bool medium;   /* frames have one */
     bool slides;   /* lights may have some */
@@ -50,11 +52,13 @@ void vpl_pass_free(struct vpl_pass *pass);
 /* Fills pass->shares. */
 void vpl_pass_share_out(struct vpl_pass *pass, const struct frame *frame);
 
-/* Fills vpls (C(i) = 0), with their sums; after vpl_pass_share_out. `importance` is read where desc.by_importance. Timer
+/* Fills vpls (C(i) = 0), with their sums; after vpl_pass_share_out. `importance` and `rays` are read where
+ * desc.by_importance. Timer
  * "vpls". */
 void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS],
-                     const struct importance_map *importance, const struct vpl_buffer *vpls);
+                     const struct importance_map *importance, const struct light_rays *rays,
+                     const struct vpl_buffer *vpls);
 
 /* Sets the sums of other VPLs: as many as the pass makes, or VPL_PARTNERS_MAX at least. */
 void vpl_pass_sum_up(const struct vpl_pass *pass, const struct vpl_buffer *vpls);

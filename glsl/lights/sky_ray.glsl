@@ -1,0 +1,29 @@
+// The VPL of a sky's light sample: what a ray meets from one of its many directions. One direction for all its VPLs would be
+// luck where its light comes through a window.
+#include "visibility/bvh.glsl"
+#include "lights/sky_pieces.glsl"
+#include "lights/triangle_albedo.glsl"
+#include "lib/light.glsl"
+#include "lib/medium.glsl"
+#include "shared/vpl.h"
+
+// Multiples of the golden ratio are even however few there are, and unlike the numbers of places.
+int sky_piece_of(int number) {
+    return int(uint(number) * 2654435769u >> SKY_PIECE_SHIFT);
+}
+
+vpl vpl_by_sky_ray(int index, int number, float measure, vec2 place) {
+    int piece = sky_piece_of(number);
+    vec4 origin = sky_piece_row(index, piece, 0);
+    vec4 right = sky_piece_row(index, piece, 1), up = sky_piece_row(index, piece, 2);
+    vec2 at = 2.0 * fract(place + vec2(right.w, up.w)) - 1.0;
+    vec3 from = origin.xyz + at.x * right.xyz + at.y * up.xyz;
+    vec3 direction = normalize(cross(up.xyz, right.xyz));
+    bvh_hit hit = bvh_meet(from, direction, true);
+    if (hit.triangle < 0)
+        return vpl(from, 0.0, -direction, 0.0, vec3(0.0), 0.0);
+    vec3 position = from + hit.distance * direction;
+    float area = origin.w * measure, cosine = dot(hit.normal, -direction);
+    vec3 power = sky_piece_row(index, piece, 3).xyz * area * medium_passes_light(position, direction, false, 0.0);
+    return vpl(position, 0.0, hit.normal, area / max(cosine, VPL_COSINE_MIN), reflected(hit) * power, 0.0);
+}

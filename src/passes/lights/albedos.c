@@ -1,0 +1,45 @@
+#include "passes/lights/albedos.h"
+
+#include "base/memory.h"
+#include "scene/mesh/triangle_albedos.h"
+
+#include <stdlib.h>
+
+static bool find(struct albedos *albedos, const struct geometry *geometry) {
+    size_t count = geometry->index_count / 3;
+    struct triangle_albedo *found = mem_alloc(count, sizeof *found);
+    struct surface_colors colors = {.scene = albedos->desc.scene,
+                                    .geometry = geometry,
+                                    .materials = albedos->desc.materials,
+                                    .smooth_black = albedos->desc.smooth_black};
+    texture_decode_table(colors.srgb_to_linear);
+    triangle_albedos_find(found, &colors);
+    bool ok = buffer_init(&albedos->buffer, "albedos of triangles", count * sizeof *found, found);
+    free(found);
+    albedos->painted = geometry->painted;
+    if (!ok)
+        return false;
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &albedos->texels);
+    gl.TextureBuffer(albedos->texels, GL_RGBA32F, albedos->buffer.id);
+    return true;
+}
+
+bool albedos_init(struct albedos *albedos, const struct albedos_desc *desc,
+                  const struct geometry *geometry) {
+    *albedos = (struct albedos){.desc = *desc};
+    return find(albedos, geometry);
+}
+
+void albedos_free(struct albedos *albedos) {
+    if (albedos->texels)
+        gl.DeleteTextures(1, &albedos->texels);
+    buffer_free(&albedos->buffer);
+    *albedos = (struct albedos){.desc = albedos->desc};
+}
+
+void albedos_follow(struct albedos *albedos, const struct geometry *geometry) {
+    if (albedos->buffer.id && albedos->painted != geometry->painted) {
+        albedos_free(albedos);
+        find(albedos, geometry);
+    }
+}
