@@ -3,6 +3,7 @@
 
 #include "base/memory.h"
 #include "passes/frame.h"
+#include "renderer/caustics.h"
 
 #include <stdlib.h>
 
@@ -10,7 +11,7 @@ static struct ambient_occlusion_desc desc_of(const struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     return (struct ambient_occlusion_desc){.settings = &desc->settings,
                                            .scene = desc->scene,
-                                           .geometry = desc->geometry,
+                                           .geometry = renderer_geometry(renderer),
                                            .width = desc->width,
                                            .height = desc->height};
 }

@@ -9,15 +9,16 @@ bool renderer_has_caustics(const struct renderer_desc *desc) {
 }
 
 void renderer_view_geometry(struct renderer *renderer) {
-    struct renderer_desc *desc = &renderer->desc;
-    if (desc->geometry->original)
-        desc->geometry = desc->geometry->original;
+    const struct renderer_desc *desc = &renderer->desc;
     if (!renderer_has_caustics(desc))
         return;
     if (!renderer->glass_view)
         renderer->glass_view = mem_alloc(1, sizeof *renderer->glass_view);
     geometry_block_glass(renderer->glass_view, desc->geometry, desc->scene);
-    desc->geometry = renderer->glass_view;
+}
+
+const struct geometry *renderer_geometry(const struct renderer *renderer) {
+    return renderer->glass_view ? renderer->glass_view : renderer->desc.geometry;
 }
 
 static struct caustics_settings shown(const struct renderer_desc *desc) {
@@ -44,7 +45,7 @@ static bool init_glass(struct renderer *renderer, bool medium, int chains) {
                                                 .medium = medium,
                                                 .sky = desc->scene->environment != NULL,
                                                 .scene = desc->scene,
-                                                .geometry = desc->geometry});
+                                                .geometry = renderer_geometry(renderer)});
 }
 
 bool renderer_init_caustics(struct renderer *renderer, bool medium) {
@@ -66,7 +67,7 @@ bool renderer_init_caustics(struct renderer *renderer, bool medium) {
                                         .kernel = own.kernel,
                                         .medium = medium,
                                         .scene = desc->scene,
-                                        .geometry = desc->geometry,
+                                        .geometry = renderer_geometry(renderer),
                                         .casters = renderer->casters}));
 }
 

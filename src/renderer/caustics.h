@@ -11,6 +11,9 @@ bool renderer_has_caustics(const struct renderer_desc *desc);
  * pose. */
 void renderer_view_geometry(struct renderer *renderer);
 
+/* That view, or else the one geometry: what all passes draw. */
+const struct geometry *renderer_geometry(const struct renderer *renderer);
+
 /* HAS_... of passes/picture/composite.h; medium: the frames have one. */
 unsigned renderer_caustic_kinds(const struct renderer_desc *desc, bool medium);
 

@@ -52,7 +52,6 @@ static const struct antialias_pass *antialias_of(const struct renderer *renderer
 }
 
 struct frame renderer_frame(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
     return (struct frame){
         .timers = &renderer->timers,
         .view = &renderer->view_buffer,
@@ -66,7 +65,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .layout = renderer->plan.sample_layout,
         .groups = renderer->light_samples.groups,
         .sky_pieces = &renderer->sky_pieces,
-        .geometry = desc->geometry,
+        .geometry = renderer_geometry(renderer),
         .assignment = &antialias_of(renderer)->assignment,
         .edge_samples = &antialias_of(renderer)->edge_samples,
         .pass = renderer->pass,

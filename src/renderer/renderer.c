@@ -55,8 +55,8 @@ static bool scatters(const struct renderer_desc *desc) {
 }
 
 /* Whether a medium or panes take from light on its way. */
-static bool has_medium(const struct renderer_desc *desc) {
-    return scatters(desc) || geometry_has_panes(desc->geometry);
+static bool has_medium(const struct renderer *renderer) {
+    return scatters(&renderer->desc) || geometry_has_panes(renderer_geometry(renderer));
 }
 
 static bool init_antialias(struct renderer *renderer) {
@@ -77,7 +77,7 @@ static bool init_direct(struct renderer *renderer) {
                                       .height = desc->height,
                                       .lights = &renderer->plan.layout,
                                       .specular = has_specular(desc),
-                                      .medium = has_medium(desc),
+                                      .medium = has_medium(renderer),
                                       .slides = desc->scene->slide_count > 0,
                                       .casters = renderer->casters,
                                       .lamps = desc->direct,
@@ -92,13 +92,13 @@ static bool make_technique(const struct renderer *renderer, const struct techniq
            technique->init(state, &(struct technique_desc){
                                       .settings = settings,
                                       .scene = desc->scene,
-                                      .geometry = desc->geometry,
+                                      .geometry = renderer_geometry(renderer),
                                       .casters = renderer->casters,
                                       .width = desc->width,
                                       .height = desc->height,
                                       .lights = &renderer->plan.sample_layout,
                                       .specular = has_specular(desc),
-                                      .medium = has_medium(desc),
+                                      .medium = has_medium(renderer),
                                   });
 }
 
@@ -148,7 +148,7 @@ static bool init_composite(struct renderer *renderer) {
     }
     contributes &= ~(unsigned)(HAS_CAUSTICS | HAS_VOLUME_CAUSTICS);
     contributes |= renderer_caustic_kinds(desc, scatters(desc));
-    contributes |= has_medium(desc) ? HAS_MEDIUM : 0U;
+    contributes |= has_medium(renderer) ? HAS_MEDIUM : 0U;
     return composite_pass_init(&renderer->composite,
                                &(struct composite_desc){.width = desc->width,
                                                         .height = desc->height,
@@ -162,7 +162,7 @@ static bool init_airlight(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     const struct medium_settings *own =
         settings_of(struct medium_settings, &desc->settings, &medium_part);
-    return !has_medium(desc) ||
+    return !has_medium(renderer) ||
            airlight_init(&renderer->airlight,
                          &(struct airlight_part_desc){
                              .width = desc->width,
@@ -171,7 +171,9 @@ static bool init_airlight(struct renderer *renderer) {
                              .slides = desc->scene->slide_count > 0,
                              .sky = desc->scene->environment != NULL,
                              .irradiance = renderer->composite.desc.contributes & HAS_IRRADIANCE,
-                             .panes = geometry_has_panes(desc->geometry) ? renderer->casters : NULL,
+                             .panes = geometry_has_panes(renderer_geometry(renderer))
+                                          ? renderer->casters
+                                          : NULL,
                              .lights = renderer->plan.sample_layout});
 }
 
@@ -328,10 +330,10 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     renderer->desc.emitters = emitters_copy(&desc->emitters);
     set_defaults(&renderer->desc);
     renderer_view_geometry(renderer);
-    renderer->casters = caster_pool_create(desc->scene, renderer->desc.geometry);
+    renderer->casters = caster_pool_create(desc->scene, renderer_geometry(renderer));
     timers_init(&renderer->timers, desc->timed, gl.software);
     if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
-        scene_gpu_init(&renderer->scene, desc->scene, renderer->desc.geometry) &&
+        scene_gpu_init(&renderer->scene, desc->scene, renderer_geometry(renderer)) &&
         (!desc->scene->environment || sky_pieces_init(&renderer->sky_pieces)) &&
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
@@ -450,7 +452,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
     unsigned parts = 0;
     if (renderer_makes_technique(renderer, desc->technique, &desc->settings))
         parts |= PART_TECHNIQUE | PART_COMPOSITE | PART_REFINER |
-                 (geometry_has_panes(old->geometry) ? PART_AIRLIGHT : 0U);
+                 (geometry_has_panes(renderer_geometry(renderer)) ? PART_AIRLIGHT : 0U);
     if (desc->direct != old->direct ||
         !renderer_settings_same(&desc->settings, &old->settings, desc->direct->parts))
         parts |= PART_DIRECT;
@@ -511,7 +513,6 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     /* Glass becomes an occluder, or a pane: all that was made of the geometry is another. */
     if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc))
         return start_anew(renderer, wanted);
-    desc.geometry = renderer->desc.geometry;
     if (!renderer_plan_lights(&plan, renderer, &desc))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);
@@ -533,7 +534,8 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
 
 static bool update_state(const struct renderer *renderer, const struct technique *technique,
                          void *state) {
-    return !technique || !technique->update || technique->update(state, renderer->desc.geometry);
+    return !technique || !technique->update ||
+           technique->update(state, renderer_geometry(renderer));
 }
 
 static bool update_techniques(struct renderer *renderer) {
@@ -550,7 +552,7 @@ bool renderer_update(struct renderer *renderer) {
     if (posed)
         renderer->refining.count = 0;
     renderer_write_views(renderer);
-    return scene_gpu_update(&renderer->scene, renderer->desc.geometry) &&
+    return scene_gpu_update(&renderer->scene, renderer_geometry(renderer)) &&
            caster_pool_update(renderer->casters) && update_techniques(renderer);
 }
 

@@ -74,7 +74,7 @@ struct renderer {
     struct airlight airlight;      /* of a medium; zeroed without one */
     struct caustics_pass caustics; /* zeroed where they are not shown */
     struct glass_pass glass;       /* likewise */
-    struct geometry *glass_view;   /* desc.geometry, where glass blocks: renderer/caustics.h */
+    struct geometry *glass_view;   /* NULL without caustics: renderer/caustics.h */
     bool lights_drawn;             /* what depends on no camera is that of desc */
     int pass;                      /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */

@@ -159,7 +159,7 @@ static enum batch_kind kind_of(const struct material *material) {
 }
 
 static void find_blocking(struct geometry *geometry, const struct scene *scene) {
-    enum batch_kind last = geometry->original ? BATCH_GLASS : BATCH_MASKED;
+    enum batch_kind last = geometry->glass_blocks ? BATCH_GLASS : BATCH_MASKED;
     geometry->blocking_batch_count = 0;
     geometry->blocking_index_count = 0;
     for (int b = 0; b < geometry->batch_count; b++) {
@@ -491,7 +491,7 @@ void geometry_free(struct geometry *geometry) {
 void geometry_block_glass(struct geometry *view, const struct geometry *geometry,
                           const struct scene *scene) {
     *view = *geometry;
-    view->original = geometry;
+    view->glass_blocks = true;
     find_blocking(view, scene);
 }
 

@@ -50,7 +50,7 @@ struct geometry {
     uint32_t opaque_index_count;   /* indices of the batches without alpha mask: [0, this) */
     uint32_t blocking_index_count; /* of all but panes: [0, this) */
     int blocking_batch_count;
-    const struct geometry *original; /* of a view by which glass blocks; else NULL */
+    bool glass_blocks; /* in a view of another: geometry_block_glass */
 
     /* Bounding box and sphere of the vertices that triangles use, throughout the clip that plays:
      * lengths that are fractions of the radius would breathe with a single pose's. */
