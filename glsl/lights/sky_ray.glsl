@@ -3,13 +3,14 @@
 #include "visibility/bvh.glsl"
 #include "lights/sky_pieces.glsl"
 #include "lights/triangle_albedo.glsl"
+#include "lib/lattice.glsl"
 #include "lib/light.glsl"
 #include "lib/medium.glsl"
 #include "shared/vpl.h"
 
 // Multiples of the golden ratio are even however few there are, and unlike the numbers of places.
 int sky_piece_of(int number) {
-    return int(uint(number) * 2654435769u >> SKY_PIECE_SHIFT);
+    return int(uint(number) * LATTICE_GOLDEN >> SKY_PIECE_SHIFT);
 }
 
 vpl vpl_by_sky_ray(int index, int number, float measure, vec2 place) {

@@ -32,6 +32,12 @@ void buffer_free(struct buffer *buffer) {
     *buffer = (struct buffer){0};
 }
 
+void buffer_show(const struct buffer *buffer, GLenum format, GLuint *texels) {
+    if (!*texels)
+        gl.CreateTextures(GL_TEXTURE_BUFFER, 1, texels);
+    gl.TextureBuffer(*texels, format, buffer->id);
+}
+
 void buffer_write(const struct buffer *buffer, size_t offset, size_t size, const void *data) {
     if (size)
         gl.NamedBufferSubData(buffer->id, (GLintptr)offset, (GLsizeiptr)size, data);

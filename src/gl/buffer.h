@@ -18,6 +18,9 @@ struct buffer {
 bool buffer_init(struct buffer *buffer, const char *label, size_t size, const void *data);
 void buffer_free(struct buffer *buffer);
 
+/* Lets a buffer texture show the buffer, from now on; makes one where *texels is 0. */
+void buffer_show(const struct buffer *buffer, GLenum format, GLuint *texels);
+
 void buffer_write(const struct buffer *buffer, size_t offset, size_t size, const void *data);
 void buffer_read(const struct buffer *buffer, size_t offset, size_t size, void *data);
 

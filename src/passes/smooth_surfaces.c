@@ -10,12 +10,6 @@
 
 /* --- triangles and materials ------------------------------------------------------------------ */
 
-static void init_texels(GLuint *texels, GLenum format, GLuint buffer) {
-    if (!*texels)
-        gl.CreateTextures(GL_TEXTURE_BUFFER, 1, texels);
-    gl.TextureBuffer(*texels, format, buffer);
-}
-
 static bool init_materials(struct smooth_surfaces *surfaces) {
     const struct scene *scene = surfaces->scene;
     size_t count = (size_t)scene->material_count * SMOOTH_TEXELS;
@@ -34,7 +28,7 @@ static bool init_materials(struct smooth_surfaces *surfaces) {
     bool ok = buffer_init(&surfaces->materials, "smooth materials", count * sizeof *texels, texels);
     free(texels);
     if (ok)
-        init_texels(&surfaces->material_texels, GL_RGBA32F, surfaces->materials.id);
+        buffer_show(&surfaces->materials, GL_RGBA32F, &surfaces->material_texels);
     return ok;
 }
 
@@ -71,7 +65,7 @@ static bool init_rows(struct smooth_surfaces *surfaces, const struct geometry *g
     free(marked);
     surfaces->painted = geometry->painted;
     if (ok)
-        init_texels(&surfaces->row_texels, GL_R32UI, surfaces->rows.id);
+        buffer_show(&surfaces->rows, GL_R32UI, &surfaces->row_texels);
     return ok;
 }
 
@@ -113,9 +107,9 @@ void smooth_surfaces_follow(struct smooth_surfaces *surfaces, const struct scene
         if (!init_materials(surfaces) || !init_rows(surfaces, geometry))
             surfaces->vertex_count = 0;
     }
-    init_texels(&surfaces->corner_texels, GL_R32UI, gpu->indices.id);
-    init_texels(&surfaces->position_texels, GL_RGB32F, gpu->positions.id);
-    init_texels(&surfaces->normal_texels, GL_RGBA16I, gpu->normals.id);
+    buffer_show(&gpu->indices, GL_R32UI, &surfaces->corner_texels);
+    buffer_show(&gpu->positions, GL_RGB32F, &surfaces->position_texels);
+    buffer_show(&gpu->normals, GL_RGBA16I, &surfaces->normal_texels);
 }
 
 void smooth_surfaces_add(const struct smooth_surfaces *surfaces, struct pass_state *state) {

@@ -29,8 +29,7 @@ bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
         vpl_buffer_free(vpls);
         return false;
     }
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &vpls->texels);
-    gl.TextureBuffer(vpls->texels, GL_RGBA32F, vpls->buffer.id);
+    buffer_show(&vpls->buffer, GL_RGBA32F, &vpls->texels);
     gl.CreateVertexArrays(1, &vpls->vertices);
     add_attribute(vpls, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
     add_attribute(vpls, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));

@@ -188,10 +188,11 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     if (renderer->airlight.pass.in_scatter.id)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
                              renderer->airlight.maps.maps, &renderer->desc.emitters);
-    struct contribution behind = contribution_behind(renderer);
-    if (renderer->airlight.panes.program)
+    if (renderer->airlight.panes.program) {
+        struct contribution behind = contribution_behind(renderer);
         show_panes_pass_render(&renderer->airlight.panes, frame, &renderer->gbuffer, &behind,
                                renderer->desc.emitters.sky);
+    }
     renderer_render_caustics(renderer, frame);
 }
 

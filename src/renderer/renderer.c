@@ -338,7 +338,8 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
-        buffer_init(&renderer->sample_buffer, "samples", sizeof *renderer->sample_block, NULL)) {
+        buffer_init(&renderer->sample_buffer, "light samples", sizeof *renderer->sample_block,
+                    NULL)) {
         renderer_write_views(renderer);
         return true;
     }

@@ -189,7 +189,7 @@ struct opening {
     bool is_announced; /* that its renderer is made next */
     bool is_given;     /* the command line says how the first scene is to look */
     struct reloading {
-        struct file_stamp asked, shown, seen; /* of the file: viewer/files/reloading.c */
+        struct file_stamp asked, shown, seen; /* of the file: viewer/files/opening.c */
         struct scene_open_desc desc;          /* that it was opened by */
         double looked;                        /* when it was last looked at */
         bool on;                              /* what arrives is the same file */

@@ -60,8 +60,7 @@ static bool init_triangles(struct glass_pass *pass, const struct geometry *geome
     pass->painted = geometry->painted;
     if (!ok)
         return false;
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->triangle_texels);
-    gl.TextureBuffer(pass->triangle_texels, GL_RGBA32F, pass->triangles.id);
+    buffer_show(&pass->triangles, GL_RGBA32F, &pass->triangle_texels);
     return true;
 }
 

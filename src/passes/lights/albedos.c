@@ -19,8 +19,7 @@ static bool find(struct albedos *albedos, const struct geometry *geometry) {
     albedos->painted = geometry->painted;
     if (!ok)
         return false;
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &albedos->texels);
-    gl.TextureBuffer(albedos->texels, GL_RGBA32F, albedos->buffer.id);
+    buffer_show(&albedos->buffer, GL_RGBA32F, &albedos->texels);
     return true;
 }
 

@@ -45,8 +45,8 @@ bool importance_map_pass_init(struct importance_map_pass *pass,
                               const struct importance_map_desc *desc);
 void importance_map_pass_free(struct importance_map_pass *pass);
 
-/* Fills pass->map for frame->gbuffer. `rays` have a tree. `shares` has how many VPLs each light takes by flux alone (passes/lights/vpl.h). Timer
- * "importance map". */
+/* Fills pass->map for frame->gbuffer. `rays` have a tree. `shares` has how many VPLs each light
+ * takes by flux alone (passes/lights/vpl.h). Timer "importance map". */
 void importance_map_pass_render(const struct importance_map_pass *pass, const struct frame *frame,
                                 const struct gbuffer rsm[LIGHT_MAP_KINDS],
                                 const struct light_rays *rays, const struct buffer *shares);

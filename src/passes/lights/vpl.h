@@ -53,8 +53,7 @@ void vpl_pass_free(struct vpl_pass *pass);
 void vpl_pass_share_out(struct vpl_pass *pass, const struct frame *frame);
 
 /* Fills vpls (C(i) = 0), with their sums; after vpl_pass_share_out. `importance` and `rays` are read where
- * desc.by_importance. Timer
- * "vpls". */
+ * desc.by_importance. Timer "vpls". */
 void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS],
                      const struct importance_map *importance, const struct light_rays *rays,

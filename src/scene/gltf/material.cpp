@@ -262,11 +262,15 @@ bool load_transmission(Loader &loader, const tinygltf::Material &from, struct ma
     return true;
 }
 
+bool does_shine(const tinygltf::Material &from) {
+    return *std::max_element(from.emissiveFactor.begin(), from.emissiveFactor.end()) > 0;
+}
+
 /* What is not seen of it. */
 void tell_material(Loader &loader, const tinygltf::Material &from) {
     if (from.occlusionTexture.index >= 0)
         lack(loader, "occlusion maps (light is computed)");
-    bool shines = *std::max_element(from.emissiveFactor.begin(), from.emissiveFactor.end()) > 0;
+    bool shines = does_shine(from);
     if (shines && from.alphaMode == "BLEND")
         lack(loader, "blending of what shines (alpha from .5 on is opaque, below it a hole)");
     if (shines && from.extensions.count("KHR_materials_transmission"))
@@ -280,9 +284,8 @@ bool load_material(Loader &loader, const tinygltf::Material &from, struct materi
     to.double_sided = from.doubleSided;
     /* What shines and blends covers all, or nothing. */
     bool blends = from.alphaMode == "BLEND";
-    bool shines = *std::max_element(from.emissiveFactor.begin(), from.emissiveFactor.end()) > 0;
     to.alpha_mask = blends || from.alphaMode == "MASK";
-    to.blends = blends && !shines;
+    to.blends = blends && !does_shine(from);
     to.unlit = from.extensions.count("KHR_materials_unlit") > 0;
     tell_material(loader, from);
     return copy_numbers({blends ? .5 : from.alphaCutoff}, &to.alpha_cutoff, "alphaCutoff") &&

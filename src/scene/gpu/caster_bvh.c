@@ -32,8 +32,7 @@ static bool upload(struct caster_bvh *tree, const struct stackless_bvh *stackles
     caster_bvh_free(tree);
     if (!buffer_init(&tree->buffer, "caster BVH", size, stackless->texels))
         return false;
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &tree->texels);
-    gl.TextureBuffer(tree->texels, GL_RGBA32UI, tree->buffer.id);
+    buffer_show(&tree->buffer, GL_RGBA32UI, &tree->texels);
     return true;
 }
 

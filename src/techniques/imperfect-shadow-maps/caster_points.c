@@ -27,8 +27,7 @@ bool caster_points_init(struct caster_points *points, const struct caster_points
         caster_points_free(points);
         return false;
     }
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &points->texture);
-    gl.TextureBuffer(points->texture, GL_RGBA32F, points->buffer.id);
+    buffer_show(&points->buffer, GL_RGBA32F, &points->texture);
     return true;
 }
 

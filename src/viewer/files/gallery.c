@@ -16,20 +16,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 /* --- what there is --- */
 
 /* Another file of that name, another picture. NULL: the user has no folder for it. */
 static char *picture_path(const char *path) {
-    struct stat status;
+    struct file_stamp stamp = file_stamp_of(path);
     char *folder = folder_of_user("XDG_CACHE_HOME", ".cache"), *picture = NULL;
-    if (folder && stat(path, &status) == 0) {
+    if (folder && stamp.is_file) {
         uint64_t hash = 0;
         hash_bytes(&hash, path, strlen(path));
-        hash_bytes(&hash, &status.st_mtime, sizeof status.st_mtime);
-        hash_bytes(&hash, &status.st_size, sizeof status.st_size);
+        hash_bytes(&hash, &stamp.seconds, sizeof stamp.seconds);
+        hash_bytes(&hash, &stamp.size, sizeof stamp.size);
         picture = mem_printf("%s/small-%016llx.png", folder, (unsigned long long)hash);
     }
     free(folder);

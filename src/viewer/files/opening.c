@@ -182,7 +182,7 @@ static bool show_document(struct viewer *viewer, struct document *document) {
     struct placed placed_before = viewer->placed;
     struct renderer renderer;
     struct session session_before = {0};
-    if (viewer->has_scene)
+    if (viewer->opening.reloading.on)
         session_before = viewer_session(viewer);
     kept_save(viewer);
     viewer->document = *document;
