@@ -234,19 +234,16 @@ enum caster_kind caster_take_batch(struct caster *caster, const struct geometry 
     return kind;
 }
 
-/* Static vertices keep their numbers. Glass that has begun to block light lies at the end. */
+/* Static vertices keep their numbers. */
 static void lay_out(struct caster *caster, const struct geometry *geometry, enum caster_kind kind) {
     struct caster_list *list = &caster->list[kind], old = *list;
     list_init(list, geometry, old.index_count + geometry->index_count);
-    for (int i = 0; i < geometry->blocking_batch_count; i++) {
+    for (int i = 0; i < caster->batch_count; i++) {
         const struct geometry_batch *now = &geometry->batches[i], *batch = &old.batches[i];
-        bool is_new = i >= caster->batch_count;
         list_begin_batch(list, geometry, i);
-        if (is_new && kind == CASTER_SHORT)
-            list_add(list, geometry->indices + now->first_index, now->index_count);
-        else if (!now->dynamic && !is_new)
+        if (!now->dynamic)
             list_add(list, old.indices + batch->first_index, batch->index_count);
-        else if (!is_new && kind == kind_of_dynamic(caster, geometry, i))
+        else if (kind == kind_of_dynamic(caster, geometry, i))
             list_add(list, geometry->indices + now->first_index, now->index_count);
         list_end_batch(list, geometry, i);
     }
@@ -257,5 +254,4 @@ void caster_lay_out(struct caster *caster, const struct geometry *geometry) {
     for (int l = 0; l < CASTER_KIND_COUNT; l++)
         lay_out(caster, geometry, (enum caster_kind)l);
     caster->vertex_count = geometry->vertex_count;
-    caster->batch_count = geometry->blocking_batch_count;
 }
