@@ -104,10 +104,9 @@ void sky_pieces_write(const struct renderer *renderer) {
         first = count - (renderer->light_samples.sky ? renderer->plan.sky_samples.count : 0);
     if (first == count)
         return;
-    struct sky_row *rows = mem_alloc(LIGHTS_MAX, sizeof *rows);
+    struct sky_row *rows = mem_alloc((size_t)count, sizeof *rows);
     for (int i = first; i < count; i++)
         fill_row(&rows[i], renderer, i, first);
-    gl.TextureSubImage2D(pieces->id, 0, 0, 0, pieces->desc.width, pieces->desc.height, GL_RGBA,
-                         GL_FLOAT, rows);
+    gl.TextureSubImage2D(pieces->id, 0, 0, 0, pieces->desc.width, count, GL_RGBA, GL_FLOAT, rows);
     free(rows);
 }
