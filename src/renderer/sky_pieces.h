@@ -1,7 +1,7 @@
 /* Directions of a sky's light samples, of which each VPL takes one, and follows a ray (glsl/lights/sky_ray.glsl).
  *
- * Were a group of a sky's lights one direction, its light in a room would be luck: by day a classroom had 20 % too much, a
- * hall under a skylight 40. Rays of one group lie so that all that pass its door have the same place in the light's domain:
+ * Were a group one direction, its light in a room would be luck: by day a hall under a skylight had 16 to 36 % too much with
+ * one of three seeds. Rays of a group lie so that all that pass its door have the same place in the light's domain:
  * an importance map of the group is then as sharp as of one direction. Passes after the first have other directions.
  */
 #ifndef RENDERER_SKY_PIECES_H
