@@ -65,15 +65,6 @@ void meet_mirror(inout walk w, smooth_material m, vec3 normal, vec3 flat_normal,
     w.picks = true;
 }
 
-vec3 passes_outside(vec3 place, vec3 direction, float metres) {
-#ifdef HAS_MEDIUM
-    vec2 part = medium_segment(place, direction, metres);
-    return medium_passes(part.y - part.x) * panes_pass(place, direction, metres);
-#else
-    return vec3(1.0);
-#endif
-}
-
 bool is_within(bvh_hit hit, smooth_material m) {
     return hit.back && m.kind == SMOOTH_IS_GLASS && !m.thin;
 }

@@ -8,7 +8,7 @@
 #include "lib/tangent.glsl"
 #include "picture/sight.glsl"
 #include "shared/glass.h"
-#include "visibility/bvh.glsl"
+#include "visibility/shadow_ray.glsl"
 #include "caustics/chain.glsl"
 
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray albedos;
@@ -33,33 +33,6 @@ struct sent {
 // Two numbers from 0 to 1, others for each number that is asked for.
 vec2 numbers(ivec2 pixel, int chain, int number) {
     return random_of(uvec3(pixel, uint(number + 64 * (chain + 8 * params.pass))));
-}
-
-vec3 arriving_unshadowed(light l, vec3 place, out vec3 direction, out float away) {
-    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
-    vec3 from = place - l.position;
-    away = directional ? BVH_FAR : length(from);
-    direction = directional ? l.direction : from / away;
-    float distance2 = directional ? 1.0 : away * away;
-    vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
-    return power / distance2 * medium_passes_light(place, direction, !directional, distance2);
-}
-
-// Across its direction, W/m2; above: which side of a surface rays start on, or 0.
-vec3 arriving(light l, vec3 place, vec3 above, float weight, out vec3 direction) {
-    float away, clearance = bvh_clearance();
-    vec3 power = weight * arriving_unshadowed(l, place, direction, away);
-    bool asks = dot(power, vec3(1.0)) > 0.0 && away > clearance;
-    bvh_ray ray = bvh_ray_along(place + clearance * above, -direction, away - clearance);
-    return asks && !bvh_meets_any(ray, asks) ? power : vec3(0.0);
-}
-
-vec3 irradiance_from(light l, vec3 place, vec3 normal, vec3 flat_normal) {
-    vec3 direction, unused;
-    float away;
-    arriving_unshadowed(l, place, direction, away);
-    float cosine = dot(flat_normal, direction) < 0.0 ? max(-dot(normal, direction), 0.0) : 0.0;
-    return arriving(l, place, flat_normal, cosine, unused);
 }
 
 light light_by_chance(float number) {
@@ -90,7 +63,7 @@ vec3 indirect_at(ivec2 pixel, int chain, vec3 place, vec3 normal, vec3 flat_norm
         if (hit.triangle >= 0) {
             light l = light_by_chance(fract(number.x * 61.0 + number.y));
             vec3 lit = irradiance_from(l, origin + hit.distance * direction, hit.normal, hit.normal);
-            sum += reflected(hit) * lit * passes_outside(origin, direction, hit.distance);
+            sum += reflected(hit) * lit * medium_passes_along(origin, direction, hit.distance);
         }
     }
     return sum * (float(light_count) / (float(params.rays) * PI));
@@ -192,7 +165,7 @@ void add_chain(ivec2 pixel, walk w, bvh_hit hit, inout sent sum) {
         w.flux *= event > 0 && !within && w.inner > 0 ? 0.0 : 1.0; // out without a reflection: another chain's
         if (event > 0 && !within) {
             sum.direct += w.flux * scattered_into(pixel, w.chain, event, w.origin, w.direction, hit.distance);
-            w.flux *= passes_outside(w.origin, w.direction, hit.distance);
+            w.flux *= medium_passes_along(w.origin, w.direction, hit.distance);
         }
         if (event > 0 && within)
             w.flux *= exp(-m.absorption * hit.distance);

@@ -69,7 +69,7 @@ void main() {
                 between_add(w, min(hit.distance, comes - way), numbers.y);
 #endif
             w.flux *= is_within(hit, m) ? exp(-m.absorption * hit.distance)
-                                        : passes_outside(w.origin, w.direction, hit.distance);
+                                        : medium_passes_along(w.origin, w.direction, hit.distance);
             walk_goes_on(w, hit, m, event == 0, numbers.x);
             way += hit.distance;
             goes = dot(w.flux, vec3(1.0)) > 0.0;

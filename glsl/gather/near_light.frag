@@ -1,9 +1,8 @@
 // What each texel of the reflective shadow map reflects, for the near field: once for the texel, not for
 // each of the many samples that meet it.
 #include "gather/near_light.glsl"
-#include "lib/medium.glsl"
-#include "lib/rsm.glsl"
 #include "lib/vpl_shares.glsl"
+#include "lights/rsm_light.glsl"
 #include "shared/near_field.h"
 #include "shared/vpl.h"
 #include VPL_AREA
@@ -23,20 +22,16 @@ void main() {
     light_view v = light_view_at(first_view + instance);
     light l = light_at(v.light);
     ivec2 texel = ivec2(gl_FragCoord.xy);
-    surface s = rsm_surface(v, texel);
+    rsm_light lit = rsm_light_at(l, v, texel, uvec2(texel) + first_view);
+    surface s = lit.s;
     if (!s.present)
         return;
-    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
-    vec3 from_light = s.position - l.position;
-    vec3 direction = directional ? v.view.forward : normalize(from_light);
-    float cosine = dot(s.normal, -direction);
-    float distance2 = directional ? 1.0 : dot(from_light, from_light);
-    float by_flux = vpl_share_at(v.light).measure * distance2 / max(cosine, VPL_COSINE_MIN);
+    float by_flux = vpl_share_at(v.light).measure * lit.distance2 / max(lit.cosine, VPL_COSINE_MIN);
     float area = vpl_area_at(by_flux, v.light, l, s.position);
-    vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
-    power *= rsm_albedo(v, texel) * (cosine > 0.0 ? params.power_scale : 0.0);
-    power *= medium_passes_light(s.position, direction, !directional, distance2);
+    vec3 from_light = s.position - l.position, power = lit.power * (lit.cosine > 0.0 ? params.power_scale : 0.0);
     power *= ndc_measure(v.view, dot(from_light, v.view.forward) * inversesqrt(dot(from_light, from_light)));
-    float z = view_linear_depth(v.view, rsm_depth(v, texel));
-    packed_light = near_light_pack(near_light(z, rsm_normal_code(v, texel), power, sqrt(area) * params.inverse_radius));
+    float z = dot(s.position - v.view.origin, v.view.forward);
+    z = lit.at_pane ? z : view_linear_depth(v.view, rsm_depth(v, texel));
+    vec2 normal_code = lit.at_pane ? octahedral_encode(s.normal) : rsm_normal_code(v, texel);
+    packed_light = near_light_pack(near_light(z, normal_code, power, sqrt(area) * params.inverse_radius));
 }

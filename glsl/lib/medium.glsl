@@ -1,8 +1,16 @@
 // A medium and panes between surfaces, lights and the camera: how much light passes. Without HAS_MEDIUM all light does.
+#include "lib/surface.glsl"
 #include "shared/medium.h"
+
+const float MEDIUM_FAR = 1e30;
+
+float max_of(vec3 color) {
+    return max(color.r, max(color.g, color.b));
+}
 
 #ifdef HAS_MEDIUM
 #include "lib/panes.glsl"
+#include "lib/random.glsl"
 
 layout(std140, binding = BLOCK_MEDIUM) uniform medium_uniforms {
     medium_params medium;
@@ -23,21 +31,28 @@ vec3 medium_passes(float metres) {
     return exp(-medium.extinction * max(metres, 0.0));
 }
 
-// Along a unit direction, and between two points.
+// Along a unit direction: a medium and panes; panes alone.
 vec3 medium_passes_along(vec3 origin, vec3 direction, float metres) {
-    return medium_passes(metres) * panes_pass(origin, direction, metres);
+    vec2 segment = medium_segment(origin, direction, metres);
+    return medium_passes(segment.y - segment.x) * panes_pass(origin, direction, metres);
 }
 
-vec3 medium_passes_between(vec3 a, vec3 b) {
-    float metres = distance(a, b);
-    return medium_passes_along(a, (b - a) / max(metres, 1e-30), metres);
+vec3 medium_panes(vec3 origin, vec3 direction, float metres) {
+    return panes_pass(origin, direction, metres);
 }
 
-// From a light to a surface; direction: where the light travels; of a light without a place from outside.
-vec3 medium_passes_light(vec3 position, vec3 direction, bool has_place, float distance2) {
-    vec2 segment = medium_segment(position, -direction, has_place ? sqrt(distance2) : 2.0 * medium.radius);
-    return medium_passes(segment.y - segment.x) *
-           panes_pass(position, -direction, has_place ? sqrt(distance2) : 4.0 * medium.radius);
+// Sends light along a unit direction, from a place or from without, to a surface, or by chance to a pane before it, which
+// `end` then is. What arrives, over the chance, but for the surface's albedo; a pane's albedo is in it.
+vec3 medium_sends(vec3 place, vec3 direction, bool has_place, uvec2 seed, inout surface end, inout vec3 albedo) {
+    float metres = has_place ? distance(place, end.position) : 4.0 * medium.radius, chance = random_of(uvec3(seed, 0)).x;
+    vec3 origin = has_place ? place : end.position - metres * direction, share, normal;
+    metres = end.present ? metres : MEDIUM_FAR;
+    if (panes_stop(origin, direction, chance, metres, share, normal)) {
+        end = surface(true, origin + metres * direction + panes_clearance() * normal, normal);
+        albedo = vec3(1.0);
+    }
+    vec2 segment = medium_segment(origin, direction, metres);
+    return share * medium_passes(segment.y - segment.x);
 }
 #else
 vec3 medium_passes(float metres) {
@@ -48,11 +63,22 @@ vec3 medium_passes_along(vec3 origin, vec3 direction, float metres) {
     return vec3(1.0);
 }
 
-vec3 medium_passes_between(vec3 a, vec3 b) {
+vec3 medium_panes(vec3 origin, vec3 direction, float metres) {
     return vec3(1.0);
 }
 
-vec3 medium_passes_light(vec3 position, vec3 direction, bool has_place, float distance2) {
+vec3 medium_sends(vec3 place, vec3 direction, bool has_place, uvec2 seed, inout surface end, inout vec3 albedo) {
     return vec3(1.0);
 }
 #endif
+
+// Between two points.
+vec3 medium_passes_between(vec3 a, vec3 b) {
+    float metres = distance(a, b);
+    return medium_passes_along(a, (b - a) / max(metres, 1e-30), metres);
+}
+
+// From a light to a surface; direction: where the light travels; of a light without a place from outside.
+vec3 medium_passes_light(vec3 position, vec3 direction, bool has_place, float distance2) {
+    return medium_passes_along(position, -direction, has_place ? sqrt(distance2) : MEDIUM_FAR);
+}

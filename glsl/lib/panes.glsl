@@ -10,6 +10,7 @@ struct pane {
     vec3 color, normal; // unit, of the front
     float base, glass;  // shares of light that go past it, and that enter it
     float index;        // negative: one face of a solid
+    bool both;          // its back reflects as its front does
 };
 
 pane pane_at(int texel) {
@@ -18,7 +19,7 @@ pane pane_at(int texel) {
     vec2 shares = unpackUnorm2x16(first.w);
     return pane(vec3(color) / float(PANE_COLOR_MOST),
                 normalize(cross(uintBitsToFloat(second.xyz), uintBitsToFloat(third.xyz))), shares.x, shares.y,
-                uintBitsToFloat(second.w));
+                uintBitsToFloat(second.w), (third.w & uint(PANE_BOTH)) != 0u);
 }
 
 // A plate between parallel faces with all reflections within, or one face of a solid: scene/material.c has the same.
@@ -32,15 +33,29 @@ float plate_passes(pane p, vec3 direction) {
     return p.index < 0.0 ? sqrt(plate) : plate;
 }
 
+// What goes on of light along a unit direction, and what the pane reflects of it diffusely.
+vec3 pane_passes(pane p, vec3 direction) {
+    return p.base + p.glass * p.color * plate_passes(p, direction);
+}
+
+vec3 pane_albedo(pane p, vec3 direction) {
+    return p.both || dot(p.normal, direction) < 0.0 ? p.color * max(1.0 - p.base - p.glass, 0.0) : vec3(0.0);
+}
+
+// Parts of a triangle's sides, or of a distance, that rounding makes: an edge belongs to both its triangles.
+const float PANE_EDGE = 1e-5;
+
 // [Möller and Trumbore 1997]. Where, along the direction; negative: it does not.
-float pane_met_at(int texel, vec3 origin, vec3 direction) {
+float pane_met_at(int texel, vec3 origin, vec3 direction, out bool on_edge) {
     vec3 edge = uintBitsToFloat(texelFetch(panes, texel + 1).xyz);
     vec3 other_edge = uintBitsToFloat(texelFetch(panes, texel + 2).xyz);
     vec3 across = cross(direction, other_edge), from = origin - uintBitsToFloat(texelFetch(panes, texel).xyz);
     vec3 other = cross(from, edge);
     float inverse = 1.0 / dot(edge, across);
     float u = dot(from, across) * inverse, v = dot(direction, other) * inverse;
-    return min(u, v) >= 0.0 && u + v <= 1.0 ? dot(other_edge, other) * inverse : -1.0;
+    float inside = min(min(u, v), 1.0 - u - v);
+    on_edge = inside < PANE_EDGE;
+    return inside >= -PANE_EDGE ? dot(other_edge, other) * inverse : -1.0;
 }
 
 // What lies along a ray: what all panes let pass, and the nearest one.
@@ -55,6 +70,7 @@ panes_met panes_meet(vec3 origin, vec3 direction, float start, float end) {
     uvec4 header = texelFetch(panes, 0);
     vec3 steps = uintBitsToFloat(texelFetch(panes, 1).xyz), along = direction * steps;
     vec3 place = (origin - uintBitsToFloat(header.xyz)) * steps;
+    float edge_at = -1.0; // what was met last on an edge
     vec3 slope = 1.0 / mix(along, vec3(1e-20), lessThan(abs(along), vec3(1e-20)));
     panes_met met = panes_met(vec3(1.0), end, 0);
     for (int box = STACKLESS_HEADER; box < int(header.w);) {
@@ -66,10 +82,12 @@ panes_met panes_meet(vec3 origin, vec3 direction, float start, float end) {
         int count = is_leaf && enters ? int(node.w >> STACKLESS_COUNT_SHIFT & STACKLESS_COUNT_MOST) : 0;
         int texel = int(node.w & ((1u << STACKLESS_COUNT_SHIFT) - 1u));
         for (int i = 0; i < count; i++, texel += STACKLESS_TRIANGLE) {
-            float at = pane_met_at(texel, origin, direction);
-            if (at > start && at < end) {
-                pane p = pane_at(texel);
-                met.passes *= p.base + p.glass * p.color * plate_passes(p, direction);
+            bool on_edge;
+            float at = pane_met_at(texel, origin, direction, on_edge);
+            bool again = on_edge && abs(at - edge_at) < PANE_EDGE * at;
+            if (at > start && at < end && !again) {
+                edge_at = on_edge ? at : edge_at;
+                met.passes *= pane_passes(pane_at(texel), direction);
                 met.texel = at < met.nearest ? texel : met.texel;
                 met.nearest = min(at, met.nearest);
             }
@@ -81,4 +99,31 @@ panes_met panes_meet(vec3 origin, vec3 direction, float start, float end) {
 
 vec3 panes_pass(vec3 origin, vec3 direction, float end) {
     return panes_meet(origin, direction, 0.0, end).passes;
+}
+
+// By chance ends light at a pane before that distance, which it then is: as often as the pane reflects diffusely what it does
+// not let pass. The share of the light, over the chance of this end; the pane's normal.
+bool panes_stop(vec3 origin, vec3 direction, float chance, inout float end, out vec3 share, out vec3 normal) {
+    share = vec3(1.0);
+    normal = vec3(0.0);
+    panes_met met = panes_meet(origin, direction, 0.0, end);
+    while (met.nearest < end) {
+        pane p = pane_at(met.texel);
+        vec3 keeps = pane_albedo(p, direction), passes = pane_passes(p, direction);
+        float most = max_of(keeps), stops = most > 0.0 ? most / (most + max_of(passes)) : 0.0;
+        bool at_pane = chance < stops;
+        share *= at_pane ? keeps / stops : passes / (1.0 - stops);
+        if (at_pane) {
+            end = met.nearest;
+            normal = dot(p.normal, direction) < 0.0 ? p.normal : -p.normal;
+            return true;
+        }
+        chance = (chance - stops) / (1.0 - stops);
+        met = panes_meet(origin, direction, met.nearest * (1.0 + PANE_EDGE), end);
+    }
+    return false;
+}
+
+float panes_clearance() {
+    return uintBitsToFloat(texelFetch(panes, 1).w);
 }

@@ -12,7 +12,7 @@ surface surface_fetch(view v, sampler2DArray depths, sampler2DArray normals, ive
     float depth = texelFetch(depths, texel, 0).r;
     s.present = depth > 0.0;
     vec2 size = vec2(textureSize(depths, 0).xy);
-    s.position = view_position(v, (vec2(texel.xy) + 0.5) / size * 2.0 - 1.0, depth);
+    s.position = view_position(v, (vec2(texel.xy) + 0.5) / size * 2.0 - 1.0, max(depth, 1e-9)); // far where nothing is
     s.normal = octahedral_decode(texelFetch(normals, texel, 0).rg);
     return s;
 }

@@ -39,14 +39,16 @@ void walk_on(walk w, int bounces, bool one_more, uvec2 chance, inout float pick,
     for (int bounce = 2; bounce <= last && w.goes; bounce++) {
         vec3 direction = cosine_direction(w.axis, walk_number(bounce - 2));
         bvh_hit hit = bvh_meet(w.place, direction, true);
-        w.goes = hit.triangle >= 0;
+        surface s = surface(hit.triangle >= 0, w.place + hit.distance * direction, hit.normal);
+        vec3 albedo = reflected(hit);
+        vec3 arrives = medium_sends(w.place, direction, true, chance ^ uvec2(0u, bounce), s, albedo);
+        w.goes = s.present;
         if (w.goes && chosen == bounce - 1)
-            end.next = vec4(w.place + hit.distance * direction, hit.distance);
+            end.next = vec4(s.position, distance(w.place, s.position));
         w.goes = w.goes && bounce <= bounces;
         if (w.goes) {
-            vec3 met = w.place + hit.distance * direction;
             float before = dot(w.carried, vec3(1.0));
-            w.carried *= reflected(hit) * medium_passes_along(w.place, direction, hit.distance);
+            w.carried *= albedo * arrives;
             float own = dot(w.carried, vec3(1.0));
             w.goes = own > 0.0;
             if (bounce > WALK_SURE && w.goes) {
@@ -54,18 +56,18 @@ void walk_on(walk w, int bounces, bool one_more, uvec2 chance, inout float pick,
                 w.carried *= before / own;
                 own = w.goes ? before : 0.0;
             }
-            own *= own > 0.0 ? walk_weight(met, hit.normal) : 1.0;
+            own *= own > 0.0 ? walk_weight(s.position, s.normal) : 1.0;
             end.all += own;
             if (weighted_pick(own, end.all, pick)) {
-                end.position = met;
-                end.normal = hit.normal;
+                end.position = s.position;
+                end.normal = s.normal;
                 end.flux = w.carried;
                 end.next.w = -1.0;
                 end.own = own;
                 chosen = bounce;
             }
-            w.place = met + bvh_clearance() * hit.normal;
-            w.axis = hit.normal;
+            w.place = s.position + bvh_clearance() * s.normal;
+            w.axis = s.normal;
         }
     }
 }

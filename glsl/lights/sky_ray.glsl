@@ -21,10 +21,12 @@ vpl vpl_by_sky_ray(int index, int number, float measure, vec2 place) {
     vec3 from = origin.xyz + at.x * right.xyz + at.y * up.xyz;
     vec3 direction = normalize(cross(up.xyz, right.xyz));
     bvh_hit hit = bvh_meet(from, direction, true);
-    if (hit.triangle < 0)
+    surface s = surface(hit.triangle >= 0, from + hit.distance * direction, hit.normal);
+    vec3 albedo = reflected(hit);
+    vec3 arrives = medium_sends(from, direction, true, floatBitsToUint(place) + uint(number), s, albedo);
+    if (!s.present)
         return vpl(from, 0.0, -direction, 0.0, vec3(0.0), 0.0);
-    vec3 position = from + hit.distance * direction;
-    float area = origin.w * measure, cosine = dot(hit.normal, -direction);
-    vec3 power = sky_piece_row(index, piece, 3).xyz * area * medium_passes_light(position, direction, false, 0.0);
-    return vpl(position, 0.0, hit.normal, area / max(cosine, VPL_COSINE_MIN), reflected(hit) * power, 0.0);
+    float area = origin.w * measure, cosine = dot(s.normal, -direction);
+    vec3 power = sky_piece_row(index, piece, 3).xyz * area * arrives;
+    return vpl(s.position, 0.0, s.normal, area / max(cosine, VPL_COSINE_MIN), albedo * power, 0.0);
 }

@@ -37,6 +37,13 @@ vec4 with_unshadowed(light l, vec3 sum, vec3 unshadowed, float factor) {
     return vec4(scattered * sum, dot(scattered, unshadowed) / 3.0);
 }
 
+// What panes let pass of light to that place of the ray, from so far away, and on to the camera.
+vec3 panes_on_way(sight ray, float s, vec3 from_light, float away) {
+    return PANES == 1 ? medium_panes(ray.origin + s * ray.direction, -from_light, away) *
+                            medium_panes(ray.origin, ray.direction, s)
+                      : vec3(1.0);
+}
+
 #if KIND == AIRLIGHT_DIRECTIONAL
 
 // Steps are even in the light that passes the medium.
@@ -54,7 +61,8 @@ vec4 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
         float s = ends.x + along;
         vec2 before = medium_segment(ray.origin + s * ray.direction, -l.direction, 2.0 * medium.radius);
         vec3 passes = exp(-medium.extinction * (along + before.y - before.x));
-        sum += is_lit(clip_start + s * clip_along, v.layer) ? passes * stands_for : vec3(0.0);
+        if (is_lit(clip_start + s * clip_along, v.layer))
+            sum += passes * stands_for * panes_on_way(ray, s, l.direction, MEDIUM_FAR);
         unshadowed += passes * stands_for;
     }
     float g = medium.g, sharp = 1.0 + g * g + 2.0 * g * dot(l.direction, ray.direction);
@@ -153,7 +161,8 @@ vec4 march(light l, sight ray, vec2 ends, int steps, float width, float jitter) 
 #ifdef HAS_SLIDES
         passes *= light_slide(l, direction);
 #endif
-        sum += lit ? passes * from_lamp : vec3(0.0);
+        if (lit)
+            sum += passes * from_lamp * panes_on_way(ray, s, direction, r);
         unshadowed += passes * strength;
         at = vec2(at.x * turn.x - at.y * turn.y, at.x * turn.y + at.y * turn.x);
     }

@@ -1,11 +1,9 @@
 // What panes before the surfaces of the picture let pass to the camera, and their own light: diffuse light of the lights
 // by shadow rays and of the pixel's irradiance, and the sky that glass reflects.
-#include "lib/light.glsl"
-#include "lib/medium.glsl"
 #include "lib/panorama.glsl"
 #include "picture/sight.glsl"
 #include "shared/show_panes.h"
-#include "visibility/bvh.glsl"
+#include "visibility/shadow_ray.glsl"
 
 layout(location = TARGET_RESULT) out vec4 own;
 layout(location = TARGET_TRANSMITTANCE) out vec4 passes;
@@ -27,20 +25,8 @@ const int LAYERS = 8;
 // Direct light over pi of a white surface on that side.
 vec3 direct_at(vec3 place, vec3 normal) {
     vec3 sum = vec3(0.0);
-    float clearance = bvh_clearance();
-    for (int i = 0; i < light_count; i++) {
-        light l = light_at(i);
-        bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
-        vec3 from = place - l.position;
-        float away = directional ? BVH_FAR : length(from), distance2 = directional ? 1.0 : away * away;
-        vec3 direction = directional ? l.direction : from / away;
-        vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
-        power *= max(-dot(normal, direction), 0.0) / distance2;
-        bool asks = dot(power, vec3(1.0)) > 0.0 && away > clearance;
-        vec3 origin = place + clearance * normal;
-        if (asks && !bvh_meets_any(bvh_ray_along(origin, -direction, away - clearance), asks))
-            sum += power * medium_passes_light(origin, direction, !directional, distance2);
-    }
+    for (int i = 0; i < light_count; i++)
+        sum += irradiance_from(light_at(i), place, normal, normal);
     return sum / PI;
 }
 
@@ -55,7 +41,7 @@ vec3 sky_along(vec3 origin, vec3 direction) {
 vec3 own_light(pane p, vec3 place, vec3 direction, ivec2 pixel) {
     vec3 normal = dot(p.normal, direction) < 0.0 ? p.normal : -p.normal;
     float covers = 1.0 - p.base;
-    vec3 albedo = p.color * max(covers - p.glass, 0.0), sum = vec3(0.0);
+    vec3 albedo = pane_albedo(p, direction), sum = vec3(0.0);
     if (dot(albedo, vec3(1.0)) > 0.0)
         sum = params.scale * albedo * direct_at(place, normal);
 #ifdef HAS_IRRADIANCE
@@ -78,9 +64,13 @@ void main() {
         if (met.nearest >= ray.ray_length)
             break;
         pane p = pane_at(met.texel);
-        own.rgb += before * own_light(p, ray.origin + met.nearest * ray.direction, ray.direction, pixel);
-        before *= p.base + p.glass * p.color * plate_passes(p, ray.direction);
-        start = met.nearest;
+        if (p.both || dot(p.normal, ray.direction) < 0.0) { // the camera sees no backs of one side
+            vec2 segment = medium_segment(ray.origin, ray.direction, met.nearest);
+            own.rgb += before * medium_passes(segment.y - segment.x) *
+                       own_light(p, ray.origin + met.nearest * ray.direction, ray.direction, pixel);
+            before *= pane_passes(p, ray.direction);
+        }
+        start = met.nearest * (1.0 + PANE_EDGE);
     }
     passes = vec4(before, 1.0);
 #ifdef HAS_AIRLIGHT

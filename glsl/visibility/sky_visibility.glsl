@@ -1,5 +1,7 @@
-// The visible fraction of an environment light: of shadow rays to points of it, those that no triangle blocks. SUNS lights are
+// The visible fraction of an environment light: of shadow rays to points of it, those that no triangle blocks, each with the
+// greatest fraction of its colours that panes let pass. SUNS lights are
 // suns; others take SHADOW_RAYS.
+#include "lib/medium.glsl"
 #include "lib/random.glsl"
 #include "lib/sky.glsl"
 #include "shared/environment_lighting.h"
@@ -33,7 +35,8 @@ float sky_visibility(int i, vec3 position, vec3 normal) {
         vec3 towards = sky_towards(i, sky_point(k, rays, shift));
         bool counts = dot(towards, normal) > 0.0;
         bool blocked = is_blocked_towards(position, normal, towards, counts);
-        visible += counts && !blocked ? 1.0 : 0.0;
+        if (counts && !blocked)
+            visible += max_of(medium_panes(position, towards, MEDIUM_FAR));
         above += counts ? 1.0 : 0.0;
     }
     return visible / max(above, 1.0);

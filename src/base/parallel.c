@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-enum { MAX_THREADS = 256 };
+enum { MAX_THREADS = 256, WATCHED = 4 /* calls of a thread from one question to the next */ };
 
 struct loop {
     size_t count;
@@ -60,18 +60,33 @@ static void *run(void *argument) {
     return NULL;
 }
 
+static _Thread_local bool (*is_wanted)(void);
+
+void parallel_watch(bool (*wanted)(void)) {
+    is_wanted = wanted;
+}
+
+static void run_all(struct loop *loop, int threads) {
+    pthread_t helpers[MAX_THREADS];
+    int started = 0;
+    /* The calling thread works too; a helper that cannot start only costs time. */
+    while (started < threads - 1 && pthread_create(&helpers[started], NULL, run, loop) == 0)
+        started++;
+    run(loop);
+    for (int i = 0; i < started; i++)
+        pthread_join(helpers[i], NULL);
+}
+
 void parallel_for(size_t count, int threads, void (*body)(void *context, size_t i), void *context) {
-    struct loop loop = {.count = count, .body = body, .context = context, .sink = log_get_sink()};
+    struct loop loop = {.body = body, .context = context, .sink = log_get_sink()};
     if (threads <= 0)
         threads = parallel_core_count();
     if (threads > MAX_THREADS)
         threads = MAX_THREADS;
-    pthread_t helpers[MAX_THREADS];
-    int started = 0;
-    /* The calling thread works too; a helper that cannot start only costs time. */
-    while (started < threads - 1 && pthread_create(&helpers[started], NULL, run, &loop) == 0)
-        started++;
-    run(&loop);
-    for (int i = 0; i < started; i++)
-        pthread_join(helpers[i], NULL);
+    while (loop.count < count && (!is_wanted || is_wanted())) {
+        size_t left = count - loop.count, part = is_wanted ? WATCHED * (size_t)threads : left;
+        atomic_store(&loop.next, loop.count);
+        loop.count += part < left ? part : left;
+        run_all(&loop, threads);
+    }
 }

@@ -2,6 +2,7 @@
 #ifndef BASE_PARALLEL_H
 #define BASE_PARALLEL_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* Cores that this process may use: by its affinity, by cpu.max of a container, and by the most that is set before
@@ -15,5 +16,8 @@ int parallel_granted(const char *path);
 /* Calls body(context, i) for every i in [0, count), on `threads` threads (0 = all cores), in no
  * particular order; each thread takes the next free i. Returns when all calls have returned. */
 void parallel_for(size_t count, int threads, void (*body)(void *context, size_t i), void *context);
+
+/* Loops of the calling thread end early once `wanted` says no, which they ask now and then; NULL: they do not ask. */
+void parallel_watch(bool (*wanted)(void));
 
 #endif

@@ -1,6 +1,7 @@
 #include "gl/cancel.h"
 
 #include "base/clock.h"
+#include "base/parallel.h"
 #include "gl/api.h"
 
 #include <assert.h>
@@ -39,6 +40,13 @@ static void ask(void) {
 /* Asks before a draw, or leaves it out. */
 static bool is_wanted(void) {
     if (!watch.cancelled && ++watch.drawn >= watch.batch)
+        ask();
+    return !watch.cancelled;
+}
+
+/* The same of loops of the CPU, by time: their parts are no draws. */
+static bool is_loop_wanted(void) {
+    if (!watch.cancelled && clock_ms() - watch.last >= watch.interval)
         ask();
     return !watch.cancelled;
 }
@@ -89,10 +97,11 @@ void cancel_begin(cancel_ask *ask, void *user, double interval) {
     gl.DrawElementsInstanced = draw_elements_instanced;
     gl.DispatchCompute = dispatch_compute;
     gl.DispatchComputeIndirect = dispatch_compute_indirect;
+    parallel_watch(is_loop_wanted);
 }
 
 bool cancel_came(void) {
-    return watch.cancelled;
+    return watch.ask && watch.cancelled;
 }
 
 bool cancel_end(void) {
@@ -102,5 +111,6 @@ bool cancel_end(void) {
     gl.DispatchCompute = watch.dispatch_compute;
     gl.DispatchComputeIndirect = watch.dispatch_compute_indirect;
     watch.ask = NULL;
+    parallel_watch(NULL);
     return watch.cancelled;
 }

@@ -1,5 +1,5 @@
-/* Ends a long frame early. While a thread watches, its draws and dispatches ask now and then whether the frame is still
- * wanted. Once it is not they draw nothing, so that the frame ends soon; its picture is then worthless.
+/* Ends a long frame early. While a thread watches, its draws, dispatches and parallel loops ask now and then whether the
+ * frame is still wanted. Once it is not they do nothing, so that the frame ends soon; its picture is then worthless.
  *
  * Draws are queued, by GPUs by the thousand. Asking therefore waits for those before (glFinish): after so many draws as
  * take about a quarter of a second. Pictures keep their bits.

@@ -15,9 +15,9 @@ static bool init_medium(struct airlight *airlight, const struct airlight_part_de
     return desc->steps == 0 ||
            (shadow_map_pass_init(&airlight->maps, &(struct shadow_map_desc){map_size(&desc->lights),
                                                                             desc->lights}) &&
-            airlight_pass_init(
-                &airlight->pass,
-                &(struct airlight_desc){desc->width, desc->height, desc->steps, desc->slides}));
+            airlight_pass_init(&airlight->pass,
+                               &(struct airlight_desc){desc->width, desc->height, desc->steps,
+                                                       desc->slides, desc->panes != NULL}));
 }
 
 static bool init_panes(struct airlight *airlight, const struct airlight_part_desc *desc) {

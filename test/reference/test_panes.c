@@ -108,6 +108,14 @@ static void test_blended(void **state) {
         blend(&pane, alphas[i]);
         open_rays(&scene, &pane, 2);
         check_near("two of one alpha", passes_at(&scene, 70).x, pow(1 - alphas[i], 2), 1e-6);
+        for (int n = -4; n <= 4;
+             n++) /* along both diagonals, one of which is an edge of triangles */
+            for (int side = -1; side <= 1; side += 2)
+                check_near("on an edge",
+                           ray_scene_passes(&scene.rays, at((float)n, .2F, (float)(side * n)),
+                                            at((float)n, 12, (float)(side * n)))
+                               .x,
+                           pow(1 - alphas[i], 2), 1e-6);
         close_rays(&scene);
     }
 }

@@ -113,14 +113,16 @@ static void test_slab(void **state) {
     }
 }
 
-/* The floor below a pane, by the light above it, from below and from above: without caustics light goes straight on. */
+/* The floor below a pane, by the light above it, from below and from above: without caustics light goes straight on. From
+ * below, fog has as much of it. */
 static void test_panes(void **state) {
     (void)state;
+    double fog = 0;
     static const struct {
         const char *what;
         float alpha, index;
         double passes;
-    } rows[] = {{"glass", 1, 1.52F, .9183},    {"glass of index 1", 1, 1, 1},
+    } rows[] = {{"glass of index 1", 1, 1, 1}, {"glass", 1, 1.52F, .9183},
                 {"blended .2", .2F, 0, .8},    {"blended .5", .5F, 0, .5},
                 {"blended .75", .75F, 0, .25}, {"opaque", 1, 0, 0}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
@@ -138,13 +140,46 @@ static void test_panes(void **state) {
             lay_out(&stage);
             place_light(&stage, 2);
             stage.camera.fov_y = .02F;
-            stage.camera.eye[0] = .05F; /* off the square's diagonal, where two triangles meet */
+            stage.camera.eye[0] = i % 2 ? .05F : 0; /* off and on the diagonal of two triangles */
             struct image drawn = draw(&stage, CHEAP);
             check_near(rows[i].what, over_floor(&drawn, "R", 2), pow(rows[i].passes, 1 + above),
                        .003);
             image_free(&drawn);
+            drawn = draw(&stage, CHEAP "medium.scatter=.001");
+            fog = i == 0 && !above ? mean_of(&drawn, "airlight") : fog;
+            if (!above)
+                check_near("fog", mean_of(&drawn, "airlight") / fog, rows[i].passes, .01);
+            image_free(&drawn);
             stage_free(&stage);
         }
+}
+
+/* The floor by what a blended surface above the light reflects: as much of what it reflects if opaque as it covers. */
+static void test_panes_reflect(void **state) {
+    (void)state;
+    static const struct {
+        const char *node;
+        float alpha, expected;
+    } rows[] = {{DOWN_NODE, 1, 1},
+                {DOWN_NODE, .25F, .25F},
+                {DOWN_NODE, .5F, .5F},
+                {DOWN_NODE, .75F, .75F},
+                {UP_NODE, .5F, 0}};
+    double of_opaque = 0;
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct stage stage;
+        open_squares(&stage, &(struct square){rows[i].node, 1, 2}, 1, .3F);
+        stage.scene.materials[SMOOTH].blends = i > 0;
+        stage.scene.materials[SMOOTH].base_color[3] = rows[i].alpha;
+        lay_out(&stage);
+        place_light(&stage, .5F);
+        emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
+        struct image drawn = draw(&stage, "vpls=8192 rsm-size=64");
+        of_opaque = i == 0 ? mean_of(&drawn, "indirect") : of_opaque;
+        check_near("over opaque", mean_of(&drawn, "indirect") / of_opaque, rows[i].expected, .015);
+        image_free(&drawn);
+        stage_free(&stage);
+    }
 }
 
 /* Of two renderers of one geometry, glass is a pane to one and an occluder, which throws caustics, to the other. */
@@ -356,6 +391,7 @@ int main(void) {
         cmocka_unit_test(test_indirect),
         cmocka_unit_test(test_slab),
         cmocka_unit_test(test_panes),
+        cmocka_unit_test(test_panes_reflect),
         cmocka_unit_test(test_two_renderers),
         cmocka_unit_test(test_wall_from_behind),
         cmocka_unit_test(test_open_and_nested),

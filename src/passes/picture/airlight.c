@@ -15,9 +15,9 @@
 static bool init_programs(struct airlight_pass *pass) {
     bool ok = true;
     for (int kind = 0; ok && kind < AIRLIGHT_KINDS; kind++) {
-        char defines[48];
-        snprintf(defines, sizeof defines, "%sKIND %d", light_defines(true, pass->desc.slides),
-                 kind);
+        char defines[64];
+        snprintf(defines, sizeof defines, "%sPANES %d;KIND %d",
+                 light_defines(true, pass->desc.slides), pass->desc.panes, kind);
         ok = program_init(
             &pass->programs[kind],
             &(struct program_desc){.screen = {"picture/airlight.frag", .blended = true},

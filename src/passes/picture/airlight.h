@@ -16,8 +16,8 @@ struct gbuffer;
 
 struct airlight_desc {
     int width, height;
-    int steps;   /* of a light; light samples of one light share them, at least 8 each */
-    bool slides; /* lights may have some */
+    int steps;          /* of a light; light samples of one light share them, at least 8 each */
+    bool slides, panes; /* lights may have some; the scene has some */
 };
 
 struct airlight_pass {

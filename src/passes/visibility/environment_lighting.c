@@ -26,9 +26,9 @@ static struct environment_lighting_params params_of(const struct environment_lig
 }
 
 static bool init_programs(struct environment_lighting_pass *pass) {
-    char *defines = mem_printf("SUNS %d;SHADOW_RAYS %d", pass->desc.suns, pass->desc.shadow_rays);
-    char *light_defines = mem_printf("%s%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "",
-                                     pass->desc.medium ? ";HAS_MEDIUM" : "");
+    char *defines = mem_printf("SUNS %d;SHADOW_RAYS %d%s", pass->desc.suns, pass->desc.shadow_rays,
+                               pass->desc.medium ? ";HAS_MEDIUM" : "");
+    char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
     bool ok = program_init(&pass->share_program,
                            &(struct program_desc){
                                .screen = {"visibility/sky_shares.frag", .layers = true}}) &&
@@ -200,6 +200,7 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
     };
     struct environment_lighting_params params = params_of(&pass->desc, frame->pass);
     buffer_write(&pass->params, 0, sizeof params, &params);
+    frame_add_medium(frame, &state);
     draw_blocks(pass, frame, &state);
     pass_add_texture(&state, UNIT_BLOCK_VISIBILITY, pass->blocks.id);
     pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
@@ -209,6 +210,5 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
         pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
     }
-    frame_add_medium(frame, &state);
     draw_light(pass, frame, &state);
 }

@@ -10,6 +10,9 @@
 /* A ray passes so many panes at most. */
 enum { PANES_MOST = 32 };
 
+/* Part of a triangle's side, and of a distance, that rounding may make. */
+static const float EDGE = 1e-6F;
+
 /* What a filter sees besides the hit: the Embree context comes first. */
 struct ray_context {
     embree_context embree;
@@ -17,6 +20,7 @@ struct ray_context {
     vec3s *passes;               /* of shadow rays, by their ids: what panes let pass */
     uint32_t passed[PANES_MOST]; /* panes, of other rays */
     int passed_count;
+    float edge_at[4]; /* by ids: where a ray last passed a pane's edge, which two triangles share */
 };
 
 /* Embree numbers the triangles of each of its geometries from 0; masked ones and panes follow. */
@@ -43,13 +47,20 @@ static bool has_passed(const struct ray_context *context, uint32_t triangle) {
     return passed;
 }
 
-/* Whether the ray goes on past a pane. Shadow rays note what it lets pass. */
+static bool is_on_edge(const struct triangle_point *point) {
+    return fminf(fminf(point->u, point->v), 1 - point->u - point->v) < EDGE;
+}
+
+/* Whether the ray goes on past a pane. Shadow rays note what it lets pass, on a shared edge once. */
 static bool passes_pane(struct ray_context *context, const struct triangle_point *point,
-                        vec3s direction, unsigned id) {
+                        vec3s direction, float at, unsigned id) {
     if (!hit_is_pane(context->rays->table, point->triangle))
         return false;
-    if (!context->passes)
-        return has_passed(context, point->triangle);
+    bool on_edge = is_on_edge(point);
+    bool again = on_edge && fabsf(at - context->edge_at[id]) < EDGE * at;
+    if (again || !context->passes)
+        return again || has_passed(context, point->triangle);
+    context->edge_at[id] = on_edge ? at : context->edge_at[id];
     direction = vec3s_unit(direction);
     struct passing passing = hit_passing(context->rays->table, point, direction);
     context->passes[id] = glms_vec3_mul(context->passes[id], passing.passes);
@@ -76,8 +87,9 @@ static void let_pass_holes_and_panes(const struct RTCFilterFunctionNArguments *a
         struct RTCHit hit = hit_of_packet(arguments->hit, arguments->N, i);
         struct triangle_point point = point_of(context->rays, &hit);
         vec3s direction = direction_of_packet(arguments->ray, arguments->N, i, &id);
+        float at = ((const float *)arguments->ray)[8 * arguments->N + i];
         if (hit_is_hole(context->rays->table, &point) ||
-            passes_pane(context, &point, direction, id))
+            passes_pane(context, &point, direction, at, id))
             arguments->valid[i] = 0;
     }
 }
@@ -217,6 +229,7 @@ static bool trace(const struct ray_scene *rays, const struct way *way, RTCFilter
         if (more) {
             /* What lies in the pane's plane is not missed. */
             context.passed[context.passed_count++] = point.triangle;
+            context.edge_at[0] = is_on_edge(&point) ? query.ray.tfar : 0;
             query.ray.tnear = fmaxf(way->ends[0], query.ray.tfar - rays->clearance / 10);
             query.ray.tfar = way->ends[1];
             query.hit.geomID = RTC_INVALID_GEOMETRY_ID;

@@ -32,7 +32,7 @@ static void pack(struct bvh_triangle *triangle, const struct material *material,
     float index = material->thin_walled ? pane.index : -pane.index;
     triangle->opaque[0] = unorm_of(pane.base) | unorm_of(enters) << 16;
     memcpy(&triangle->opaque[1], &index, sizeof index);
-    triangle->number = 0;
+    triangle->number = material->double_sided || material->transmission > 0 ? PANE_BOTH : 0;
     for (int c = 0; c < 3; c++) {
         float own = enters > 0 ? pane.glass.raw[c] / enters : glm_clamp(color.raw[c], 0, 1);
         triangle->number |= (uint32_t)lrintf(own * PANE_COLOR_MOST) << PANE_COLOR_BITS * c;

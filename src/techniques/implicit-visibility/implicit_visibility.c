@@ -2,6 +2,7 @@
  * hundred directions, and so need no shadow map. All but the picture is made on the CPU, on all cores. */
 #include "base/error.h"
 #include "base/memory.h"
+#include "gl/cancel.h"
 #include "lights/light_samples.h"
 #include "passes/frame.h"
 #include "scene/caustics.h"
@@ -277,7 +278,7 @@ static void link_elements(struct implicit_visibility *technique, const struct fr
         links_sort_lamps(&technique->links, (const float(*)[4])technique->light.emission);
     }
     timer_end(frame->timers);
-    technique->linked = true;
+    technique->linked = !cancel_came();
     technique->sky_linked = sky;
 }
 

@@ -1,0 +1,31 @@
+// Light of one light at a place, by a shadow ray.
+#include "lib/light.glsl"
+#include "lib/medium.glsl"
+#include "visibility/bvh.glsl"
+
+vec3 arriving_unshadowed(light l, vec3 place, out vec3 direction, out float away) {
+    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
+    vec3 from = place - l.position;
+    away = directional ? BVH_FAR : length(from);
+    direction = directional ? l.direction : from / away;
+    float distance2 = directional ? 1.0 : away * away;
+    vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
+    return power / distance2 * medium_passes_light(place, direction, !directional, distance2);
+}
+
+// Across its direction, W/m2; above: which side of a surface rays start on, or 0.
+vec3 arriving(light l, vec3 place, vec3 above, float weight, out vec3 direction) {
+    float away, clearance = bvh_clearance();
+    vec3 power = weight * arriving_unshadowed(l, place, direction, away);
+    bool asks = dot(power, vec3(1.0)) > 0.0 && away > clearance;
+    bvh_ray ray = bvh_ray_along(place + clearance * above, -direction, away - clearance);
+    return asks && !bvh_meets_any(ray, asks) ? power : vec3(0.0);
+}
+
+vec3 irradiance_from(light l, vec3 place, vec3 normal, vec3 flat_normal) {
+    vec3 direction, unused;
+    float away;
+    arriving_unshadowed(l, place, direction, away);
+    float cosine = dot(flat_normal, direction) < 0.0 ? max(-dot(normal, direction), 0.0) : 0.0;
+    return arriving(l, place, flat_normal, cosine, unused);
+}
