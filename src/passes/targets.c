@@ -87,10 +87,11 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
     return false;
 }
 
-bool irradiance_resize(struct irradiance *irradiance, const char *label, GLenum format, int width,
-                       int height) {
+bool irradiance_resize(struct irradiance *irradiance, int width, int height) {
+    const struct texture *old = &irradiance->texture;
     struct irradiance fresh;
-    if (!irradiance_init(&fresh, label, format, width, height, irradiance->interleave))
+    if (!irradiance_init(&fresh, old->label, old->desc.format, width, height,
+                         irradiance->interleave))
         return false;
     irradiance_free(irradiance);
     *irradiance = fresh;

@@ -195,10 +195,6 @@ void volume_light_free(struct volume_light *light) {
     buffer_free(&light->params);
 }
 
-bool volume_light_resize(struct volume_light *light, int width, int height) {
-    return reconstruct_pass_resize(&light->reconstruct, width, height);
-}
-
 /* Voxels of another size, or other triangles, need another number of points. */
 static bool renew_points(struct volume_light *light, const struct geometry *geometry) {
     struct volume_points_desc desc = light->points.desc;

@@ -71,7 +71,7 @@ static void ask(const struct caster_bvh *tree, const struct pair *pairs, uint32_
     check_ok("answers", buffer_init(&answered, "answers", PAIRS * sizeof *answers, NULL));
     pass_begin(&untimed, &(struct pass_state){.name = "rays",
                                               .program = program,
-                                              .textures = {{UNIT_BVH, tree->texels}},
+                                              .textures = {{UNIT_BVH, tree->buffer.texels}},
                                               .storages = {{0, &asked}, {1, &answered}}});
     pass_dispatch((PAIRS + 63) / 64, 1, 1);
     pass_end(&untimed);

@@ -112,18 +112,7 @@ static void free_targets(struct caustics_pass *pass) {
     texture_free(&pass->volume);
 }
 
-bool caustics_pass_resize(struct caustics_pass *pass, int width, int height) {
-    struct caustics_pass fresh = *pass;
-    fresh.surface = fresh.volume = (struct texture){0};
-    fresh.surface_framebuffer = fresh.volume_framebuffer = 0;
-    fresh.desc.width = width;
-    fresh.desc.height = height;
-    bool ok = init_targets(&fresh);
-    free_targets(ok ? pass : &fresh);
-    if (ok)
-        *pass = fresh;
-    return ok;
-}
+DEFINE_RESIZE(caustics_pass, surface, volume_framebuffer)
 
 bool caustics_pass_init(struct caustics_pass *pass, const struct caustics_desc *desc) {
     *pass = (struct caustics_pass){.desc = *desc};
@@ -254,7 +243,7 @@ static void trace(const struct caustics_pass *pass, const struct frame *frame, i
     smooth_surfaces_add(&pass->surfaces, &state);
     if (frame->scene->slides.id)
         pass_add_texture(&state, UNIT_SLIDES, frame->scene->slides.id);
-    pass_add_texture(&state, UNIT_BVH, pass->tree->texels);
+    pass_add_texture(&state, UNIT_BVH, pass->tree->buffer.texels);
     timer_begin(frame->timers, state.name);
     draw_rays(&state, pass, side, pass->ray_framebuffer);
     pass_set_int(LOCATION_LIGHT, light);

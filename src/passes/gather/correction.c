@@ -144,8 +144,8 @@ static void test(const struct correction_pass *pass, const struct frame *frame,
         .height = pass->tests.desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_BVH, inputs->tree->texels},
-                     {UNIT_VPLS, vpls->texels}},
+                     {UNIT_BVH, inputs->tree->buffer.texels},
+                     {UNIT_VPLS, vpls->buffer.texels}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     /* Without blocks nothing is read there: any texture of layers. */

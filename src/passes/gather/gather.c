@@ -213,7 +213,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     if (inputs->rectangles)
         pass_add_block(&state, BLOCK_LIGHT_RECTANGLES, inputs->rectangles);
     pass_add_texture(&state, UNIT_VPLS,
-                     pass->desc.cuts ? inputs->cuts->tree->vpls : inputs->vpls->texels);
+                     pass->desc.cuts ? inputs->cuts->tree->vpls : inputs->vpls->buffer.texels);
     if (pass->desc.together > 0)
         pass_add_texture(&state, UNIT_VPL_SUMS, inputs->vpls->sums.id);
     pixel_lists_add(&state, inputs->lists, pass->desc.receivers);

@@ -260,7 +260,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     if (inputs->of_lists)
         pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
     if (pass->tree)
-        pass_add_texture(&state, UNIT_BVH, pass->tree->texels);
+        pass_add_texture(&state, UNIT_BVH, pass->tree->buffer.texels);
     write_params(pass, frame, irradiance_pattern(irradiance));
     pass_begin(frame->timers, &state);
     if (inputs->of_lists)

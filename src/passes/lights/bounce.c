@@ -208,8 +208,8 @@ static void trace_paths(const struct bounce_pass *pass, const struct frame *fram
     struct pass_state trace = {
         .name = "bounces",
         .program = pass->path_program,
-        .textures = {{UNIT_VPLS, vpls->texels},
-                     {UNIT_BVH, pass->tree->texels},
+        .textures = {{UNIT_VPLS, vpls->buffer.texels},
+                     {UNIT_BVH, pass->tree->buffer.texels},
                      {UNIT_TRIANGLE_ALBEDOS, albedos},
                      {UNIT_PATH_NUMBERS, pass->numbers.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
@@ -246,7 +246,7 @@ void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
 void bounce_pass_find_kept(const struct bounce_pass *pass, const struct frame *frame) {
     struct pass_state seen = state_of(pass, pass->seen_program),
                       kept = state_of(pass, pass->kept_program);
-    pass_add_texture(&seen, UNIT_BVH, pass->tree->texels);
+    pass_add_texture(&seen, UNIT_BVH, pass->tree->buffer.texels);
     pass_add_block(&seen, BLOCK_VIEW, frame->view);
     pass_add_texture(&kept, UNIT_PATH_RESULTS, pass->seen.id);
     timer_begin(frame->timers, "bounces");

@@ -197,7 +197,7 @@ static void find_centers(struct cluster_pass *pass, const struct frame *frame,
                          const struct vpl_buffer *vpls) {
     bool seeds = pass->desc.start == CLUSTER_START_SEEDS || !pass->started;
     int before_map = pass->desc.iterations - (pass->desc.means_of_map ? 1 : 0);
-    pass->vpl_texels = vpls->texels;
+    pass->vpl_texels = vpls->buffer.texels;
     pass->vpl_sums = vpls->sums.id;
     pass->started = true;
     iterate(pass, frame, seeds, before_map);
@@ -218,7 +218,7 @@ static void find_extents(const struct cluster_pass *pass) {
 }
 
 static void write_views(struct cluster_pass *pass) {
-    pass->vpl_texels = pass->vpls.texels;
+    pass->vpl_texels = pass->vpls.buffer.texels;
     struct pass_state state = state_of(pass, pass->views_program);
     pass_add_texture(&state, UNIT_VAL_EXTREMES, pass->extremes.id);
     pass_set_state(&state);

@@ -53,7 +53,7 @@ static struct pass_state row_state(GLuint program, GLuint framebuffer, const str
         .framebuffer = framebuffer,
         .width = row->desc.width,
         .height = 1,
-        .textures = {{UNIT_VPLS, vpls->texels}},
+        .textures = {{UNIT_VPLS, vpls->buffer.texels}},
     };
 }
 

@@ -63,18 +63,7 @@ static void free_targets(struct airlight_pass *pass) {
     texture_free(&pass->transmittance);
 }
 
-bool airlight_pass_resize(struct airlight_pass *pass, int width, int height) {
-    struct airlight_pass fresh = *pass;
-    fresh.steps = fresh.half_blurred = fresh.in_scatter = fresh.transmittance = (struct texture){0};
-    fresh.steps_framebuffer = fresh.half_framebuffer = fresh.framebuffer = 0;
-    fresh.desc.width = width;
-    fresh.desc.height = height;
-    bool ok = init_targets(&fresh);
-    free_targets(ok ? pass : &fresh);
-    if (ok)
-        *pass = fresh;
-    return ok;
-}
+DEFINE_RESIZE(airlight_pass, steps, framebuffer)
 
 bool airlight_pass_init(struct airlight_pass *pass, const struct airlight_desc *desc) {
     *pass = (struct airlight_pass){.desc = *desc};
@@ -182,7 +171,7 @@ static void blur(const struct airlight_pass *pass, const struct frame *frame,
         .height = pass->desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_PANES, frame->scene->panes.texels},
+                     {UNIT_PANES, frame->scene->panes.buffer.texels},
                      {UNIT_AIRLIGHT, axis ? pass->half_blurred.id : pass->steps.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_MEDIUM, frame->medium},

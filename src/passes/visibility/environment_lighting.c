@@ -120,19 +120,7 @@ void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
     *pass = (struct environment_lighting_pass){0};
 }
 
-bool environment_lighting_pass_resize(struct environment_lighting_pass *pass, int width,
-                                      int height) {
-    struct environment_lighting_pass fresh = *pass;
-    fresh.blocks = fresh.light = fresh.specular = (struct texture){0};
-    fresh.block_framebuffer = fresh.light_framebuffer = 0;
-    fresh.desc.width = width;
-    fresh.desc.height = height;
-    bool ok = init_targets(&fresh);
-    free_targets(ok ? pass : &fresh);
-    if (ok)
-        *pass = fresh;
-    return ok;
-}
+DEFINE_RESIZE(environment_lighting_pass, block_framebuffer, specular)
 
 void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,
                                              const struct frame *frame,
@@ -192,7 +180,7 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
     struct pass_state state = {
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_BVH, pass->bvh->texels},
+                     {UNIT_BVH, pass->bvh->buffer.texels},
                      {UNIT_SKY_SHARES, pass->shares.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_SKY, inputs->lights},

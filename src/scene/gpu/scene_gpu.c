@@ -37,7 +37,8 @@ static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geom
     for (size_t i = 0; i < count; i++)
         for (int c = 0; c < 4; c++)
             colors[i][c] = (uint16_t)lrintf(fminf(fmaxf(geometry->color[i][c], 0), 1) * 65535);
-    bool ok = buffer_init(&gpu->normals, "scene normals", count * sizeof *normals, normals) &&
+    bool ok = buffer_init_texels(&gpu->normals, GL_RGBA16I, "scene normals",
+                                 count * sizeof *normals, normals) &&
               buffer_init(&gpu->colors, "scene colours", count * sizeof *colors, colors);
     free(normals);
     free(colors);
@@ -224,11 +225,11 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
     size_t count = geometry->vertex_count;
     gpu->pose = geometry->pose_count;
     copy_batches(gpu, geometry);
-    if (!buffer_init(&gpu->positions, "scene positions", count * sizeof *geometry->position,
-                     geometry->position) ||
+    if (!buffer_init_texels(&gpu->positions, GL_RGB32F, "scene positions",
+                            count * sizeof *geometry->position, geometry->position) ||
         !upload_uvs(gpu, geometry) || !upload_attributes(gpu, geometry) ||
-        !buffer_init(&gpu->indices, "scene indices", geometry->index_count * sizeof(uint32_t),
-                     geometry->indices))
+        !buffer_init_texels(&gpu->indices, GL_R32UI, "scene indices",
+                            geometry->index_count * sizeof(uint32_t), geometry->indices))
         return false;
     if (!caster_bvh_update(&gpu->panes, gpu->scene, geometry))
         return false;

@@ -233,7 +233,7 @@ static bool resize(void *state, int width, int height) {
     bool specular = technique->specular_kind != SPECULAR_OFF;
     if (specular && !specular_target_init(&radiance, width, height))
         return false;
-    if (!interpolate_pass_resize(&technique->interpolate, width, height)) {
+    if (!irradiance_resize(&technique->interpolate.irradiance, width, height)) {
         irradiance_free(&radiance);
         return false;
     }
