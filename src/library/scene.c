@@ -7,7 +7,6 @@
 #include "library/arrays.h"
 #include "library/desc.h"
 #include "library/door.h"
-#include "scene/clips.h"
 #include "scene/placing.h"
 #include "scene/read_rules.h"
 

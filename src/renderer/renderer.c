@@ -1,6 +1,5 @@
 #include "renderer/renderer.h"
 
-#include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "renderer/caustics.h"

@@ -4,7 +4,6 @@
 #include "base/names.h"
 #include "direct/direct.h"
 #include "direct/environment.h"
-#include "lights/light_samples.h"
 #include "passes/picture/composite.h"
 #include "scene/caustics.h"
 #include "scene/material.h"

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "passes/frame.h"
 #include "scene/caustics.h"
-#include "techniques/many_lights.h"
 
 #include <math.h>
 #include <string.h>

@@ -8,7 +8,6 @@
 #include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
 #include "viewer/files/screenshot.h"
-#include "viewer/files/start.h"
 #include "viewer/panel/controls.h"
 #include "viewer/panel/inspector.h"
 #include "viewer/panel/overlay.h"

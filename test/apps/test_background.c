@@ -7,7 +7,6 @@
 #include "base/file/image_file.h"
 #include "metrics/colour.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,7 +4,6 @@
 #include "command_support.h"
 
 #include "base/clock.h"
-#include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"

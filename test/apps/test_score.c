@@ -2,7 +2,6 @@
 #include "command_support.h"
 
 #include "base/file/image_file.h"
-#include "base/memory.h"
 #include "base/sha256.h"
 #include "metrics/colour.h"
 

@@ -6,7 +6,6 @@
 #include "apps/frames.h"
 #include "base/error.h"
 #include "base/file/image_file.h"
-#include "base/memory.h"
 #include "gl/memory.h"
 #include "scene/shapes/metaballs.h"
 #include "shared/vpl.h"

@@ -3,10 +3,8 @@
 #include "command_support.h"
 #include "exr_parts.h"
 
-#include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/image_plugin.h"
-#include "base/memory.h"
 
 #include <math.h>
 #include <pthread.h>

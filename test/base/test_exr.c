@@ -10,7 +10,6 @@
 #include "base/memory.h"
 #include "metrics/layer.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

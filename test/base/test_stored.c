@@ -3,7 +3,6 @@
 #include "bytes.h"
 #include "command_support.h"
 
-#include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/file/webp.h"
@@ -11,7 +10,6 @@
 #include "metrics/layer.h"
 #include "scene/lights/environment.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

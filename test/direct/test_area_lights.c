@@ -4,7 +4,6 @@
 
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "gl/glsl.h"
 #include "gl/pass.h"
 #include "gl/program.h"

@@ -8,7 +8,6 @@
 #include "direct/direct.h"
 #include "scene/lights/environment.h"
 #include "scene/lobe_albedo.h"
-#include "shared/vpl.h"
 
 #include <math.h>
 #include <stdio.h>

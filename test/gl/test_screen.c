@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "gl/context/context.h"
 #include "gl/framebuffer.h"
 #include "gl/glsl.h"
 #include "gl/memory.h"

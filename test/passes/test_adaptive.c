@@ -1,7 +1,6 @@
 /* Pixels with few like neighbours: which are adaptive, what they gather, and how they are blurred. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/gather/blur.h"
 #include "passes/gather/adaptive.h"

@@ -3,7 +3,6 @@
 #include "base/unit.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "base/spiral.h"
 #include "reference/scene/emission.h"
 #include "shared/vpl.h"

@@ -5,7 +5,6 @@
 #include "render_support.h"
 
 #include "base/memory.h"
-#include "gl/glsl.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/lookup.h"

@@ -3,7 +3,6 @@
 #include "hand_made.h"
 
 #include "reference/scene/emission.h"
-#include "reference/warp.h"
 #include "scene/lights/environment.h"
 
 #include <stdio.h>

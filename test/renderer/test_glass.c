@@ -2,7 +2,6 @@
 #include "smooth_stage.h"
 
 #include "quality/picture.h"
-#include "scene/caustics.h"
 #include "scene/material.h"
 
 /* The smooth surfaces throw no light here: what they show has answers of its own. */

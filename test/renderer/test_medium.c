@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "quality/picture.h"
-#include "reference/channels.h"
 #include "reference/scene/medium_ball.h"
 #include "scene/medium.h"
 

@@ -9,7 +9,6 @@
 #include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
-#include "base/memory.h"
 #include "base/text.h"
 
 #include <math.h>

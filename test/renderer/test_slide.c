@@ -3,7 +3,6 @@
 
 #include "tiny_png.h"
 
-#include "base/error.h"
 #include "base/file/image_file.h"
 #include "quality/picture.h"
 #include "scene/lights/slide.h"

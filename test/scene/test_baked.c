@@ -6,7 +6,6 @@
 #include "render_support.h"
 #include "tiny_png.h"
 
-#include "base/memory.h"
 #include "quality/picture.h"
 
 #include <math.h>

@@ -3,7 +3,6 @@
  * direct light stay finite and silent, and the default one is within bounds of rays. */
 #include "render_support.h"
 
-#include "reference/channels.h"
 #include "quality/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/lights/environment.h"

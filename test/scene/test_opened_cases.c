@@ -1,7 +1,6 @@
 /* Files of public reports that other readers open: the picture that is right, where they are there. */
 #include "command_support.h"
 
-#include "base/error.h"
 #include "base/image.h"
 #include "base/file/image_file.h"
 #include "base/log.h"

@@ -4,10 +4,7 @@
 
 #include "base/error.h"
 #include "quality/picture.h"
-#include "scene/clips.h"
-#include "scene/open.h"
 
-#include <math.h>
 #include <stddef.h>
 
 enum { SIZE = 24 };

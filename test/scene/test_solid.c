@@ -4,7 +4,6 @@
 #include "scene/mesh/caster.h"
 #include "scene/mesh/solid.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* --- made shapes ------------------------------------------------------------------------------ */

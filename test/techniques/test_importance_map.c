@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "shared/importance_map.h"
-#include "shared/vpl.h"
 #include "techniques/many_lights.h"
 
 #include <math.h>

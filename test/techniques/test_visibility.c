@@ -3,8 +3,6 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/memory.h"
-
 #include <cglm/cglm.h>
 
 #include <math.h>

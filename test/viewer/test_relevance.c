@@ -2,7 +2,6 @@
  * shown beside it has one. */
 #include "render_support.h"
 
-#include "base/error.h"
 #include "viewer/panel/setting_label.h"
 
 #include <stdio.h>

@@ -6,7 +6,6 @@
 #include "apps/bench/measure/clip.h"
 #include "apps/bench/measure/timing.h"
 #include "apps/report/page.h"
-#include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"

@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "direct/shadow.h"
 #include "passes/frame.h"
-#include "shared/lookup.h"
 
 #include <cglm/cglm.h>
 #include <math.h>

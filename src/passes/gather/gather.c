@@ -10,11 +10,9 @@
 #include "passes/vpls.h"
 #include "shared/gather.h"
 #include "shared/lookup.h"
-#include "shared/vpl.h"
 
 #include <cglm/util.h>
 #include <limits.h>
-#include <math.h>
 #include <stdlib.h>
 
 /* The parts of glsl/gather/gather.frag, which it includes by these names. */

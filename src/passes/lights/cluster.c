@@ -6,7 +6,6 @@
 #include "passes/frame.h"
 #include "shared/cluster.h"
 #include "shared/map_view.h"
-#include "shared/vpl.h"
 
 #include <cglm/util.h>
 #include <stdio.h>

@@ -3,11 +3,9 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/phases.h"
-#include "base/memory.h"
 #include "scene/mesh/pane_triangles.h"
 #include "scene/mesh/stackless_bvh.h"
 
-#include <math.h>
 #include <string.h>
 
 static void plant(struct bvh *tree, bool of_panes, const struct scene *scene,

@@ -11,7 +11,6 @@
 #include "viewer/picture/picture.h"
 #include "viewer/scene/sessions.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "metrics/layer.h"
-#include "shared/composite.h"
 
 #include <stdlib.h>
 #include <string.h>
