@@ -216,29 +216,22 @@ static void print_table(FILE *out, const struct report *report) {
 
 static void print_json(FILE *out, const struct report *report, const struct values *values,
                        const struct pictures *pictures) {
-    fprintf(out, "{\"test\": ");
-    json_print_text(out, pictures->test_path);
-    fprintf(out, ", \"reference\": ");
-    json_print_text(out, pictures->reference_path);
-    fprintf(out, ", \"layer\": ");
-    json_print_text(out, values->layer ? values->layer : "beauty");
-    if (values->reference_layer) {
-        fprintf(out, ", \"reference-layer\": ");
-        json_print_text(out, values->reference_layer);
-    }
-    fprintf(out, ", \"width\": %d, \"height\": %d, \"ppd\": ", pictures->test.width,
-            pictures->test.height);
-    json_print_number(out, (double)values->pixels_per_degree);
-    fprintf(out, ", \"metrics\": {");
-    const char *separator = "";
-    for (int i = 0; i < METRIC_COUNT; i++) {
-        if (!report->measurements[i].asked)
-            continue;
-        fprintf(out, "%s\"%s\": ", separator, metrics[i].name);
-        json_print_number(out, report->measurements[i].value);
-        separator = ", ";
-    }
-    fprintf(out, "}}\n");
+    struct json json = {.out = out};
+    json_open(&json, NULL, "{");
+    json_text(&json, "test", pictures->test_path);
+    json_text(&json, "reference", pictures->reference_path);
+    json_text(&json, "layer", values->layer ? values->layer : "beauty");
+    if (values->reference_layer)
+        json_text(&json, "reference-layer", values->reference_layer);
+    json_number(&json, "width", pictures->test.width);
+    json_number(&json, "height", pictures->test.height);
+    json_number(&json, "ppd", (double)values->pixels_per_degree);
+    json_open(&json, "metrics", "{");
+    for (int i = 0; i < METRIC_COUNT; i++)
+        if (report->measurements[i].asked)
+            json_number(&json, metrics[i].name, report->measurements[i].value);
+    json_close(&json, "}");
+    json_close(&json, "}");
 }
 
 static bool write_map(const struct values *values, const struct metric *metric, double value,
