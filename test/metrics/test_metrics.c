@@ -385,6 +385,36 @@ static void test_hdr_flip_exposures(void **state) {
     image_free(&reference);
 }
 
+/* One exposure is LDR-FLIP of the curve's pictures; of several each pixel has the most. */
+static void test_given_exposures(void **state) {
+    (void)state;
+    enum { PIXELS = 64 * 48 };
+    struct image test, reference;
+    float maps[3][PIXELS], curve[PIXELS];
+    struct comparison comparison = {&test, &reference, DEFAULT_PIXELS_PER_DEGREE, {-1, -1, 1}, 0};
+    draw(bright_ramps, &test, &reference);
+    flip_hdr(&comparison, maps[0]);
+    comparison.exposures = (struct exposure_range){3, 3, 1};
+    flip_hdr(&comparison, maps[1]);
+    comparison.exposures = (struct exposure_range){-1, 3, 2};
+    flip_hdr(&comparison, maps[2]);
+    for (int i = 0; i < PIXELS * 3; i++) {
+        test.pixels[i] = (float)fmin(1, aces(ldexp((double)test.pixels[i], 3)));
+        reference.pixels[i] = (float)fmin(1, aces(ldexp((double)reference.pixels[i], 3)));
+    }
+    flip_ldr(&comparison, curve);
+    double off = 0, differ = 0;
+    for (int p = 0; p < PIXELS; p++) {
+        off = fmax(off, fabs((double)(curve[p] - maps[1][p])));
+        differ = fmax(differ, fabs((double)(maps[0][p] - maps[1][p])));
+        assert_true(maps[2][p] == fmaxf(maps[0][p], maps[1][p]));
+    }
+    check_at_most("of the curve's pictures", off, 1e-4);
+    check_at_most("exposures differ", .05, differ);
+    image_free(&test);
+    image_free(&reference);
+}
+
 static void test_quantile(void **state) {
     (void)state;
     float values[] = {5, 1, 4, 2, 3, 6};
@@ -477,6 +507,7 @@ int main(void) {
         cmocka_unit_test(test_flip_against_definition),
         cmocka_unit_test(test_flip_vectors),
         cmocka_unit_test(test_hdr_flip_exposures),
+        cmocka_unit_test(test_given_exposures),
         cmocka_unit_test(test_quantile),
         cmocka_unit_test(test_layer_refusals),
         cmocka_unit_test(test_encoded_layer),
