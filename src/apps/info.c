@@ -22,7 +22,7 @@ static const struct option options[] = {
     {"gl", 0, OPTION_FLAG, offsetof(struct values, gl),
      .help = "print the OpenGL implementation, its limits, and the EGL devices"},
     {"json", 0, OPTION_FLAG, offsetof(struct values, json),
-     .help = "print JSON: keys as in docs/user/04-scenes-and-materials.md"},
+     .help = "print JSON; docs/user/04-scenes-and-materials.md lists its keys"},
     SCENE_OPTION(struct values, choice),
     VARIANT_OPTION(struct values, choice),
     CONTEXT_OPTIONS(struct values, context),

@@ -43,6 +43,7 @@ struct image {
     /* Of a file while it is read: x and y of its red, green, blue and white (IMAGE_CHROMATICITIES), and what 1 stands
      * for. Zeros are BT.709 and 1. */
     float primaries[8], unit;
+    bool cube; /* of a file: faces of a cube, as its attribute says */
     /* Of a file: the whole picture, and where in it there are pixels. */
     struct image_window display, data;
 };

@@ -63,12 +63,16 @@ static void test_start(void **state) {
 /* What small libraries refuse is read, and whole. */
 static void test_handed_over(void **state) {
     (void)state;
-    static const struct exr_part cut = {
-        .channels = "B G R", .data = {2, 1, 5, 3}, .display = {0, 0, 8, 5}, .base = 1};
+    static const struct exr_part cut = {.channels = "B G R",
+                                        .data = {2, 1, 5, 3},
+                                        .display = {0, 0, 8, 5},
+                                        .base = 1,
+                                        .cube = true};
     struct image image;
     need_all_formats();
     check_ok("windows", image_read(&image, exr_write("windows.exr", &cut, 1)));
     assert_true(image.width == 8 && image.height == 5);
+    assert_true(image.cube);
     check_near("inside", image_at(&image, 3, 2)[2], exr_value(&cut, 0, 3, 2), 0);
     check_near("outside", image_at(&image, 0, 0)[2], 0, 0);
     image_free(&image);

@@ -5,6 +5,7 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
+#include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/log.h"
 #include "reference/channels.h"
@@ -126,6 +127,78 @@ static void test_wide(void **state) {
     free(sky.path);
 }
 
+/* --- cubes ------------------------------------------------------------------------------------ */
+
+/* Light that changes over a few degrees, and another in each direction. */
+static void light_of(const float d[3], float light[3]) {
+    light[0] = 1 + .5F * d[0] + .25F * d[1] * d[2];
+    light[1] = expf(9 * (.48F * d[0] + .64F * d[1] + .6F * d[2] - 1));
+    light[2] = .5F + .4F * sinf(5 * d[2]) * cosf(3 * d[1]);
+}
+
+/* Makes the attribute of a text the one that says "cube". */
+static void mark_as_cube(const char *path) {
+    static const char before[] = "envmap\0string", after[] = "envmap\0envmap";
+    struct file_bytes file;
+    check_ok(path, file_read(&file, path));
+    size_t at = 0;
+    while (at + sizeof before < file.size && memcmp(file.data + at, before, sizeof before) != 0)
+        at++;
+    memcpy(file.data + at, after, sizeof after);
+    write_bytes(path, file.data, file.size);
+    free(file.data);
+}
+
+/* Corners of OpenEXR's squares, from the upper left, by the drawing in ImfEnvmap.h: 1, 2 and 4 are towards +X, +Y and
+ * +Z. These are -Z, +Y and +X of the scene, as in panoramas of OpenEXR. */
+static const char *write_cube(const char *name, int side, int height, bool marked) {
+    static const int corners[6][4] = {{3, 7, 1, 5}, {6, 2, 4, 0}, {6, 7, 2, 3},
+                                      {0, 1, 4, 5}, {7, 6, 5, 4}, {2, 3, 0, 1}};
+    struct image image;
+    image_init(&image, side, height, "R G B");
+    image_add_text(&image, "envmap", "\1");
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < side; x++) {
+            double at[3] = {0}, u = (double)x / (side - 1), v = (double)(y % side) / (side - 1);
+            for (int k = 0; k < 4; k++)
+                for (int c = 0; c < 3; c++)
+                    at[c] += (k % 2 ? u : 1 - u) * (k / 2 ? v : 1 - v) *
+                             (corners[y / side % 6][k] >> c & 1 ? 1 : -1);
+            vec3 direction = {(float)at[2], (float)at[1], (float)-at[0]};
+            glm_vec3_normalize(direction);
+            light_of(direction, image_at(&image, x, y));
+        }
+    const char *path = write_picture(name, &image);
+    if (marked)
+        mark_as_cube(path);
+    return path;
+}
+
+/* The same as of a panorama whose texels have that light. */
+static void test_cube(void **state) {
+    (void)state;
+    struct environment sky;
+    double worst = 0, sums[2][3] = {{0}};
+    check_ok("load", environment_load(&sky, write_cube("cube.exr", 48, 288, true)));
+    assert_true(sky.width == 192 && sky.height == 96);
+    for (int i = 0; i < sky.width * sky.height; i++) {
+        float direction[3], light[3];
+        double angle = environment_solid_angle(&sky, i / sky.width);
+        environment_direction(&sky, i % sky.width + .5, i / sky.width + .5, direction);
+        light_of(direction, light);
+        for (int c = 0; c < 3; c++) {
+            sums[0][c] += angle * (double)sky.texels[i][c];
+            sums[1][c] += angle * (double)light[c];
+            worst = fmax(worst, fabs((double)(sky.texels[i][c] - light[c])));
+        }
+    }
+    check_at_most("worst texel", worst, .01);
+    for (int c = 0; c < 3; c++)
+        check_near("light of all over that of the panorama", sums[0][c] / sums[1][c], 1, 1e-3);
+    free(sky.texels);
+    free(sky.path);
+}
+
 /* --- files ------------------------------------------------------------------------------------ */
 
 static void check_sky_refused(const char *path, const char *message) {
@@ -162,6 +235,8 @@ static void test_refusals(void **state) {
     check_sky_refused(scratch("none.exr"), "");
     check_sky_refused(write_numbered("square.exr", 8, 8),
                       "8 x 8 pixels are no panorama, which is twice as wide as high");
+    check_sky_refused(write_cube("plain.exr", 4, 24, false), "4 x 24 pixels are no panorama");
+    check_sky_refused(write_cube("wide.exr", 8, 4, true), "8 x 4 pixels are no cube of light");
     check_texel_replaced(NAN, 0, "1 no numbers (0 instead); first in column 5, row 2");
     check_texel_replaced(-.5F, 0, "1 negative (0 instead); first in column 5, row 2");
     check_texel_replaced(-INFINITY, 0, "1 negative (0 instead); first in column 5, row 2");
@@ -317,7 +392,8 @@ int main(void) {
         cmocka_unit_test(test_directions), cmocka_unit_test(test_wide),
         cmocka_unit_test(test_texels),     cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_scenes),     cmocka_unit_test(test_scene_refusals),
-        cmocka_unit_test(test_choice),     cmocka_unit_test(test_background),
+        cmocka_unit_test(test_cube),       cmocka_unit_test(test_choice),
+        cmocka_unit_test(test_background),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -282,8 +282,8 @@ static void take_passes(const struct source *source, struct image *image) {
 
 _Static_assert(sizeof(exr_attr_chromaticities_t) == 8 * sizeof(float), "x and y of four colours");
 
-/* What the file says of its colours; the attributes are optional. */
-static void take_colours(const struct source *source, struct image *image) {
+/* What the file says of its colours and of its projection; the attributes are optional. */
+static void take_meaning(const struct source *source, struct image *image) {
     exr_attr_chromaticities_t colours;
     const exr_attribute_t *attribute = NULL;
     exr_get_attribute_by_name(source->file, 0, "chromaticities", &attribute);
@@ -293,6 +293,12 @@ static void take_colours(const struct source *source, struct image *image) {
     exr_get_attribute_by_name(source->file, 0, "whiteLuminance", &attribute);
     if (attribute)
         exr_attr_get_float(source->file, 0, "whiteLuminance", &image->unit);
+    exr_envmap_t envmap = EXR_ENVMAP_LATLONG;
+    attribute = NULL;
+    exr_get_attribute_by_name(source->file, 0, "envmap", &attribute);
+    if (attribute)
+        exr_attr_get_envmap(source->file, 0, "envmap", &envmap);
+    image->cube = envmap == EXR_ENVMAP_CUBE;
 }
 
 static bool read_lines(const struct source *source, struct image *image, const int *at) {
@@ -331,7 +337,7 @@ static bool read_channels(const struct source *source, const int *wanted, int co
     image->display = image->data = (struct image_window){source->window.min.x, source->window.min.y,
                                                          source->width, source->height};
     take_passes(source, image);
-    take_colours(source, image);
+    take_meaning(source, image);
     error_set("cannot be decoded");
     bool ok = read_lines(source, image, at);
     free(names);
