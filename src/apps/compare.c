@@ -355,7 +355,6 @@ int app_compare(int argc, char **argv) {
         return arguments_misuse(argv[0]);
     struct pictures pictures = {.test_path = paths[0], .reference_path = paths[1]};
     status = compare(&values, &report, &pictures, argv[0]);
-    image_free(&pictures.test);
-    image_free(&pictures.reference);
+    images_free(&pictures.test, &pictures.reference);
     return status;
 }

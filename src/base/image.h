@@ -5,6 +5,8 @@
 #ifndef BASE_IMAGE_H
 #define BASE_IMAGE_H
 
+#include "base/memory.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -82,7 +84,9 @@ void image_add_numbers(struct image *image, const char *name, enum image_attribu
 
 /* Accepts zeroed structs. */
 void image_free(struct image *image);
+#define images_free(...) MEM_EACH(struct image, image_free, __VA_ARGS__)
 void bitmap_free(struct bitmap *bitmap);
+#define bitmaps_free(...) MEM_EACH(struct bitmap, bitmap_free, __VA_ARGS__)
 
 static inline float *image_at(const struct image *image, int x, int y) {
     return image->pixels +

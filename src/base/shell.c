@@ -51,7 +51,6 @@ char *shell_own_program(void) {
     char *whole = found ? realpath(found, NULL) : NULL;
     ssize_t length = readlink("/proc/self/exe", own, sizeof own - 1);
     bool by_name = length <= 0 || (whole && strcmp(whole, own) == 0);
-    free(found);
-    free(whole);
+    mem_free(found, whole);
     return by_name ? mem_strdup(name) : shell_quote(own);
 }

@@ -2,6 +2,7 @@
 #ifndef GL_BUFFER_H
 #define GL_BUFFER_H
 
+#include "base/memory.h"
 #include "gl/api.h"
 
 #include <stdbool.h>
@@ -20,6 +21,7 @@ bool buffer_init(struct buffer *buffer, const char *label, size_t size, const vo
 bool buffer_init_texels(struct buffer *buffer, GLenum format, const char *label, size_t size,
                         const void *data);
 void buffer_free(struct buffer *buffer);
+#define buffers_free(...) MEM_EACH(struct buffer, buffer_free, __VA_ARGS__)
 
 void buffer_write(const struct buffer *buffer, size_t offset, size_t size, const void *data);
 void buffer_read(const struct buffer *buffer, size_t offset, size_t size, void *data);

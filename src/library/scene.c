@@ -117,8 +117,7 @@ static bool open_scene(const struct manylight_scene_desc *given, struct manyligh
     read_rules_use(NULL);
     free(rules.root);
     if (!ok) {
-        free(scene->light);
-        free(scene);
+        mem_free(scene->light, scene);
         return false;
     }
     describe(scene);

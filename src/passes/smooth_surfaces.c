@@ -61,8 +61,7 @@ static bool init_rows(struct smooth_surfaces *surfaces, const struct geometry *g
     }
     bool ok = buffer_init_texels(&surfaces->rows, GL_R32UI, "rows of triangles",
                                  count * sizeof *rows, rows);
-    free(rows);
-    free(marked);
+    mem_free(rows, marked);
     surfaces->painted = geometry->painted;
     return ok;
 }

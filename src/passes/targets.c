@@ -46,11 +46,8 @@ bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
 
 void gbuffer_free(struct gbuffer *gbuffer) {
     framebuffer_free(&gbuffer->framebuffer);
-    texture_free(&gbuffer->normal);
-    texture_free(&gbuffer->albedo);
-    texture_free(&gbuffer->depth);
-    texture_free(&gbuffer->emission);
-    texture_free(&gbuffer->specular);
+    textures_free(&gbuffer->normal, &gbuffer->albedo, &gbuffer->depth, &gbuffer->emission,
+                  &gbuffer->specular);
     *gbuffer = (struct gbuffer){0};
 }
 

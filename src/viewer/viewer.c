@@ -352,8 +352,7 @@ void viewer_end(struct viewer *viewer) {
     loader_free(&viewer->opening.loader);
     close_window(viewer);
     emitters_free(&viewer->placed.emitters);
-    free(viewer->panel.places);
-    free(viewer->shown.reference_view);
+    mem_free(viewer->panel.places, viewer->shown.reference_view);
     file_dialog_close(&viewer->dialog);
     history_forget(&viewer->history);
     messages_free(&viewer->host.messages);

@@ -224,8 +224,7 @@ static void test_any_start(void **state) {
     check_ok("layers", renderer_read_layers(&renderer, &image[1]));
     renderer_free(&renderer);
     assert_true(same_pixels(&image[0], &image[1]));
-    image_free(&image[0]);
-    image_free(&image[1]);
+    images_free(&image[0], &image[1]);
     stage_free(&stage);
 }
 

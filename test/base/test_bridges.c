@@ -141,8 +141,7 @@ static void check_same_image(const char *path, const char *layer) {
         (size_t)ours.width * (size_t)ours.height * (size_t)ours.channel_count * sizeof(float);
     if (memcmp(ours.pixels, theirs.pixels, size) != 0)
         fail_msg("%s: the bridges read different pixels", path);
-    image_free(&ours);
-    image_free(&theirs);
+    images_free(&ours, &theirs);
 }
 
 static void check_same_texture(const char *path) {
@@ -159,8 +158,7 @@ static void check_same_texture(const char *path) {
     assert_true(ours.width == theirs.width && ours.height == theirs.height);
     if (memcmp(ours.rgba, theirs.rgba, (size_t)ours.width * (size_t)ours.height * 4) != 0)
         fail_msg("%s: the bridges decode different texels", path);
-    bitmap_free(&ours);
-    bitmap_free(&theirs);
+    bitmaps_free(&ours, &theirs);
     free(file.data);
 }
 
@@ -209,8 +207,7 @@ static void test_radiance_runs(void **state) {
         printf("    %d across: %zu bytes\n", widths[i], ours.size);
         assert_int_equal(ours.size, theirs.size);
         assert_memory_equal(ours.data, theirs.data, ours.size);
-        free(ours.data);
-        free(theirs.data);
+        mem_free(ours.data, theirs.data);
         image_free(&image);
     }
 }

@@ -288,9 +288,7 @@ static void test_panels(void **state) {
     check_near("the reference is a middle grey", (double)left[0], .537, .01);
     assert_true(image_at(&read, zoom * 60, row)[0] == 0);
     assert_true(image_at(&read, zoom * 104, row)[1] > left[1]);
-    image_free(&reference);
-    image_free(&tests[1]);
-    image_free(&read);
+    images_free(&reference, &tests[1], &read);
 }
 
 int main(void) {

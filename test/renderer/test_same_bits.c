@@ -142,8 +142,7 @@ static void test_expected(void **state) {
     assert_non_null(expected);
     printf("%s", lines.data);
     assert_string_equal(lines.data, expected);
-    free(expected);
-    free(lines.data);
+    mem_free(expected, lines.data);
 }
 
 int main(void) {

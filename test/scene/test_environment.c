@@ -8,6 +8,7 @@
 #include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/log.h"
+#include "base/unit.h"
 #include "reference/channels.h"
 #include "quality/picture.h"
 #include "reference/path_tracer.h"
@@ -82,8 +83,7 @@ static void test_directions(void **state) {
     float radiance[3];
     environment_radiance(&sky, (vec3){1, .01F, .01F}, radiance);
     check_near("twice as strong", (double)radiance[2], 2, 0);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
 }
 
 /* The way back, at any turn; and all texels together are the whole sphere. */
@@ -105,8 +105,7 @@ static void test_texels(void **state) {
         }
     check_near("texels that lead elsewhere", wrong, 0, 0);
     check_near("solid angle of all over 4 pi", sum / (4 * GLM_PI), 1, 1e-12);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
 }
 
 /* The numbers of a picture that is halved are means, and a row's is the middle by solid angle. */
@@ -123,8 +122,7 @@ static void test_wide(void **state) {
     check_near("row 800", (double)sky.texels[4097 * 800][1], 1601.5, .01);
     check_near("the first row", (double)sky.texels[0][1], 1.75, 1e-5);
     check_near("blue", (double)sky.texels[0][2], 1, 0);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
 }
 
 /* --- cubes ------------------------------------------------------------------------------------ */
@@ -165,7 +163,7 @@ static const char *write_cube(const char *name, int side, int height, bool marke
                     at[c] += (k % 2 ? u : 1 - u) * (k / 2 ? v : 1 - v) *
                              (corners[y / side % 6][k] >> c & 1 ? 1 : -1);
             vec3 direction = {(float)at[2], (float)at[1], (float)-at[0]};
-            glm_vec3_normalize(direction);
+            vec3_unit(direction);
             light_of(direction, image_at(&image, x, y));
         }
     const char *path = write_picture(name, &image);
@@ -195,8 +193,7 @@ static void test_cube(void **state) {
     check_at_most("worst texel", worst, .01);
     for (int c = 0; c < 3; c++)
         check_near("light of all over that of the panorama", sums[0][c] / sums[1][c], 1, 1e-3);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -222,8 +219,7 @@ static void check_texel_replaced(float value, float expected, const char *note) 
     check_near("beside it", (double)sky.texels[2 * 8 + 5][0], 6, 0);
     if (!strstr(notes, path) || !strstr(notes, note))
         fail_msg("'%s' is not in '%s'", note, notes);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
     check_ok("strict", read_rules_set(true, NULL));
     check_sky_refused(path, note);
     check_ok("not strict", read_rules_set(false, NULL));
@@ -382,8 +378,7 @@ static void test_background(void **state) {
         }
     check_near("pixels of sky, of 2304", sky, 2230, 30);
     check_at_most("of them with another radiance in GL", other, 4);
-    image_free(&shown);
-    image_free(&traced);
+    images_free(&shown, &traced);
     stage_free(&stage);
 }
 

@@ -46,8 +46,7 @@ static bool changes(const char *name, const char *technique, const char *setting
     set_otherwise(&setting, &desc.settings);
     struct image after = follow_layers(&renderer, &desc);
     bool same = same_pixels(&before, &after);
-    image_free(&before);
-    image_free(&after);
+    images_free(&before, &after);
     return !same;
 }
 
@@ -103,8 +102,7 @@ static void check_hidden(const char *technique, const char *settings) {
         set_otherwise(&hidden[i], &desc.settings);
     struct image after = follow_layers(&renderer, &desc);
     bool same = same_pixels(&before, &after);
-    image_free(&before);
-    image_free(&after);
+    images_free(&before, &after);
     printf("    %2d settings hidden of %s %s\n", count, technique, settings);
     for (int i = 0; !same && i < count; i++) {
         char name[SETTING_NAME_SIZE];

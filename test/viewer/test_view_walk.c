@@ -111,8 +111,7 @@ static void test_save(void **state) {
            different);
     assert_int_equal(different, 0);
     assert_true(click_count <= 10);
-    bitmap_free(&made);
-    bitmap_free(&shown);
+    bitmaps_free(&made, &shown);
     end_viewer();
 }
 

@@ -118,8 +118,7 @@ static bool copy_scene(const struct export_target *target, char sum[SHA256_DIGIT
     ok = ok && output_file_write(path, bytes.data, bytes.size);
     if (ok)
         sha256(bytes.data, bytes.size, sum);
-    free(bytes.data);
-    free(path);
+    mem_free(bytes.data, path);
     return ok;
 }
 

@@ -76,7 +76,6 @@ bool embedded_print_difference(FILE *out, const struct image *picture,
     struct image a, b = {0};
     bool ok = layer_extract(&a, picture, "beauty") && layer_extract(&b, reference, "beauty") &&
               print_layers_difference(out, &a, &b, top);
-    image_free(&a);
-    image_free(&b);
+    images_free(&a, &b);
     return ok;
 }

@@ -184,8 +184,7 @@ static bool write_page(const struct report *report, const char *path) {
 static void report_free(struct report *report) {
     for (int i = 0; report->pictures && i < report->subjects.count; i++)
         image_free(&report->pictures[i]);
-    free(report->pictures);
-    free(report->subjects.items);
+    mem_free(report->pictures, report->subjects.items);
     image_free(&report->reference);
     results_free(&report->results);
     results_free(&report->flicker);

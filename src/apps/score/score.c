@@ -231,10 +231,8 @@ static bool score_layer(struct score *score, const char *file, const char *layer
         score_pair(score, file, layer, &pair);
     else if (ok)
         add_unscored(score, file, layer, "missing-layer", error_get());
-    image_free(&pair.picture);
-    image_free(&pair.reference);
-    free(path);
-    free(reference_path);
+    images_free(&pair.picture, &pair.reference);
+    mem_free(path, reference_path);
     return ok;
 }
 

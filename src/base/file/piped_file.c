@@ -125,8 +125,7 @@ static bool blame(const char *path, const char *opened) {
         text_print(&named, "%.*s%s", (int)(at - rest), rest, path);
     text_print(&named, "%s", rest);
     error_set("%s", named.data);
-    free(named.data);
-    free(message);
+    mem_free(named.data, message);
     return false;
 }
 

@@ -89,6 +89,5 @@ void flip_hdr(const struct comparison *comparison, float *map) {
             map[p] = fmaxf(map[p], exposed_map[p]);
     }
     free(exposed_map);
-    image_free(&test_shown);
-    image_free(&reference_shown);
+    images_free(&test_shown, &reference_shown);
 }

@@ -55,8 +55,7 @@ static bool init_triangles(struct glass_pass *pass, const struct geometry *geome
     add_glow(pass, geometry, texels);
     bool ok = buffer_init_texels(&pass->triangles, GL_RGBA32F, "triangles that glass shows",
                                  2 * count * sizeof *texels, texels);
-    free(albedos);
-    free(texels);
+    mem_free(albedos, texels);
     pass->painted = geometry->painted;
     return ok;
 }
@@ -112,8 +111,7 @@ bool glass_pass_init(struct glass_pass *pass, const struct glass_desc *desc) {
 void glass_pass_free(struct glass_pass *pass) {
     program_free(&pass->program);
     free_targets(pass);
-    buffer_free(&pass->triangles);
-    buffer_free(&pass->params);
+    buffers_free(&pass->triangles, &pass->params);
     free(pass->glow);
     *pass = (struct glass_pass){0};
 }

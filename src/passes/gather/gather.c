@@ -46,9 +46,7 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, int cl
             .screen = {"gather/gather.frag", .blended = true, .tiled = true},
             .defines = defines,
         });
-    free(lookup);
-    free(files);
-    free(defines);
+    mem_free(lookup, files, defines);
     return ok;
 }
 
@@ -81,11 +79,9 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
 }
 
 void gather_pass_free(struct gather_pass *pass) {
-    program_free(&pass->program);
-    program_free(&pass->later_program);
+    programs_free(&pass->program, &pass->later_program);
     irradiance_free(&pass->irradiance);
-    buffer_free(&pass->params);
-    buffer_free(&pass->lookup_params);
+    buffers_free(&pass->params, &pass->lookup_params);
     *pass = (struct gather_pass){0};
 }
 

@@ -79,15 +79,11 @@ void cluster_pass_free(struct cluster_pass *pass) {
                           &pass->views_program};
     for (size_t i = 0; i < sizeof programs / sizeof *programs; i++)
         program_free(programs[i]);
-    texture_free(&pass->vals.position);
-    texture_free(&pass->vals.normal);
-    texture_free(&pass->vals.flux);
-    texture_free(&pass->sums);
+    textures_free(&pass->vals.position, &pass->vals.normal, &pass->vals.flux, &pass->sums);
     framebuffer_free(&pass->extremes_framebuffer);
     texture_free(&pass->extremes);
     vpl_buffer_free(&pass->vpls);
-    buffer_free(&pass->views.buffer);
-    buffer_free(&pass->params);
+    buffers_free(&pass->views.buffer, &pass->params);
     *pass = (struct cluster_pass){0};
 }
 

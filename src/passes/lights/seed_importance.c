@@ -48,15 +48,9 @@ bool seed_importance_pass_init(struct seed_importance_pass *pass,
 }
 
 void seed_importance_pass_free(struct seed_importance_pass *pass) {
-    program_free(&pass->value_program);
-    program_free(&pass->number_program);
-    program_free(&pass->seed_program);
-    framebuffer_free(&pass->value_framebuffer);
-    framebuffer_free(&pass->number_framebuffer);
-    framebuffer_free(&pass->seed_framebuffer);
-    texture_free(&pass->values);
-    texture_free(&pass->numbers);
-    texture_free(&pass->seeds);
+    programs_free(&pass->value_program, &pass->number_program, &pass->seed_program);
+    framebuffers_free(&pass->value_framebuffer, &pass->number_framebuffer, &pass->seed_framebuffer);
+    textures_free(&pass->values, &pass->numbers, &pass->seeds);
     buffer_free(&pass->params);
     *pass = (struct seed_importance_pass){0};
 }

@@ -64,16 +64,11 @@ bool vpl_tree_pass_init(struct vpl_tree_pass *pass, const struct vpl_tree_desc *
 }
 
 void vpl_tree_pass_free(struct vpl_tree_pass *pass) {
-    program_free(&pass->keys_program);
-    program_free(&pass->sort_program);
-    program_free(&pass->leaves_program);
-    program_free(&pass->nodes_program);
-    program_free(&pass->representatives_program);
+    programs_free(&pass->keys_program, &pass->sort_program, &pass->leaves_program,
+                  &pass->nodes_program, &pass->representatives_program);
     framebuffer_free(&pass->representatives_framebuffer);
-    texture_free(&pass->tree.nodes);
-    texture_free(&pass->tree.representatives);
-    buffer_free(&pass->keys);
-    buffer_free(&pass->params);
+    textures_free(&pass->tree.nodes, &pass->tree.representatives);
+    buffers_free(&pass->keys, &pass->params);
     *pass = (struct vpl_tree_pass){0};
 }
 

@@ -54,13 +54,8 @@ static bool init_targets(struct airlight_pass *pass) {
 }
 
 static void free_targets(struct airlight_pass *pass) {
-    framebuffer_free(&pass->steps_framebuffer);
-    framebuffer_free(&pass->half_framebuffer);
-    framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->steps);
-    texture_free(&pass->half_blurred);
-    texture_free(&pass->in_scatter);
-    texture_free(&pass->transmittance);
+    framebuffers_free(&pass->steps_framebuffer, &pass->half_framebuffer, &pass->framebuffer);
+    textures_free(&pass->steps, &pass->half_blurred, &pass->in_scatter, &pass->transmittance);
 }
 
 DEFINE_RESIZE(airlight_pass, steps, framebuffer)
@@ -82,8 +77,7 @@ void airlight_pass_free(struct airlight_pass *pass) {
     for (int axis = 0; axis < 2; axis++)
         program_free(&pass->blur_programs[axis]);
     free_targets(pass);
-    buffer_free(&pass->params);
-    buffer_free(&pass->blur_params);
+    buffers_free(&pass->params, &pass->blur_params);
     *pass = (struct airlight_pass){0};
 }
 

@@ -25,8 +25,7 @@ static bool init_targets(struct show_panes_pass *pass) {
 
 static void free_targets(struct show_panes_pass *pass) {
     framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->own);
-    texture_free(&pass->transmittance);
+    textures_free(&pass->own, &pass->transmittance);
 }
 
 DEFINE_RESIZE(show_panes_pass, framebuffer, transmittance)

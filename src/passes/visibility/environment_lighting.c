@@ -40,8 +40,7 @@ static bool init_programs(struct environment_lighting_pass *pass) {
                            &(struct program_desc){
                                .screen = {"visibility/environment_lighting.frag", .blended = true},
                                .defines = light_defines});
-    free(defines);
-    free(light_defines);
+    mem_free(defines, light_defines);
     return ok;
 }
 
@@ -89,11 +88,8 @@ static bool init_targets(struct environment_lighting_pass *pass) {
 }
 
 static void free_targets(struct environment_lighting_pass *pass) {
-    framebuffer_free(&pass->block_framebuffer);
-    framebuffer_free(&pass->light_framebuffer);
-    texture_free(&pass->blocks);
-    texture_free(&pass->light);
-    texture_free(&pass->specular);
+    framebuffers_free(&pass->block_framebuffer, &pass->light_framebuffer);
+    textures_free(&pass->blocks, &pass->light, &pass->specular);
 }
 
 bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
@@ -110,9 +106,7 @@ bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
 
 void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->bvh);
-    program_free(&pass->share_program);
-    program_free(&pass->block_program);
-    program_free(&pass->light_program);
+    programs_free(&pass->share_program, &pass->block_program, &pass->light_program);
     free_targets(pass);
     framebuffer_free(&pass->share_framebuffer);
     texture_free(&pass->shares);

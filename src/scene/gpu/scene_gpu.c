@@ -40,8 +40,7 @@ static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geom
     bool ok = buffer_init_texels(&gpu->normals, GL_RGBA16I, "scene normals",
                                  count * sizeof *normals, normals) &&
               buffer_init(&gpu->colors, "scene colours", count * sizeof *colors, colors);
-    free(normals);
-    free(colors);
+    mem_free(normals, colors);
     return ok;
 }
 
@@ -240,12 +239,10 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
 
 static void free_geometry(struct scene_gpu *gpu) {
     vertex_array_free(&gpu->shaded_vertices);
-    buffer_free(&gpu->positions);
-    buffer_free(&gpu->normals);
+    buffers_free(&gpu->positions, &gpu->normals);
     for (int m = 0; m < MAPPINGS_MAX; m++)
         buffer_free(&gpu->uvs[m]);
-    buffer_free(&gpu->colors);
-    buffer_free(&gpu->indices);
+    buffers_free(&gpu->colors, &gpu->indices);
     culling_free(&gpu->culling);
     free(gpu->batches);
     gpu->batches = NULL;
@@ -291,13 +288,8 @@ void scene_gpu_free(struct scene_gpu *gpu) {
     buffer_free(&gpu->materials);
     for (int i = 0; i < gpu->texture_count; i++)
         texture_free(&gpu->textures[i]);
-    free(gpu->textures);
-    free(gpu->glow);
-    texture_free(&gpu->blank);
-    texture_free(&gpu->sky);
-    texture_free(&gpu->slides);
-    texture_free(&gpu->lobes);
-    texture_free(&gpu->lobe_albedos);
+    mem_free(gpu->textures, gpu->glow);
+    textures_free(&gpu->blank, &gpu->sky, &gpu->slides, &gpu->lobes, &gpu->lobe_albedos);
     free(gpu->normal_room);
     *gpu = (struct scene_gpu){0};
 }

@@ -229,9 +229,7 @@ bool environment_load(struct environment *environment, const char *path) {
 void environment_free(struct environment *environment) {
     if (!environment)
         return;
-    free(environment->texels);
-    free(environment->path);
-    free(environment);
+    mem_free(environment->texels, environment->path, environment);
 }
 
 bool environment_follow(struct environment **environment, const struct environment_desc *desc) {

@@ -27,10 +27,8 @@ bool interpolate_pass_init(struct interpolate_pass *pass, int width, int height)
 }
 
 static void free_room(struct interpolate_pass *pass) {
-    buffer_free(&pass->cells);
-    buffer_free(&pass->elements);
-    free(pass->firsts);
-    free(pass->texels);
+    buffers_free(&pass->cells, &pass->elements);
+    mem_free(pass->firsts, pass->texels);
     pass->firsts = NULL;
     pass->texels = NULL;
 }

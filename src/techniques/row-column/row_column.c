@@ -69,11 +69,8 @@ static void free_state(void *state) {
         columns_free(&technique->columns);
         for (int kind = 0; kind < KINDS; kind++)
             vpl_buffer_free(&technique->chosen[kind]);
-        free(technique->matrix);
-        free(technique->vpls);
-        free(technique->powers);
-        free(technique->list);
-        free(technique->room);
+        mem_free(technique->matrix, technique->vpls, technique->powers, technique->list,
+                 technique->room);
     }
     free(technique);
 }

@@ -17,8 +17,7 @@ static bool init_program(GLuint *program, const struct rows_desc *desc, int clam
     bool ok =
         program_init(program, &(struct program_desc){.screen = {"techniques/row-column/rows.frag"},
                                                      .defines = defines});
-    free(lookup);
-    free(defines);
+    mem_free(lookup, defines);
     return ok;
 }
 
@@ -59,9 +58,7 @@ bool rows_pass_init(struct rows_pass *pass, const struct rows_desc *desc) {
 }
 
 void rows_pass_free(struct rows_pass *pass) {
-    program_free(&pass->pick_program);
-    program_free(&pass->program);
-    program_free(&pass->later_program);
+    programs_free(&pass->pick_program, &pass->program, &pass->later_program);
     vertex_array_free(&pass->place_vertices);
     buffer_free(&pass->places);
     vpl_buffer_free(&pass->pixels);

@@ -181,8 +181,7 @@ bool compare_measure(struct compare *compare, struct renderer *renderer, int lay
         memset(compare->is_known, 0, sizeof compare->is_known);
         compare->heat = false;
     }
-    image_free(&left);
-    image_free(&right);
+    images_free(&left, &right);
     return ok;
 }
 

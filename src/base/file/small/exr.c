@@ -141,8 +141,7 @@ static bool check_windows(struct source *source) {
 }
 
 static void close_source(struct source *source) {
-    free(source->order);
-    free(source->names);
+    mem_free(source->order, source->names);
     exr_finish(&source->file);
 }
 
@@ -340,8 +339,7 @@ static bool read_channels(const struct source *source, const int *wanted, int co
     take_meaning(source, image);
     error_set("cannot be decoded");
     bool ok = read_lines(source, image, at);
-    free(names);
-    free(at);
+    mem_free(names, at);
     return ok;
 }
 
@@ -545,8 +543,7 @@ static bool write_file(exr_context_t file, const struct image *image) {
         int left = (image->height - batch.first + batch.step - 1) / batch.step;
         ok = write_batch(&batch, left < together ? left : together);
     }
-    free(batch.chunks);
-    free(batch.ok);
+    mem_free(batch.chunks, batch.ok);
     return ok;
 }
 
