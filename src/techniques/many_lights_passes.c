@@ -173,11 +173,12 @@ static bool has_light_samples(const struct light_layout *layout) {
     return layout->lights > layout->groups;
 }
 
-/* A sky's views, and those of places over a wide lamp, are many, and each sees little of what is within a room: rays tell what
- * is between, where there is a tree for them anyway, of what is on lists. */
+/* A sky's views, and those of places over a wide lamp, are many, and each sees little of what is within a room; VPLs by
+ * importance are far apart where the camera sees little of their light, which would shine through walls from there. Rays
+ * tell what is between, where there is a tree for them anyway. */
 static bool asks_by_rays(const struct many_lights *lights, const struct light_layout *layout) {
-    return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
-           (lights->visibility.corrected && lights->adaptive.program && has_light_samples(layout));
+    return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED || many_lights_follow_camera(lights) ||
+           (lights->visibility.corrected && has_light_samples(layout));
 }
 
 /* As VPLs are. */

@@ -207,11 +207,23 @@ static void test_voxels(void **state) {
     stage_free(&stage);
 }
 
+/* Near light of a plain, whose VPLs are far apart, does not reach into a closed room but at its edges. */
+static void test_closed_room(void **state) {
+    (void)state;
+    struct stage stage;
+    open_nodes(&stage, PLAIN_ROOM ", {\"mesh\": 0, \"translation\": [-0.5, -0.5, 1]}");
+    struct image image = render_stage(&stage, "clustered", "path=traced importance=off", SIZE);
+    check_near("indirect light", layer_mean(&image, "indirect"), 0, .002);
+    image_free(&image);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_slit),         cmocka_unit_test(test_open_floor),
         cmocka_unit_test(test_pieces),       cmocka_unit_test(test_light),
-        cmocka_unit_test(test_moved_camera), cmocka_unit_test(test_voxels),
+        cmocka_unit_test(test_closed_room),  cmocka_unit_test(test_moved_camera),
+        cmocka_unit_test(test_voxels),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

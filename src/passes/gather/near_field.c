@@ -44,7 +44,7 @@ static bool init_programs(struct near_field_pass *pass) {
                                 light_defines(pass->desc.medium, pass->desc.slides), room, kinds,
                                 pass->desc.facets, vpl_area_file(pass->desc.by_importance));
     static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
-    bool by_rays = !pass->desc.adaptive && pass->desc.occlusion == NEAR_BY_RAYS;
+    bool by_rays = pass->desc.occlusion == NEAR_BY_RAYS;
     char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],
                                pass->desc.adaptive ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
     char *adaptive = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_ADAPTIVE, of_light);

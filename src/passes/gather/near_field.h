@@ -4,9 +4,9 @@
  * it is clamped, and in a lit corner the deficit reaches half of the irradiance. So the integral is
  * split: with near(d) = (1 - d^2 / (reach^2 area))^2 the VPLs give (1 - near), and this pass gives
  * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
- * Stamminger 2005]. It takes the place of clamping and compensation [Kollig and Keller 2004]. What
- * is near counts as unoccluded: the bias of it, but where there is detail (glsl/gather/near_by_views.glsl), and where one of
- * some samples, taken by its light, asks by a ray for all: that is unbiased.
+ * Stamminger 2005]. It takes the place of clamping and compensation [Kollig and Keller 2004]. One of
+ * some samples, taken by its light, asks by a ray for all: unbiased. Without rays what is near counts as unoccluded, but
+ * where there is detail (glsl/gather/near_by_views.glsl); VPLs that are few and far apart then shine through walls.
  * Cost: pixels x samples x groups of lights, for pixels in reach of a light alone: the tiles of a pattern
  * share the lights of a group out by their flux; what is on a list takes all of them, and divides its samples.
  */
