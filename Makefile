@@ -179,7 +179,8 @@ $(BUILD)/%_embedded.o: $(BUILD)/%_embedded.c
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -c -o $@ $<
 
--include $(shell find $(BUILD) -type f -name '*.d' 2>/dev/null)
+# Chroots of `make systems` have files of this name, too.
+-include $(shell find $(BUILD) -path $(BUILD)/systems -prune -o -type f -name '*.d' -print 2>/dev/null)
 
 # --- scenes ---------------------------------------------------------------------------------------
 

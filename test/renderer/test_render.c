@@ -34,6 +34,14 @@ static struct image render_recipe(const struct stage *stage, const struct recipe
     return render_stage(stage, recipe->technique, recipe->settings, SIZE);
 }
 
+static struct image render_with(const struct stage *stage, const struct recipe *recipe,
+                                const char *setting) {
+    char *settings = mem_printf("%s %s", recipe->settings, setting);
+    struct image image = render_stage(stage, recipe->technique, settings, SIZE);
+    free(settings);
+    return image;
+}
+
 /* --- the same bits ---------------------------------------------------------------------------- */
 
 /* Frame after frame, renderer after renderer. */
@@ -89,10 +97,12 @@ static void test_neighbours(void **state) {
     stage_free(&stage);
 }
 
-/* Two libraries of one Mesa. */
+/* Two libraries, of one Mesa or of two, which may have other places of samples and filter textures otherwise: Mesa 26
+ * makes path=paper .0012 of 22 and 25. */
 static void test_contexts(void **state) {
     struct stage stage;
     struct image images[2][RECIPES];
+    char versions[2][128];
     open_stage(&stage, cornell_animal);
     for (int k = 0; k < 2; k++) {
         struct context *context = context_create(
@@ -103,15 +113,19 @@ static void test_contexts(void **state) {
             context_make_current(*state);
             skip();
         }
-        printf("    %s\n", context_description(context));
+        snprintf(versions[k], sizeof versions[k], "%s", (const char *)gl.GetString(GL_VERSION));
+        printf("    %s: %s\n", context_description(context), versions[k]);
         for (int i = 0; i < RECIPES; i++)
-            images[k][i] = render_recipe(&stage, &recipes[i]);
+            images[k][i] = render_with(&stage, &recipes[i], "samples=1");
         assert_int_equal(context_message_count(context), 0);
         context_free(context);
     }
     context_make_current(*state);
     for (int i = 0; i < RECIPES; i++) {
-        assert_true(same_pixels(&images[0][i], &images[1][i]));
+        assert_true(strcmp(versions[0], versions[1]) != 0 ||
+                    same_pixels(&images[0][i], &images[1][i]));
+        check_at_most("of two Mesas, relative RMSE",
+                      relative_rmse(&images[1][i], &images[0][i], ""), .005);
         images_free(&images[0][i], &images[1][i]);
     }
     stage_free(&stage);
@@ -156,8 +170,9 @@ static void test_contexts_of_binary(void **state) {
             !strstr(output, "llvmpipe"))
             skip();
     }
-    struct image egl = run_binary("", &recipes[0], "--context egl --gl-debug");
-    struct image osmesa = run_binary("", &recipes[0], "--context osmesa --gl-debug");
+    struct image egl = run_binary("", &recipes[0], "--context egl --gl-debug --set samples=1");
+    struct image osmesa =
+        run_binary("", &recipes[0], "--context osmesa --gl-debug --set samples=1");
     assert_true(same_pixels(&egl, &osmesa));
     images_free(&egl, &osmesa);
 }
@@ -202,28 +217,21 @@ static void split_meshes(struct scene *scene) {
     scene->mesh_count = 2 * meshes;
 }
 
-/* With all triangles as casters: where parts meet simplified ones keep vertices. */
-static struct image render_exact(const struct stage *stage, const struct recipe *recipe) {
-    char *settings = mem_printf("%s caster-error=0", recipe->settings);
-    struct image image = render_stage(stage, recipe->technique, settings, SIZE);
-    free(settings);
-    return image;
-}
-
-/* The same triangles in another order: only what is equally deep could differ. */
+/* The same triangles in another order: only what is equally deep could differ. All triangles are casters, because
+ * simplified ones keep vertices where parts meet. */
 static void test_split_meshes(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, cornell_animal);
     struct image whole[RECIPES];
     for (int i = 0; i < RECIPES; i++)
-        whole[i] = render_exact(&stage, &recipes[i]);
+        whole[i] = render_with(&stage, &recipes[i], "caster-error=0");
     uint32_t triangles = stage.geometry.index_count;
     split_meshes(&stage.scene);
     pose_stage(&stage);
     assert_int_equal(stage.geometry.index_count, triangles);
     for (int i = 0; i < RECIPES; i++) {
-        struct image split = render_exact(&stage, &recipes[i]);
+        struct image split = render_with(&stage, &recipes[i], "caster-error=0");
         check_at_most("a scene of meshes in two, relative RMSE",
                       relative_rmse(&split, &whole[i], ""), 1e-3);
         images_free(&split, &whole[i]);

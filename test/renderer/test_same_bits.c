@@ -1,15 +1,8 @@
 /* A picture is the same, bit by bit, whatever renders it in software: with any number of threads, any width of
- * vectors, with and without AVX2, and again. Only processors before AVX differ, by how they round halves.
- * And it is the one that is expected, in test/expected-pictures, which is written anew by
- *
- *     MANYLIGHT_EXPECT=1 build/test/test_same_bits
- */
+ * vectors, with and without AVX2, and again. Only processors before AVX differ, by how they round halves. */
 #include "command_support.h"
 
 #include "base/file/file.h"
-#include "base/file/image_file.h"
-#include "base/file/output_file.h"
-#include "base/text.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -92,65 +85,11 @@ static void test_without_avx(void **state) {
     check_at_most("relative RMSE without AVX", error, .03);
 }
 
-/* --- what is expected ----------------------------------------------------------------------------- */
-
-static const char expected_path[] = "test/expected-pictures";
-
-/* FNV-1a of the bits of all layers. */
-static uint64_t hash_of(const struct image *image) {
-    const unsigned char *bytes = (const unsigned char *)image->pixels;
-    size_t size = sizeof(float) * (size_t)(image->width * image->height * image->channel_count);
-    uint64_t hash = 14695981039346656037U;
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ bytes[i]) * 1099511628211U;
-    return hash;
-}
-
-/* The line of a scene, with what depends on the scene and on the passes that all techniques share. */
-static void append_line(struct text *lines, const char *scene) {
-    char arguments[512];
-    struct image image;
-    snprintf(arguments, sizeof arguments,
-             "render scenes/%s.glb --technique unshadowed --direct hard --set samples=1", scene);
-    free(picture(arguments, "").data);
-    check_ok(scene, image_read(&image, scratch("bits.exr")));
-    text_print(lines, "%s %016llx\n", scene, (unsigned long long)hash_of(&image));
-    image_free(&image);
-}
-
-/* Other versions of the driver have other bits, and so have processors before AVX. */
-static void skip_elsewhere(void) {
-    skip_without_llvmpipe();
-    if (!strstr(output, "llvmpipe (LLVM 15.0.6, 256 bits)") || !strstr(output, "Mesa 22.3.6")) {
-        printf("    the pictures expected are of another driver:\n%s", output);
-        skip();
-    }
-}
-
-static void test_expected(void **state) {
-    (void)state;
-    static const char *const scenes[] = {
-        "cornell-box", "cornell-animal", "three-lights", "metaballs", "character", "table",
-        "moving-spot", "door",           "sphere",       "creatures", "atrium"};
-    struct text lines = {0};
-    skip_elsewhere();
-    for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
-        append_line(&lines, scenes[i]);
-    if (getenv("MANYLIGHT_EXPECT"))
-        check_ok("written", output_file_write(expected_path, lines.data, strlen(lines.data)));
-    char *expected = file_read_text(expected_path);
-    assert_non_null(expected);
-    printf("%s", lines.data);
-    assert_string_equal(lines.data, expected);
-    mem_free(expected, lines.data);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_rendered),
         cmocka_unit_test(test_traced),
         cmocka_unit_test(test_without_avx),
-        cmocka_unit_test(test_expected),
     };
     return cmocka_run_group_tests_name("same bits", tests, NULL, NULL);
 }

@@ -159,7 +159,7 @@ static int count_answers(void) {
 }
 
 void sync_viewer(void) {
-    xdo("key F9");
+    xdo("key " F9);
     stage.questions++;
     for (int i = 0; i < PATIENCE_MS / 10 && count_answers() < stage.questions; i++) {
         if (waitpid(stage.viewer, NULL, WNOHANG) != 0) {
@@ -300,7 +300,7 @@ struct bitmap screenshot(void) {
     remove(png);
     remove(exr);
     sync_viewer();
-    xdo("key F12");
+    xdo("key " F12);
     for (int i = 0; i < PATIENCE_MS / 10 && access(exr, R_OK) != 0; i++)
         pause_ms(10);
     if (access(exr, R_OK) != 0)

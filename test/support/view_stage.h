@@ -59,6 +59,12 @@ void sync_viewer(void);
 
 /* Input events: the viewer takes them one after another, however fast they come. */
 #define xdo(...) assert_int_equal(shell("xdotool " __VA_ARGS__), 0)
+/* Function keys by number: by name, xdotool holds Alt, too, where the keymap is of xkb-data 2.48. */
+#define F1 "67"
+#define F2 "68"
+#define F3 "69"
+#define F9 "75"
+#define F12 "96"
 void click(int x, int y);
 
 /* Drops a file onto the window: a path of the scratch folder's, or one of the tree. */

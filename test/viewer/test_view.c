@@ -27,7 +27,7 @@ static void test_first_picture(void **state) {
     start_viewer(SCENE, "");
     check_same("the window's picture", SCENE);
     /* And so it is on the screen, where no overlay lies. */
-    xdo("key F3 key F3");
+    xdo("key " F3 " key " F3);
     sync_viewer();
     struct bitmap expected = offscreen(SCENE);
     int different = 1;
@@ -70,7 +70,7 @@ static void test_wipe(void **state) {
 static void test_keys(void **state) {
     (void)state;
     need_viewer();
-    xdo("key F1 key Escape key Escape");
+    xdo("key " F1 " key Escape key Escape");
     sync_viewer();
     pause_ms(2200); /* after which it asks again */
     xdo("key Escape");

@@ -58,7 +58,7 @@ static void begin(void) {
     snprintf(arguments, sizeof arguments, "--technique unshadowed --reference %s", path);
     start_viewer(BOX, arguments);
     sync_viewer();
-    xdo("key F3 key F3"); /* no times */
+    xdo("key " F3 " key " F3); /* no times */
     sync_viewer();
 }
 
@@ -154,11 +154,11 @@ static void test_inspector(void **state) {
     check_values("right ", reference, x, y);
     find_text("left ", text, sizeof text);
     find_place(text, &left, &above);
-    xdo("key F3"); /* the line of times, for which it makes room */
+    xdo("key " F3); /* the line of times, for which it makes room */
     find_place(text, &left, &below);
     printf("    at row %d, beside the times at %d\n", above, below);
     assert_true(above < 100 && below > HEIGHT / 2);
-    xdo("key F3 key F3 key i");
+    xdo("key " F3 " key " F3 " key i");
     sync_viewer();
     find_text("left ", text, sizeof text);
     assert_string_equal(text, "");

@@ -53,7 +53,7 @@ static void test_click(void **state) {
     assert_true(is_told("lit most by ", text, sizeof text));
     printf("    %s\n", text);
     /* Without the panel a label on the picture tells it. */
-    xdo("key F2");
+    xdo("key " F2);
     sync_viewer();
     assert_true(is_told("lit by ", text, sizeof text));
     printf("    %s\n", text);

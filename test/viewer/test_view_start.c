@@ -237,7 +237,7 @@ static void test_window(void **state) {
     assert_true(width >= 64 && colors >= 8);
     assert_false(is_on_screen("Scene"));
     check_same("without a panel", "scenes/sphere.glb");
-    xdo("key F2");
+    xdo("key " F2);
     find_place("Scene", &x, &y);
     end_viewer();
 }
