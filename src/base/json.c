@@ -71,10 +71,15 @@ void json_text(struct json *json, const char *key, const char *text) {
 }
 
 void json_number(struct json *json, const char *key, double number) {
+    bool whole = number == rint(number) && fabs(number) < 1e15;
     if (!isfinite(number))
         json_value(json, key, "null");
     else if (begin(json, key)) /* no "-0" */
-        fprintf(json->out, (double)(float)number == number ? "%.9g" : "%.12g", number + 0.0);
+        fprintf(json->out,
+                whole                             ? "%.0f"
+                : (double)(float)number == number ? "%.9g"
+                                                  : "%.12g",
+                number + 0.0);
 }
 
 void json_flag(struct json *json, const char *key, bool flag) {

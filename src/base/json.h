@@ -32,7 +32,7 @@ void json_close(struct json *json, const char *bracket);
 /* NULL: null. */
 void json_text(struct json *json, const char *key, const char *text);
 
-/* With the digits that tell a float from its neighbours, or with twelve. JSON knows no NaN and no infinity, so these are
+/* Whole, with the digits that tell a float from its neighbours, or with twelve. JSON knows no NaN and no infinity, so these are
  * null. */
 void json_number(struct json *json, const char *key, double number);
 void json_flag(struct json *json, const char *key, bool flag);

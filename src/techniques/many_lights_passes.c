@@ -177,7 +177,8 @@ static bool has_light_samples(const struct light_layout *layout) {
  * importance are far apart where the camera sees little of their light, which would shine through walls from there. Rays
  * tell what is between, where there is a tree for them anyway. */
 static bool asks_by_rays(const struct many_lights *lights, const struct light_layout *layout) {
-    return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED || many_lights_follow_camera(lights) ||
+    return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
+           many_lights_follow_camera(lights) ||
            (lights->visibility.corrected && has_light_samples(layout));
 }
 

@@ -29,7 +29,7 @@ walk(data)
 for word in sorted(words, key=len, reverse=True):
     assert word in text, f"TEXT lacks {word!r}"
     text = text.replace(word, " ", 1)
-for token in re.findall(r"-?\d[\d.]*(?:e[+-]?\d+)?|-?\.\d+", text.replace("m2", "")):
+for token in re.findall(r"-?\d[\d.]*(?:e[+-]?\d+)?|-?\.\d+", re.sub("m2|1/m", "", text)):
     alike = [n for n in numbers if token in ("%.4g" % n, "%.9g" % n, "%.2f" % n, "%d" % n)]
     assert alike, f"JSON lacks {token}"
     numbers.remove(alike[0])

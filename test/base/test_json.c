@@ -19,6 +19,7 @@ static void test_values(void **state) {
     json_open(&json, "e", "[");
     json_number(&json, NULL, .1);
     json_number(&json, NULL, (double).1F);
+    json_number(&json, NULL, 2147483648.);
     json_number(&json, NULL, INFINITY);
     json_open(&json, NULL, "[");
     json_close(&json, "]");
@@ -29,8 +30,9 @@ static void test_values(void **state) {
     json_close(&json, "}");
     fclose(out);
     assert_string_equal(
-        text, "{\n \"a\\\"b\": \"c\\\\d\\u000a\",\n \"e\": [0.1, 0.100000001, null, []],\n"
-              " \"f\": [0, 9.99999972e-10, 3],\n \"g\": true,\n \"h\": null}\n");
+        text,
+        "{\n \"a\\\"b\": \"c\\\\d\\u000a\",\n \"e\": [0.1, 0.100000001, 2147483648, null, []],\n"
+        " \"f\": [0, 9.99999972e-10, 3],\n \"g\": true,\n \"h\": null}\n");
     free(text);
 }
 

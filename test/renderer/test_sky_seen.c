@@ -220,9 +220,9 @@ static void test_closed_room(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slit),         cmocka_unit_test(test_open_floor),
-        cmocka_unit_test(test_pieces),       cmocka_unit_test(test_light),
-        cmocka_unit_test(test_closed_room),  cmocka_unit_test(test_moved_camera),
+        cmocka_unit_test(test_slit),        cmocka_unit_test(test_open_floor),
+        cmocka_unit_test(test_pieces),      cmocka_unit_test(test_light),
+        cmocka_unit_test(test_closed_room), cmocka_unit_test(test_moved_camera),
         cmocka_unit_test(test_voxels),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
