@@ -114,7 +114,7 @@ static void test_json(void **state) {
 /* The range that is found, given again, is the same; another one is not. */
 static void test_exposures(void **state) {
     (void)state;
-    char found[sizeof output], more[128];
+    char found[sizeof output], more[1200];
     double range[3];
     expect_command(0, "compare", with_pictures("--json -m hdr-flip"));
     memcpy(found, output, sizeof found);
