@@ -532,7 +532,7 @@ static void cycle(void) {
 /* Memory of the driver settles within some cycles. */
 static void test_cycles(void **state) {
     (void)state;
-    int cycles = is_long_run() ? 100 : 12, settling = is_long_run() ? 20 : 6;
+    int cycles = is_long_run() ? 100 : 24, settling = is_long_run() ? 20 : 12;
     int objects = gpu_memory_object_count();
     double before = 0;
     for (int i = 0; i < cycles; i++) {
