@@ -43,8 +43,8 @@ static void guard_streams(void) {
 static void tell_end(void) {
     struct event event;
     event_begin(&event, "done");
-    event_add_number(&event, "done", 1);
-    event_add_number(&event, "seconds", (clock_ms() - start_ms) / 1e3);
+    json_number(&event.json, "done", 1);
+    json_number(&event.json, "seconds", (clock_ms() - start_ms) / 1e3);
     event_send(&event);
 }
 

@@ -83,9 +83,7 @@ struct mean {
 static void mean_free(struct mean *mean) {
     image_free(&mean->first);
     frames_free(&mean->passes);
-    free(mean->by);
-    free(mean->sums);
-    free(mean->weights);
+    mem_free(mean->by, mean->sums, mean->weights);
 }
 
 static bool begin(struct mean *mean, struct image *image) {

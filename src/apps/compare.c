@@ -9,6 +9,7 @@
 #include "base/file/output_file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "metrics/flip/hdr_flip.h"
 #include "metrics/heat_map.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
@@ -19,7 +20,7 @@
 
 struct values {
     struct common_values common;
-    const char *layer, *reference_layer, *output, *format;
+    const char *layer, *reference_layer, *output, *format, *exposures;
     struct text_list metrics, bounds;
     float pixels_per_degree, top;
     bool json;
@@ -41,6 +42,8 @@ static const struct option options[] = {
      .help = "error at the end of the picture's colour scale; 0: from the errors"},
     {"ppd", 0, OPTION_FLOAT, offsetof(struct values, pixels_per_degree), DEFAULT_PIXELS_PER_DEGREE,
      1, 1000, .help = "pixels per degree of the viewer, for FLIP"},
+    {"exposures", 0, OPTION_TEXT, offsetof(struct values, exposures), .value_name = "START,STOP,N",
+     .help = "exposures of HDR-FLIP: N from START to STOP, in EV [from REFERENCE]"},
     {"json", 0, OPTION_FLAG, offsetof(struct values, json),
      .help = "print JSON; values that are not finite become null"},
     {NULL},
@@ -91,6 +94,7 @@ struct measurement {
 struct report {
     struct measurement measurements[METRIC_COUNT]; /* as in metrics[] */
     const struct metric *pictured;                 /* by --output */
+    struct exposure_range exposures;               /* of hdr-flip */
 };
 
 /* --metric: by name. */
@@ -131,14 +135,32 @@ static bool ask_bounded(struct report *report, const char *text) {
     return true;
 }
 
+static bool asks_hdr_flip(const struct report *report) {
+    return report->measurements[metric_find("hdr-flip") - metrics].asked;
+}
+
+/* --exposures. */
+static bool choose_exposures(struct exposure_range *range, const char *text) {
+    const float most = 120; /* a float has no more */
+    int end = 0;
+    bool ok = sscanf(text, "%f,%f,%d%n", &range->first, &range->last, &range->count, &end) == 3 &&
+              text[end] == '\0' && range->first >= -most && range->first <= range->last &&
+              range->last <= most && range->count >= 1 && range->count <= 1000;
+    return ok ||
+           error_set("exposures: '%s' is not START,STOP,N with START up to STOP, both from -120 "
+                     "to 120, and N from 1 to 1000",
+                     text);
+}
+
 /* What an option needs to have an effect. */
 static bool check_use(const struct report *report, const struct values *values, bool is_picture) {
-    bool has_flip = values->metrics.count == 0;
+    bool has_flip = values->metrics.count == 0, has_hdr_flip = has_flip || asks_hdr_flip(report);
     for (int i = 0; i < METRIC_COUNT; i++)
         has_flip |= report->measurements[i].asked && strstr(metrics[i].name, "flip");
     return arguments_check_use(
         &values->common,
         (struct option_use[]){{"ppd", has_flip, "hdr-flip and ldr-flip"},
+                              {"exposures", has_hdr_flip, "hdr-flip"},
                               {"top", is_picture, "a picture in false colours: -o FILE.png"},
                               {NULL}});
 }
@@ -153,6 +175,8 @@ static bool report_init(struct report *report, const struct values *values) {
     for (int i = 0; i < values->bounds.count; i++)
         if (!ask_bounded(report, values->bounds.items[i]))
             return error_prefix("max");
+    if (values->exposures && !choose_exposures(&report->exposures, values->exposures))
+        return false;
     bool is_float = true;
     if (!outputs_use_format(&values->output, 1, values->format))
         return false;
@@ -216,29 +240,29 @@ static void print_table(FILE *out, const struct report *report) {
 
 static void print_json(FILE *out, const struct report *report, const struct values *values,
                        const struct pictures *pictures) {
-    fprintf(out, "{\"test\": ");
-    json_print_text(out, pictures->test_path);
-    fprintf(out, ", \"reference\": ");
-    json_print_text(out, pictures->reference_path);
-    fprintf(out, ", \"layer\": ");
-    json_print_text(out, values->layer ? values->layer : "beauty");
-    if (values->reference_layer) {
-        fprintf(out, ", \"reference-layer\": ");
-        json_print_text(out, values->reference_layer);
+    struct json json = {.out = out};
+    json_open(&json, NULL, "{");
+    json_text(&json, "test", pictures->test_path);
+    json_text(&json, "reference", pictures->reference_path);
+    json_text(&json, "layer", values->layer ? values->layer : "beauty");
+    if (values->reference_layer)
+        json_text(&json, "reference-layer", values->reference_layer);
+    json_number(&json, "width", pictures->test.width);
+    json_number(&json, "height", pictures->test.height);
+    json_number(&json, "ppd", (double)values->pixels_per_degree);
+    if (asks_hdr_flip(report)) {
+        json_open(&json, "exposures", "[");
+        json_number(&json, NULL, (double)report->exposures.first);
+        json_number(&json, NULL, (double)report->exposures.last);
+        json_number(&json, NULL, report->exposures.count);
+        json_close(&json, "]");
     }
-    fprintf(out, ", \"width\": %d, \"height\": %d, \"ppd\": ", pictures->test.width,
-            pictures->test.height);
-    json_print_number(out, (double)values->pixels_per_degree);
-    fprintf(out, ", \"metrics\": {");
-    const char *separator = "";
-    for (int i = 0; i < METRIC_COUNT; i++) {
-        if (!report->measurements[i].asked)
-            continue;
-        fprintf(out, "%s\"%s\": ", separator, metrics[i].name);
-        json_print_number(out, report->measurements[i].value);
-        separator = ", ";
-    }
-    fprintf(out, "}}\n");
+    json_open(&json, "metrics", "{");
+    for (int i = 0; i < METRIC_COUNT; i++)
+        if (report->measurements[i].asked)
+            json_number(&json, metrics[i].name, report->measurements[i].value);
+    json_close(&json, "}");
+    json_close(&json, "}");
 }
 
 static bool write_map(const struct values *values, const struct metric *metric, double value,
@@ -260,7 +284,8 @@ static bool measure(struct report *report, const struct values *values,
                     const struct pictures *pictures) {
     struct comparison comparison = {.test = &pictures->test,
                                     .reference = &pictures->reference,
-                                    .pixels_per_degree = values->pixels_per_degree};
+                                    .pixels_per_degree = values->pixels_per_degree,
+                                    .exposures = report->exposures};
     size_t pixel_count = (size_t)pictures->test.width * (size_t)pictures->test.height;
     float *map = mem_alloc(pixel_count, sizeof *map);
     bool ok = true;
@@ -300,6 +325,13 @@ static int compare(const struct values *values, struct report *report, struct pi
     for (int i = 0; values->metrics.count == 0 && i < METRIC_COUNT; i++)
         if (metrics[i].usual_for & kind)
             report->measurements[i].asked = true;
+    if (!asks_hdr_flip(report) && values->exposures) {
+        error_set("--exposures needs hdr-flip, and integers are compared by ldr-flip: add "
+                  "--metric hdr-flip");
+        return arguments_fail(name);
+    }
+    if (asks_hdr_flip(report) && report->exposures.count == 0)
+        report->exposures = hdr_flip_exposures(&pictures->reference);
     if (!report->pictured)
         report->pictured = metric_find(kind == METRIC_LDR ? "ldr-flip" : "hdr-flip");
     if (!measure(report, values, pictures))
@@ -323,7 +355,6 @@ int app_compare(int argc, char **argv) {
         return arguments_misuse(argv[0]);
     struct pictures pictures = {.test_path = paths[0], .reference_path = paths[1]};
     status = compare(&values, &report, &pictures, argv[0]);
-    image_free(&pictures.test);
-    image_free(&pictures.reference);
+    images_free(&pictures.test, &pictures.reference);
     return status;
 }

@@ -1,16 +1,19 @@
 /* manylight info: what renders here, and what a scene holds. */
+#define _POSIX_C_SOURCE 200809L
 #include "apps/apps.h"
 #include "apps/arguments.h"
+#include "apps/facts.h"
 #include "apps/options.h"
 #include "apps/scene_summary.h"
 
 #include "gl/api.h"
 
 #include <stdio.h>
+#include <stdlib.h>
 
 struct values {
     struct common_values common;
-    bool gl;
+    bool gl, json;
     struct scene_choice choice;
     struct context_desc context;
 };
@@ -18,13 +21,21 @@ struct values {
 static const struct option options[] = {
     {"gl", 0, OPTION_FLAG, offsetof(struct values, gl),
      .help = "print the OpenGL implementation, its limits, and the EGL devices"},
+    {"json", 0, OPTION_FLAG, offsetof(struct values, json),
+     .help = "print JSON; docs/user/04-scenes-and-materials.md lists its keys"},
     SCENE_OPTION(struct values, choice),
     VARIANT_OPTION(struct values, choice),
     CONTEXT_OPTIONS(struct values, context),
     {NULL},
 };
 
-static void print_limits(void) {
+static void print_limit(struct json *json, const char *name, GLint64 value) {
+    json_number(json, name, (double)value);
+    if (!json->out)
+        printf("  %-26s %lld\n", name, (long long)value);
+}
+
+static void print_limits(struct json *json) {
     static const struct {
         const char *name;
         GLenum limit;
@@ -48,32 +59,39 @@ static void print_limits(void) {
         {"compute invocations", GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS},
         {"compute shared bytes", GL_MAX_COMPUTE_SHARED_MEMORY_SIZE},
     };
+    fact_words(json, "limits\n");
+    json_open(json, "limits", "{");
     for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) {
         GLint64 value = 0;
         gl.GetInteger64v(limits[i].limit, &value);
-        printf("  %-26s %lld\n", limits[i].name, (long long)value);
+        print_limit(json, limits[i].name, value);
     }
     GLint bits = 0;
     gl.GetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);
-    printf("  %-26s %d\n", "timestamp bits", bits);
+    print_limit(json, "timestamp bits", bits);
+    json_close(json, "}");
 }
 
-static bool print_gl(const struct values *values) {
+static bool print_gl(struct json *json, const struct values *values) {
     char devices[4096];
     context_list_devices(devices, sizeof devices);
-    printf("ways to a context, in the order tried:\n%s\n", devices);
+    json_open(json, "gl", "{");
+    fact_text(json, "contexts", "ways to a context, in the order tried:\n%s\n", devices);
     struct context *context = context_create(&values->context);
     if (!context)
         return false;
-    printf("context   %s, %s\n", context_description(context),
-           gl.software ? "software" : "hardware");
-    printf("vendor    %s\n", (const char *)gl.GetString(GL_VENDOR));
-    printf("renderer  %s\n", (const char *)gl.GetString(GL_RENDERER));
-    printf("version   %s\n", (const char *)gl.GetString(GL_VERSION));
-    printf("GLSL      %s\n", (const char *)gl.GetString(GL_SHADING_LANGUAGE_VERSION));
-    printf("screen    passes by %s shaders\n", screen_way_names[screen_way()]);
-    printf("limits\n");
-    print_limits();
+    fact_text(json, "context", "context   %s, ", context_description(context));
+    fact_flag(json, "software", gl.software, "software");
+    fact_words(json, gl.software ? "" : "hardware");
+    fact_text(json, "vendor", "\nvendor    %s\n", (const char *)gl.GetString(GL_VENDOR));
+    fact_text(json, "renderer", "renderer  %s\n", (const char *)gl.GetString(GL_RENDERER));
+    fact_text(json, "version", "version   %s\n", (const char *)gl.GetString(GL_VERSION));
+    fact_text(json, "glsl", "GLSL      %s\n",
+              (const char *)gl.GetString(GL_SHADING_LANGUAGE_VERSION));
+    fact_text(json, "screen_passes", "screen    passes by %s shaders\n",
+              screen_way_names[screen_way()]);
+    print_limits(json);
+    json_close(json, "}");
     context_free(context);
     return true;
 }
@@ -100,7 +118,16 @@ int app_info(int argc, char **argv) {
         {NULL}};
     if (!arguments_check_use(&values.common, uses))
         return arguments_misuse(argv[0]);
-    bool ok = (!scene || scene_summary_print(scene, &values.choice)) &&
-              ((scene && !values.gl) || print_gl(&values));
+    char *text = NULL; /* JSON is printed whole or not at all */
+    size_t size;
+    struct json json = {.out = values.json ? open_memstream(&text, &size) : NULL, .lines = 2};
+    json_open(&json, NULL, "{");
+    bool ok = (!scene || scene_summary_print(&json, scene, &values.choice)) &&
+              ((scene && !values.gl) || print_gl(&json, &values));
+    json_close(&json, "}");
+    if (json.out)
+        fclose(json.out);
+    fputs(ok && text ? text : "", stdout);
+    free(text);
     return ok ? STATUS_OK : arguments_fail(argv[0]);
 }

@@ -13,16 +13,13 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/progress.h"
-#include "metrics/quantile.h"
 #include "quality/picture.h"
-#include "reference/channels.h"
 #include "renderer/about.h"
 #include "renderer/stage.h"
 #include "scene/caustics.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "shared/composite.h"
-#include "techniques/many_lights.h"
 #include "techniques/volume.h"
 
 #include <stdlib.h>

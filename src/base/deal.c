@@ -2,7 +2,6 @@
 
 #include "base/memory.h"
 
-#include <stdbool.h>
 #include <stdlib.h>
 
 /* Who is next: the greatest weight / (2 got + 1). */
@@ -42,8 +41,7 @@ static void spread(const int *counts, int taker_count, struct dealt *things, int
         int taker = next_taker(weights, got, taker_count);
         things[i] = (struct dealt){taker, got[taker]++};
     }
-    free(weights);
-    free(got);
+    mem_free(weights, got);
 }
 
 void deal(const double *weights, int taker_count, struct dealt *things, int thing_count,
@@ -58,6 +56,5 @@ void deal(const double *weights, int taker_count, struct dealt *things, int thin
     spread(shares, taker_count, things, thing_count);
     for (int i = 0; counts && i < taker_count; i++)
         counts[i] = shares[i];
-    free(alike);
-    free(shares);
+    mem_free(alike, shares);
 }

@@ -109,9 +109,7 @@ void image_free(struct image *image) {
     free(image->attributes);
     for (int i = 0; i < image->channel_count; i++)
         free(image->names[i]);
-    free(image->names);
-    free(image->pixels);
-    free(image->passes);
+    mem_free(image->names, image->pixels, image->passes);
     for (int i = 0; i < image->part_count; i++)
         free(image->parts[i]);
     free(image->parts);

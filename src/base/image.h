@@ -5,6 +5,8 @@
 #ifndef BASE_IMAGE_H
 #define BASE_IMAGE_H
 
+#include "base/memory.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -43,6 +45,7 @@ struct image {
     /* Of a file while it is read: x and y of its red, green, blue and white (IMAGE_CHROMATICITIES), and what 1 stands
      * for. Zeros are BT.709 and 1. */
     float primaries[8], unit;
+    bool cube; /* of a file: faces of a cube, as its attribute says */
     /* Of a file: the whole picture, and where in it there are pixels. */
     struct image_window display, data;
 };
@@ -81,7 +84,9 @@ void image_add_numbers(struct image *image, const char *name, enum image_attribu
 
 /* Accepts zeroed structs. */
 void image_free(struct image *image);
+#define images_free(...) MEM_EACH(struct image, image_free, __VA_ARGS__)
 void bitmap_free(struct bitmap *bitmap);
+#define bitmaps_free(...) MEM_EACH(struct bitmap, bitmap_free, __VA_ARGS__)
 
 static inline float *image_at(const struct image *image, int x, int y) {
     return image->pixels +

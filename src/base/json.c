@@ -1,7 +1,6 @@
 #include "base/json.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 int utf8_length(const unsigned char *c) {
     if (*c < 0x80)
@@ -36,9 +35,65 @@ void json_print_text(FILE *out, const char *text) {
     fputc('"', out);
 }
 
-void json_print_number(FILE *out, double number) {
-    if (isfinite(number))
-        fprintf(out, "%.9g", number);
-    else
-        fprintf(out, "null");
+/* All before a value. False: there is nowhere to write. */
+static bool begin(struct json *json, const char *key) {
+    if (!json->out)
+        return false;
+    if (json->depth > 0 && json->depth <= json->lines)
+        fprintf(json->out, "%s\n%*s", json->follows ? "," : "", json->depth, "");
+    else if (json->follows)
+        fprintf(json->out, ", ");
+    json->follows = true;
+    if (key) {
+        json_print_text(json->out, key);
+        fprintf(json->out, ": ");
+    }
+    return true;
+}
+
+void json_open(struct json *json, const char *key, const char *bracket) {
+    json_value(json, key, bracket);
+    json->depth++;
+    json->follows = false;
+}
+
+void json_close(struct json *json, const char *bracket) {
+    if (json->out)
+        fprintf(json->out, "%s%s", bracket, --json->depth == 0 ? "\n" : "");
+    json->follows = true;
+}
+
+void json_text(struct json *json, const char *key, const char *text) {
+    if (!text)
+        json_value(json, key, "null");
+    else if (begin(json, key))
+        json_print_text(json->out, text);
+}
+
+void json_number(struct json *json, const char *key, double number) {
+    bool whole = number == rint(number) && fabs(number) < 1e15;
+    if (!isfinite(number))
+        json_value(json, key, "null");
+    else if (begin(json, key)) /* no "-0" */
+        fprintf(json->out,
+                whole                             ? "%.0f"
+                : (double)(float)number == number ? "%.9g"
+                                                  : "%.12g",
+                number + 0.0);
+}
+
+void json_flag(struct json *json, const char *key, bool flag) {
+    json_value(json, key, flag ? "true" : "false");
+}
+
+void json_vector(struct json *json, const char *key, const float vector[3]) {
+    json_open(json, key, "[");
+    for (int c = 0; c < 3; c++)
+        json_number(json, NULL, (double)vector[c]);
+    json_close(json, "]");
+}
+
+void json_value(struct json *json, const char *key, const char *value) {
+    if (begin(json, key))
+        fprintf(json->out, "%s", value);
 }

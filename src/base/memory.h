@@ -37,6 +37,17 @@ void *mem_alloc(size_t count, size_t size);
 /* Grows or shrinks; new bytes are not zeroed. */
 void *mem_resize(void *pointer, size_t count, size_t size);
 
+/* Calls a function of one pointer with each of several. */
+#define MEM_EACH(type, function, ...)                                                              \
+    do {                                                                                           \
+        type *const each_[] = {__VA_ARGS__};                                                       \
+        for (size_t i_ = 0; i_ < sizeof each_ / sizeof *each_; i_++)                               \
+            function(each_[i_]);                                                                   \
+    } while (0)
+
+/* free() of each. */
+#define mem_free(...) MEM_EACH(void, free, __VA_ARGS__)
+
 char *mem_strdup(const char *text);
 char *mem_printf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

@@ -43,6 +43,7 @@ struct option {
         const char *text);  /* OPTION_TEXT: false with an error set refuses it; NULL = any */
     const char *value_name; /* in --help: "FILE"; NULL = by type */
     const char *unit;       /* may stand behind a number: "ms"; NULL = none */
+    const char *label;      /* for settings: name of the viewer's row; NULL = name */
     const char *help;
     const char
         *needs; /* for settings: what must hold for an effect (struct need); NULL = nothing */

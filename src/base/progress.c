@@ -20,14 +20,14 @@ void progress_start(struct progress *progress, const char *task) {
 
 /* --- events ----------------------------------------------------------------------------------- */
 
-static void add_place(struct event *event, const struct progress *progress) {
+static void add_place(struct json *json, const struct progress *progress) {
     if (progress->frame_count > 0) {
-        event_add_number(event, "frame", progress->frame);
-        event_add_number(event, "frames", progress->frame_count);
+        json_number(json, "frame", progress->frame);
+        json_number(json, "frames", progress->frame_count);
     }
     if (progress->pass_count > 0) {
-        event_add_number(event, "pass", progress->pass);
-        event_add_number(event, "passes", progress->pass_count);
+        json_number(json, "pass", progress->pass);
+        json_number(json, "passes", progress->pass_count);
     }
 }
 
@@ -35,12 +35,12 @@ static void send(struct progress *progress, double done, const char *note, doubl
     struct event event;
     double elapsed = time - progress->start;
     event_begin(&event, "progress");
-    event_add_text(&event, "task", progress->task);
-    event_add_number(&event, "done", done);
-    add_place(&event, progress);
-    event_add_number(&event, "seconds", elapsed);
-    event_add_number(&event, "eta", done > 0 ? elapsed * (1 - done) / done : NAN);
-    event_add_text(&event, "note", note);
+    json_text(&event.json, "task", progress->task);
+    json_number(&event.json, "done", done);
+    add_place(&event.json, progress);
+    json_number(&event.json, "seconds", elapsed);
+    json_number(&event.json, "eta", done > 0 ? elapsed * (1 - done) / done : NAN);
+    json_text(&event.json, "note", note);
     event_send(&event);
 }
 
@@ -49,9 +49,9 @@ void progress_tell_file(struct progress *progress, const char *path) {
     if (!events_are_json())
         return;
     event_begin(&event, "file");
-    event_add_text(&event, "task", progress->task);
-    add_place(&event, progress);
-    event_add_text(&event, "file", path);
+    json_text(&event.json, "task", progress->task);
+    add_place(&event.json, progress);
+    json_text(&event.json, "file", path);
     event_send(&event);
 }
 

@@ -23,7 +23,8 @@ char *shell_quote(const char *word) {
     return quoted.data;
 }
 
-char *shell_find(const char *program) {
+/* Where a shell finds the program; the caller frees it. NULL: nowhere. */
+static char *find(const char *program) {
     char *path = mem_strdup(getenv("PATH") ? getenv("PATH") : ""), *rest = NULL, *found = NULL;
     for (char *folder = strtok_r(path, ":", &rest); folder && !found;
          folder = strtok_r(NULL, ":", &rest)) {
@@ -38,7 +39,7 @@ char *shell_find(const char *program) {
 }
 
 bool shell_has(const char *program) {
-    char *path = shell_find(program);
+    char *path = find(program);
     bool has = path;
     free(path);
     return has;
@@ -46,11 +47,10 @@ bool shell_has(const char *program) {
 
 char *shell_own_program(void) {
     static const char name[] = "manylight";
-    char own[PATH_MAX] = "", *found = shell_find(name);
+    char own[PATH_MAX] = "", *found = find(name);
     char *whole = found ? realpath(found, NULL) : NULL;
     ssize_t length = readlink("/proc/self/exe", own, sizeof own - 1);
     bool by_name = length <= 0 || (whole && strcmp(whole, own) == 0);
-    free(found);
-    free(whole);
+    mem_free(found, whole);
     return by_name ? mem_strdup(name) : shell_quote(own);
 }

@@ -7,10 +7,7 @@
 /* The word as a POSIX shell takes it for one: in single quotes where it needs them; the caller frees it. */
 char *shell_quote(const char *word);
 
-/* Where a shell finds the program; the caller frees it. NULL: nowhere. */
-char *shell_find(const char *program);
-
-/* Whether a shell finds it. */
+/* Whether a shell finds the program. */
 bool shell_has(const char *program);
 
 /* A word that starts this program again: its name where a shell finds it by that, else its path; the caller frees it. */

@@ -12,14 +12,16 @@ static const char *const fit_names[] = {"rectangles", "even", NULL};
 
 static const struct option table[] = {
     {"lights", 0, OPTION_INT, ROW(lights), 120, ENVIRONMENT_LIGHTS_MIN, ENVIRONMENT_LIGHTS_MAX,
+     .label = "area lights",
      .help = "largest number of area lights that\n"
              "approximate an environment map; fewer: faster"},
-    {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .choices = fit_names,
+    {"fit", 0, OPTION_CHOICE, ROW(fit), SKY_FIT_EVEN, .label = "fit", .choices = fit_names,
      .help = "fit of the area lights: rectangles grown from the\n"
              "brightest texel, or cells of nearly even radiance"},
-    {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 32,
+    {"shadow-rays", 0, OPTION_INT, ROW(shadow_rays), 3, 1, 32, .label = "shadow rays",
      .help = "shadow rays per environment light; at least 16 for a sun"},
     {"directions", 0, OPTION_INT, ROW(directions), 12, ENVIRONMENT_LIGHTS_MIN, LIGHTS_MAX,
+     .label = "directions",
      .help = "largest number of groups of an environment's lights, each with a view from\n"
              "one direction for near light; VPLs take directions of their own; raise,\n"
              "with lights.vpls, where light comes through windows"},

@@ -10,6 +10,7 @@ struct prefilter_settings {
 
 static const struct option table[] = {
     {"texels", 0, OPTION_INT, offsetof(struct prefilter_settings, size), 1024, 16, 4096,
+     .label = "map texels",
      .help = "texels along each side of a light's own map; a point\n"
              "light has 6 maps, a light of a half space 1, whose middle\n"
              "half covers 90 degrees; reduced for more than 24 maps"},

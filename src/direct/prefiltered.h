@@ -33,8 +33,7 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                        const struct prefiltered_desc *method);
 void prefiltered_end(struct prefiltered *own);
 
-/* For struct direct_method, with shadow_resize, shadow_light and shadow_specular; the first two are for a state that is a struct prefiltered
- * and no more. */
+/* For struct direct_method, with SHADOW_METHOD; the first two are for a state that is a struct prefiltered and no more. */
 bool prefiltered_init(void **state, const struct direct_desc *desc,
                       const struct prefiltered_desc *method);
 void prefiltered_free(void *state);

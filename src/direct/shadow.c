@@ -4,6 +4,7 @@
 
 static const struct option table[] = {
     {"shadow-size", 0, OPTION_INT, offsetof(struct shadow_settings, size), 2048, 16, 16384,
+     .label = "shadow texels",
      .help = "texels along each side of a light's shadow map;\n"
              "reduced for more than 32 lights or 21 point lights"},
     {NULL},

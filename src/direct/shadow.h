@@ -33,4 +33,7 @@ void shadow_render_view(void *state, const struct frame *frame, const struct gbu
 const struct texture *shadow_light(const void *state);
 const struct texture *shadow_specular(const void *state);
 
+/* Members of a struct direct_method. */
+#define SHADOW_METHOD .resize = shadow_resize, .light = shadow_light, .specular = shadow_specular
+
 #endif

@@ -24,18 +24,23 @@ bool buffer_init(struct buffer *buffer, const char *label, size_t size, const vo
     return true;
 }
 
+bool buffer_init_texels(struct buffer *buffer, GLenum format, const char *label, size_t size,
+                        const void *data) {
+    if (!buffer_init(buffer, label, size, data))
+        return false;
+    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &buffer->texels);
+    gl.TextureBuffer(buffer->texels, format, buffer->id);
+    return true;
+}
+
 void buffer_free(struct buffer *buffer) {
+    if (buffer->texels)
+        gl.DeleteTextures(1, &buffer->texels);
     if (buffer->id)
         gl.DeleteBuffers(1, &buffer->id);
     if (buffer->size)
         gpu_memory_add(buffer->label, -(ptrdiff_t)buffer->size);
     *buffer = (struct buffer){0};
-}
-
-void buffer_show(const struct buffer *buffer, GLenum format, GLuint *texels) {
-    if (!*texels)
-        gl.CreateTextures(GL_TEXTURE_BUFFER, 1, texels);
-    gl.TextureBuffer(*texels, format, buffer->id);
 }
 
 void buffer_write(const struct buffer *buffer, size_t offset, size_t size, const void *data) {

@@ -16,6 +16,7 @@ struct framebuffer_desc {
 /* Error: the driver refuses the combination. */
 bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc);
 void framebuffer_free(GLuint *framebuffer);
+#define framebuffers_free(...) MEM_EACH(GLuint, framebuffer_free, __VA_ARGS__)
 
 /* A texture, and a framebuffer of its label that draws into it alone. */
 bool framebuffer_init_target(struct texture *texture, GLuint *framebuffer,

@@ -34,7 +34,7 @@ static void bind_target(const struct pass_state *state) {
 static const GLenum depth_functions[] = {
     [PASS_DEPTH_OFF] = GL_ALWAYS,
     [PASS_DEPTH_LESS] = GL_LESS,
-    [PASS_DEPTH_GREATER] = GL_GREATER,
+    [PASS_DEPTH_GREATER] = GL_GEQUAL,
     [PASS_DEPTH_EQUAL] = GL_EQUAL,
 };
 

@@ -11,7 +11,7 @@
 enum pass_depth {
     PASS_DEPTH_OFF,
     PASS_DEPTH_LESS,    /* test and write; 1 is far */
-    PASS_DEPTH_GREATER, /* test and write; 0 is far: reversed depth */
+    PASS_DEPTH_GREATER, /* test and write; 0 is far; of two equal depths the later stays */
     PASS_DEPTH_EQUAL,   /* test alone */
 };
 

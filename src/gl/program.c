@@ -154,8 +154,7 @@ struct program_store *program_store_create(void) {
 }
 
 static void forget(struct stored *stored) {
-    free(stored->key);
-    free(stored->binary);
+    mem_free(stored->key, stored->binary);
     *stored = (struct stored){0};
 }
 

@@ -34,6 +34,7 @@ struct program_desc {
 /* Compiles and links. Error: names file and line, with the driver's message. */
 bool program_init(GLuint *program, const struct program_desc *desc);
 void program_free(GLuint *program);
+#define programs_free(...) MEM_EACH(GLuint, program_free, __VA_ARGS__)
 
 /* What it runs for each pixel, if that is by a dispatch; else NULL. */
 const struct screen_desc *program_dispatched(GLuint program);

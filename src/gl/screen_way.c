@@ -3,7 +3,6 @@
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "gl/screen.h"
-#include "shared/bindings.h"
 
 #include <math.h>
 #include <stdatomic.h>

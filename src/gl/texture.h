@@ -3,6 +3,7 @@
 #define GL_TEXTURE_H
 
 #include "base/image.h"
+#include "base/memory.h"
 #include "gl/api.h"
 
 #include <stdbool.h>
@@ -38,6 +39,7 @@ struct texture {
 /* Error: out of GPU memory, or larger than the limits; names label and size, or samples. */
 bool texture_init(struct texture *texture, const struct texture_desc *desc);
 void texture_free(struct texture *texture);
+#define textures_free(...) MEM_EACH(struct texture, texture_free, __VA_ARGS__)
 
 /* The picture as an RGBA8 texture, filtered linearly, its row 0 the texture's last. Error: as above. */
 bool texture_init_bitmap(struct texture *texture, const char *label, const struct bitmap *bitmap);

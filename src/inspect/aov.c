@@ -1,7 +1,6 @@
 #include "inspect/aov.h"
 
 #include "base/error.h"
-#include "base/memory.h"
 #include "base/names.h"
 #include "gl/pass.h"
 #include "gl/program.h"

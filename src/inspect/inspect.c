@@ -44,8 +44,7 @@ void inspect_free(struct inspect *inspect) {
     lookup_free(&inspect->visibility);
     voxel_view_free(&inspect->voxels);
     buffer_free(&inspect->params);
-    texture_free(&inspect->no_plane);
-    texture_free(&inspect->no_layers);
+    textures_free(&inspect->no_plane, &inspect->no_layers);
     free_canvas(inspect);
     marks_free(&inspect->marks);
 }

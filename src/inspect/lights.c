@@ -64,7 +64,6 @@ bool lights_read(struct lights *lights, struct renderer *renderer) {
 }
 
 void lights_free(struct lights *lights) {
-    free(lights->vpls);
-    free(lights->centers);
+    mem_free(lights->vpls, lights->centers);
     *lights = (struct lights){0};
 }

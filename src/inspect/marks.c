@@ -28,8 +28,7 @@ bool marks_init(struct marks *marks) {
 }
 
 void marks_free(struct marks *marks) {
-    program_free(&marks->point_program);
-    program_free(&marks->val_program);
+    programs_free(&marks->point_program, &marks->val_program);
     buffer_free(&marks->params);
 }
 

@@ -235,8 +235,7 @@ static bool compare(const struct image *test, const struct image *reference,
                              desc.reference_layer ? desc.reference_layer : name) ||
                error_prefix("reference")) &&
               measure(&layer, &of_reference, &desc, value, map);
-    image_free(&layer);
-    image_free(&of_reference);
+    images_free(&layer, &of_reference);
     return ok;
 }
 

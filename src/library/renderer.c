@@ -171,8 +171,7 @@ void manylight_renderer_free(struct manylight_renderer *renderer) {
     if (!at_work) {
         loan_return(&renderer->loan);
         device_release(renderer->device);
-        free(renderer->camera);
-        free(renderer);
+        mem_free(renderer->camera, renderer);
     }
     door_leave(&door, !at_work, MANYLIGHT_BAD_ARGUMENT);
 }

@@ -7,7 +7,6 @@
 #include "library/arrays.h"
 #include "library/desc.h"
 #include "library/door.h"
-#include "scene/clips.h"
 #include "scene/placing.h"
 #include "scene/read_rules.h"
 
@@ -118,8 +117,7 @@ static bool open_scene(const struct manylight_scene_desc *given, struct manyligh
     read_rules_use(NULL);
     free(rules.root);
     if (!ok) {
-        free(scene->light);
-        free(scene);
+        mem_free(scene->light, scene);
         return false;
     }
     describe(scene);
@@ -139,13 +137,14 @@ enum manylight_status manylight_scene_open(const struct manylight_scene_desc *de
 
 /* --- sharing ---------------------------------------------------------------------------------- */
 
-struct manylight_scene *scene_hold(const struct manylight_scene *scene) {
+static struct manylight_scene *hold(const struct manylight_scene *scene) {
     struct manylight_scene *held = (struct manylight_scene *)(uintptr_t)scene;
     atomic_fetch_add(&held->users, 1);
     return held;
 }
 
-void scene_release(struct manylight_scene *scene) {
+/* The last user ends it. */
+static void release(struct manylight_scene *scene) {
     if (!scene || atomic_fetch_sub(&scene->users, 1) > 1)
         return;
     stage_free(&scene->stage);
@@ -157,7 +156,7 @@ void scene_release(struct manylight_scene *scene) {
 void manylight_scene_free(struct manylight_scene *scene) {
     struct door door;
     door_enter(&door);
-    scene_release(scene);
+    release(scene);
     door_leave(&door, true, MANYLIGHT_OK);
 }
 
@@ -178,7 +177,7 @@ static void take_back(struct manylight_scene *scene, const struct geometry *geom
 }
 
 bool loan_take(struct loan *loan, const struct manylight_scene *scene) {
-    *loan = lend(scene_hold(scene));
+    *loan = lend(hold(scene));
     struct stage *stage = &loan->stage;
     stage->emitters = (struct emitters){0};
     stage->light_text = loan->from->light;
@@ -202,7 +201,7 @@ void loan_return(struct loan *loan) {
     } else {
         geometry_free(&loan->stage.geometry);
     }
-    scene_release(loan->from);
+    release(loan->from);
     *loan = (struct loan){0};
 }
 
@@ -267,8 +266,8 @@ bool loan_pose(struct loan *loan, const struct manylight_view *view) {
     return !view->placed || place_camera(&stage->camera, view->placed);
 }
 
-bool loan_place_camera(const struct loan *loan, const char *text, struct camera *camera,
-                       int size[2]) {
+static bool place_named(const struct loan *loan, const char *text, struct camera *camera,
+                        int size[2]) {
     int n = 0;
     if (!camera_from_text(camera, &loan->stage.scene, text, 0, &n))
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
@@ -280,7 +279,7 @@ bool loan_size(const struct loan *loan, const char *camera, int width, int heigh
     static const struct option option = {"size", 0, OPTION_SIZE, 0, 0, 1, 16384, .help = ""};
     struct camera placed;
     char text[32];
-    if (!loan_place_camera(loan, camera, &placed, size))
+    if (!place_named(loan, camera, &placed, size))
         return false;
     snprintf(text, sizeof text, "%dx%d", width, height);
     return (width == 0 && height == 0) || option_parse(&option, size, text) ||

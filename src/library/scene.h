@@ -6,10 +6,6 @@
 #include "library/manylight.h"
 #include "renderer/stage.h"
 
-/* One more user of the scene, and one less: the last one ends it. */
-struct manylight_scene *scene_hold(const struct manylight_scene *scene);
-void scene_release(struct manylight_scene *scene);
-
 /* A stage at time 0 that shares what the scene holds. The first user gets the triangles that are there, others get copies. */
 struct loan {
     struct manylight_scene *from;
@@ -25,10 +21,6 @@ void loan_return(struct loan *loan);
 
 /* Poses the stage and places camera and lights as the view has them. desc: zeroed where there is none. */
 bool loan_pose(struct loan *loan, const struct manylight_view *view);
-
-/* As the scene is shown at time 0. */
-bool loan_place_camera(const struct loan *loan, const char *text, struct camera *camera,
-                       int size[2]);
 
 /* Error: names the member that is not finite or out of its range. */
 bool check_camera(const struct manylight_camera *camera);

@@ -249,8 +249,7 @@ void picture_faults_find(const struct image *picture, const struct image *refere
         find_shift(&pair, faults);
         find_fireflies(&pair, faults);
     }
-    free(pair.picture);
-    free(pair.reference);
+    mem_free(pair.picture, pair.reference);
 }
 
 char *picture_fault_describe(const struct picture_faults *faults, enum picture_fault fault) {

@@ -84,8 +84,7 @@ bool panels_write(const char *path, const char *title, const struct image *refer
                   &below);
     struct bitmap whole = stack(&all, &below, mean);
     bool ok = bitmap_write(&whole, path);
-    bitmap_free(&whole);
-    bitmap_free(&below);
+    bitmaps_free(&whole, &below);
     image_free(&all);
     free(values);
     return ok;

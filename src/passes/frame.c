@@ -16,7 +16,7 @@ void frame_add_medium(const struct frame *frame, struct pass_state *state) {
     if (!frame->medium)
         return;
     pass_add_block(state, BLOCK_MEDIUM, frame->medium);
-    pass_add_texture(state, UNIT_PANES, frame->scene->panes.texels);
+    pass_add_texture(state, UNIT_PANES, frame->scene->panes.buffer.texels);
 }
 
 void frame_add_light(const struct frame *frame, struct pass_state *state) {

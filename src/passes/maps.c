@@ -34,7 +34,6 @@ bool depth_maps_init(struct depth_maps *maps, const struct depth_maps_desc *desc
 
 void depth_maps_free(struct depth_maps *maps) {
     framebuffer_free(&maps->framebuffer);
-    texture_free(&maps->depth);
-    texture_free(&maps->normal);
+    textures_free(&maps->depth, &maps->normal);
     *maps = (struct depth_maps){0};
 }

@@ -25,10 +25,9 @@ static bool init_materials(struct smooth_surfaces *surfaces) {
         row[2][1] = material->thin_walled;
         row[2][2] = material->double_sided;
     }
-    bool ok = buffer_init(&surfaces->materials, "smooth materials", count * sizeof *texels, texels);
+    bool ok = buffer_init_texels(&surfaces->materials, GL_RGBA32F, "smooth materials",
+                                 count * sizeof *texels, texels);
     free(texels);
-    if (ok)
-        buffer_show(&surfaces->materials, GL_RGBA32F, &surfaces->material_texels);
     return ok;
 }
 
@@ -60,12 +59,10 @@ static bool init_rows(struct smooth_surfaces *surfaces, const struct geometry *g
             rows[batch->first_index / 3 + i] = (uint32_t)batch->material + 1;
         add_vertices(surfaces, geometry, batch, marked);
     }
-    bool ok = buffer_init(&surfaces->rows, "rows of triangles", count * sizeof *rows, rows);
-    free(rows);
-    free(marked);
+    bool ok = buffer_init_texels(&surfaces->rows, GL_R32UI, "rows of triangles",
+                                 count * sizeof *rows, rows);
+    mem_free(rows, marked);
     surfaces->painted = geometry->painted;
-    if (ok)
-        buffer_show(&surfaces->rows, GL_R32UI, &surfaces->row_texels);
     return ok;
 }
 
@@ -87,12 +84,6 @@ static void free_rows(struct smooth_surfaces *surfaces) {
 }
 
 void smooth_surfaces_free(struct smooth_surfaces *surfaces) {
-    const GLuint texels[] = {surfaces->row_texels, surfaces->material_texels,
-                             surfaces->corner_texels, surfaces->position_texels,
-                             surfaces->normal_texels};
-    for (size_t i = 0; i < sizeof texels / sizeof *texels; i++)
-        if (texels[i])
-            gl.DeleteTextures(1, &texels[i]);
     free_rows(surfaces);
     buffer_free(&surfaces->materials);
     *surfaces = (struct smooth_surfaces){0};
@@ -107,17 +98,15 @@ void smooth_surfaces_follow(struct smooth_surfaces *surfaces, const struct scene
         if (!init_materials(surfaces) || !init_rows(surfaces, geometry))
             surfaces->vertex_count = 0;
     }
-    buffer_show(&gpu->indices, GL_R32UI, &surfaces->corner_texels);
-    buffer_show(&gpu->positions, GL_RGB32F, &surfaces->position_texels);
-    buffer_show(&gpu->normals, GL_RGBA16I, &surfaces->normal_texels);
+    surfaces->gpu = gpu;
 }
 
 void smooth_surfaces_add(const struct smooth_surfaces *surfaces, struct pass_state *state) {
-    pass_add_texture(state, UNIT_TRIANGLE_ROWS, surfaces->row_texels);
-    pass_add_texture(state, UNIT_SMOOTH_MATERIALS, surfaces->material_texels);
-    pass_add_texture(state, UNIT_CORNERS, surfaces->corner_texels);
-    pass_add_texture(state, UNIT_CORNER_POSITIONS, surfaces->position_texels);
-    pass_add_texture(state, UNIT_CORNER_NORMALS, surfaces->normal_texels);
+    pass_add_texture(state, UNIT_TRIANGLE_ROWS, surfaces->rows.texels);
+    pass_add_texture(state, UNIT_SMOOTH_MATERIALS, surfaces->materials.texels);
+    pass_add_texture(state, UNIT_CORNERS, surfaces->gpu->indices.texels);
+    pass_add_texture(state, UNIT_CORNER_POSITIONS, surfaces->gpu->positions.texels);
+    pass_add_texture(state, UNIT_CORNER_NORMALS, surfaces->gpu->normals.texels);
 }
 
 /* --- a light's view --------------------------------------------------------------------------- */

@@ -14,7 +14,7 @@ struct smooth_surfaces {
     uint32_t vertex_count;
     unsigned painted; /* of the geometry, that they are of */
     struct buffer rows, materials;
-    GLuint row_texels, material_texels, corner_texels, position_texels, normal_texels;
+    const struct scene_gpu *gpu; /* that it last followed */
 };
 
 /* Error: out of GPU memory. */

@@ -46,11 +46,8 @@ bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc) {
 
 void gbuffer_free(struct gbuffer *gbuffer) {
     framebuffer_free(&gbuffer->framebuffer);
-    texture_free(&gbuffer->normal);
-    texture_free(&gbuffer->albedo);
-    texture_free(&gbuffer->depth);
-    texture_free(&gbuffer->emission);
-    texture_free(&gbuffer->specular);
+    textures_free(&gbuffer->normal, &gbuffer->albedo, &gbuffer->depth, &gbuffer->emission,
+                  &gbuffer->specular);
     *gbuffer = (struct gbuffer){0};
 }
 
@@ -87,10 +84,11 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
     return false;
 }
 
-bool irradiance_resize(struct irradiance *irradiance, const char *label, GLenum format, int width,
-                       int height) {
+bool irradiance_resize(struct irradiance *irradiance, int width, int height) {
+    const struct texture *old = &irradiance->texture;
     struct irradiance fresh;
-    if (!irradiance_init(&fresh, label, format, width, height, irradiance->interleave))
+    if (!irradiance_init(&fresh, old->label, old->desc.format, width, height,
+                         irradiance->interleave))
         return false;
     irradiance_free(irradiance);
     *irradiance = fresh;

@@ -8,6 +8,8 @@
 #include "shared/interleaving.h"
 #include "shared/light.h"
 
+#include <string.h>
+
 /* Surfaces seen from the camera (one layer) or from the lights (the reflective shadow map: one of
  * LIGHT_MAP_KINDS, a layer each view; without textures where there are none of the kind). Arrays of
  * layers:
@@ -85,8 +87,23 @@ bool irradiance_init(struct irradiance *irradiance, const char *label, GLenum fo
 void irradiance_free(struct irradiance *irradiance);
 
 /* Another size of the picture. Error: out of GPU memory; it is unchanged. */
-bool irradiance_resize(struct irradiance *irradiance, const char *label, GLenum format, int width,
-                       int height);
+bool irradiance_resize(struct irradiance *irradiance, int width, int height);
+
+/* Defines TYPE_resize, which makes the members of a pass from `first` to `last` anew for another size of the picture, by the
+ * init_targets and free_targets of its file. Where there is no memory for them the pass is unchanged. */
+#define DEFINE_RESIZE(type, first, last)                                                           \
+    bool type##_resize(struct type *pass, int width, int height) {                                 \
+        struct type fresh = *pass;                                                                 \
+        memset(&fresh.first, 0,                                                                    \
+               offsetof(struct type, last) + sizeof fresh.last - offsetof(struct type, first));    \
+        fresh.desc.width = width;                                                                  \
+        fresh.desc.height = height;                                                                \
+        bool ok = init_targets(&fresh);                                                            \
+        free_targets(ok ? pass : &fresh);                                                          \
+        if (ok)                                                                                    \
+            *pass = fresh;                                                                         \
+        return ok;                                                                                 \
+    }
 
 /* For shaders. */
 struct interleaving irradiance_pattern(const struct irradiance *irradiance);

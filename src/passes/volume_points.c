@@ -120,8 +120,7 @@ void volume_points_free(struct volume_points *points) {
     vertex_array_free(&points->vertices);
     buffer_free(&points->buffer);
     surface_points_free(&points->points);
-    free(points->room);
-    free(points->cut);
+    mem_free(points->room, points->cut);
     *points = (struct volume_points){0};
 }
 

@@ -110,14 +110,9 @@ bool volume_init(struct volume *volume, const struct volume_desc *desc) {
 }
 
 void volume_free(struct volume *volume) {
-    framebuffer_free(&volume->points_framebuffer);
-    framebuffer_free(&volume->march_framebuffer);
-    texture_free(&volume->surfaces);
-    texture_free(&volume->radiosity);
-    texture_free(&volume->back);
-    texture_free(&volume->albedo);
-    texture_free(&volume->turned_surfaces);
-    texture_free(&volume->turned_radiosity);
+    framebuffers_free(&volume->points_framebuffer, &volume->march_framebuffer);
+    textures_free(&volume->surfaces, &volume->radiosity, &volume->back, &volume->albedo,
+                  &volume->turned_surfaces, &volume->turned_radiosity);
     for (int i = 0; i < 2; i++) {
         framebuffer_free(&volume->distance_framebuffers[i]);
         texture_free(&volume->distances[i]);

@@ -25,11 +25,10 @@ static bool init_sums(struct vpl_buffer *vpls) {
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
     *vpls = (struct vpl_buffer){.count = count};
     size_t size = (size_t)(count > VPLS_PER_BLOCK ? count : VPLS_PER_BLOCK) * sizeof(struct vpl);
-    if (!buffer_init(&vpls->buffer, label, size, NULL) || !init_sums(vpls)) {
+    if (!buffer_init_texels(&vpls->buffer, GL_RGBA32F, label, size, NULL) || !init_sums(vpls)) {
         vpl_buffer_free(vpls);
         return false;
     }
-    buffer_show(&vpls->buffer, GL_RGBA32F, &vpls->texels);
     gl.CreateVertexArrays(1, &vpls->vertices);
     add_attribute(vpls, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
     add_attribute(vpls, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));
@@ -46,8 +45,6 @@ void vpl_buffer_free(struct vpl_buffer *vpls) {
     framebuffer_free(&vpls->sums_framebuffer);
     texture_free(&vpls->sums);
     vertex_array_free(&vpls->vertices);
-    if (vpls->texels)
-        gl.DeleteTextures(1, &vpls->texels);
     buffer_free(&vpls->buffer);
     *vpls = (struct vpl_buffer){0};
 }

@@ -9,9 +9,8 @@
 /* N virtual point lights: struct vpl (shared/vpl.h), at least as many as a uniform block has room for; and sums
  * over them, which tell how far they are apart, the scale of what is lit, and their hue. */
 struct vpl_buffer {
-    struct buffer buffer;
-    GLuint vertices; /* vertex array: position 0, normal 1, flux 2 */
-    GLuint texels;   /* buffer texture: lib/vpl_texels.glsl */
+    struct buffer buffer; /* texels: lib/vpl_texels.glsl */
+    GLuint vertices;      /* vertex array: position 0, normal 1, flux 2 */
     int count;
     struct texture sums; /* a pixel, RGBA32F: lib/vpl_sums.glsl */
     GLuint sums_framebuffer;
@@ -42,7 +41,7 @@ void light_rays_add(struct pass_state *state, const struct light_rays *rays);
  * of pixels: R32UI, a layer a set. */
 struct vpl_tree {
     struct texture nodes, representatives;
-    GLuint vpls; /* buffer texture over the VPLs */
+    GLuint vpls; /* buffer texture of the VPLs that it was made of */
     int leaves, sets;
 };
 

@@ -39,8 +39,7 @@ void alias_init(struct alias *alias, const double *weights, int count) {
     for (int i = 0; i < count; i++)
         parts[i] = weights[i] / sum * count;
     fill(alias, parts, order, order + count);
-    free(parts);
-    free(order);
+    mem_free(parts, order);
 }
 
 void alias_free(struct alias *alias) {

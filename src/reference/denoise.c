@@ -93,6 +93,5 @@ void denoise(const struct denoise_desc *desc, struct image *image) {
     filter(desc, guides, light);
     for (size_t i = 0; i < pixel_count(desc); i++)
         write_light(desc, &light[i], &image->pixels[i * (size_t)image->channel_count]);
-    free(light);
-    free(guides);
+    mem_free(light, guides);
 }

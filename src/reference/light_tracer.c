@@ -1,7 +1,6 @@
 #include "reference/light_tracer.h"
 
 #include "reference/light_path.h"
-#include "reference/smooth.h"
 #include "scene/medium.h"
 
 #include "base/error.h"

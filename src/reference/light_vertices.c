@@ -61,7 +61,6 @@ struct light_vertices light_vertices_trace(const struct emission *emission,
 }
 
 void light_vertices_free(struct light_vertices *vertices) {
-    free(vertices->items);
-    free(vertices->specular);
+    mem_free(vertices->items, vertices->specular);
     *vertices = (struct light_vertices){0};
 }

@@ -2,8 +2,6 @@
 
 #include "reference/reservoir.h"
 
-#include <math.h>
-
 /* Light vertices for each sampled ray: they cost a shadow ray only, and one packet has them all. */
 enum { LIGHTS_PER_VERTEX = 4 };
 

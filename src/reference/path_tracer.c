@@ -555,11 +555,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
     for (int stream = 0; stream < FILM_STREAMS; stream++)
         light_vertices_free(&tracer.lights[stream]);
-    free(tracer.pixels);
-    free(tracer.seen);
-    free(tracer.specular);
-    free(tracer.ao);
-    free(tracer.airlight);
+    mem_free(tracer.pixels, tracer.seen, tracer.specular, tracer.ao, tracer.airlight);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

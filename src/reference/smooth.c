@@ -29,7 +29,7 @@ bool smooth_refract(vec3s direction, vec3s normal, float from_to, vec3s *refract
     return true;
 }
 
-vec3s smooth_reflect(vec3s direction, vec3s normal) {
+static vec3s reflect(vec3s direction, vec3s normal) {
     return vec3s_unit(glms_vec3_muladds(normal, -2 * glms_vec3_dot(direction, normal), direction));
 }
 
@@ -69,7 +69,7 @@ static bool leave_by(const struct ray_scene *rays, const struct hit *hit, vec3s 
     ray->direction = glms_vec3_negate(hit->towards);
     bool passes = !is_mirror && pass(hit, normal, &ray->direction, pick);
     if (!passes)
-        ray->direction = smooth_reflect(ray->direction, normal);
+        ray->direction = reflect(ray->direction, normal);
     float side = passes ? -1 : 1;
     ray->origin =
         ray_scene_above(rays, hit->position, glms_vec3_scale(hit->geometric_normal, side));

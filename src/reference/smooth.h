@@ -23,7 +23,6 @@ float smooth_reflectance(float cosine, float from_to);
 
 /* Both unit, the normal on the side that the light comes from; false: total reflection. */
 bool smooth_refract(vec3s direction, vec3s normal, float from_to, vec3s *refracted);
-vec3s smooth_reflect(vec3s direction, vec3s normal);
 
 struct smooth_ray {
     vec3s origin, direction;

@@ -7,7 +7,6 @@
 #include "reference/vector.h"
 
 #include <assert.h>
-#include <math.h>
 #include <string.h>
 
 struct summation {

@@ -52,6 +52,5 @@ void about_add(struct image *image, const struct about *about) {
     image_add_numbers(image, "manylight:time", IMAGE_NUMBER, &(float){(float)about->time});
     image_add_numbers(image, "chromaticities", IMAGE_CHROMATICITIES, primaries_bt709);
     add_camera(image, about->placed);
-    free(comments.data);
-    free(settings);
+    mem_free(comments.data, settings);
 }

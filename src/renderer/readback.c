@@ -1,7 +1,6 @@
 /* The picture, read back from the GPU. */
 #include "renderer/renderer.h"
 
-#include "base/memory.h"
 #include "gl/context/context.h"
 #include "passes/frame.h"
 #include "renderer/layer_target.h"

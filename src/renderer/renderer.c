@@ -1,6 +1,5 @@
 #include "renderer/renderer.h"
 
-#include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "renderer/caustics.h"
@@ -374,12 +373,8 @@ void renderer_free(struct renderer *renderer) {
     texture_free(&renderer->sky_pieces);
     caster_pool_free(renderer->casters);
     light_search_free(renderer->light_search);
-    buffer_free(&renderer->view_buffer);
-    buffer_free(&renderer->light_buffer);
-    buffer_free(&renderer->sample_buffer);
-    free(renderer->light_block);
-    free(renderer->sample_block);
-    free(renderer->glass_view);
+    buffers_free(&renderer->view_buffer, &renderer->light_buffer, &renderer->sample_buffer);
+    mem_free(renderer->light_block, renderer->sample_block, renderer->glass_view);
     emitters_free(&renderer->desc.emitters);
     *renderer = (struct renderer){0};
 }

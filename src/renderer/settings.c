@@ -4,7 +4,6 @@
 #include "base/names.h"
 #include "direct/direct.h"
 #include "direct/environment.h"
-#include "lights/light_samples.h"
 #include "passes/picture/composite.h"
 #include "scene/caustics.h"
 #include "scene/material.h"
@@ -19,13 +18,15 @@ static const char *const tone_map_names[] = {"clamp", "filmic", NULL};
 
 static const struct option table[] = {
     {"exposure", 0, OPTION_FLOAT, offsetof(struct picture_settings, exposure), 0, -EXPOSURE_MOST,
-     EXPOSURE_MOST, .help = "exposure of the picture, EV; 1 more doubles the brightness"},
+     EXPOSURE_MOST, .label = "exposure, EV",
+     .help = "exposure of the picture, EV; 1 more doubles the brightness"},
     {"samples", 0, OPTION_INT, offsetof(struct picture_settings, samples), 12, 1, 16,
+     .label = "edge samples",
      .help = "samples per pixel for antialiasing of edges, rounded\n"
              "up to a multiple of 4, or of 8 or 16 as the driver\n"
              "has; 1: the pixel centre alone"},
     {"tone-map", 0, OPTION_CHOICE, offsetof(struct picture_settings, tone_map), TONE_MAP_CLAMP,
-     .choices = tone_map_names,
+     .label = "tone map", .choices = tone_map_names,
      .help = "tone curve of bright light in PNG, JPEG\n"
              "and on the screen: cut off, or filmic"},
     {NULL},

@@ -103,8 +103,7 @@ double scene_duration(const struct scene *scene) {
 
 void clip_free(struct clip *clip) {
     for (int i = 0; i < clip->channel_count; i++) {
-        free(clip->channels[i].times);
-        free(clip->channels[i].values);
+        mem_free(clip->channels[i].times, clip->channels[i].values);
     }
     free(clip->channels);
     *clip = (struct clip){0};

@@ -9,22 +9,25 @@ static const char *const volume_names[] = {"off", "lines", "paper", NULL};
 
 static const struct option table[] = {
     {"surface", 0, OPTION_CHOICE, offsetof(struct caustics_settings, surface), CAUSTICS_OFF,
-     .choices = surface_names,
+     .label = "on surfaces", .choices = surface_names,
      .help = "caustics on surfaces: patches between light rays, or a spot of\n"
              "each; glass shows the scene; off: glass does not refract"},
-    {"medium", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0,
+    {"medium", 0, OPTION_CHOICE, offsetof(struct caustics_settings, volume), 0, .label = "in fog",
      .choices = volume_names,
      .help = "caustics in a medium: light rays of glass and mirrors as lines\n"
              "of the right width, or as published, of constant weight"},
     {"size", 0, OPTION_INT, offsetof(struct caustics_settings, size), 256, 8, 2048,
+     .label = "rays a side",
      .help = "light rays per side of each light's view of glass and\n"
              "mirrors; raise for small objects or close views"},
     {"chains", 0, OPTION_INT, offsetof(struct caustics_settings, chains), 3, 1, 8,
+     .label = "chains in glass",
      .help = "chains of a light ray and of a pixel at glass: reflected,\n"
              "straight through, reflected within once, twice, ..."},
     {"step", 0, OPTION_FLOAT, offsetof(struct caustics_settings, step), .2, 1e-4, 1e4,
-     .help = "caustics.medium=paper: steps of a pixel's ray, metres"},
+     .label = "published step, m", .help = "caustics.medium=paper: steps of a pixel's ray, metres"},
     {"kernel", 0, OPTION_FLOAT, offsetof(struct caustics_settings, kernel), 1, .05, 2,
+     .label = "published kernel",
      .help = "caustics.medium=paper: reach of the Gaussian that brings a line\n"
              "to the steps, in steps; below 1: noise"},
     {NULL},

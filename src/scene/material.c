@@ -9,7 +9,7 @@ const char *const materials_names[] = {"full", "diffuse", NULL};
 
 static const struct option table[] = {
     {"materials", 0, OPTION_CHOICE, offsetof(struct material_settings, materials), MATERIALS_FULL,
-     .choices = materials_names,
+     .label = "materials", .choices = materials_names,
      .help = "materials of surfaces: metals, roughness and\n"
              "normal maps, or diffuse in their base colour"},
     {NULL},

@@ -8,17 +8,19 @@ static const double g_most = .99;
 
 static const struct option table[] = {
     {"scatter", 0, OPTION_FLOAT, offsetof(struct medium_settings, scatter), 0, 0, depth_most,
+     .label = "fog that scatters",
      .help = "fog: optical depth of scattering over the scene's radius; with absorb\n"
              "it replaces the medium of the scene's file; 0: off"},
     {"absorb", 0, OPTION_FLOAT, offsetof(struct medium_settings, absorb), 0, 0, depth_most,
+     .label = "fog that absorbs",
      .help = "fog: optical depth of absorption over the scene's radius; 0: off"},
     {"g", 0, OPTION_FLOAT, offsetof(struct medium_settings, g), 0, -g_most, g_most,
-     .needs = "medium.scatter>0",
+     .label = "forward", .needs = "medium.scatter>0",
      .help = "mean cosine of the scattering of that fog;\n"
              "above 0: forward, bright towards a light"},
     {"scene", 0, OPTION_FLAG, offsetof(struct medium_settings, scene), true,
-     .help = "shows the medium of the scene's file, if it has one"},
-    {"steps", 0, OPTION_INT, offsetof(struct medium_settings, steps), 32, 1, 1024,
+     .label = "fog of the file", .help = "shows the medium of the scene's file, if it has one"},
+    {"steps", 0, OPTION_INT, offsetof(struct medium_settings, steps), 32, 1, 1024, .label = "steps",
      .help = "shadow lookups per pixel and light along the ray through a medium;\n"
              "raise against noise in shafts of light"},
     {NULL},

@@ -31,10 +31,7 @@ void pose_init(struct pose *pose, const struct scene *scene) {
 }
 
 void pose_free(struct pose *pose) {
-    free(pose->worlds);
-    free(pose->shown);
-    free(pose->weights);
-    free(pose->first_weight);
+    mem_free(pose->worlds, pose->shown, pose->weights, pose->first_weight);
     *pose = (struct pose){0};
 }
 

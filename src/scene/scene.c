@@ -57,16 +57,14 @@ void scene_free(struct scene *scene) {
     for (int i = 0; i < scene->mesh_count; i++) {
         for (int p = 0; p < scene->meshes[i].primitive_count; p++)
             primitive_free(&scene->meshes[i].primitives[p], scene->meshes[i].target_count);
-        free(scene->meshes[i].primitives);
-        free(scene->meshes[i].weights);
+        mem_free(scene->meshes[i].primitives, scene->meshes[i].weights);
     }
     for (int i = 0; i < scene->texture_count; i++)
         bitmap_free(&scene->textures[i].bitmap);
     for (int i = 0; i < scene->node_count; i++)
         free(scene->nodes[i].weights);
     for (int i = 0; i < scene->skin_count; i++) {
-        free(scene->skins[i].joints);
-        free(scene->skins[i].inverse_bind);
+        mem_free(scene->skins[i].joints, scene->skins[i].inverse_bind);
     }
     for (int i = 0; i < scene->clip_count; i++)
         clip_free(&scene->clips[i]);
@@ -79,18 +77,8 @@ void scene_free(struct scene *scene) {
     choice_free(&scene->scenes);
     choice_free(&scene->variants);
     environment_free(scene->environment);
-    free(scene->path);
-    free(scene->skins);
-    free(scene->metaballs);
-    free(scene->clips);
-    free(scene->playing);
-    free(scene->nodes);
-    free(scene->meshes);
-    free(scene->materials);
-    free(scene->still_materials);
-    free(scene->textures);
-    free(scene->lights);
-    free(scene->surfaces);
-    free(scene->cameras);
+    mem_free(scene->path, scene->skins, scene->metaballs, scene->clips, scene->playing,
+             scene->nodes, scene->meshes, scene->materials, scene->still_materials, scene->textures,
+             scene->lights, scene->surfaces, scene->cameras);
     *scene = (struct scene){0};
 }

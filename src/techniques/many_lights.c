@@ -6,8 +6,8 @@
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
     bool by_importance = many_lights_follow_camera(lights);
     albedos_follow(&lights->albedos, frame->geometry);
-    const struct light_rays rays = {by_importance ? lights->importance.bvh->texels : 0,
-                                    lights->albedos.texels, frame->sky_pieces->id};
+    const struct light_rays rays = {by_importance ? lights->importance.bvh->buffer.texels : 0,
+                                    lights->albedos.buffer.texels, frame->sky_pieces->id};
     geometry_pass_render_lights(&lights->geometry, frame, lights->rsm);
     vpl_pass_share_out(&lights->vpl, frame);
     if (by_importance)

@@ -179,6 +179,12 @@ bool many_lights_follow_camera(const void *state);
 /* As technique->contribution. */
 struct contribution many_lights_contribution(const void *state);
 
+/* Members of a struct technique whose functions are static and have the members' names. */
+#define MANY_LIGHTS_TECHNIQUE                                                                      \
+    .parts = parts, .presets = presets, .init = init, .free = free_state,                          \
+    .render_lights = render_lights, .follows_camera = many_lights_follow_camera,                   \
+    .render_view = render_view, .contribution = many_lights_contribution, .outputs = outputs
+
 /* As technique->outputs; the VPLs as they are made, or as a technique has them with what it adds. */
 void many_lights_outputs(const struct many_lights *lights, const struct vpl_buffer *vpls,
                          struct output_list *outputs);

@@ -10,8 +10,6 @@
 #include "shared/gather.h"
 #include "shared/vpl.h"
 
-#include <math.h>
-
 enum {
     SPECULAR_RAY_COUNT = 4,  /* specular rays of a pixel */
     SPECULAR_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */

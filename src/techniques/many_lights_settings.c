@@ -11,31 +11,33 @@ static const char *const importance_names[] = {"off", "auto", "on", NULL};
 
 /* Columns: name, letter, type, field, default, minimum, maximum. */
 static const struct option lights_table[] = {
-    {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536,
+    {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536, .label = "virtual lights",
      .help = "number of virtual point lights (VPLs), N; more: smoother and slower",
      .needs = VIRTUAL_LIGHTS},
-    {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9,
+    {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9, .label = "random seed",
      .help = "seed of VPLs, light paths and random choices; 0: unshifted Halton sequence",
      .needs = VIRTUAL_LIGHTS},
     {"rsm-size", 0, OPTION_INT, ROW(lights, rsm_size), 512, RSM_SIZE_MIN, 8192,
+     .label = "light map texels",
      .help = "texels along each side of a reflective shadow map;\n"
              "reduced for more than 4 light views or 21 point lights",
      .needs = VIRTUAL_LIGHTS},
-    {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 1000,
+    {"bounces", 0, OPTION_INT, ROW(lights, bounces), 1, 1, 1000, .label = "light bounces",
      .help = "number of indirect bounces; in a room the first has half to three\n"
              "quarters of the indirect light; light paths from VPLs add the others;\n"
              "past the eighth, chance ends paths as often as surfaces absorb light",
      .needs = "volume.volume!=ao"},
     {"paths", 0, OPTION_INT, ROW(lights, paths), 4096, VPL_PARTNERS_MAX, 16384,
+     .label = "paths of bounces",
      .help = "number of VPLs of later bounces, P; 4 P light paths are traced,\n"
              "and the VPLs share the light of all paths",
      .needs = "lights.bounces>1, " VIRTUAL_LIGHTS},
-    {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0,
+    {"facets", 0, OPTION_FLAG, ROW(lights, facets), 0, .label = "flat triangles",
      .help = "emits from flat triangles instead of smooth normals, for VPLs and near\n"
              "field; unbiased but noisier; only in scenes without specular surfaces",
      .needs = VIRTUAL_LIGHTS},
     {"importance", 0, OPTION_CHOICE, ROW(lights, importance), IMPORTANCE_AUTO,
-     .choices = importance_names,
+     .label = "VPL placement", .choices = importance_names,
      .help = "places VPLs, and with lights.bounces>1 VALs, where their light reaches the picture;\n"
              "auto: VPLs of environments, wide lamps and lamps next door, which\n"
              "are then made for each view; on: those of all lights",
@@ -44,7 +46,7 @@ static const struct option lights_table[] = {
 };
 
 static const struct option map_table[] = {
-    {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096,
+    {"size", 0, OPTION_INT, ROW(map, size), 256, 16, 4096, .label = "map texels",
      .help = "texels along each side of a paraboloid\n"
              "map; raise for finer contact shadows",
      .needs = "technique!=imperfect-shadow-maps, instant-radiosity.traced!=on, " SHADOWS},
@@ -52,8 +54,8 @@ static const struct option map_table[] = {
 };
 
 static const struct option lookup_table[] = {
-    {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16, .help = "terms of the Fourier series, K",
-     .needs = SHADOWS ", clustered.visibility=cssm"},
+    {"terms", 0, OPTION_INT, ROW(lookup, terms), 4, 1, 16, .label = "Fourier terms",
+     .help = "terms of the Fourier series, K", .needs = SHADOWS ", clustered.visibility=cssm"},
     {NULL},
 };
 
@@ -62,34 +64,37 @@ static const char *const clamp_names[] = {"none", "value", "disk", "near", "sphe
 static const char *const specular_names[] = {"point", "sphere", "rays", NULL};
 
 static const struct option gather_table[] = {
-    {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16,
+    {"interleave", 0, OPTION_INT, ROW(gather, interleave), 8, 1, 16, .label = "pixel pattern",
      .help = "interleave n: each pixel of an n x n pattern takes 1/n^2 of the VPLs,\n"
              "and a blur removes the pattern; 1: all VPLs at each pixel, slowest",
      .needs = "technique!=cluster-lights"},
-    {"clamp", 0, OPTION_CHOICE, ROW(gather, clamp), GATHER_CLAMP_NEAR, .choices = clamp_names,
+    {"clamp", 0, OPTION_CHOICE, ROW(gather, clamp), GATHER_CLAMP_NEAR, .label = "near lights",
+     .choices = clamp_names,
      .help = "bound of the geometry term near a VPL: none, 25 over the squared scene radius\n"
              "(value), a disk's form factor, the near field from the reflective shadow map,\n"
              "or a virtual spherical light",
      .needs = "technique!=cluster-lights"},
     {"near-samples", 0, OPTION_INT, ROW(gather, near_samples), 1024, 1, 1024,
+     .label = "near samples",
      .help = "near-field samples per n x n pixels of the interleave pattern; adaptive\n"
              "pixels take fewer above 400x400, down to half",
      .needs = "technique!=cluster-lights, gather.clamp=near"},
     {"specular", 0, OPTION_CHOICE, ROW(gather, specular), SPECULAR_RAYS - 1,
-     .choices = specular_names,
+     .label = "specular light", .choices = specular_names,
      .help = "specular reflection of indirect light: VPLs as points\n"
              "(visible as spots), VPLs as balls, or points and rays\n"
              "through the reflective shadow maps (least error)"},
-    {"adaptive", 0, OPTION_INT, ROW(gather, adaptive), 4, 0, 8,
+    {"adaptive", 0, OPTION_INT, ROW(gather, adaptive), 4, 0, 8, .label = "adaptive pattern",
      .help = "interleave for adaptive pixels, which have too few similar neighbours\n"
              "to blur; smaller than gather.interleave: more VPLs each, own lookups,\n"
              "less blur; 0: off; if gather.interleave=1, use 1 (own lookups) or 0"},
     {"adaptive-factor", 0, OPTION_INT, ROW(gather, adaptive_factor), 4, 1, 64,
+     .label = "adaptive factor",
      .help = "factor of VPLs for adaptive pixels of fine detail, with fewer\n"
              "than 2 of 4 neighbours on their surface within 8 degrees; above\n"
              "400x400 divided by pixels / 160000",
      .needs = "technique!=cluster-lights, gather.adaptive>0, blur.radius!=0"},
-    {"edge-samples", 0, OPTION_FLAG, ROW(gather, edge_samples), 1,
+    {"edge-samples", 0, OPTION_FLAG, ROW(gather, edge_samples), 1, .label = "edge samples",
      .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
              "pixel centre sees gather separately",
      .needs = "gather.adaptive>0"},
@@ -97,28 +102,29 @@ static const struct option gather_table[] = {
 };
 
 static const struct option blur_table[] = {
-    {"radius", 0, OPTION_INT, ROW(blur, radius), -1, -1, 64,
+    {"radius", 0, OPTION_INT, ROW(blur, radius), -1, -1, 64, .label = "blur radius",
      .help = "radius of the blur, in pixels; -1: half\n"
              "of gather.interleave; 0: no blur",
      .needs = "technique!=cluster-lights"},
-    {"separable", 0, OPTION_FLAG, ROW(blur, separable), 1,
+    {"separable", 0, OPTION_FLAG, ROW(blur, separable), 1, .label = "in two steps",
      .help = "blurs along x, then along y; off: over the whole square at once, slower",
      .needs = "technique!=cluster-lights, blur.radius!=0"},
-    {"distance", 0, OPTION_FLOAT, ROW(blur, distance), .1, 0, 10,
+    {"distance", 0, OPTION_FLOAT, ROW(blur, distance), .1, 0, 10, .label = "distance limit",
      .help = "largest distance of neighbours in the blur, over\n"
              "the picture's height at the pixel's depth, alpha"},
-    {"cosine", 0, OPTION_FLOAT, ROW(blur, cosine), .995, -1, 1,
+    {"cosine", 0, OPTION_FLOAT, ROW(blur, cosine), .995, -1, 1, .label = "normal limit",
      .help = "smallest cosine between normals of neighbours\n"
              "in the blur, beta; .995: 6 degrees"},
     {NULL},
 };
 
 static const struct option caster_table[] = {
-    {"error", 0, OPTION_FLOAT, ROW(caster, error), CASTER_ERROR, 0, 1,
+    {"error", 0, OPTION_FLOAT, ROW(caster, error), CASTER_ERROR, 0, 1, .label = "simplification",
      .help = "largest deviation of simplified casters in the maps, over the\n"
              "square root of the scene's surface area; 0: no simplification",
      .needs = "technique!=instant-radiosity|row-column, " SHADOWS},
     {"long", 0, OPTION_INT, ROW(caster, long_count), CASTER_LONG_COUNT, 0, 10000000,
+     .label = "bent triangles",
      .help = "number of triangles, those with the longest edges, whose edges a map\n"
              "bends exactly; raise against bent shadow edges of large triangles",
      .needs = "instant-radiosity.traced!=on, " SHADOWS},

@@ -16,33 +16,35 @@ static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", "traced", NULL};
 
 static const struct option table[] = {
-    {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024,
+    {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .label = "shadow groups",
      .help = "number of virtual area lights (VALs), M: clusters of VPLs with\n"
              "one shadow map each; more: finer indirect shadows, slower",
      .needs = SHADOWS},
-    {"bounce-vals", 0, OPTION_INT, ROW(bounce_vals), 60, 1, 1024,
+    {"bounce-vals", 0, OPTION_INT, ROW(bounce_vals), 60, 1, 1024, .label = "groups of bounces",
      .help = "number of VALs for the VPLs of later bounces", .needs = SHADOWS ", lights.bounces>1"},
-    {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64,
+    {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .label = "grouping steps",
      .help = "k-means iterations of the clustering"},
-    {"start", 0, OPTION_CHOICE, ROW(start), 0, .choices = start_names,
+    {"start", 0, OPTION_CHOICE, ROW(start), 0, .label = "grouping begins", .choices = start_names,
      .help = "initial centres of k-means: fixed seeds, the last frame's centres (warm),\n"
              "or the last frame's with new seeds for empty clusters (reseed); with warm\n"
              "and reseed a frame depends on the frames before"},
     {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .25, 0, 1000,
+     .label = "weight of place",
      .help = "clustering weight of distance over the spread of the VPLs, w_x", .needs = SHADOWS},
-    {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000,
+    {"weight-normal", 0, OPTION_FLOAT, ROW(weight_normal), .3, 0, 1000, .label = "weight of normal",
      .help = "clustering weight of the angle between normals over pi, w_alpha", .needs = SHADOWS},
-    {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .choices = visibility_names,
+    {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .label = "shadow lookup",
+     .choices = visibility_names,
      .help =
          "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
          "(pcss), or a ray through the map; traced: a ray through all triangles instead; with ray\n"
          "or traced, blocks of pixels use pcss",
      .needs = SHADOWS},
-    {"ray-tests", 0, OPTION_INT, ROW(ray_tests), 512, 0, 16384,
+    {"ray-tests", 0, OPTION_INT, ROW(ray_tests), 512, 0, 16384, .label = "test rays a group",
      .help = "ray-traced tests per VAL for the visibility correction, 4 times as many for later\n"
              "bounces; 0: off; up to 1048576 triangles (20000 in an animated scene)",
      .needs = "technique=clustered, clustered.visibility=ray"},
-    {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64,
+    {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64, .label = "shadow block",
      .help = "pixels along each side of a block that shares its visibility; 0: a lookup per\n"
              "pixel; blocks that are no multiple of gather.interleave blur better",
      .needs = SHADOWS},

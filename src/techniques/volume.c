@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "passes/frame.h"
 #include "scene/caustics.h"
-#include "techniques/many_lights.h"
 
 #include <math.h>
 #include <string.h>
@@ -16,29 +15,30 @@ static const char *const volume_names[] = {"gi", "ao", NULL};
 enum { LEAST_SIZE = 8, MOST_SIZE = 4096 };
 
 static const struct option table[] = {
-    {"volume", 0, OPTION_CHOICE, ROW(volume), VOLUME_LIGHT_GI, .choices = volume_names,
+    {"volume", 0, OPTION_CHOICE, ROW(volume), VOLUME_LIGHT_GI, .label = "kind of light",
+     .choices = volume_names,
      .help = "gi: indirect light; ao: a constant ambient light, darker where\n"
              "surfaces hide its directions (ambient occlusion)"},
-    {"size", 0, OPTION_INT, ROW(size), 64, LEAST_SIZE, MOST_SIZE,
+    {"size", 0, OPTION_INT, ROW(size), 64, LEAST_SIZE, MOST_SIZE, .label = "voxels a side",
      .help = "voxels along the longest side of the scene; more: finer contact\n"
              "shadows, memory and time by the third power"},
-    {"order", 0, OPTION_INT, ROW(order), 3, 2, 3,
+    {"order", 0, OPTION_INT, ROW(order), 3, 2, 3, .label = "harmonics order",
      .help = "order of the spherical harmonics of a voxel: 2 (4 coefficients) blurs\n"
              "directions more, 3 (9 coefficients) takes twice the memory"},
-    {"rays", 0, OPTION_INT, ROW(rays), 100, 1, 4096,
+    {"rays", 0, OPTION_INT, ROW(rays), 100, 1, 4096, .label = "rays a voxel",
      .help = "rays from each empty voxel near a surface; more: less noise, slower"},
-    {"voxel-points", 0, OPTION_FLOAT, ROW(points), 5, .01, 100,
+    {"voxel-points", 0, OPTION_FLOAT, ROW(points), 5, .01, 100, .label = "points a voxel",
      .help = "mean number of points in a voxel that a surface crosses, k: a part of\n"
              "at most e^-k of these voxels stays empty; with volume.published=on\n"
              "the number of points of each triangle"},
-    {"ao-distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9,
+    {"ao-distance", 0, OPTION_FLOAT, ROW(distance), 0, 0, 1e9, .label = "AO distance, m",
      .help = "distance within which surfaces hide ambient light, also of the layer ao, m;\n"
              "0: 16 voxels",
      .needs = "volume.volume=ao"},
-    {"reprojection", 0, OPTION_FLAG, ROW(reprojection), 0,
+    {"reprojection", 0, OPTION_FLAG, ROW(reprojection), 0, .label = "camera's points",
      .help = "adds points at the camera's pixels: fewer holes in visible surfaces,\n"
              "but light depends on the camera"},
-    {"published", 0, OPTION_FLAG, ROW(published), 0,
+    {"published", 0, OPTION_FLAG, ROW(published), 0, .label = "as published",
      .help = "as published: random points and rays, as many points in each triangle,\n"
              "emission by spherical harmonics, six voxels for each pixel"},
     {NULL},
@@ -193,10 +193,6 @@ void volume_light_free(struct volume_light *light) {
     reflect_pass_free(&light->reflect);
     reconstruct_pass_free(&light->reconstruct);
     buffer_free(&light->params);
-}
-
-bool volume_light_resize(struct volume_light *light, int width, int height) {
-    return reconstruct_pass_resize(&light->reconstruct, width, height);
 }
 
 /* Voxels of another size, or other triangles, need another number of points. */

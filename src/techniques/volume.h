@@ -65,7 +65,6 @@ struct volume_light {
 /* Error: out of GPU memory, shader, or a scene without area. */
 bool volume_light_init(struct volume_light *light, const struct volume_light_desc *desc);
 void volume_light_free(struct volume_light *light);
-bool volume_light_resize(struct volume_light *light, int width, int height);
 
 /* The geometry has moved. Error: out of GPU memory; the light must then be freed. */
 bool volume_light_update(struct volume_light *light, const struct geometry *geometry);

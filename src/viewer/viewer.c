@@ -8,7 +8,6 @@
 #include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
 #include "viewer/files/screenshot.h"
-#include "viewer/files/start.h"
 #include "viewer/panel/controls.h"
 #include "viewer/panel/inspector.h"
 #include "viewer/panel/overlay.h"
@@ -353,8 +352,7 @@ void viewer_end(struct viewer *viewer) {
     loader_free(&viewer->opening.loader);
     close_window(viewer);
     emitters_free(&viewer->placed.emitters);
-    free(viewer->panel.places);
-    free(viewer->shown.reference_view);
+    mem_free(viewer->panel.places, viewer->shown.reference_view);
     file_dialog_close(&viewer->dialog);
     history_forget(&viewer->history);
     messages_free(&viewer->host.messages);

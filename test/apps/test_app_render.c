@@ -163,8 +163,7 @@ static void test_own_texture(void **state) {
     check_ok("read again", file_read(&after, scratch("own.png")));
     assert_int_equal(after.size, before.size);
     assert_memory_equal(after.data, before.data, after.size);
-    free(before.data);
-    free(after.data);
+    mem_free(before.data, after.data);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -247,11 +246,7 @@ static void test_files(void **state) {
     check_at_most("JPEG less PNG, mean", lossy_sum, .03);
     check_at_most("PFM less EXR's half floats, relative", worst_plain, 1e-3);
     check_near("mean of HDR over that of EXR", mean_of(&rgbe) / mean_of(&layers), 1, .01);
-    image_free(&layers);
-    image_free(&display);
-    image_free(&lossy);
-    image_free(&plain);
-    image_free(&rgbe);
+    images_free(&layers, &display, &lossy, &plain, &rgbe);
 }
 
 static void test_exposure(void **state) {
@@ -265,9 +260,7 @@ static void test_exposure(void **state) {
     assert_true(same_pixels(&a, &b)); /* radiance is radiance */
     for (int i = 0; i < 40 * 30; i++)
         assert_true(at(&c, "R", i % 40, i / 40) == 0);
-    image_free(&a);
-    image_free(&b);
-    image_free(&c);
+    images_free(&a, &b, &c);
 }
 
 static void test_stats(void **state) {
@@ -354,8 +347,7 @@ static void test_shader_folder(void **state) {
     expect_box(0, "--glsl glsl -o %s", folder);
     struct image a = read_picture(embedded), b = read_picture(folder);
     assert_true(same_pixels(&a, &b));
-    image_free(&a);
-    image_free(&b);
+    images_free(&a, &b);
 }
 
 /* --- outputs as layers ------------------------------------------------------------------------- */
@@ -377,8 +369,7 @@ static void test_aov(void **state) {
         assert_true(at(&a, "R", x, y) == at(&b, "R", x, y));
         assert_true(at(&a, "indirect.R", x, y) == at(&b, "indirect.R", x, y));
     }
-    image_free(&a);
-    image_free(&b);
+    images_free(&a, &b);
 }
 
 static struct image append_layers(const struct stage *stage, const char *technique,
@@ -435,8 +426,7 @@ static void test_visibility_share(void **state) {
     }
     /* VPLs have an area, VALs of one VPL none: next to a VPL the weights differ. */
     check_at_most("share less light over unshadowed light, mean", difference / sum, .02);
-    image_free(&image);
-    image_free(&open);
+    images_free(&image, &open);
     renderer_free(&renderer);
     stage_free(&stage);
 }

@@ -7,7 +7,6 @@
 #include "base/file/image_file.h"
 #include "metrics/colour.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -184,8 +183,7 @@ static void test_tiff(void **state) {
             check_near("as in EXR", (double)image_at(&tiff, x, SIDE / 2)[c],
                        (double)image_at(&exr, x, SIDE / 2)[channel], 1e-3);
         }
-    image_free(&tiff);
-    image_free(&exr);
+    images_free(&tiff, &exr);
     for (int i = 0; i < 2; i++)
         free(files[i].data);
 }

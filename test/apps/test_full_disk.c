@@ -2,7 +2,6 @@
  * file that is not whole. */
 #include "command_support.h"
 
-#include "base/error.h"
 #include "base/file/image_file.h"
 
 #include <stdio.h>

@@ -131,6 +131,29 @@ static void test_aspect(void **state) {
     }
 }
 
+#define SAME(of)                                                                                   \
+    "% info " of " >@/text && % info --json " of " >@/json && "                                    \
+    "python3 test/apps/check_info.py @/text @/json"
+
+/* As JSON the same facts, whatever names have in them; nothing where a part fails. */
+static void test_json(void **state) {
+    (void)state;
+    need_command("python3 -c 'import json'");
+    expect(0, SAME("scenes/window.glb"));
+    expect(0, SAME("scenes/creatures.glb"));
+    expect(0, SAME("scenes/gem.glb"));
+    expect(0, SAME("scenes/table.glb"));
+    write_parts("hostile.glb",
+                &(struct gltf_parts){.nodes = "[{\"mesh\": 0}, {\"name\": \"a\\\"}], \\\\\\n\\u0001"
+                                              "\\u00e4\\ud83d\\ude00%s\", \"camera\": 0}]",
+                                     .more = "\"cameras\": [" EYE(", \"zfar\": 9.5") "],"});
+    expect(0, SAME("@/hostile.glb"));
+    expect(0, "grep -F 'a\\\"}], \\\\' @/json");
+    expect(1, "% info --json @/no-such-scene.glb 2>&1 >@/json; r=$?; test ! -s @/json && exit $r");
+    if (info("") == 0)
+        expect(0, SAME("scenes/ring.glb --gl"));
+}
+
 static void test_refusals(void **state) {
     (void)state;
     assert_int_equal(info("no-such-scene.glb"), 1);
@@ -151,6 +174,7 @@ int main(void) {
         cmocka_unit_test(test_point_light),
         cmocka_unit_test(test_names),
         cmocka_unit_test(test_aspect),
+        cmocka_unit_test(test_json),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests_name("info", tests, NULL, NULL);

@@ -4,7 +4,6 @@
 #include "command_support.h"
 
 #include "base/clock.h"
-#include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
@@ -102,8 +101,7 @@ static void check_same(const char *folder, const char *expected) {
             memcmp(bytes[0].data, bytes[1].data, bytes[0].size) != 0)
             fail_msg("%s is not %s", paths[0], paths[1]);
         for (int i = 0; i < 2; i++) {
-            free(bytes[i].data);
-            free(paths[i]);
+            mem_free(bytes[i].data, paths[i]);
         }
     }
 }

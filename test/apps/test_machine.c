@@ -4,7 +4,6 @@
 #include "command_support.h"
 #include "view_stage.h"
 
-#include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/output_file.h"
 
@@ -42,8 +41,7 @@ static void check_picture(const char *name) {
     check_ok("got", file_read(&got, scratch(name)));
     assert_int_equal(got.size, expected.size);
     assert_memory_equal(got.data, expected.data, got.size);
-    free(expected.data);
-    free(got.data);
+    mem_free(expected.data, got.data);
 }
 
 /* One line, which says so; no file. */

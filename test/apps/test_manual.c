@@ -93,8 +93,7 @@ static void check_command(const char *command) {
     }
     printf("    %s: %d options\n", command, count);
     assert_true(count >= 5);
-    free(page);
-    free(in_bash);
+    mem_free(page, in_bash);
 }
 
 /* Rows of two spaces, a name and a help; others, which begin otherwise, are no names. */

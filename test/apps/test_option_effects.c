@@ -44,7 +44,7 @@ static const char *const values[][2] = {
     {"camera", "'0 eye=0,1,3 forward=0,0,-1'"}, {"centers", ""}, {"clip", "none"},
     {"context", "osmesa"}, {"denoise", ""}, {"device", "0"},
     {"direct", "cssm"}, {"environment", "@/sky2.exr"}, {"environment-strength", "2"},
-    {"environment-turn", "90"}, {"first-pass", "3"}, {"format", "exr"}, {"export:format", "mitsuba"},
+    {"environment-turn", "90"}, {"first-pass", "3"}, {"format", "exr"}, {"export:format", "mitsuba"}, {"exposures", "-9,-8,2"},
     {"fps", "7"}, {"frames", "2"}, {"gl", ""}, {"gl-debug", ""}, {"glsl", "glsl"}, {"help", ""},
     {"help-all", ""}, {"json", ""}, {"layer", "direct"}, {"compare:layer", "Z"}, {"light", "sky"},
     {"light-paths", "1000"}, {"materials", "diffuse"}, {"max", "mae=0"}, {"max-error", "90%"},

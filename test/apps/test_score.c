@@ -2,7 +2,6 @@
 #include "command_support.h"
 
 #include "base/file/image_file.h"
-#include "base/memory.h"
 #include "base/sha256.h"
 #include "metrics/colour.h"
 
@@ -41,9 +40,7 @@ static int make_pictures(void **state) {
 
 static int free_pictures(void **state) {
     (void)state;
-    image_free(&truth);
-    image_free(&frame);
-    image_free(&fine);
+    images_free(&truth, &frame, &fine);
     return 0;
 }
 

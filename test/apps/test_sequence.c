@@ -6,7 +6,6 @@
 #include "apps/frames.h"
 #include "base/error.h"
 #include "base/file/image_file.h"
-#include "base/memory.h"
 #include "gl/memory.h"
 #include "scene/shapes/metaballs.h"
 #include "shared/vpl.h"
@@ -225,8 +224,7 @@ static void test_any_start(void **state) {
     check_ok("layers", renderer_read_layers(&renderer, &image[1]));
     renderer_free(&renderer);
     assert_true(same_pixels(&image[0], &image[1]));
-    image_free(&image[0]);
-    image_free(&image[1]);
+    images_free(&image[0], &image[1]);
     stage_free(&stage);
 }
 

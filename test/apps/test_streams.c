@@ -3,8 +3,6 @@
 #include "command_support.h"
 #include "gltf_parts.h"
 
-#include "base/file/image_file.h"
-
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -137,8 +137,7 @@ static void test_exr_round_trip(void **state) {
                 check_near(written.names[c], image_at(&read, x, y)[there],
                            image_at(&written, x, y)[c], 0);
             }
-    image_free(&written);
-    image_free(&read);
+    images_free(&written, &read);
 }
 
 /* Names of other programs: each channel keeps its own name, whole, and its own values. */
@@ -164,16 +163,14 @@ static void test_foreign_names(void **state) {
             check_near(names[c], (double)image_at(&read, x, 0)[there],
                        (double)image_at(&written, x, 0)[c], 0);
         }
-    image_free(&written);
-    image_free(&read);
+    images_free(&written, &read);
     image_init_named(&written, 1, 1, (const char *const[]){"R", "", "B"}, 3);
     written.pixels[2] = .5f;
     check_ok("write", image_write(&written, scratch("nameless.exr")));
     check_ok("read", image_read(&read, scratch("nameless.exr")));
     assert_int_equal(read.channel_count, 3);
     check_near("B", (double)read.pixels[image_find_channel(&read, "B")], .5, 0);
-    image_free(&written);
-    image_free(&read);
+    images_free(&written, &read);
 }
 
 /* Layers are told apart by their whole names. */
@@ -250,8 +247,7 @@ static void test_formats(void **state) {
     assert_string_equal(read.passes, "0..3");
     check_near("weight", read.weight, 4, 0);
     assert_true(image_is_whole(scratch("passes.exr")));
-    image_free(&read);
-    image_free(&image);
+    images_free(&read, &image);
     check_ok("png", bitmap_write(&bitmap, scratch("a.png")));
     struct file_bytes bytes;
     check_ok("its bytes", file_read(&bytes, scratch("a.png")));
@@ -337,9 +333,7 @@ static void test_no_memory(void **state) {
     c = mem_resize(c, 1, 0);
     assert_non_null(c);
     assert_true(mem_resident() > 0 && mem_most_resident() > 0); /* counted at different times */
-    free(a);
-    free(b);
-    free(c);
+    mem_free(a, b, c);
 }
 
 /* Files that are not read: 4 GiB of nothing, a folder, none. */
@@ -525,8 +519,7 @@ static void test_folders(void **state) {
     assert_false(folder_make_for(below));
     printf("    %s\n", error_get());
     remove(path);
-    free(below);
-    free(path);
+    mem_free(below, path);
 }
 
 /* Examples of the standard, and all lengths around the ends of blocks: bytes that follow one another in a chain. */

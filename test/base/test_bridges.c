@@ -3,10 +3,8 @@
 #include "command_support.h"
 #include "exr_parts.h"
 
-#include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/image_plugin.h"
-#include "base/memory.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -65,12 +63,16 @@ static void test_start(void **state) {
 /* What small libraries refuse is read, and whole. */
 static void test_handed_over(void **state) {
     (void)state;
-    static const struct exr_part cut = {
-        .channels = "B G R", .data = {2, 1, 5, 3}, .display = {0, 0, 8, 5}, .base = 1};
+    static const struct exr_part cut = {.channels = "B G R",
+                                        .data = {2, 1, 5, 3},
+                                        .display = {0, 0, 8, 5},
+                                        .base = 1,
+                                        .cube = true};
     struct image image;
     need_all_formats();
     check_ok("windows", image_read(&image, exr_write("windows.exr", &cut, 1)));
     assert_true(image.width == 8 && image.height == 5);
+    assert_true(image.cube);
     check_near("inside", image_at(&image, 3, 2)[2], exr_value(&cut, 0, 3, 2), 0);
     check_near("outside", image_at(&image, 0, 0)[2], 0, 0);
     image_free(&image);
@@ -139,8 +141,7 @@ static void check_same_image(const char *path, const char *layer) {
         (size_t)ours.width * (size_t)ours.height * (size_t)ours.channel_count * sizeof(float);
     if (memcmp(ours.pixels, theirs.pixels, size) != 0)
         fail_msg("%s: the bridges read different pixels", path);
-    image_free(&ours);
-    image_free(&theirs);
+    images_free(&ours, &theirs);
 }
 
 static void check_same_texture(const char *path) {
@@ -157,8 +158,7 @@ static void check_same_texture(const char *path) {
     assert_true(ours.width == theirs.width && ours.height == theirs.height);
     if (memcmp(ours.rgba, theirs.rgba, (size_t)ours.width * (size_t)ours.height * 4) != 0)
         fail_msg("%s: the bridges decode different texels", path);
-    bitmap_free(&ours);
-    bitmap_free(&theirs);
+    bitmaps_free(&ours, &theirs);
     free(file.data);
 }
 
@@ -207,8 +207,7 @@ static void test_radiance_runs(void **state) {
         printf("    %d across: %zu bytes\n", widths[i], ours.size);
         assert_int_equal(ours.size, theirs.size);
         assert_memory_equal(ours.data, theirs.data, ours.size);
-        free(ours.data);
-        free(theirs.data);
+        mem_free(ours.data, theirs.data);
         image_free(&image);
     }
 }

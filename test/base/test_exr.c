@@ -10,7 +10,6 @@
 #include "base/memory.h"
 #include "metrics/layer.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -199,8 +198,7 @@ static void test_order(void **state) {
     }
     assert_string_equal(read.passes, "0..3,7");
     check_near("weight", read.weight, 5, 0);
-    image_free(&written);
-    image_free(&read);
+    images_free(&written, &read);
 }
 
 /* What we write ourselves: half while that holds every value, else 32 bits. */
@@ -217,8 +215,7 @@ static void test_bright(void **state) {
             printf("    %g is %g\n", (double)values[k][c], (double)again.pixels[c]);
             assert_true(again.pixels[c] == values[k][c]);
         }
-        image_free(&image);
-        image_free(&again);
+        images_free(&image, &again);
     }
 }
 

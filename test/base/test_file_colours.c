@@ -104,8 +104,7 @@ static void test_rounding(void **state) {
     }
     check_at_most("largest error, steps", most, 1); /* half, and whole where 255.5 becomes 256 */
     check_near("mean error, steps", sum / (64 * 64 * 3 - 6), 0, .01);
-    image_free(&image);
-    image_free(&read);
+    images_free(&image, &read);
 }
 
 /* --- EXR -------------------------------------------------------------------------------------- */

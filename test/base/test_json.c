@@ -13,11 +13,26 @@ static void test_values(void **state) {
     char *text = NULL;
     size_t size;
     FILE *out = open_memstream(&text, &size);
-    json_print_text(out, "a\"b\\c\nd");
-    json_print_number(out, .1);
-    json_print_number(out, INFINITY);
+    struct json json = {.out = out, .lines = 1};
+    json_open(&json, NULL, "{");
+    json_text(&json, "a\"b", "c\\d\n");
+    json_open(&json, "e", "[");
+    json_number(&json, NULL, .1);
+    json_number(&json, NULL, (double).1F);
+    json_number(&json, NULL, 2147483648.);
+    json_number(&json, NULL, INFINITY);
+    json_open(&json, NULL, "[");
+    json_close(&json, "]");
+    json_close(&json, "]");
+    json_vector(&json, "f", (float[]){-0.F, 1e-9F, 3});
+    json_flag(&json, "g", true);
+    json_text(&json, "h", NULL);
+    json_close(&json, "}");
     fclose(out);
-    assert_string_equal(text, "\"a\\\"b\\\\c\\u000ad\"0.1null");
+    assert_string_equal(
+        text,
+        "{\n \"a\\\"b\": \"c\\\\d\\u000a\",\n \"e\": [0.1, 0.100000001, 2147483648, null, []],\n"
+        " \"f\": [0, 9.99999972e-10, 3],\n \"g\": true,\n \"h\": null}\n");
     free(text);
 }
 

@@ -3,7 +3,6 @@
 #include "bytes.h"
 #include "command_support.h"
 
-#include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/file/webp.h"
@@ -11,7 +10,6 @@
 #include "metrics/layer.h"
 #include "scene/lights/environment.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -287,8 +285,7 @@ static void test_written(void **state) {
         check_ok(names[i], image_read(&again, scratch(names[i])));
         assert_int_equal(again.channel_count, 4);
         assert_memory_equal(image.pixels, again.pixels, 8 * sizeof(float));
-        image_free(&image);
-        image_free(&again);
+        images_free(&image, &again);
     }
 }
 
@@ -389,8 +386,7 @@ static void test_sky(void **state) {
         assert_int_equal(sky.width, 2);
         check_near("left", (double)sky.texels[0][0], 1, 1e-6);
         check_near("right", (double)sky.texels[1][0], .5, 1e-6);
-        free(sky.texels);
-        free(sky.path);
+        mem_free(sky.texels, sky.path);
     }
 }
 

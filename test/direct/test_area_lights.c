@@ -4,7 +4,6 @@
 
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "gl/glsl.h"
 #include "gl/pass.h"
 #include "gl/program.h"
@@ -157,9 +156,7 @@ static void shade(struct answer *answers, int count, float *got) {
     pass_dispatch(1, 1, 1);
     pass_end(&untimed);
     buffer_read(&answer_buffer, 0, (size_t)count * sizeof *got, got);
-    buffer_free(&light_buffer);
-    buffer_free(&point_buffer);
-    buffer_free(&answer_buffer);
+    buffers_free(&light_buffer, &point_buffer, &answer_buffer);
     program_free(&program);
     glsl_set_folder(NULL);
 }

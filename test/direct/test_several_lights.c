@@ -89,8 +89,7 @@ static void test_dark_lights(void **state) {
         printf("    %-30s %s\n", rows[i].what, same ? "the same bits" : "other bits");
         assert_true(same);
         assert_true(layer_mean(&one, "indirect") > 0);
-        image_free(&one);
-        image_free(&among);
+        images_free(&one, &among);
     }
     stage_free(&stage);
 }
@@ -167,8 +166,7 @@ static void test_split(void **state) {
         double mean = layer_mean(&one, "indirect");
         check_near("indirect light, mean", layer_mean(&two, "indirect"), mean, .003 * mean);
         check_at_most("indirect light, relative RMSE", relative_rmse(&two, &one, "indirect"), .04);
-        image_free(&one);
-        image_free(&two);
+        images_free(&one, &two);
     }
     stage_free(&stage);
 }
@@ -269,8 +267,7 @@ static void check_points(const struct stage *stage, const struct technique *tech
     check_near("direct light", layer_mean(&many, "direct") / layer_mean(&single, "direct"), 1, .02);
     check_near(technique->name, layer_mean(&many, "indirect") / layer_mean(&single, "indirect"), 1,
                .1);
-    image_free(&many);
-    image_free(&single);
+    images_free(&many, &single);
 }
 
 static void test_points(void **state) {

@@ -8,7 +8,6 @@
 #include "direct/direct.h"
 #include "scene/lights/environment.h"
 #include "scene/lobe_albedo.h"
-#include "shared/vpl.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -339,8 +338,7 @@ static void test_day(void **state) {
     check_near("indirect light, mean", layer_mean(&got, "indirect"), mean, .12 * mean);
     check_at_most("indirect light, relative RMSE", relative_rmse(&got, &reference, "indirect"), .3);
     check_passes(&stage, &reference);
-    image_free(&reference);
-    image_free(&got);
+    images_free(&reference, &got);
     stage_free(&stage);
 }
 
@@ -377,9 +375,7 @@ static void test_texel(void **state) {
     printf("    %g sr, %g W/m2\n", solid_angle, (double)sun.intensity[0]);
     check_near("rays, beside those of a sun", layer_mean(&reference, "direct"), mean, .01 * mean);
     check_near("mean, beside a sun", layer_mean(&got, "direct"), mean, .02 * mean);
-    image_free(&got);
-    image_free(&reference);
-    image_free(&traced);
+    images_free(&got, &reference, &traced);
     stage_free(&stage);
 }
 
@@ -401,9 +397,7 @@ static void test_courtyard(void **state) {
     /* Pixels ask for each of many lights, too, though it has little. */
     struct image many = render_stage(&stage, "clustered", "sky.lights=240", SIZE);
     check_at_most("with 240 lights", relative_rmse(&many, &reference, "direct"), error);
-    image_free(&reference);
-    image_free(&got);
-    image_free(&many);
+    images_free(&reference, &got, &many);
     stage_free(&stage);
 }
 
@@ -461,9 +455,7 @@ static void test_black(void **state) {
     stage.emitters.count = 1;
     struct image with = render_stage(&stage, "clustered", "", SIZE);
     assert_true(same_pixels(&without, &with));
-    image_free(&without);
-    image_free(&dark);
-    image_free(&with);
+    images_free(&without, &dark, &with);
     stage_free(&stage);
 }
 

@@ -104,8 +104,7 @@ static double stand_error(const struct stand *stand, const char *method, const c
         }
     renderer_free(&renderer);
     renderer_free(&bare_renderer);
-    image_free(&shaded);
-    image_free(&lit);
+    images_free(&shaded, &lit);
     stage_free(&stage);
     stage_free(&bare);
     printf("    %-10s %-28s RMS %.4f, worst %.3f\n", method, stand->what, sqrt(squares) / SIZE,
@@ -432,9 +431,7 @@ static void test_limits(void **state) {
                       .1);
         check_at_most("halves beside the whole", relative_rmse(&sum, &whole, "direct"),
                       halves_most[m]);
-        image_free(&small);
-        image_free(&whole);
-        image_free(&sum);
+        images_free(&small, &whole, &sum);
     }
     image_free(&hard);
     stage_free(&stage);
@@ -461,10 +458,7 @@ static void test_scale_and_turns(void **state) {
         check_at_most("turned by 90 degrees", relative_rmse(&quarter, &plain, "direct"), .003);
         check_at_most("turned by 30 degrees", relative_rmse(&third, &plain, "direct"), .06);
         check_at_most("a thousand times as large", relative_rmse(&large, &plain, "direct"), .003);
-        image_free(&plain);
-        image_free(&quarter);
-        image_free(&third);
-        image_free(&large);
+        images_free(&plain, &quarter, &third, &large);
         stage_free(&stage);
     }
 }
@@ -483,8 +477,7 @@ static void test_idle_casters(void **state) {
         printf("  %s\n", methods[m]);
         check_at_most("a plate behind the floor", relative_rmse(&under, &lit, "direct"), 1e-5);
         check_at_most("one beyond the light", relative_rmse(&above, &lit, "direct"), 1e-5);
-        image_free(&under);
-        image_free(&above);
+        images_free(&under, &above);
     }
     image_free(&lit);
     stage_free(&below);

@@ -254,11 +254,8 @@ static void test_ledger(void **state) {
     check_ok("buffer", buffer_init(&empty, "test", 0, NULL));
     assert_int_equal(gpu_memory_total() - before, 8 * 3 * 43 + 116);
     assert_int_equal(gpu_memory_object_count() - objects, 3);
-    texture_free(&texture);
-    texture_free(&texture);
-    buffer_free(&buffer);
-    buffer_free(&buffer);
-    buffer_free(&empty);
+    textures_free(&texture, &texture);
+    buffers_free(&buffer, &buffer, &empty);
     assert_int_equal(gpu_memory_total(), before);
     assert_int_equal(gpu_memory_object_count(), objects);
 }

@@ -149,11 +149,9 @@ static void test_compute(void **state) {
            (double)texels[TEXELS - 1][1], (double)texels[TEXELS - 1][2],
            (double)texels[TEXELS - 1][3]);
     check_at_most("wrong values of the volume", wrong, 0);
-    buffer_free(&stored);
-    buffer_free(&scales);
+    buffers_free(&stored, &scales);
     texture_free(&volume);
-    program_free(&read);
-    program_free(&fill);
+    programs_free(&read, &fill);
 }
 
 /* --- drawing ---------------------------------------------------------------------------------- */
@@ -300,8 +298,7 @@ static void check_write(GLuint writer,
     buffer_free(&values);
     close_target(&after);
     close_target(&before);
-    program_free(&reader);
-    program_free(&writer);
+    programs_free(&reader, &writer);
 }
 
 static void test_writes_wait_for_reads(void **state) {

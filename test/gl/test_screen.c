@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "gl/context/context.h"
 #include "gl/framebuffer.h"
 #include "gl/glsl.h"
 #include "gl/memory.h"
@@ -87,10 +86,8 @@ static void check_picture(const struct picture *picture) {
     /* Other drivers may compile the two to other sums. */
     if (gl.software)
         assert_true(same_pixels(&drawn, &dispatched) && of_display == 0);
-    image_free(&drawn);
-    image_free(&dispatched);
-    bitmap_free(&shown[0]);
-    bitmap_free(&shown[1]);
+    images_free(&drawn, &dispatched);
+    bitmaps_free(&shown[0], &shown[1]);
     stage_free(&stage);
 }
 
@@ -219,8 +216,7 @@ static void open_masked(struct masked_picture *picture, int width, int height, i
 }
 
 static void close_masked(struct masked_picture *picture) {
-    program_free(&picture->mark);
-    program_free(&picture->masked);
+    programs_free(&picture->mark, &picture->masked);
     framebuffer_free(&picture->framebuffer);
     texture_free(&picture->target);
     pixel_mask_free(&picture->mask);

@@ -91,8 +91,7 @@ static int check_header(const char *text) {
         check_struct(code, name, open + 1);
         at = close + 1;
     }
-    free(searched);
-    free(code);
+    mem_free(searched, code);
     return count;
 }
 

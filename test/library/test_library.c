@@ -10,7 +10,6 @@
 
 #include <fenv.h>
 #include <locale.h>
-#include <math.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -184,8 +184,7 @@ static void test_matt_reference(void **state) {
     check_near("bias of the tracer with 16 samples, %",
                results_value(&results, results.subject_count - 1, "relative-bias", NULL), 0, 3);
     results_free(&results);
-    image_free(&references[0]);
-    image_free(&references[1]);
+    images_free(&references[0], &references[1]);
     stage_free(&stage);
 }
 

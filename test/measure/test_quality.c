@@ -93,8 +93,7 @@ static void test_some_pixels(void **state) {
     double values = 3.0 * some.width * some.height;
     check_at_most("some pixels, relative RMSE", sqrt(difference / values) / (sum / values),
                   2 * (reference_noise(&all) + reference_noise(&some)));
-    image_free(&all);
-    image_free(&some);
+    images_free(&all, &some);
 }
 
 /* Of all pixels, slivers at silhouettes as far as they are covered. */
@@ -105,8 +104,7 @@ static double error_of(const struct image *picture, const struct image *referenc
     check_ok("layer", layer_extract_covered(&layers[1], reference, "indirect", reference));
     double error = metric_measure(metric_find("relative-rmse"), &comparison, NULL);
     double noise = reference_noise(reference);
-    image_free(&layers[0]);
-    image_free(&layers[1]);
+    images_free(&layers[0], &layers[1]);
     return sqrt(error * error - noise * noise);
 }
 
@@ -134,8 +132,7 @@ static void test_estimate(void **state) {
     double all = error_of(&picture, &reference);
     check_near("of a quarter of the pixels", error, all, .15 * all);
     check_near("by few paths", first, error, .1 * error);
-    image_free(&picture);
-    image_free(&reference);
+    images_free(&picture, &reference);
     renderer_free(&renderer);
     estimate_free(&estimate);
 }

@@ -95,8 +95,7 @@ static void cut(const char *part, int blocks) {
     *at = '\0';
     char *torn = mem_printf("%s# of scene 0123456789abcdef\nsweep,cornell-box,36,24,\"fa", text);
     write_text(part, torn);
-    free(torn);
-    free(text);
+    mem_free(torn, text);
 }
 
 /* --- rows ------------------------------------------------------------------------------------- */
@@ -152,8 +151,7 @@ static int check_same(const char *csv, const char *whole) {
         a += strcspn(a, "\n") + 1;
         b += strcspn(b, "\n") + 1;
     }
-    free(texts[0]);
-    free(texts[1]);
+    mem_free(texts[0], texts[1]);
     return rows - 1;
 }
 
@@ -201,8 +199,7 @@ static void check_mode(const struct mode *mode, int number) {
            strsignal(number), rows);
     assert_true(rows > 5);
     assert_int_equal(access(part, F_OK), -1);
-    free(csv);
-    free(part);
+    mem_free(csv, part);
 }
 
 static void remove_whole(void) {
@@ -254,10 +251,7 @@ static void test_not_measured_again(void **state) {
     expect_text("4321.50");
     char *rows = file_read_text(csv);
     assert_non_null(strstr(rows, ",relative-rmse,path,%,4321.5,"));
-    free(rows);
-    free(marked);
-    free(text);
-    free(part);
+    mem_free(rows, marked, text, part);
 }
 
 /* Changes a text within the journal. */
@@ -266,9 +260,7 @@ static void change(const char *csv, const char *from, const char *to) {
     assert_non_null(at);
     char *changed = mem_printf("%.*s%s%s", (int)(at - text), text, to, at + strlen(from));
     write_text(part, changed);
-    free(changed);
-    free(text);
-    free(part);
+    mem_free(changed, text, part);
 }
 
 static void check_not_resumed(const char *csv, const char *more, const char *message) {
@@ -284,9 +276,7 @@ static void check_not_resumed(const char *csv, const char *more, const char *mes
     assert_true(!before[strlen(after)] ||
                 strncmp(before + strlen(after), "# of scene 01", 13) == 0);
     assert_int_equal(access(csv, F_OK), -1);
-    free(before);
-    free(after);
-    free(part);
+    mem_free(before, after, part);
 }
 
 /* Other settings, another machine, commit or scene: the rows stay where they are, until they are dropped. */
@@ -324,10 +314,7 @@ static void test_screen_passes(void **state) {
         change(csv, from, to);
         assert_int_equal(run(&modes[0], csv, ""), 0);
         expect_text("broken off");
-        free(from);
-        free(to);
-        free(text);
-        free(part);
+        mem_free(from, to, text, part);
     }
 }
 

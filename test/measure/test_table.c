@@ -4,7 +4,6 @@
 #include "command_support.h"
 
 #include "base/file/file.h"
-#include "base/memory.h"
 
 #include <stdio.h>
 #include <stdlib.h>

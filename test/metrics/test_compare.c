@@ -111,6 +111,39 @@ static void test_json(void **state) {
     expect_text("\"psnr\": null}}\n");
 }
 
+/* The range that is found, given again, is the same; another one is not. */
+static void test_exposures(void **state) {
+    (void)state;
+    char found[sizeof output], more[1200];
+    double range[3];
+    expect_command(0, "compare", with_pictures("--json -m hdr-flip"));
+    memcpy(found, output, sizeof found);
+    const char *at = strstr(found, "\"exposures\": [");
+    assert_true(at &&
+                sscanf(at, "\"exposures\": [%lf, %lf, %lf]", &range[0], &range[1], &range[2]) == 3);
+    snprintf(more, sizeof more, "--json -m hdr-flip --exposures %.9g,%.9g,%g", range[0], range[1],
+             range[2]);
+    expect_command(0, "compare", with_pictures(more));
+    assert_string_equal(output, found);
+    double flip = value_of("hdr-flip");
+    expect_command(0, "compare", with_pictures("--exposures -9,-8,2"));
+    check_at_most("darker", value_of("hdr-flip"), .5 * flip);
+    expect_command(2, "compare", with_pictures("--exposures 0,1,2 -m rmse"));
+    expect_text("--exposures is for hdr-flip");
+    static const char *const wrong[] = {"1,0,2",   "0,1",     "0,1,0", "0,1,2x",
+                                        "nan,1,2", "0,121,2", "a"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        snprintf(more, sizeof more, "--exposures %s", wrong[i]);
+        expect_command(2, "compare", with_pictures(more));
+        expect_text("is not START,STOP,N");
+    }
+    snprintf(more, sizeof more, "%s %s -m rmse -o %s", test_exr, reference_exr, scratch("a.png"));
+    expect_command(0, "compare", more);
+    snprintf(more, sizeof more, "%s %s --exposures 0,1,2", scratch("a.png"), scratch("a.png"));
+    expect_command(1, "compare", more);
+    expect_text("--exposures needs hdr-flip");
+}
+
 static void test_bounds(void **state) {
     (void)state;
     expect_command(0, "compare", with_pictures("-m rmse --max rmse=0.13"));
@@ -255,9 +288,7 @@ static void test_panels(void **state) {
     check_near("the reference is a middle grey", (double)left[0], .537, .01);
     assert_true(image_at(&read, zoom * 60, row)[0] == 0);
     assert_true(image_at(&read, zoom * 104, row)[1] > left[1]);
-    image_free(&reference);
-    image_free(&tests[1]);
-    image_free(&read);
+    images_free(&reference, &tests[1], &read);
 }
 
 int main(void) {
@@ -267,6 +298,7 @@ int main(void) {
         cmocka_unit_test(test_usage_errors),
         cmocka_unit_test(test_table),
         cmocka_unit_test(test_json),
+        cmocka_unit_test(test_exposures),
         cmocka_unit_test(test_bounds),
         cmocka_unit_test(test_foreign_channels),
         cmocka_unit_test(test_pictures_of_the_error),

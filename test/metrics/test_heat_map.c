@@ -185,8 +185,7 @@ static void test_panels(void **state) {
     check_ok("of a grey one", panels_write(scratch("panels.png"), "a b", &reference, tests, 2));
     assert_false(panels_write(scratch("none/panels.png"), "a b", &reference, tests, 2));
     printf("    %s\n", error_get());
-    image_free(&reference);
-    image_free(&tests[0]);
+    images_free(&reference, &tests[0]);
 }
 
 int main(void) {

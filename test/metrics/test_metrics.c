@@ -54,8 +54,7 @@ static void test_errors_by_hand(void **state) {
     check_near("bias", measure("bias", &test, &reference), -.5 / 6, 1e-6);
     check_near("bias, swapped", measure("bias", &reference, &test), .5 / 6, 1e-6);
     check_near("relative-bias", measure("relative-bias", &test, &reference), -.5 / 6 / 1.5, 1e-6);
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
 }
 
 static void fill(struct image *image, int width, int height, float value) {
@@ -77,8 +76,7 @@ static void test_gradient_by_hand(void **state) {
         image_at(&test, 1, 1)[c] += 3;
     check_near("gradient of a spike", measure("gradient", &test, &reference), sqrt(4 * 9 / 9.) / .5,
                1e-6);
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
 }
 
 /* Of 200 pixels two are the worst 1 %. */
@@ -104,8 +102,7 @@ static void test_worst_share_by_hand(void **state) {
         image_at(&test, 9, 8)[c] = 1.5f;
     check_near("one spike", measure("worst-share", &test, &reference), 16.25 / (16 + 199 * .25),
                1e-6);
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
 }
 
 static void test_box_errors_by_hand(void **state) {
@@ -128,8 +125,7 @@ static void test_box_errors_by_hand(void **state) {
     check_near("spike in 4 x 4", measure("box4-rmse", &test, &reference), .5 / 8 / 2, 1e-6);
     check_near("spike in 16 x 16", measure("box16-rmse", &test, &reference), 8. / 256 / 2 / 2,
                1e-6);
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
     /* Cut boxes: of 5 x 5 pixels the last makes one of its own, and counts as one pixel. */
     fill(&reference, 5, 5, 1);
     fill(&test, 5, 5, 1);
@@ -137,8 +133,7 @@ static void test_box_errors_by_hand(void **state) {
         image_at(&test, 4, 4)[c] += 3;
     check_near("corner", measure("box4-rmse", &test, &reference), 3. / 5, 1e-6);
     check_near("one box for all", measure("box16-rmse", &test, &reference), 3. / 25, 1e-6);
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
 }
 
 static void test_psnr_by_hand(void **state) {
@@ -154,8 +149,7 @@ static void test_psnr_by_hand(void **state) {
     image_free(&test);
     fill(&test, 2, 2, 7);
     assert_true(isinf(measure("psnr", &test, &reference)));
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
 }
 
 static void test_equal_and_black_pictures(void **state) {
@@ -170,8 +164,7 @@ static void test_equal_and_black_pictures(void **state) {
         check_near(metrics[i].name, measure(metrics[i].name, &black, &black), 0, 0);
     }
     assert_true(isinf(measure("relative-rmse", &random, &black)));
-    image_free(&random);
-    image_free(&black);
+    images_free(&random, &black);
 }
 
 static void test_symmetry_and_growth(void **state) {
@@ -199,8 +192,7 @@ static void test_symmetry_and_growth(void **state) {
             last[i] = worse;
         }
     }
-    image_free(&reference);
-    image_free(&noisy);
+    images_free(&reference, &noisy);
 }
 
 static void test_threads_agree(void **state) {
@@ -221,8 +213,7 @@ static void test_threads_agree(void **state) {
             assert_memory_equal(alone, together, sizeof alone);
         }
     }
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
 }
 
 static void test_colour_spaces(void **state) {
@@ -268,8 +259,7 @@ static void test_flip_against_definition(void **state) {
                                     flip_direct(&test, &reference, (double)resolutions[i], x, y)));
         check_at_most("LDR-FLIP against its definition", largest, 2e-5);
     }
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
 }
 
 /* Pictures of 64 by 48 whose FLIP is known from other implementations. */
@@ -347,8 +337,7 @@ static void test_flip_vectors(void **state) {
         draw(vectors[i].pattern, &test, &reference);
         check_near(vectors[i].name, measure(vectors[i].metric, &test, &reference), vectors[i].mean,
                    1e-4);
-        image_free(&test);
-        image_free(&reference);
+        images_free(&test, &reference);
     }
 }
 
@@ -381,8 +370,36 @@ static void test_hdr_flip_exposures(void **state) {
     memset(reference.pixels, 0, 64 * 48 * 3 * sizeof(float));
     assert_int_equal(hdr_flip_exposures(&reference).count, 2);
     check_at_most("light where all is black", .5, measure("hdr-flip", &test, &reference));
-    image_free(&test);
-    image_free(&reference);
+    images_free(&test, &reference);
+}
+
+/* One exposure is LDR-FLIP of the curve's pictures; of several each pixel has the most. */
+static void test_given_exposures(void **state) {
+    (void)state;
+    enum { PIXELS = 64 * 48 };
+    struct image test, reference;
+    float maps[3][PIXELS], curve[PIXELS];
+    struct comparison comparison = {&test, &reference, DEFAULT_PIXELS_PER_DEGREE, {-1, -1, 1}, 0};
+    draw(bright_ramps, &test, &reference);
+    flip_hdr(&comparison, maps[0]);
+    comparison.exposures = (struct exposure_range){3, 3, 1};
+    flip_hdr(&comparison, maps[1]);
+    comparison.exposures = (struct exposure_range){-1, 3, 2};
+    flip_hdr(&comparison, maps[2]);
+    for (int i = 0; i < PIXELS * 3; i++) {
+        test.pixels[i] = (float)fmin(1, aces(ldexp((double)test.pixels[i], 3)));
+        reference.pixels[i] = (float)fmin(1, aces(ldexp((double)reference.pixels[i], 3)));
+    }
+    flip_ldr(&comparison, curve);
+    double off = 0, differ = 0;
+    for (int p = 0; p < PIXELS; p++) {
+        off = fmax(off, fabs((double)(curve[p] - maps[1][p])));
+        differ = fmax(differ, fabs((double)(maps[0][p] - maps[1][p])));
+        assert_true(maps[2][p] == fmaxf(maps[0][p], maps[1][p]));
+    }
+    check_at_most("of the curve's pictures", off, 1e-4);
+    check_at_most("exposures differ", .05, differ);
+    images_free(&test, &reference);
 }
 
 static void test_quantile(void **state) {
@@ -477,6 +494,7 @@ int main(void) {
         cmocka_unit_test(test_flip_against_definition),
         cmocka_unit_test(test_flip_vectors),
         cmocka_unit_test(test_hdr_flip_exposures),
+        cmocka_unit_test(test_given_exposures),
         cmocka_unit_test(test_quantile),
         cmocka_unit_test(test_layer_refusals),
         cmocka_unit_test(test_encoded_layer),

@@ -1,7 +1,6 @@
 /* Pixels with few like neighbours: which are adaptive, what they gather, and how they are blurred. */
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/gather/blur.h"
 #include "passes/gather/adaptive.h"
@@ -303,8 +302,7 @@ static void test_adaptive_sums(void **state) {
     printf("    adaptive %d, others that differ %d\n", adaptive, away);
     assert_true(adaptive > 100 && away > 100);
     check_at_most("worst adaptive pixel's distance from the sum over all VPLs", worst, .002);
-    image_free(&mixed);
-    image_free(&plain);
+    images_free(&mixed, &plain);
     close_bench(&bench);
 }
 
@@ -336,8 +334,7 @@ static void test_one_asks_for_all(void **state) {
     assert_true(adaptive > 100 && differ > 50);
     check_near("their mean, over that of pixels whose VPLs each ask", sum_together / sum_each, 1,
                .005);
-    image_free(&each);
-    image_free(&together);
+    images_free(&each, &together);
     close_bench(&bench);
 }
 
@@ -361,8 +358,7 @@ static void test_times_of_large_pictures(void **state) {
         printf("    %dx%d: pictures of 4 and 5 times are %s\n", rows[i].size, rows[i].size,
                same ? "the same" : "others");
         assert_int_equal(same, rows[i].same);
-        image_free(&four);
-        image_free(&five);
+        images_free(&four, &five);
     }
     stage_free(&stage);
 }

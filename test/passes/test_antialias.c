@@ -3,7 +3,6 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/picture/antialias.h"
 
@@ -224,10 +223,7 @@ static void check_layers(const char *path, double albedo, double beauty) {
     check_layer(&center, &edges, &reference, "albedo", albedo);
     check_layer(&center, &edges, &reference, "beauty", beauty);
     check_at_most("R - albedo (direct + indirect)", worst_of_sum(&edges), 1e-4);
-    image_free(&fine);
-    image_free(&reference);
-    image_free(&center);
-    image_free(&edges);
+    images_free(&fine, &reference, &center, &edges);
     stage_free(&stage);
 }
 
@@ -259,10 +255,7 @@ static void test_edge_samples(void **state) {
            after);
     check_at_most("their ratio", after / before, .9);
     check_at_most("R - albedo (direct + indirect)", worst_of_sum(&with), 1e-4);
-    image_free(&fine);
-    image_free(&reference);
-    image_free(&without);
-    image_free(&with);
+    images_free(&fine, &reference, &without, &with);
     stage_free(&stage);
 }
 

@@ -271,9 +271,7 @@ static void open_clustering(struct clustering *c, const struct cluster_desc *des
 
 static void close_clustering(struct clustering *c) {
     cluster_pass_free(&c->pass);
-    texture_free(&c->seeds);
-    texture_free(&c->weights.values);
-    texture_free(&c->weights.sum);
+    textures_free(&c->seeds, &c->weights.values, &c->weights.sum);
     vpl_buffer_free(&c->vpls);
 }
 

@@ -3,7 +3,6 @@
 #include "base/unit.h"
 #include "render_support.h"
 
-#include "base/memory.h"
 #include "base/spiral.h"
 #include "reference/scene/emission.h"
 #include "shared/vpl.h"
@@ -350,9 +349,7 @@ static void test_near_samples(void **state) {
     size_t size = (size_t)24 * 24 * (size_t)all.channel_count * sizeof *all.pixels;
     assert_memory_equal(by_default.pixels, all.pixels, size);
     assert_memory_not_equal(few.pixels, all.pixels, size);
-    image_free(&by_default);
-    image_free(&all);
-    image_free(&few);
+    images_free(&by_default, &all, &few);
     stage_free(&stage);
 }
 
@@ -444,8 +441,7 @@ static void test_near_faces(void **state) {
     struct image drawn = render_stage(&stage, "clustered", "samples=1", 64);
     struct image reference = trace_stage(&stage, 64, 64);
     check_at_most("relative RMSE", relative_rmse(&drawn, &reference, "indirect"), .16);
-    image_free(&drawn);
-    image_free(&reference);
+    images_free(&drawn, &reference);
     stage_free(&stage);
 }
 
@@ -458,8 +454,7 @@ static double share_of_unshadowed(const struct stage_desc *desc, const char *tec
     struct image frame = render_stage(&stage, technique, settings, 64);
     struct image all = render_stage(&stage, "unshadowed", "vpls=64", 64);
     double share = layer_mean(&frame, "indirect") / layer_mean(&all, "indirect");
-    image_free(&frame);
-    image_free(&all);
+    images_free(&frame, &all);
     stage_free(&stage);
     return share;
 }

@@ -1,7 +1,6 @@
 /* Numbers by which one of many is taken (glsl/lib/lattice.glsl): the same bits on every driver, whatever it rounds. */
 #include "support.h"
 
-#include "gl/context/context.h"
 #include "gl/glsl.h"
 #include "gl/pass.h"
 #include "gl/program.h"

@@ -5,7 +5,6 @@
 #include "render_support.h"
 
 #include "base/memory.h"
-#include "gl/glsl.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/lookup.h"
@@ -193,11 +192,7 @@ static void run(struct lookups *lookups) {
     pass_dispatch((POINTS + 63) / 64, 1, 1);
     pass_end(&untimed);
     buffer_read(&answers, 0, POINTS * sizeof *lookups->answers, lookups->answers);
-    buffer_free(&view);
-    buffer_free(&block);
-    buffer_free(&ranges);
-    buffer_free(&points);
-    buffer_free(&answers);
+    buffers_free(&view, &block, &ranges, &points, &answers);
     program_free(&program);
 }
 
@@ -223,8 +218,7 @@ static void close_lookups(struct lookups *lookups) {
     texture_free(&lookups->map);
     for (int b = 0; b < 5; b++)
         texture_free(&lookups->bases[b]);
-    free(lookups->answers);
-    free(lookups);
+    mem_free(lookups->answers, lookups);
 }
 
 /* --- tests ------------------------------------------------------------------------------------ */
@@ -415,10 +409,7 @@ static void test_map_in_front(void **state) {
         printf("    point %d is known by map %d\n", i, answers[i]);
         assert_int_equal(answers[i], expected[i]);
     }
-    buffer_free(&maps);
-    buffer_free(&block);
-    buffer_free(&asked);
-    buffer_free(&answered);
+    buffers_free(&maps, &block, &asked, &answered);
     program_free(&program);
 }
 

@@ -79,11 +79,7 @@ static void open_vals(struct frame_of_vals *frame, const char *scene, const char
 static void close_vals(struct frame_of_vals *frame) {
     renderer_free(&frame->renderer);
     stage_free(&frame->stage);
-    free(frame->vpls);
-    free(frame->views);
-    free(frame->positions);
-    free(frame->normals);
-    free(frame->fluxes);
+    mem_free(frame->vpls, frame->views, frame->positions, frame->normals, frame->fluxes);
 }
 
 /* --- k-means ---------------------------------------------------------------------------------- */
@@ -520,8 +516,7 @@ static double basis_error(const struct frame_of_vals *frame, const struct textur
             double expected = basis(GLM_PI * (2 * term + 1), argument(&fitted, (double)depths[i]));
             worst = fmax(worst, fabs((coded ? 2 * value - 1 : value) - expected));
         }
-    free(depths);
-    free(texels);
+    mem_free(depths, texels);
     return worst;
 }
 
@@ -551,8 +546,7 @@ static double mip_error(const struct texture *texture, int level, int layer) {
             sum += (double)fine[4 * ((2 * y + j / 2) * 2 * size + 2 * x + j % 2) + c];
         worst = fmax(worst, fabs((double)coarse[i] - sum / 4));
     }
-    free(fine);
-    free(coarse);
+    mem_free(fine, coarse);
     return worst;
 }
 

@@ -4,7 +4,6 @@
 #include "render_support.h"
 
 #include "base/memory.h"
-#include "gl/glsl.h"
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/visibility/basis.h"

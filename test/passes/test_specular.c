@@ -50,11 +50,8 @@ static void ask(const char *compute, const struct question *questions, int count
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     gl.GetNamedBufferSubData(answer_buffer.id, 0, (GLsizeiptr)((size_t)count * sizeof *answers),
                              answers);
-    buffer_free(&light_buffer);
-    buffer_free(&question_buffer);
-    buffer_free(&answer_buffer);
-    texture_free(&lobes);
-    texture_free(&albedos);
+    buffers_free(&light_buffer, &question_buffer, &answer_buffer);
+    textures_free(&lobes, &albedos);
     program_free(&program);
 }
 
@@ -358,11 +355,7 @@ static void test_picture(void **state) {
     check_at_most("rays over balls", of_rays / of_balls, .7);
     check_near("mean of rays over the reference's", brightness, 1, .1);
     assert_int_equal(image_find_channel(&diffuse, "specular.R"), -1);
-    image_free(&reference);
-    image_free(&rays);
-    image_free(&balls);
-    image_free(&points);
-    image_free(&diffuse);
+    images_free(&reference, &rays, &balls, &points, &diffuse);
     stage_free(&stage);
 }
 

@@ -1,8 +1,6 @@
 /* Traced ambient occlusion beside closed forms, and what it leaves alone. */
 #include "hand_made.h"
 
-#include "reference/ao.h"
-
 enum { SIZE = 8, SAMPLES = 256, AO = CHANNEL_PATH_TRACER_END + AO_OPEN, AO_ERROR };
 
 /* A floor of 20 m with the corner of it that the camera sees, 1 mm wide at x, from a height that nothing hides. */

@@ -204,8 +204,7 @@ static void test_box(void **state) {
                after, before / after);
         check_at_most("the gain asked for", cases[i].least_gain, before / after);
         check_near("energy", energy_of(&filtered) / energy_of(&raw), 1, 0.01);
-        image_free(&raw);
-        image_free(&filtered);
+        images_free(&raw, &filtered);
     }
     image_free(&reference);
 }

@@ -325,8 +325,7 @@ static void test_index_one(void **state) {
                    1, .01);
         check_near("beauty over beauty without",
                    mean_of_layer(&with, "") / mean_of_layer(&without, ""), 1, .01);
-        image_free(&with);
-        image_free(&without);
+        images_free(&with, &without);
         world_free(&world);
     }
 }
@@ -438,9 +437,7 @@ static void test_relations(void **state) {
     check_near("two half lights over one", mean_of_layer(&halves, "caustic") / mean, 1, .02);
     check_near("four times the rays over one", mean_of_layer(&more, "caustic") / mean, 1, .02);
     check_near("noise over twice the noise", few.noise / many.noise / 2, 1, .35);
-    image_free(&one);
-    image_free(&halves);
-    image_free(&more);
+    images_free(&one, &halves, &more);
     world_free(&world);
 }
 
@@ -496,8 +493,7 @@ static void test_noise(void **state) {
         told += pow((double)a[error], 2) + pow((double)b[error], 2);
     }
     check_near("difference over errors", sqrt(square / told), 1, .25);
-    image_free(&image);
-    image_free(&other);
+    images_free(&image, &other);
     world_free(&world);
 }
 

@@ -202,8 +202,7 @@ static void compare_with_given(const char *name) {
         check_near("relative bias", difference.relative_bias, 0, 1e-3);
         check_at_most("relative RMSE", difference.relative_rmse, cases[i].rmse);
     }
-    image_free(&test);
-    image_free(&given);
+    images_free(&test, &given);
 }
 
 static void test_given_box(void **state) {

@@ -241,9 +241,7 @@ static void test_threads_and_seeds(void **state) {
             errors += pow(
                 image_at(&one, (int)pixel % 32, (int)pixel / 32)[CHANNEL_STANDARD_ERROR + c], 2);
     check_near("RMS of the standard errors", sqrt(errors / values) / mean, noise, 1e-4 * noise);
-    image_free(&one);
-    image_free(&three);
-    image_free(&other);
+    images_free(&one, &three, &other);
     world_free(&world);
 }
 
@@ -295,8 +293,7 @@ static void test_noise_and_cancel(void **state) {
     assert_true(rough.samples < fine.samples);
     check_near("means agree", mean_of(&coarse, CHANNEL_INDIRECT), mean_of(&image, CHANNEL_INDIRECT),
                0.02 * mean_of(&image, CHANNEL_INDIRECT));
-    image_free(&image);
-    image_free(&coarse);
+    images_free(&image, &coarse);
 
     int calls = 0;
     desc.progress = count_calls;

@@ -3,7 +3,6 @@
 #include "hand_made.h"
 
 #include "reference/scene/emission.h"
-#include "reference/warp.h"
 #include "scene/lights/environment.h"
 
 #include <stdio.h>
@@ -377,8 +376,7 @@ static void test_diffuse(void **state) {
     assert_int_equal(specular.channel_count, diffuse.channel_count);
     assert_memory_equal(specular.pixels, diffuse.pixels,
                         sizeof(float) * 16 * 16 * (size_t)diffuse.channel_count);
-    image_free(&specular);
-    image_free(&diffuse);
+    images_free(&specular, &diffuse);
     world_free(&world);
 }
 

@@ -159,8 +159,7 @@ static void test_against_path_tracer(void **state) {
      * fall within pixels of which the sum sees the centres alone. */
     check_near("mean", mean_of(&sum, CHANNEL_INDIRECT), mean, 0.01 * mean);
     check_at_most("relative RMSE", sqrt(squares / 24 / 24) / mean, noise + 0.03);
-    image_free(&sum);
-    image_free(&traced);
+    images_free(&sum, &traced);
     free(vpls);
     world_free(&world);
 }

@@ -51,9 +51,7 @@ static void test_every_technique(void **state) {
         assert_true(same_pixels(&before, &after));
         if (first.pixels)
             check_near((*t)->name, worst_difference(&with, &first), 0, 0);
-        image_free(&before);
-        image_free(&after);
-        image_free(first.pixels ? &with : &(struct image){0});
+        images_free(&before, &after, first.pixels ? &with : &(struct image){0});
         first = first.pixels ? first : with;
         renderer_free(&renderer);
     }
@@ -97,8 +95,7 @@ static void test_traced(void **state) {
     check_at_most("RMSE", sqrt(squares / covered), .06);
     check_near("bias", sum / covered, 0, .04);
     check_near("outside", (double)ao_at(&drawn, 0), 0, 0);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -115,8 +112,7 @@ static void check_as_fresh(const char *what, struct renderer *renderer,
     check_near("less a new renderer's", worst_difference(&changed, &expected), 0, 0);
     if (before->width == changed.width)
         assert_true(worst_difference(&changed, before) > .01);
-    image_free(&changed);
-    image_free(&expected);
+    images_free(&changed, &expected);
     renderer_free(&fresh);
 }
 
@@ -158,9 +154,7 @@ static void test_poses(void **state) {
     struct image after = layers_with_ao(&moved), expected = layers_with_ao(&fresh);
     check_near("less a new renderer's", worst_difference(&after, &expected), 0, 0);
     assert_true(worst_difference(&after, &before) > .01);
-    image_free(&before);
-    image_free(&after);
-    image_free(&expected);
+    images_free(&before, &after, &expected);
     renderer_free(&moved);
     renderer_free(&fresh);
     stage_free(&stage);

@@ -53,8 +53,7 @@ static void check_technique(const struct stage *stage, const char *name, bool ke
     }
     struct image after = read_frame(&renderer);
     assert_true(same_pixels(&expected, &after));
-    image_free(&expected);
-    image_free(&after);
+    images_free(&expected, &after);
     renderer_free(&renderer);
 }
 
@@ -81,8 +80,7 @@ static void test_watched_frame(void **state) {
     assert_false(render_until(&renderer, 1 << 20, &asked));
     check_ok("layers", renderer_read_layers(&renderer, &watched));
     assert_true(same_pixels(&expected, &watched));
-    image_free(&expected);
-    image_free(&watched);
+    images_free(&expected, &watched);
     renderer_free(&renderer);
     stage_free(&stage);
 }

@@ -115,8 +115,7 @@ static void test_no_refraction(void **state) {
         check_near("light in the medium, with over without",
                    (mean_of(&a, "airlight") + mean_of(&a, "volume")) / mean_of(&b, "airlight"), 1,
                    .03);
-        image_free(&a);
-        image_free(&b);
+        images_free(&a, &b);
     }
     stage_free(&with);
     stage_free(&without);
@@ -172,8 +171,7 @@ static void check_same_volume(const char *what, struct image *drawn, struct imag
                    tolerance);
     }
     check_at_most("relative RMSE", relative_rmse(drawn, expected, "volume"), noise);
-    image_free(drawn);
-    image_free(expected);
+    images_free(drawn, expected);
 }
 
 /* Light from one mirror to another is seen as light from a mirror to a surface that scatters. Rays differ, because the
@@ -220,8 +218,7 @@ static void test_range(void **state) {
         printf("    ceiling %s\n", mirror ? "a mirror" : "scatters");
         check_near("over expected", channel_mean(&drawn, "volume.R") * SIZE * SIZE / expected, 1,
                    .015);
-        image_free(&all);
-        image_free(&drawn);
+        images_free(&all, &drawn);
     }
 }
 
@@ -383,8 +380,7 @@ static void test_no_indirect(void **state) {
                      on = render_stage(&stage, name, PATCHES, SIZE);
         printf("    %s: indirect %g without caustics\n", name, mean_of(&off, "indirect"));
         check_near("indirect", mean_of(&on, "indirect"), 0, 1e-6);
-        image_free(&off);
-        image_free(&on);
+        images_free(&off, &on);
     }
     stage_free(&stage);
 }
@@ -409,8 +405,7 @@ static void test_more_rays(void **state) {
             check_near("medium, few over many", mean_of(&few, "volume") / mean_of(&many, "volume"),
                        1, .04);
         check_finite("few", &few);
-        image_free(&few);
-        image_free(&many);
+        images_free(&few, &many);
         stage_free(&stage);
     }
 }
@@ -423,8 +418,7 @@ static void test_halves(void **state) {
     struct image one, two;
     render_halves(&stage, desc, &one, &two);
     check_at_most("two halves", relative_rmse(&two, &one, "caustic"), 1e-3);
-    image_free(&one);
-    image_free(&two);
+    images_free(&one, &two);
     stage_free(&stage);
 }
 
@@ -443,15 +437,13 @@ static void test_out_of_view(void **state) {
     struct image off = draw(&stage, CHEAP), on = draw(&stage, PATCHES "caustics.medium=lines");
     assert_true(same_pixels(&off, &on));
     assert_int_equal(image_find_channel(&on, "caustic.R"), -1);
-    image_free(&off);
-    image_free(&on);
+    images_free(&off, &on);
     stage_free(&stage);
     open_stage(&stage, "scenes/ring.glb"); /* without a medium */
     off = draw(&stage, CHEAP);
     on = draw(&stage, CHEAP "caustics.medium=lines");
     assert_true(same_pixels(&off, &on));
-    image_free(&off);
-    image_free(&on);
+    images_free(&off, &on);
     stage_free(&stage);
 }
 
@@ -472,8 +464,7 @@ static void test_follow(void **state) {
         struct image own = render_layers(&desc), followed = follow_layers(&renderer, &desc);
         printf("    %s\n", all[i]);
         assert_true(same_pixels(&own, &followed));
-        image_free(&own);
-        image_free(&followed);
+        images_free(&own, &followed);
     }
     renderer_free(&renderer);
     stage_free(&stage);
@@ -498,8 +489,7 @@ static void test_passes(void **state) {
     check_near("caustic, mean over one", mean_of(&mean, "caustic") / mean_of(&one, "caustic"), 1,
                .1);
     check_near("volume, mean over one", mean_of(&mean, "volume") / mean_of(&one, "volume"), 1, .1);
-    image_free(&one);
-    image_free(&mean);
+    images_free(&one, &mean);
     renderer_free(&renderer);
     stage_free(&stage);
 }

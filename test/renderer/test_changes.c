@@ -99,8 +99,7 @@ static void check_as_new(const char *what, struct renderer *renderer) {
     struct bitmap expected = picture_of(&fresh), got = picture_of(renderer);
     if (!same(&expected, &got))
         fail_msg("%s: not the picture of a new renderer", what);
-    bitmap_free(&expected);
-    bitmap_free(&got);
+    bitmaps_free(&expected, &got);
     renderer_free(&fresh);
 }
 
@@ -152,8 +151,7 @@ static void test_as_new(void **state) {
     check_ok("back", renderer_follow(&renderer, &fixture->desc));
     struct bitmap after = picture_of(&renderer);
     assert_true(same(&before, &after));
-    bitmap_free(&before);
-    bitmap_free(&after);
+    bitmaps_free(&before, &after);
     renderer_free(&renderer);
     assert_int_equal(context_message_count(fixture->context), 0);
 }

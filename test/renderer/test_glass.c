@@ -2,7 +2,6 @@
 #include "smooth_stage.h"
 
 #include "quality/picture.h"
-#include "scene/caustics.h"
 #include "scene/material.h"
 
 /* The smooth surfaces throw no light here: what they show has answers of its own. */
@@ -75,8 +74,7 @@ static void test_indirect(void **state) {
     double expected = channel_mean(&traced, "indirect.specular.R");
     printf("    traced %g\n", expected);
     check_near("over traced", channel_mean(&drawn, "indirect.specular.R") / expected, 1, .05);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     stage_free(&stage);
 }
 
@@ -200,8 +198,7 @@ static void test_two_renderers(void **state) {
         renderer_render(&renderers[i]);
         check_ok("layers", renderer_read_layers(&renderers[i], &beside));
         assert_true(same_pixels(&beside, &alone));
-        image_free(&alone);
-        image_free(&beside);
+        images_free(&alone, &beside);
     }
     for (int i = 0; i < 2; i++)
         renderer_free(&renderers[i]);
@@ -236,8 +233,7 @@ static void test_wall_from_behind(void **state) {
         check_near(two_sided ? "two sides" : "one side", over_floor(&drawn, "R", 1), two_sided,
                    .03);
         check_near("traced", over_floor(&traced, "R", 1), two_sided, .03);
-        image_free(&drawn);
-        image_free(&traced);
+        images_free(&drawn, &traced);
     }
     stage_free(&stage);
 }
@@ -260,8 +256,7 @@ static void test_open_and_nested(void **state) {
         printf("    %s\n", nested ? "nested" : "open");
         check_near("over traced", channel_mean(&drawn, "R") / channel_mean(&traced, "R"), 1, .02);
         check_finite("drawn", &drawn);
-        image_free(&drawn);
-        image_free(&traced);
+        images_free(&drawn, &traced);
         stage_free(&stage);
     }
 }
@@ -293,8 +288,7 @@ static void test_traced(void **state) {
         check_near("specular over traced", off, 1, .06);
         check_near("direct over traced", mean_of(&drawn, "direct") / mean_of(&traced, "direct"), 1,
                    .02);
-        image_free(&drawn);
-        image_free(&traced);
+        images_free(&drawn, &traced);
         stage_free(&stage);
     }
 }
@@ -316,8 +310,7 @@ static void check_medium(bool thin) {
     struct image b = draw(&without, CHEAP "medium.steps=128");
     check_near(thin ? "thin over none" : "index 1 over none",
                channel_mean(&a, "R") / channel_mean(&b, "R"), 1, .03);
-    image_free(&a);
-    image_free(&b);
+    images_free(&a, &b);
     stage_free(&with);
     stage_free(&without);
 }
@@ -348,8 +341,7 @@ static void test_all_kinds(void **state) {
         struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
         check_finite(settings[i], &followed);
         assert_true(same_pixels(&followed, &fresh));
-        image_free(&followed);
-        image_free(&fresh);
+        images_free(&followed, &fresh);
     }
     renderer_free(&renderer);
     stage_free(&stage);
@@ -378,9 +370,7 @@ static void test_diffuse(void **state) {
     struct image traced;
     check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
     check_near("over traced", mean_of(&followed, "direct") / mean_of(&traced, "direct"), 1, .02);
-    image_free(&followed);
-    image_free(&opaque);
-    image_free(&traced);
+    images_free(&followed, &opaque, &traced);
     renderer_free(&renderer);
     stage_free(&stage);
 }

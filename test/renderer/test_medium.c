@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "quality/picture.h"
-#include "reference/channels.h"
 #include "reference/scene/medium_ball.h"
 #include "scene/medium.h"
 
@@ -78,8 +77,7 @@ static void check_airlight(const char *what, const struct stage *stage, double e
     printf("    %s\n", what);
     check_near("drawn over expected", mean_of(&drawn, "airlight") / expected, 1, tolerance);
     check_near("traced over expected", mean_of(&traced, "airlight") / expected, 1, tolerance);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
 }
 
 /* F(u, v) of [Sun et al. 2005], by the midpoint rule. */
@@ -208,8 +206,7 @@ static void test_filled_sphere(void **state) {
     struct image traced = trace(&stage, SIZE, 4);
     check_near("drawn", layer_mean(&drawn, "direct"), exp(-.8), 1e-3);
     check_near("traced", layer_mean(&traced, "direct"), exp(-.8), 1e-3);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     stage_free(&stage);
 }
 
@@ -235,10 +232,7 @@ static void test_absorption(void **state) {
     check_near("seen drawn", layer_mean(&drawn, "") / layer_mean(&clear, ""), passes * seen, 1e-3);
     check_near("seen traced", layer_mean(&traced, "") / layer_mean(&clear_traced, ""),
                passes * seen, 1e-3);
-    image_free(&clear);
-    image_free(&clear_traced);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&clear, &clear_traced, &drawn, &traced);
     stage_free(&stage);
 }
 
@@ -274,10 +268,7 @@ static void test_scale(void **state) {
     check_at_most("drawn airlight", difference(&after, &before, "airlight"), 2e-3);
     check_at_most("drawn beauty", difference(&after, &before, ""), 2e-3);
     check_at_most("traced airlight", difference(&traced_after, &traced, "airlight"), 2e-3);
-    image_free(&before);
-    image_free(&traced);
-    image_free(&after);
-    image_free(&traced_after);
+    images_free(&before, &traced, &after, &traced_after);
     stage_free(&stage);
 }
 
@@ -291,8 +282,7 @@ static void test_halves(void **state) {
     struct image one, two;
     render_halves(&stage, desc, &one, &two);
     check_at_most("two halves", difference(&two, &one, "airlight"), 2e-3);
-    image_free(&one);
-    image_free(&two);
+    images_free(&one, &two);
     stage_free(&stage);
 }
 
@@ -312,10 +302,7 @@ static void test_settings(void **state) {
     assert_true(same_pixels(&hidden, &clear));
     assert_int_equal(image_find_channel(&clear, "airlight.R"), -1);
     assert_false(same_pixels(&given, &clear));
-    image_free(&clear);
-    image_free(&given);
-    image_free(&own);
-    image_free(&hidden);
+    images_free(&clear, &given, &own, &hidden);
     stage_free(&stage);
 }
 
@@ -330,8 +317,7 @@ static void test_without_light(void **state) {
     check_finite("drawn", &drawn);
     check_finite("traced", &traced);
     check_near("airlight", mean_of(&drawn, "airlight") + mean_of(&traced, "airlight"), 0, 0);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     stage_free(&stage);
 }
 
@@ -347,8 +333,7 @@ static void test_light_in_camera(void **state) {
     check_finite("drawn", &drawn);
     check_finite("traced", &traced);
     check_at_most("100 over the airlight", 100 / mean_of(&drawn, "airlight"), 1);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     stage_free(&stage);
 }
 
@@ -371,8 +356,7 @@ static void test_passes(void **state) {
     check_near("mean of passes over one frame's",
                mean_of(&mean, "airlight") / mean_of(&one, "airlight"), 1, .05);
     check_finite("passes", &mean);
-    image_free(&one);
-    image_free(&mean);
+    images_free(&one, &mean);
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -400,9 +384,7 @@ static void test_follow(void **state) {
         printf("    %s\n", all[i]);
         assert_true(same_pixels(&own, &followed));
         assert_true(same_pixels(&own, &again));
-        image_free(&own);
-        image_free(&followed);
-        image_free(&again);
+        images_free(&own, &followed, &again);
     }
     renderer_free(&renderer);
     stage_free(&stage);
@@ -421,8 +403,7 @@ static void check_scene(const char *path, const char *settings, int samples) {
     printf("    %s, %s\n", path, settings);
     check_near("airlight", mean_of(&drawn, "airlight") / mean_of(&traced, "airlight"), 1, .02);
     check_near("direct", layer_mean(&drawn, "direct") / layer_mean(&traced, "direct"), 1, .03);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     stage_free(&stage);
 }
 
@@ -450,8 +431,7 @@ static double drawn_over_traced(struct stage *stage, const char *technique, cons
     struct image traced = trace_bounces(stage, SIZE, 64, bounces);
     double ratio = layer_mean(&drawn, layer) / layer_mean(&traced, layer);
     stage->scene.medium = (struct medium){0};
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     return ratio;
 }
 
@@ -506,8 +486,7 @@ static void test_extremes(void **state) {
         struct image traced = trace(&stage, SIZE, 4);
         check_finite(all[i], &drawn);
         check_finite(all[i], &traced);
-        image_free(&drawn);
-        image_free(&traced);
+        images_free(&drawn, &traced);
         stage_free(&stage);
     }
 }
@@ -522,8 +501,7 @@ static void test_opaque(void **state) {
     struct image traced = trace(&stage, SIZE, 4);
     check_finite("drawn", &drawn);
     check_near("beauty", mean_of(&drawn, "") + mean_of(&traced, ""), 0, 0);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     stage_free(&stage);
 }
 

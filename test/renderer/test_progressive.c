@@ -255,8 +255,7 @@ static void test_split(void **state) {
     }
     read_scratch(&part, "ca.exr");
     assert_string_equal(part.passes, "0..3,6..7");
-    image_free(&part);
-    image_free(&whole);
+    images_free(&part, &whole);
 }
 
 /* The frame alone is a part, too, of its own weight: 1 + 7 passes are 8. */
@@ -276,8 +275,7 @@ static void test_one_pass(void **state) {
     check_alike(&part, &whole, 1e-5);
     assert_string_equal(part.passes, "0..7");
     check_near("weight", part.weight, whole.weight, 1e-6);
-    image_free(&part);
-    image_free(&whole);
+    images_free(&part, &whole);
 }
 
 /* What is set by the user holds for all passes, where they have settings of their own, too; what a preset sets does

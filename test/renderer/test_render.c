@@ -126,8 +126,7 @@ static void test_contexts(void **state) {
                     same_pixels(&images[0][i], &images[1][i]));
         check_at_most("of two Mesas, relative RMSE",
                       relative_rmse(&images[1][i], &images[0][i], ""), .005);
-        image_free(&images[0][i]);
-        image_free(&images[1][i]);
+        images_free(&images[0][i], &images[1][i]);
     }
     stage_free(&stage);
 }
@@ -160,8 +159,7 @@ static void test_threads(void **state) {
         struct image one = run_binary("LP_NUM_THREADS=0", &recipes[i], "");
         struct image four = run_binary("LP_NUM_THREADS=4", &recipes[i], "");
         assert_true(same_pixels(&one, &four));
-        image_free(&one);
-        image_free(&four);
+        images_free(&one, &four);
     }
 }
 
@@ -176,8 +174,7 @@ static void test_contexts_of_binary(void **state) {
     struct image osmesa =
         run_binary("", &recipes[0], "--context osmesa --gl-debug --set samples=1");
     assert_true(same_pixels(&egl, &osmesa));
-    image_free(&egl);
-    image_free(&osmesa);
+    images_free(&egl, &osmesa);
 }
 
 /* --- scenes that are the same ----------------------------------------------------------------- */
@@ -237,8 +234,7 @@ static void test_split_meshes(void **state) {
         struct image split = render_with(&stage, &recipes[i], "caster-error=0");
         check_at_most("a scene of meshes in two, relative RMSE",
                       relative_rmse(&split, &whole[i], ""), 1e-3);
-        image_free(&split);
-        image_free(&whole[i]);
+        images_free(&split, &whole[i]);
     }
     stage_free(&stage);
 }
@@ -301,8 +297,7 @@ static void reverse_runs(const struct vpl_buffer *vpls, int run) {
     for (int i = 0; i < vpls->count; i++)
         turned[i] = old[i / run * run + run - 1 - i % run];
     buffer_write(&vpls->buffer, 0, bytes, turned);
-    free(old);
-    free(turned);
+    mem_free(old, turned);
 }
 
 /* Sums in another order: half floats round in the last bit. */
@@ -324,8 +319,7 @@ static void check_order(struct renderer *renderer, int interleave, int run) {
     assert_true(sum > 0);
     printf("  interleave %d, runs of %d\n", interleave, run);
     check_at_most("VPLs in another order, worst pixel, relative", worst, 2. / 1024);
-    free(before);
-    free(after);
+    mem_free(before, after);
 }
 
 /* VPLs with their clusters have the sums of those that they were made of. */
@@ -386,8 +380,7 @@ static void test_seeds(void **state) {
         check_at_most("another seed, relative RMSE",
                       relative_rmse(&images[1], &images[0], "indirect"), .1);
         assert_false(same_pixels(&images[0], &images[1]));
-        image_free(&images[0]);
-        image_free(&images[1]);
+        images_free(&images[0], &images[1]);
     }
     stage_free(&stage);
 }

@@ -2,10 +2,6 @@
  * nothing left in memory. */
 #include "render_support.h"
 
-#include "base/memory.h"
-
-#include <float.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

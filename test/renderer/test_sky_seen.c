@@ -188,8 +188,7 @@ static void test_moved_camera(void **state) {
         desc.camera.eye[0] += .7F * (float)(i % 2);
         struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
         assert_true(same_pixels(&followed, &fresh));
-        image_free(&followed);
-        image_free(&fresh);
+        images_free(&followed, &fresh);
     }
     renderer_free(&renderer);
     stage_free(&stage);
@@ -204,8 +203,7 @@ static void test_voxels(void **state) {
         render_stage(&stage, "imperfect-volume", "path=fast lights.importance=off", SIZE);
     struct image usual = render_stage(&stage, "imperfect-volume", "path=fast", SIZE);
     assert_true(same_pixels(&by_power, &usual));
-    image_free(&by_power);
-    image_free(&usual);
+    images_free(&by_power, &usual);
     stage_free(&stage);
 }
 

@@ -3,7 +3,6 @@
 
 #include "tiny_png.h"
 
-#include "base/error.h"
 #include "base/file/image_file.h"
 #include "quality/picture.h"
 #include "scene/lights/slide.h"
@@ -108,8 +107,7 @@ static void test_chart(void **state) {
            lit[3]);
     check_at_most("largest error of a pixel, over the light", worst, 1e-3);
     assert_true(lit[0] > 50 && lit[1] > 50 && lit[2] > 50 && lit[3] > 50);
-    image_free(&plain);
-    image_free(&drawn);
+    images_free(&plain, &drawn);
     stage_free(&stage);
 }
 
@@ -130,8 +128,7 @@ static void test_white(void **state) {
         printf("    %s: caustic %g, volume %g\n", names[i], mean_of(&with, "caustic"),
                mean_of(&with, "volume"));
         assert_true(same_pixels(&with, &without));
-        image_free(&without);
-        image_free(&with);
+        images_free(&without, &with);
     }
     stage_free(&stage);
 }
@@ -165,8 +162,7 @@ static void test_traced(void **state) {
                    i < 3   ? .02
                    : i < 6 ? .03
                            : .08);
-    image_free(&drawn);
-    image_free(&traced);
+    images_free(&drawn, &traced);
     stage_free(&stage);
 }
 
@@ -206,8 +202,7 @@ static void test_caustic(void **state) {
                        channel_mean(&b, airlight),
                    1, .03);
     }
-    image_free(&a);
-    image_free(&b);
+    images_free(&a, &b);
     stage_free(&with);
     stage_free(&without);
 }
@@ -317,8 +312,7 @@ static void test_passes(void **state) {
     for (int c = 0; c < 3; c++)
         check_near(channels[c], channel_mean(&mean, channels[c]) / channel_mean(&one, channels[c]),
                    1, .01);
-    image_free(&one);
-    image_free(&mean);
+    images_free(&one, &mean);
     renderer_free(&renderer);
     stage_free(&stage);
 }

@@ -48,8 +48,7 @@ static void check_far(const char *path) {
         pose_stage(&stage);
         struct image far = render_stage(&stage, shadowing[i], small, 48);
         check_at_most("17 km away", relative_rmse(&far, &near, "indirect"), .005);
-        image_free(&near);
-        image_free(&far);
+        images_free(&near, &far);
         stage_free(&stage);
     }
 }
@@ -108,8 +107,7 @@ static void test_millimetre(void **state) {
         check_at_most("traced", relative_rmse(&traced[1], &traced[0], ""), .001);
         check_at_most("drawn", relative_rmse(&drawn[1], &drawn[0], ""), .001);
         for (int k = 0; k < 2; k++) {
-            image_free(&traced[k]);
-            image_free(&drawn[k]);
+            images_free(&traced[k], &drawn[k]);
         }
         stage_free(&stage);
     }
@@ -177,8 +175,7 @@ static void test_plain(void **state) {
         assert_true(large > 30 * (double)stage.geometry.radius);
         check_at_most("a plain around a room, relative RMSE",
                       relative_rmse(&with, &without, "indirect"), .01);
-        image_free(&with);
-        image_free(&without);
+        images_free(&with, &without);
         stage_free(&stage);
     }
 }

@@ -6,7 +6,6 @@
 #include "render_support.h"
 #include "tiny_png.h"
 
-#include "base/memory.h"
 #include "quality/picture.h"
 
 #include <math.h>
@@ -247,9 +246,7 @@ static void compare(const char *path) {
     check_at_most("direct", relative_rmse(&drawn, &common, "direct"), .02 + noise);
     check_at_most("indirect", relative_rmse(&drawn, &common, "indirect"), .15 + noise);
     check_at_most("picture", relative_rmse(&drawn, &common, ""), .02 + noise);
-    image_free(&drawn);
-    image_free(&traced);
-    image_free(&common);
+    images_free(&drawn, &traced, &common);
     stage_free(&stage);
 }
 

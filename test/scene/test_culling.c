@@ -157,8 +157,7 @@ static void test_pictures(void **state) {
             printf("%s, %d x %d: difference %g\n", stage.name, sizes[i][0], sizes[i][1],
                    relative_rmse(&culled, &whole, "indirect"));
             assert_true(same_pixels(&culled, &whole));
-            image_free(&culled);
-            image_free(&whole);
+            images_free(&culled, &whole);
             renderer_free(&renderer);
             stage_free(&stage);
         }

@@ -413,8 +413,7 @@ static void test_glow(void **state) {
         for (int c = 0; c < 3; c++)
             check_near("radiance in GL", mean_of(&shown, c), mean_of(&traced, c),
                        1e-3 * mean_of(&traced, c));
-        image_free(&shown);
-        image_free(&traced);
+        images_free(&shown, &traced);
         stage_free(&stage);
     }
 }

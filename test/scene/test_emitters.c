@@ -432,8 +432,7 @@ static void test_split(void **state) {
     double mean = mean_of(&whole, CHANNEL_INDIRECT);
     check_near("indirect light, mean", mean_of(&split, CHANNEL_INDIRECT), mean, .003 * mean);
     check_at_most("indirect light, deviation over noise", deviation(&whole, &split, 1), 1.15);
-    image_free(&whole);
-    image_free(&split);
+    images_free(&whole, &split);
     world_free(&world);
 }
 
@@ -454,8 +453,7 @@ static void test_dark_lights(void **state) {
     check_at_most("direct light, worst relative error", worst_direct(&one, &among, 1), 0);
     check_near("indirect light, mean", mean_of(&among, CHANNEL_INDIRECT), mean, .003 * mean);
     check_at_most("indirect light, deviation over noise", deviation(&one, &among, 1), 1.15);
-    image_free(&one);
-    image_free(&among);
+    images_free(&one, &among);
     world_free(&world);
 }
 
@@ -518,8 +516,7 @@ static void test_direct_noise(void **state) {
     double error = sqrt(squares) / SIZE / mean_of(&reference, CHANNEL_DIRECT);
     check_at_most("noise of many samples", least, estimated / 4);
     check_near("estimated noise over the error", estimated / error, 1, .3);
-    image_free(&reference);
-    image_free(&quick);
+    images_free(&reference, &quick);
     world_free(&world);
 }
 

@@ -5,8 +5,10 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
+#include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/log.h"
+#include "base/unit.h"
 #include "reference/channels.h"
 #include "quality/picture.h"
 #include "reference/path_tracer.h"
@@ -81,8 +83,7 @@ static void test_directions(void **state) {
     float radiance[3];
     environment_radiance(&sky, (vec3){1, .01F, .01F}, radiance);
     check_near("twice as strong", (double)radiance[2], 2, 0);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
 }
 
 /* The way back, at any turn; and all texels together are the whole sphere. */
@@ -104,8 +105,7 @@ static void test_texels(void **state) {
         }
     check_near("texels that lead elsewhere", wrong, 0, 0);
     check_near("solid angle of all over 4 pi", sum / (4 * GLM_PI), 1, 1e-12);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
 }
 
 /* The numbers of a picture that is halved are means, and a row's is the middle by solid angle. */
@@ -122,8 +122,78 @@ static void test_wide(void **state) {
     check_near("row 800", (double)sky.texels[4097 * 800][1], 1601.5, .01);
     check_near("the first row", (double)sky.texels[0][1], 1.75, 1e-5);
     check_near("blue", (double)sky.texels[0][2], 1, 0);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
+}
+
+/* --- cubes ------------------------------------------------------------------------------------ */
+
+/* Light that changes over a few degrees, and another in each direction. */
+static void light_of(const float d[3], float light[3]) {
+    light[0] = 1 + .5F * d[0] + .25F * d[1] * d[2];
+    light[1] = expf(9 * (.48F * d[0] + .64F * d[1] + .6F * d[2] - 1));
+    light[2] = .5F + .4F * sinf(5 * d[2]) * cosf(3 * d[1]);
+}
+
+/* Makes the attribute of a text the one that says "cube". */
+static void mark_as_cube(const char *path) {
+    static const char before[] = "envmap\0string", after[] = "envmap\0envmap";
+    struct file_bytes file;
+    check_ok(path, file_read(&file, path));
+    size_t at = 0;
+    while (at + sizeof before < file.size && memcmp(file.data + at, before, sizeof before) != 0)
+        at++;
+    memcpy(file.data + at, after, sizeof after);
+    write_bytes(path, file.data, file.size);
+    free(file.data);
+}
+
+/* Corners of OpenEXR's squares, from the upper left, by the drawing in ImfEnvmap.h: 1, 2 and 4 are towards +X, +Y and
+ * +Z. These are -Z, +Y and +X of the scene, as in panoramas of OpenEXR. */
+static const char *write_cube(const char *name, int side, int height, bool marked) {
+    static const int corners[6][4] = {{3, 7, 1, 5}, {6, 2, 4, 0}, {6, 7, 2, 3},
+                                      {0, 1, 4, 5}, {7, 6, 5, 4}, {2, 3, 0, 1}};
+    struct image image;
+    image_init(&image, side, height, "R G B");
+    image_add_text(&image, "envmap", "\1");
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < side; x++) {
+            double at[3] = {0}, u = (double)x / (side - 1), v = (double)(y % side) / (side - 1);
+            for (int k = 0; k < 4; k++)
+                for (int c = 0; c < 3; c++)
+                    at[c] += (k % 2 ? u : 1 - u) * (k / 2 ? v : 1 - v) *
+                             (corners[y / side % 6][k] >> c & 1 ? 1 : -1);
+            vec3 direction = {(float)at[2], (float)at[1], (float)-at[0]};
+            vec3_unit(direction);
+            light_of(direction, image_at(&image, x, y));
+        }
+    const char *path = write_picture(name, &image);
+    if (marked)
+        mark_as_cube(path);
+    return path;
+}
+
+/* The same as of a panorama whose texels have that light. */
+static void test_cube(void **state) {
+    (void)state;
+    struct environment sky;
+    double worst = 0, sums[2][3] = {{0}};
+    check_ok("load", environment_load(&sky, write_cube("cube.exr", 48, 288, true)));
+    assert_true(sky.width == 192 && sky.height == 96);
+    for (int i = 0; i < sky.width * sky.height; i++) {
+        float direction[3], light[3];
+        double angle = environment_solid_angle(&sky, i / sky.width);
+        environment_direction(&sky, i % sky.width + .5, i / sky.width + .5, direction);
+        light_of(direction, light);
+        for (int c = 0; c < 3; c++) {
+            sums[0][c] += angle * (double)sky.texels[i][c];
+            sums[1][c] += angle * (double)light[c];
+            worst = fmax(worst, fabs((double)(sky.texels[i][c] - light[c])));
+        }
+    }
+    check_at_most("worst texel", worst, .01);
+    for (int c = 0; c < 3; c++)
+        check_near("light of all over that of the panorama", sums[0][c] / sums[1][c], 1, 1e-3);
+    mem_free(sky.texels, sky.path);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -149,8 +219,7 @@ static void check_texel_replaced(float value, float expected, const char *note) 
     check_near("beside it", (double)sky.texels[2 * 8 + 5][0], 6, 0);
     if (!strstr(notes, path) || !strstr(notes, note))
         fail_msg("'%s' is not in '%s'", note, notes);
-    free(sky.texels);
-    free(sky.path);
+    mem_free(sky.texels, sky.path);
     check_ok("strict", read_rules_set(true, NULL));
     check_sky_refused(path, note);
     check_ok("not strict", read_rules_set(false, NULL));
@@ -162,6 +231,8 @@ static void test_refusals(void **state) {
     check_sky_refused(scratch("none.exr"), "");
     check_sky_refused(write_numbered("square.exr", 8, 8),
                       "8 x 8 pixels are no panorama, which is twice as wide as high");
+    check_sky_refused(write_cube("plain.exr", 4, 24, false), "4 x 24 pixels are no panorama");
+    check_sky_refused(write_cube("wide.exr", 8, 4, true), "8 x 4 pixels are no cube of light");
     check_texel_replaced(NAN, 0, "1 no numbers (0 instead); first in column 5, row 2");
     check_texel_replaced(-.5F, 0, "1 negative (0 instead); first in column 5, row 2");
     check_texel_replaced(-INFINITY, 0, "1 negative (0 instead); first in column 5, row 2");
@@ -307,8 +378,7 @@ static void test_background(void **state) {
         }
     check_near("pixels of sky, of 2304", sky, 2230, 30);
     check_at_most("of them with another radiance in GL", other, 4);
-    image_free(&shown);
-    image_free(&traced);
+    images_free(&shown, &traced);
     stage_free(&stage);
 }
 
@@ -317,7 +387,8 @@ int main(void) {
         cmocka_unit_test(test_directions), cmocka_unit_test(test_wide),
         cmocka_unit_test(test_texels),     cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_scenes),     cmocka_unit_test(test_scene_refusals),
-        cmocka_unit_test(test_choice),     cmocka_unit_test(test_background),
+        cmocka_unit_test(test_cube),       cmocka_unit_test(test_choice),
+        cmocka_unit_test(test_background),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -201,8 +201,7 @@ static void test_turn(void **state) {
     environment_radiance(&turned, direction, at);
     environment_radiance(&sky, direction, direction);
     check_near("what is seen where it is turned to", (double)direction[1], 2 * (double)at[1], 1e-5);
-    free(sky.texels);
-    free(turned.texels);
+    mem_free(sky.texels, turned.texels);
 }
 
 /* A quarter of the sphere's face, seen face on. */

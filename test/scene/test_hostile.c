@@ -66,8 +66,7 @@ static char *nodes(int count, const char *node) {
     char *scene = list("\"scenes\":[{\"nodes\":[", count + 1, "%d", "]}]");
     struct text text = {0};
     text_print(&text, "%s%s", all, scene);
-    free(all);
-    free(scene);
+    mem_free(all, scene);
     return text.data;
 }
 
@@ -100,8 +99,7 @@ static char *many_elements(void) {
 static char *many_joints(void) {
     char *tree = nodes(70000, "{}"), *skin = list(",\"skins\":[{\"joints\":[", 70000, "%d", "]}]");
     char *text = scene_text(&(struct parts){.nodes = tree, .more = skin});
-    free(tree);
-    free(skin);
+    mem_free(tree, skin);
     return text;
 }
 

@@ -5,7 +5,6 @@
 #include "scene/lights/emissive.h"
 #include "scene/lights/emitter.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <string.h>
 

@@ -3,7 +3,6 @@
  * direct light stay finite and silent, and the default one is within bounds of rays. */
 #include "render_support.h"
 
-#include "reference/channels.h"
 #include "quality/picture.h"
 #include "reference/path_tracer.h"
 #include "scene/lights/environment.h"
@@ -123,9 +122,7 @@ static void test_black_sky(void **state) {
     stage.emitters.count = 0;
     struct image alone = trace(&stage);
     check_near("alone", layer_mean(&alone, ""), 0, 0);
-    image_free(&without);
-    image_free(&beside);
-    image_free(&alone);
+    images_free(&without, &beside, &alone);
     stage_free(&stage);
 }
 

@@ -3,7 +3,6 @@
 #include "render_support.h"
 
 #include "base/deal.h"
-#include "base/memory.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>

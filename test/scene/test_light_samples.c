@@ -5,7 +5,6 @@
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 

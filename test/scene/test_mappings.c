@@ -108,8 +108,7 @@ static void make_pictures(const char *path, struct pictures *pictures) {
 }
 
 static void free_pictures(struct pictures *pictures) {
-    image_free(&pictures->drawn);
-    image_free(&pictures->traced);
+    images_free(&pictures->drawn, &pictures->traced);
 }
 
 static double value_at(const struct image *image, const char *channel, int quarter) {

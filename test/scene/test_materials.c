@@ -31,8 +31,7 @@ static int make_pictures(void **state) {
 }
 
 static int free_pictures(void **state) {
-    image_free(&pictures.drawn);
-    image_free(&pictures.traced);
+    images_free(&pictures.drawn, &pictures.traced);
     return close_group_context(state);
 }
 
@@ -212,10 +211,7 @@ static void test_spheres(void **state) {
     check_at_most("direct.specular", mean_difference(&drawn, &traced, "direct.specular"), .15);
     /* Measured: .40, the tracer's noise is in it. */
     check_at_most("indirect.specular", mean_difference(&drawn, &traced, "indirect.specular"), .5);
-    image_free(&drawn);
-    image_free(&traced);
-    image_free(&factors);
-    image_free(&rough);
+    images_free(&drawn, &traced, &factors, &rough);
     stage_free(&stage);
 }
 

@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "base/memory.h"
-#include "scene/animation.h"
 #include "scene/open.h"
 #include "scene/read_rules.h"
 

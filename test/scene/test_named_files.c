@@ -7,7 +7,6 @@
 #include "base/file/file.h"
 #include "base/file/image_file.h"
 #include "base/log.h"
-#include "base/memory.h"
 #include "scene/open.h"
 #include "scene/read_rules.h"
 

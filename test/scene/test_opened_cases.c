@@ -1,7 +1,7 @@
 /* Files of public reports that other readers open: the picture that is right, where they are there. */
 #include "command_support.h"
+#include "gltf_parts.h"
 
-#include "base/error.h"
 #include "base/image.h"
 #include "base/file/image_file.h"
 #include "base/log.h"
@@ -76,6 +76,33 @@ static void test_pictures(void **state) {
         printf("  %s\n", cases[i]);
         render(path, "", &image);
         check_layer(&image, "albedo", (float[]){.5776F, .1274F, .0319F}, .02);
+        image_free(&image);
+    }
+}
+
+#define QUAD(material)                                                                             \
+    "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1, "                       \
+    "\"material\": " material "}]}"
+#define NODE(mesh) "{\"rotation\": [0.18, 0.24, 0, 0.9539392], \"mesh\": " mesh "}"
+#define COLOUR(rgb)                                                                                \
+    "{\"doubleSided\": true, \"pbrMetallicRoughness\": {\"metallicFactor\": 0, "                   \
+    "\"baseColorFactor\": [" rgb ", 1]}}"
+
+/* Of two surfaces at one depth the later material shows, in frames and references. */
+static void test_coplanar(void **state) {
+    (void)state;
+    static const char *const commands[] = {"render --quality draft", "reference --spp 1"};
+    const char *path = write_parts(
+        "decal.glb",
+        &(struct gltf_parts){.meshes = "[" QUAD("0") "," QUAD("1") "]",
+                             .nodes = "[" NODE("0") "," NODE("1") "]",
+                             .materials = "[" COLOUR("1, 0, 0") "," COLOUR("0, 1, 0") "]"});
+    for (int i = 0; i < 2; i++) {
+        struct image image;
+        if (run_program("%s %s --size 32x32 -o %s", commands[i], path, scratch("decal.exr")) != 0)
+            fail_msg("%s", output);
+        check_ok("decal.exr", image_read(&image, scratch("decal.exr")));
+        check_layer(&image, "albedo", (float[]){0, 1, 0}, .01);
         image_free(&image);
     }
 }
@@ -160,9 +187,9 @@ static void test_messages(void **state) {
 int main(void) {
     log_set_level(LOG_QUIET);
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_planes),   cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_shown),    cmocka_unit_test(test_skies),
-        cmocka_unit_test(test_messages),
+        cmocka_unit_test(test_planes), cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_shown),  cmocka_unit_test(test_coplanar),
+        cmocka_unit_test(test_skies),  cmocka_unit_test(test_messages),
     };
     return cmocka_run_group_tests_name("opened cases", tests, NULL, NULL);
 }

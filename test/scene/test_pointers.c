@@ -4,10 +4,7 @@
 
 #include "base/error.h"
 #include "quality/picture.h"
-#include "scene/clips.h"
-#include "scene/open.h"
 
-#include <math.h>
 #include <stddef.h>
 
 enum { SIZE = 24 };
@@ -306,10 +303,7 @@ static void check_followed(const char *pointer, const float *values, int width,
             fail_msg("%s: %s at %g s: another picture than a new renderer's", technique, pointer,
                      time);
         check_near("as the path tracer", layer_mean(&followed, ""), mean, .05 * mean);
-        image_free(&followed);
-        image_free(&expected);
-        image_free(&common);
-        image_free(&traced);
+        images_free(&followed, &expected, &common, &traced);
         stage_free(&fresh);
     }
     renderer_free(&renderer);

@@ -69,8 +69,7 @@ static void test_light(void **state) {
         struct image traced = trace_stage(&stage, SIZE, 1);
         check_near("direct, rendered", at_middle(&image, "direct.R"), rows[i].value, .004);
         check_near("direct, traced", at_middle(&traced, "direct.R"), rows[i].value, .004);
-        image_free(&image);
-        image_free(&traced);
+        images_free(&image, &traced);
         stage_free(&stage);
     }
 }
@@ -287,8 +286,7 @@ static void test_cases(void **state) {
         struct image traced = trace_stage(&stage, SIZE, 1);
         check_near(rows[i].file, at_middle(&image, rows[i].channel), rows[i].value, .002);
         check_near(rows[i].file, at_middle(&traced, rows[i].channel), rows[i].value, .002);
-        image_free(&image);
-        image_free(&traced);
+        images_free(&image, &traced);
         stage_free(&stage);
     }
 }

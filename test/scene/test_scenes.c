@@ -94,8 +94,7 @@ static struct surface weld(const struct primitive *primitive) {
     for (int i = 0; i < primitive->index_count; i += 3)
         surface_add_triangle(&surface, welded[primitive->indices[i]],
                              welded[primitive->indices[i + 1]], welded[primitive->indices[i + 2]]);
-    free(corners);
-    free(welded);
+    mem_free(corners, welded);
     return surface;
 }
 

@@ -1,7 +1,6 @@
 /* Which parts of a file are shown: nodes below a scene's list, nodes that are hidden, the chosen scene and variant. */
 #include "gltf_parts.h"
 
-#include "base/error.h"
 #include "base/log.h"
 #include "scene/camera.h"
 #include "scene/lights/emitter.h"

@@ -4,7 +4,6 @@
 #include "scene/mesh/caster.h"
 #include "scene/mesh/solid.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* --- made shapes ------------------------------------------------------------------------------ */
@@ -153,8 +152,7 @@ static void check_frame(const char *path, double least_share) {
            path, share, turned_share, error);
     assert_true(share > least_share && turned_share < .02);
     check_at_most("difference", error, 5e-4);
-    image_free(&as_is);
-    image_free(&turned);
+    images_free(&as_is, &turned);
     stage_free(&stage);
 }
 

@@ -1,6 +1,8 @@
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 
+#include "base/memory.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -34,8 +36,7 @@ int run_line(const char *line) {
     }
     assert_true(used + 1 < sizeof command);
     command[used] = ')';
-    free(folder);
-    free(binary);
+    mem_free(folder, binary);
     int status = run_command(command, output, sizeof output);
     printf("    %s\n    -> %d %.300s\n", line, status, output);
     return status;

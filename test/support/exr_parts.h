@@ -14,6 +14,7 @@ struct exr_part {
     int data[4];          /* window: x, y, width, height */
     int display[4];
     float base; /* of its values */
+    bool cube;  /* its envmap attribute says so */
 };
 
 /* What a channel holds at a pixel of its windows: exact in floats, and each another. */
@@ -64,6 +65,8 @@ static inline int exr_header(struct bytes *bytes, const struct exr_part *part, b
     put_attribute(bytes, "compression", "compression", "", 1);
     exr_window(bytes, "dataWindow", part->data);
     exr_window(bytes, "displayWindow", part->display);
+    if (part->cube)
+        put_attribute(bytes, "envmap", "envmap", "\1", 1);
     put_attribute(bytes, "lineOrder", "lineOrder", "", 1);
     put_attribute(bytes, "pixelAspectRatio", "float", &one, 4);
     put_attribute(bytes, "screenWindowCenter", "v2f", center, 8);

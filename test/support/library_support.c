@@ -78,8 +78,7 @@ static bool same_files(const char *a, const char *b) {
     check_ok(a, file_read(&of_a, a));
     check_ok(b, file_read(&of_b, b));
     bool same = of_a.size == of_b.size && memcmp(of_a.data, of_b.data, of_a.size) == 0;
-    free(of_a.data);
-    free(of_b.data);
+    mem_free(of_a.data, of_b.data);
     return same;
 }
 

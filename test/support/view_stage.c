@@ -317,8 +317,7 @@ void check_same(const char *what, const char *arguments) {
     printf("    %-48s %d pixels differ\n", what, different);
     if (different)
         fail_with_screen(what);
-    bitmap_free(&expected);
-    bitmap_free(&got);
+    bitmaps_free(&expected, &got);
 }
 
 /* --- the viewer --- */

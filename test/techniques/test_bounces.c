@@ -126,8 +126,7 @@ static void read_fluxes(const struct stage *stage, int bounces, double *first, d
         *later += power(&points[i]);
         *black += points[i].flux[0] == 0 && points[i].flux[1] + points[i].flux[2] > 0;
     }
-    free(vpls);
-    free(points);
+    mem_free(vpls, points);
     renderer_free(&renderer);
 }
 
@@ -260,8 +259,7 @@ static void add_left(const struct bounce_pass *pass, double powers[2]) {
         struct row places = read_row(&pass->positions, y), fluxes = read_row(&pass->fluxes, y);
         for (int i = 0; i < pass->desc.count; i++)
             add_power(places.texels[i], fluxes.texels[i], powers);
-        free(places.texels);
-        free(fluxes.texels);
+        mem_free(places.texels, fluxes.texels);
     }
 }
 
@@ -383,10 +381,7 @@ static void test_seen(void **state) {
     /* Few paths say little: what is kept lies between them and 1. */
     assert_true((double)kept.texels[0][0] >= fmin(fmin(of_seen, of_all), 1) - 1e-4 &&
                 (double)kept.texels[0][0] <= fmax(fmax(of_seen, of_all), 1) + 1e-4);
-    free(places.texels);
-    free(nexts.texels);
-    free(seen.texels);
-    free(kept.texels);
+    mem_free(places.texels, nexts.texels, seen.texels, kept.texels);
     renderer_free(&renderer);
     close_rays(&rays);
     stage_free(&stage);
@@ -472,8 +467,7 @@ static void test_frames(void **state) {
     struct image one = render_stage(&stage, "clustered", "", 48);
     struct image other = render_stage(&stage, "clustered", "bounces=1 paths=300", 48);
     assert_true(same_pixels(&one, &other));
-    image_free(&one);
-    image_free(&other);
+    images_free(&one, &other);
     static const char *const techniques[] = {"clustered", "unshadowed"};
     for (int t = 0; t < (is_long_run() ? 2 : 1); t++) {
         struct renderer renderer;
@@ -489,8 +483,7 @@ static void test_frames(void **state) {
         renderer_render(&renderer);
         check_ok("layers", renderer_read_layers(&renderer, &again));
         assert_true(same_pixels(&fresh, &again));
-        image_free(&fresh);
-        image_free(&again);
+        images_free(&fresh, &again);
         renderer_free(&renderer);
     }
     stage_free(&stage);

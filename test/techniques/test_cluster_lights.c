@@ -80,10 +80,7 @@ static void shaded(const struct form_case *cases, int count, double *factors) {
     buffer_read(&answer_buffer, 0, (size_t)count * sizeof *answers, answers);
     for (int i = 0; i < count; i++)
         factors[i] = (double)(answers[i] * area_of(&cases[i])) / GLM_PI;
-    buffer_free(&vpl_buffer);
-    buffer_free(&rectangle_buffer);
-    buffer_free(&normal_buffer);
-    buffer_free(&answer_buffer);
+    buffers_free(&vpl_buffer, &rectangle_buffer, &normal_buffer, &answer_buffer);
     program_free(&program);
 }
 
@@ -380,8 +377,7 @@ static void test_all_lights(void **state) {
     struct image disks = render_stage(
         &stage, "cluster-lights", "vpls=64 area-lights=64 shadows=none form=disk adaptive=0", 48);
     check_at_most("64 lights of 64 VPLs", relative_rmse(&disks, &all, "indirect"), 1e-5);
-    image_free(&all);
-    image_free(&disks);
+    images_free(&all, &disks);
     stage_free(&stage);
 }
 
@@ -470,8 +466,7 @@ static void test_published(void **state) {
                    1, 1e-4);
     check_at_most("lights of equal importance, of even seeds over those by importance",
                   even_count(&even) / even_count(&paper), .9);
-    free(paper.vpls);
-    free(even.vpls);
+    mem_free(paper.vpls, even.vpls);
     stage_free(&stage);
 }
 

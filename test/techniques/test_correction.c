@@ -85,8 +85,7 @@ static void test_rounding(void **state) {
         before.pixels[i] *= brighter;
     /* Halves of layers have 11 bits. */
     check_at_most("relative RMSE between", relative_rmse(&after, &before, "indirect"), 1e-3);
-    image_free(&before);
-    image_free(&after);
+    images_free(&before, &after);
     stage_free(&stage);
 }
 

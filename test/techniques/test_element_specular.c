@@ -235,8 +235,7 @@ static void test_changes(void **state) {
         printf("  step %zu: specular light %.3f of %.3f\n", i,
                sum_of(&followed, "indirect.specular.R"), sum_of(&fresh, "indirect.specular.R"));
         assert_true(same_pixels(&followed, &fresh));
-        image_free(&followed);
-        image_free(&fresh);
+        images_free(&followed, &fresh);
     }
     renderer_free(&renderer);
     stage_free(&stage);

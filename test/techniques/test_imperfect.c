@@ -250,8 +250,7 @@ static void test_solid_angle(void **state) {
     surface_points_free(&points);
     splat_pass_free(&splat);
     vpl_views_pass_free(&views);
-    free(depths);
-    free(vpls);
+    mem_free(depths, vpls);
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -437,8 +436,7 @@ static void test_frames(void **state) {
     }
     check_ok("layers", renderer_read_layers(&renderer, &again));
     check_at_most("there and back", relative_rmse(&again, &fresh, "indirect"), 0);
-    image_free(&fresh);
-    image_free(&again);
+    images_free(&fresh, &again);
     renderer_free(&renderer);
     stage_free(&stage);
 }

@@ -26,8 +26,7 @@ static void ask(const struct question *question, float answer[4]) {
     pass_end(&untimed);
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     buffer_read(&answers, 0, 4 * sizeof *answer, answer);
-    buffer_free(&questions);
-    buffer_free(&answers);
+    buffers_free(&questions, &answers);
     program_free(&program);
 }
 
@@ -224,8 +223,7 @@ static bool same_atlas(const struct texture *a, const struct texture *b) {
     int count, other;
     float(*x)[4] = read_atlas(a, &count), (*y)[4] = read_atlas(b, &other);
     bool same = count == other && memcmp(x, y, (size_t)count * sizeof *x) == 0;
-    free(x);
-    free(y);
+    mem_free(x, y);
     return same;
 }
 
@@ -273,10 +271,7 @@ static void test_permutation(void **state) {
         }
     check_at_most("greatest difference over the greatest value", worst / most, 1e-3);
     assert_true(most > 0);
-    free(all);
-    free(turned);
-    free(before);
-    free(after);
+    mem_free(all, turned, before, after);
     close_lit(&lit);
     stage_free(&stage);
 }
@@ -293,8 +288,7 @@ static void test_linear(void **state) {
     struct image twice = render_stage(&stage, "imperfect-volume", "volume.size=32", 48);
     check_near("mean over that of half the light",
                layer_mean(&twice, "indirect") / layer_mean(&once, "indirect"), 2, 1e-4);
-    image_free(&once);
-    image_free(&twice);
+    images_free(&once, &twice);
     stage_free(&stage);
 }
 

@@ -402,9 +402,7 @@ static void test_order(void **state) {
     assert_int_equal(counts[0], counts[1]);
     assert_memory_equal(alone, together, (size_t)counts[0] * sizeof *alone);
     check_near("reversed triangles", means[2] / means[0], 1, .01);
-    free(alone);
-    free(together);
-    free(reversed);
+    mem_free(alone, together, reversed);
 }
 
 /* A box with a plate in it, each triangle cut in so many: 1 or 4. */
@@ -467,8 +465,7 @@ static void test_start(void **state) {
     printf("  begun at 0 s and at 1 s: relative RMSE %g\n",
            relative_rmse(&layers[0], &layers[1], "indirect"));
     assert_true(same_pixels(&layers[0], &layers[1]));
-    image_free(&layers[0]);
-    image_free(&layers[1]);
+    images_free(&layers[0], &layers[1]);
 }
 
 /* A corner of two walls, and a sky that is bright at one side. */
@@ -506,8 +503,7 @@ static void test_sun(void **state) {
     printf("  sun alone, sky=bins beside sky=rays: relative RMSE %g\n",
            relative_rmse(&layers[1], &layers[0], "indirect"));
     assert_true(same_pixels(&layers[0], &layers[1]));
-    image_free(&layers[0]);
-    image_free(&layers[1]);
+    images_free(&layers[0], &layers[1]);
     stage_free(&stage);
 }
 
@@ -530,9 +526,7 @@ static void test_turned_sky(void **state) {
            relative_rmse(&turned, &fresh, "indirect"), change);
     check_at_most("change by the turn", .05, change);
     assert_true(same_pixels(&turned, &fresh));
-    image_free(&before);
-    image_free(&turned);
-    image_free(&fresh);
+    images_free(&before, &turned, &fresh);
     renderer_free(&renderer);
     stage_free(&stage);
 }

@@ -70,8 +70,7 @@ static double spread(struct renderer *renderer) {
         sum += weights[i] * sqrt(apart2);
         all += weights[i];
     }
-    free(weights);
-    free(vpls);
+    mem_free(weights, vpls);
     return sum / all;
 }
 
@@ -101,8 +100,7 @@ static bool same_frames(const struct stage *stage, const char *a, const char *b)
     struct image of_a = render_stage(stage, "clustered", a, 48),
                  of_b = render_stage(stage, "clustered", b, 48);
     bool same = same_pixels(&of_a, &of_b);
-    image_free(&of_a);
-    image_free(&of_b);
+    images_free(&of_a, &of_b);
     return same;
 }
 
@@ -136,8 +134,7 @@ static void test_kept_lights(void **state) {
     renderer_render(&renderer);
     check_ok("layers", renderer_read_layers(&renderer, &again));
     assert_true(same_pixels(&fresh, &again));
-    image_free(&fresh);
-    image_free(&again);
+    images_free(&fresh, &again);
     renderer_free(&renderer);
     stage_free(&stage);
 }

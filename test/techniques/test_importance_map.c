@@ -3,7 +3,6 @@
 
 #include "base/memory.h"
 #include "shared/importance_map.h"
-#include "shared/vpl.h"
 #include "techniques/many_lights.h"
 
 #include <math.h>
@@ -58,8 +57,7 @@ static void test_densities(void **state) {
     check_at_most("mean density of a light's cells, over the light's", worst, 1e-4);
     check_at_most("fractions of all lights, from 1", fabs(last - 1), 1e-5);
     check_at_most("density by flux alone over the least", 1 / least, 16.1);
-    free(densities);
-    free(lights);
+    mem_free(densities, lights);
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -132,8 +130,7 @@ static bool same(const struct stage *stage, const char *technique, const char *a
     struct image of_a = render_stage(stage, technique, a, SIZE),
                  of_b = render_stage(stage, technique, b, SIZE);
     bool equal = same_pixels(&of_a, &of_b);
-    image_free(&of_a);
-    image_free(&of_b);
+    images_free(&of_a, &of_b);
     return equal;
 }
 
@@ -161,8 +158,7 @@ static void check_followed(const char *what, struct renderer *renderer,
     check_ok("layers", renderer_read_layers(renderer, &moved));
     struct image fresh = render_layers(desc);
     assert_true(same_pixels(&moved, &fresh));
-    image_free(&moved);
-    image_free(&fresh);
+    images_free(&moved, &fresh);
 }
 
 /* The hall's lamp stands outdoors: an eleventh of its light falls where the camera sees any of it. Indoors all

@@ -63,8 +63,7 @@ static void test_ten_times_as_large(void **state) {
     struct image large = render_stage(&stage, "clustered", settings, SIZE);
     check_at_most("ten times as large, relative RMSE", relative_rmse(&large, &small, "indirect"),
                   .005);
-    image_free(&small);
-    image_free(&large);
+    images_free(&small, &large);
     stage_free(&stage);
 }
 

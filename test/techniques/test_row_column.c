@@ -251,8 +251,7 @@ static void test_all_columns(void **state) {
         struct image all = render_stage(&stage, name, settings, 48);
         check_at_most("all columns, against instant radiosity",
                       relative_rmse(&all, &reference, "indirect"), 1e-4);
-        image_free(&reference);
-        image_free(&all);
+        images_free(&reference, &all);
     }
     stage_free(&stage);
 }
@@ -276,8 +275,7 @@ static void test_mean(void **state) {
             squares += mean * mean;
         }
         errors[i / CHOICES] += relative_rmse(&image, &reference, "indirect") / CHOICES;
-        image_free(&reference);
-        image_free(&image);
+        images_free(&reference, &image);
     }
     double mean = sum / CHOICES;
     double sigma = sqrt((squares / CHOICES - mean * mean) / (CHOICES - 1));
@@ -309,8 +307,7 @@ static void test_against_plain(void **state) {
             printf("  40 plain VPLs %.4f\n", relative_rmse(&plain, &reference, "indirect"));
         printf("  choice %d: %.4f\n", i, own);
         error += own / CHOICES;
-        image_free(&reference);
-        image_free(&chosen);
+        images_free(&reference, &chosen);
     }
     check_at_most("40 columns of 256 VPLs", error, .15);
     image_free(&plain);

@@ -71,13 +71,12 @@ static void ask(const struct caster_bvh *tree, const struct pair *pairs, uint32_
     check_ok("answers", buffer_init(&answered, "answers", PAIRS * sizeof *answers, NULL));
     pass_begin(&untimed, &(struct pass_state){.name = "rays",
                                               .program = program,
-                                              .textures = {{UNIT_BVH, tree->texels}},
+                                              .textures = {{UNIT_BVH, tree->buffer.texels}},
                                               .storages = {{0, &asked}, {1, &answered}}});
     pass_dispatch((PAIRS + 63) / 64, 1, 1);
     pass_end(&untimed);
     buffer_read(&answered, 0, PAIRS * sizeof *answers, answers);
-    buffer_free(&asked);
-    buffer_free(&answered);
+    buffers_free(&asked, &answered);
     program_free(&program);
 }
 
@@ -102,8 +101,7 @@ static void check_rays(const char *path, const struct stage *stage, const struct
     assert_true(blocked > PAIRS / 20 && blocked < PAIRS * 19 / 20);
     check_at_most("rays that differ", other, PAIRS / 500.);
     close_rays(&rays);
-    free(pairs);
-    free(answers);
+    mem_free(pairs, answers);
 }
 
 /* At times one after the other, as a clip plays: the tree follows, and comes back to what it was. */
@@ -294,8 +292,7 @@ static void test_together(void **state) {
     check_near("mean of those that ask together",
                layer_mean(&few, "indirect") / layer_mean(&each, "indirect"), 1, .005);
     check_at_most("worst block of red light", block_difference(&few, &each), .05);
-    image_free(&each);
-    image_free(&few);
+    images_free(&each, &few);
     stage_free(&stage);
 }
 

@@ -3,8 +3,6 @@
 #include "gltf_parts.h"
 #include "render_support.h"
 
-#include "base/memory.h"
-
 #include <cglm/cglm.h>
 
 #include <math.h>
@@ -28,8 +26,7 @@ static int open_reference(void **state) {
 }
 
 static int close_reference(void **state) {
-    image_free(&reference);
-    image_free(&unshadowed);
+    images_free(&reference, &unshadowed);
     stage_free(&stage);
     return close_group_context(state);
 }
@@ -85,8 +82,7 @@ static double error_of_map_rays(const char *scene, int size) {
                  rays = render_stage(&asked, "clustered", "visibility-block=0 visibility=traced",
                                      size);
     double error = relative_rmse(&maps, &rays, "indirect");
-    image_free(&maps);
-    image_free(&rays);
+    images_free(&maps, &rays);
     stage_free(&asked);
     return error;
 }
@@ -139,8 +135,7 @@ static void test_corner(void **state) {
     }
     printf("    beside the corner the least column has %.3f of what it has unshadowed\n", least);
     assert_true(least > .94);
-    image_free(&seen);
-    image_free(&all);
+    images_free(&seen, &all);
 }
 
 /* Smaller blocks come nearer to a lookup a pixel and VPL. At 200 pixels a block of 8 is as wide as

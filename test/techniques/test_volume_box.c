@@ -12,8 +12,7 @@ static void test_plain(void **state) {
     struct image clustered = render_stage(&stage, "clustered", "", 48);
     check_near("light over that of VPLs",
                layer_mean(&volume, "indirect") / layer_mean(&clustered, "indirect"), 1, .2);
-    image_free(&volume);
-    image_free(&clustered);
+    images_free(&volume, &clustered);
     stage_free(&stage);
 }
 
@@ -98,9 +97,7 @@ static void test_moving_room(void **state) {
                   relative_rmse(&after, &fresh, "indirect"), .05);
     check_near("light over that of the first pose",
                layer_mean(&after, "indirect") / layer_mean(&before, "indirect"), 1, .2);
-    image_free(&before);
-    image_free(&after);
-    image_free(&fresh);
+    images_free(&before, &after, &fresh);
     renderer_free(&renderer);
     stage_free(&stage);
 }
@@ -123,8 +120,7 @@ static void test_moving_floor(void **state) {
     check_ok("layers", renderer_read_layers(&renderer, &after));
     check_at_most("difference of what does not look different",
                   relative_rmse(&after, &before, "indirect"), .1);
-    image_free(&before);
-    image_free(&after);
+    images_free(&before, &after);
     renderer_free(&renderer);
     stage_free(&stage);
 }

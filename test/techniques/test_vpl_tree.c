@@ -60,8 +60,7 @@ static void close_bench(struct bench *bench) {
     renderer_free(&bench->renderer);
     stage_free(&bench->stage);
     image_free(&bench->layers);
-    free(bench->vpls);
-    free(bench);
+    mem_free(bench->vpls, bench);
 }
 
 static float power(const struct bench *bench, int node) {
@@ -223,8 +222,7 @@ static void ask(int clamp, const struct question *questions, float *answers) {
     pass_end(&untimed);
     gl.MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     buffer_read(&answer_buffer, 0, QUESTIONS * sizeof *answers, answers);
-    buffer_free(&question_buffer);
-    buffer_free(&answer_buffer);
+    buffers_free(&question_buffer, &answer_buffer);
     program_free(&program);
     free(defines);
     glsl_set_folder(NULL);
@@ -477,8 +475,7 @@ static void test_all_leaves(void **state) {
     snprintf(cuts, sizeof cuts, "%s nodes=8", plain);
     cut = render_stage(&stage, "lightcuts", cuts, 32);
     check_at_most("of few nodes, at least", .02, relative_rmse(&cut, &all, "indirect"));
-    image_free(&cut);
-    image_free(&all);
+    images_free(&cut, &all);
     stage_free(&stage);
 }
 

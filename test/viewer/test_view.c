@@ -62,9 +62,7 @@ static void test_wipe(void **state) {
     printf("    %-48s %d pixels wrong, %d differ between the two\n", "wipe", wrong, told_apart);
     assert_int_equal(wrong, 0);
     assert_true(told_apart > WIDTH * HEIGHT / 20);
-    bitmap_free(&left);
-    bitmap_free(&right);
-    bitmap_free(&screen);
+    bitmaps_free(&left, &right, &screen);
     xdo("key c"); /* no reference is loaded: off */
 }
 
@@ -165,8 +163,7 @@ static void test_orbit(void **state) {
     xdo("mousemove 60 300 mousedown 1 mousemove 90 310 mousemove 100 315 mouseup 1 click 4");
     struct bitmap after = screenshot();
     assert_true(count_differences(&before, &after) > WIDTH * HEIGHT / 4);
-    bitmap_free(&before);
-    bitmap_free(&after);
+    bitmaps_free(&before, &after);
 
     press("Settings");
     press("Save");
@@ -223,8 +220,7 @@ static void test_script(void **state) {
                      0);
     struct bitmap got = read_bitmap(path), expected = offscreen(SCENE);
     assert_int_equal(count_differences(&got, &expected), 0);
-    bitmap_free(&got);
-    bitmap_free(&expected);
+    bitmaps_free(&got, &expected);
     assert_int_equal(shell("%s view no-such-file.glb --frames 1 2>/dev/null", stage.binary), 1);
     assert_int_equal(shell("%s view " SCENE " --reference no-such-file.exr --frames 1 2>/dev/null",
                            stage.binary),

@@ -85,8 +85,7 @@ static void test_enlarged(void **state) {
                             pixel(&screen, WIDTH / 4 + x, HEIGHT / 2 + y), 3) != 0;
     printf("    %-48s %d pixels wrong\n", "1:1", wrong);
     assert_int_equal(wrong, 0);
-    bitmap_free(&left);
-    bitmap_free(&screen);
+    bitmaps_free(&left, &screen);
     xdo("key z");
 }
 
@@ -117,10 +116,7 @@ static void test_layouts(void **state) {
     assert_int_equal(wrong, 0);
     assert_true(apart > SMALL_WIDTH * SMALL_HEIGHT / 20);
     xdo("key v"); /* the wipe again */
-    bitmap_free(&left);
-    bitmap_free(&right);
-    bitmap_free(&beside);
-    bitmap_free(&difference);
+    bitmaps_free(&left, &right, &beside, &difference);
 }
 
 /* The inspector tells what is in the files. */
@@ -277,8 +273,7 @@ static void test_element_cube(void **state) {
         for (int k = 20; k < 24; k++)
             changed +=
                 memcmp(pixel(&screen, 20 + i, 20 * k), pixel(&before, 20 + i, 20 * k), 3) != 0;
-    bitmap_free(&screen);
-    bitmap_free(&before);
+    bitmaps_free(&screen, &before);
     printf("    %-48s %d\n", "changes of colour in 90 pixels", colours);
     printf("    %-48s %d\n", "pixels of the picture that lines change", changed);
     assert_true(colours > 5);

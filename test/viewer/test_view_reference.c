@@ -115,8 +115,7 @@ static void test_flip(void **state) {
     assert_true(compare->values[flip] == by_hand);
     compare->flip = false;
     reference_tracer_pause(&viewer.tracing.tracer, false);
-    image_free(&frame);
-    image_free(&shown);
+    images_free(&frame, &shown);
 }
 
 /* Another view ends the tracing; taken back, it is the traced one again. */
@@ -174,8 +173,7 @@ static void test_take(void **state) {
     check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
     check_ok("indirect", layer_extract(&indirect, &frame, "indirect"));
     assert_true(same_pixels(&indirect, &viewer.tracing.chart.dots[0].indirect));
-    image_free(&frame);
-    image_free(&indirect);
+    images_free(&frame, &indirect);
 }
 
 /* In the midst of all of it. */

@@ -74,8 +74,7 @@ static void test_exposure(void **state) {
     xdo("key equal key equal key 0");
     got = screenshot();
     assert_int_equal(count_differences(&expected, &got), 0);
-    bitmap_free(&got);
-    bitmap_free(&expected);
+    bitmaps_free(&got, &expected);
 }
 
 /* Behind the door that is shut at 0 s nothing is seen but what leaks past it. */

@@ -20,8 +20,7 @@ static void check_apart(const char *what, const char *one, const char *other) {
     int apart = count_differences(&a, &b);
     printf("    %-48s %d pixels differ\n", what, apart);
     assert_true(apart > WIDTH * HEIGHT / 50);
-    bitmap_free(&a);
-    bitmap_free(&b);
+    bitmaps_free(&a, &b);
 }
 
 static void test_play(void **state) {
@@ -114,8 +113,7 @@ static void test_copy(void **state) {
     int different = count_differences(&expected, &got);
     printf("    %-48s %d pixels differ\n", "the copied command line's picture", different);
     assert_int_equal(different, 0);
-    bitmap_free(&expected);
-    bitmap_free(&got);
+    bitmaps_free(&expected, &got);
 }
 
 static void test_end(void **state) {
@@ -152,9 +150,7 @@ static void test_reference(void **state) {
            wrong, apart);
     assert_int_equal(wrong, 0);
     assert_true(apart > WIDTH * HEIGHT / 20);
-    bitmap_free(&left);
-    bitmap_free(&right);
-    bitmap_free(&shown);
+    bitmaps_free(&left, &right, &shown);
     end_viewer();
 }
 

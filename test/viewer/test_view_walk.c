@@ -8,7 +8,6 @@
 
 #include "base/file/image_file.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -112,8 +111,7 @@ static void test_save(void **state) {
            different);
     assert_int_equal(different, 0);
     assert_true(click_count <= 10);
-    bitmap_free(&made);
-    bitmap_free(&shown);
+    bitmaps_free(&made, &shown);
     end_viewer();
 }
 

@@ -6,7 +6,6 @@
 #include "apps/bench/run.h"
 #include "base/error.h"
 #include "base/file/folder.h"
-#include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 

@@ -63,9 +63,7 @@ static bool take_drawings(const char *from, const char *to, bool ok) {
         char *path = mem_printf("%s/%s", to, entries[i]->d_name);
         ok = ok && keep(drawn, path);
         remove(drawn);
-        free(drawn);
-        free(path);
-        free(entries[i]);
+        mem_free(drawn, path, entries[i]);
     }
     if (count >= 0)
         free(entries);

@@ -11,7 +11,6 @@
 #include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
-#include "scene/medium.h"
 #include "scene/texture.h"
 
 #include <stdlib.h>

@@ -176,11 +176,7 @@ bool export_ply(const struct export_target *target, int n, const struct ply_desc
     snprintf(name, sizeof name, desc->back ? "mesh-%d-back.ply" : "mesh-%d.ply", n);
     char *path = export_path(target, name);
     bool ok = output_file_write(path, file.data, file.length);
-    free(path);
-    free(file.data);
-    free(ply.vertices.data);
-    free(ply.faces.data);
-    free(ply.number_of);
+    mem_free(path, file.data, ply.vertices.data, ply.faces.data, ply.number_of);
     return ok;
 }
 

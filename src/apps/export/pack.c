@@ -17,111 +17,82 @@
 
 /* --- values ----------------------------------------------------------------------------------- */
 
-static void print_vector(FILE *out, const char *name, const float vector[3]) {
-    fprintf(out, "\"%s\": [", name);
-    for (int c = 0; c < 3; c++) {
-        fprintf(out, c ? ", " : "");
-        json_print_number(out, (double)vector[c] + 0.0); /* no "-0" */
-    }
-    fprintf(out, "]");
-}
-
 /* In the file's coordinates, which the program may have moved. */
-static void print_place(FILE *out, const struct scene *scene, const float place[3]) {
-    fprintf(out, "\"position\": [");
+static void print_place(struct json *json, const struct scene *scene, const float place[3]) {
+    json_open(json, "position", "[");
     for (int c = 0; c < 3; c++)
-        fprintf(out, "%s%.12g", c ? ", " : "", scene->origin[c] + (double)place[c] + 0.0);
-    fprintf(out, "]");
+        json_number(json, NULL, scene->origin[c] + (double)place[c]);
+    json_close(json, "]");
 }
 
 /* null where it is none. */
-static void print_number(FILE *out, const char *name, double number, bool is_there) {
-    fprintf(out, "\"%s\": ", name);
-    json_print_number(out, is_there ? number : NAN);
+static void print_number(struct json *json, const char *name, double number, bool is_there) {
+    json_number(json, name, is_there ? number : NAN);
 }
 
 /* --- camera, lights --------------------------------------------------------------------------- */
 
-static void print_camera(FILE *out, const struct stage *stage) {
+static void print_camera(struct json *json, const struct stage *stage) {
     const struct camera *camera = &stage->camera;
-    fprintf(out, " \"camera\": {\n  \"type\": \"%s\",\n  ",
-            camera->orthographic ? "orthographic" : "perspective");
-    print_place(out, &stage->scene, camera->eye);
-    fprintf(out, ",\n  ");
-    print_vector(out, "right", camera->right);
-    fprintf(out, ",\n  ");
-    print_vector(out, "up", camera->up);
-    fprintf(out, ",\n  ");
-    print_vector(out, "forward", camera->forward);
-    fprintf(out, ",\n  ");
-    print_number(out, "fov_y_degrees", (double)glm_deg(camera->fov_y), !camera->orthographic);
-    fprintf(out, ",\n  ");
-    print_number(out, "half_height", (double)camera->y_extent, camera->orthographic);
-    fprintf(out, ",\n  ");
-    print_number(out, "near", (double)camera->near, camera->near > 0);
-    fprintf(out, ", ");
-    print_number(out, "far", (double)camera->far, camera->far > 0);
-    fprintf(out, "\n },\n");
+    json_open(json, "camera", "{");
+    json_text(json, "type", camera->orthographic ? "orthographic" : "perspective");
+    print_place(json, &stage->scene, camera->eye);
+    json_vector(json, "right", camera->right);
+    json_vector(json, "up", camera->up);
+    json_vector(json, "forward", camera->forward);
+    print_number(json, "fov_y_degrees", (double)glm_deg(camera->fov_y), !camera->orthographic);
+    print_number(json, "half_height", (double)camera->y_extent, camera->orthographic);
+    print_number(json, "near", (double)camera->near, camera->near > 0);
+    print_number(json, "far", (double)camera->far, camera->far > 0);
+    json_close(json, "}");
 }
 
 static const char *const shape_names[] = {"point", "rectangle", "disk", "sphere", "cap"};
 
-static void print_size(FILE *out, const struct emitter *emitter) {
+static void print_size(struct json *json, const struct emitter *emitter) {
     bool sized = emitter->size[0] > 0, angular = emitter_shape(emitter) == EMITTER_IS_CAP;
-    fprintf(out, "   \"shape\": \"%s\", ", shape_names[emitter_shape(emitter)]);
-    print_number(out, "width", (double)emitter->size[0], sized && !angular);
-    fprintf(out, ", ");
-    print_number(out, "height", (double)emitter->size[1], sized && emitter->size[1] > 0);
-    fprintf(out, ", ");
-    print_number(out, "angle_degrees", (double)glm_deg(emitter->size[0]), angular);
+    json_text(json, "shape", shape_names[emitter_shape(emitter)]);
+    print_number(json, "width", (double)emitter->size[0], sized && !angular);
+    print_number(json, "height", (double)emitter->size[1], sized && emitter->size[1] > 0);
+    print_number(json, "angle_degrees", (double)glm_deg(emitter->size[0]), angular);
 }
 
 /* Of area lights and spheres the radiance, too, of others null. */
-static void print_strength(FILE *out, const struct emitter *emitter) {
+static void print_strength(struct json *json, const struct emitter *emitter) {
     float radiance[3];
     bool is_sun = emitter->type == EMITTER_DIRECTIONAL;
-    print_vector(out, is_sun ? "irradiance" : "intensity", emitter->intensity);
-    fprintf(out, ",\n   \"%s\": null, ", is_sun ? "intensity" : "irradiance");
+    json_vector(json, is_sun ? "irradiance" : "intensity", emitter->intensity);
+    json_text(json, is_sun ? "intensity" : "irradiance", NULL);
     if (export_is_shape(emitter)) {
         export_radiance(emitter, radiance);
-        print_vector(out, "radiance", radiance);
+        json_vector(json, "radiance", radiance);
     } else
-        fprintf(out, "\"radiance\": null");
+        json_text(json, "radiance", NULL);
 }
 
-static void print_light(FILE *out, const struct stage *stage, const struct emitter *emitter) {
+static void print_light(struct json *json, const struct stage *stage,
+                        const struct emitter *emitter) {
     bool is_spot = emitter->type == EMITTER_SPOT;
-    fprintf(out, "{\n   \"type\": \"%s\",\n   ", emitter_type_names[emitter->type]);
-    print_place(out, &stage->scene, emitter->position);
-    fprintf(out, ",\n   ");
-    print_vector(out, "direction", emitter->direction);
-    fprintf(out, ",\n   ");
-    print_vector(out, "right", emitter->right);
-    fprintf(out, ",\n   ");
-    print_vector(out, "up", emitter->up);
-    fprintf(out, ",\n   ");
-    print_strength(out, emitter);
-    fprintf(out, ",\n   ");
-    print_number(out, "cos_inner", (double)emitter->cos_inner, is_spot);
-    fprintf(out, ", ");
-    print_number(out, "cos_outer", (double)emitter->cos_outer, is_spot);
-    fprintf(out, ", ");
-    print_number(out, "range", (double)emitter->range, emitter->range > 0);
-    fprintf(out, ",\n");
-    print_size(out, emitter);
-    fprintf(out, "\n  }");
+    json_open(json, NULL, "{");
+    json_text(json, "type", emitter_type_names[emitter->type]);
+    print_place(json, &stage->scene, emitter->position);
+    json_vector(json, "direction", emitter->direction);
+    json_vector(json, "right", emitter->right);
+    json_vector(json, "up", emitter->up);
+    print_strength(json, emitter);
+    print_number(json, "cos_inner", (double)emitter->cos_inner, is_spot);
+    print_number(json, "cos_outer", (double)emitter->cos_outer, is_spot);
+    print_number(json, "range", (double)emitter->range, emitter->range > 0);
+    print_size(json, emitter);
+    json_close(json, "}");
 }
 
-static void print_lights(FILE *out, const struct stage *stage) {
-    const char *before = "";
-    fprintf(out, " \"lights\": [");
+static void print_lights(struct json *json, const struct stage *stage) {
+    json_open(json, "lights", "[");
     for (int i = 0; i < stage->emitters.count; i++)
-        if (export_is_light(&stage->emitters.items[i])) {
-            fprintf(out, "%s", before);
-            print_light(out, stage, &stage->emitters.items[i]);
-            before = ", ";
-        }
-    fprintf(out, "],\n");
+        if (export_is_light(&stage->emitters.items[i]))
+            print_light(json, stage, &stage->emitters.items[i]);
+    json_close(json, "]");
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -147,24 +118,27 @@ static bool copy_scene(const struct export_target *target, char sum[SHA256_DIGIT
     ok = ok && output_file_write(path, bytes.data, bytes.size);
     if (ok)
         sha256(bytes.data, bytes.size, sum);
-    free(bytes.data);
-    free(path);
+    mem_free(bytes.data, path);
     return ok;
 }
 
-static bool print_environment(const struct export_target *target, FILE *out) {
+static bool print_environment(const struct export_target *target, struct json *json) {
     const struct environment *sky = target->stage->emitters.sky;
     char sum[SHA256_DIGITS + 1];
     if (!sky) {
-        fprintf(out, " \"environment\": null,\n");
+        json_text(json, "environment", NULL);
         return true;
     }
     if (!export_panorama(target, "environment.exr") || !hash_file(target, "environment.exr", sum))
         return false;
-    fprintf(out,
-            " \"environment\": {\"file\": \"environment.exr\", \"sha256\": \"%s\",\n"
-            "  \"width\": %d, \"height\": %d, \"turn_degrees\": %.9g, \"strength\": %.9g},\n",
-            sum, sky->width, sky->height, (double)sky->turn, (double)sky->strength);
+    json_open(json, "environment", "{");
+    json_text(json, "file", "environment.exr");
+    json_text(json, "sha256", sum);
+    json_number(json, "width", sky->width);
+    json_number(json, "height", sky->height);
+    json_number(json, "turn_degrees", (double)sky->turn);
+    json_number(json, "strength", (double)sky->strength);
+    json_close(json, "}");
     return true;
 }
 
@@ -184,42 +158,54 @@ static bool find_shining(const struct export_target *target, bool *shines) {
                      "they deform; --format mitsuba and pbrt take them");
 }
 
-static void print_head(FILE *out, const struct export_target *target, const char *sum) {
-    const struct stage *stage = target->stage;
-    fprintf(out, "{\"format\": \"manylight scene pack\", \"version\": 1,\n \"name\": ");
-    json_print_text(out, stage->name);
-    fprintf(out,
-            ",\n \"scene\": {\"file\": \"scene.glb\", \"sha256\": \"%s\", \"triangles\": %u, "
-            "\"time_s\": %.9g},\n",
-            sum, geometry_triangle_count(&stage->geometry), stage->geometry.pose.time);
-    fprintf(out, " \"units\": {\"length\": \"m\", \"up\": \"+Y\", \"handedness\": \"right\",\n"
-                 "  \"colour\": \"linear, primaries and white of sRGB\", \"intensity\": \"W/sr\",\n"
-                 "  \"irradiance\": \"W/m2\", \"radiance\": \"W/(sr m2)\"},\n");
-    fprintf(out, " \"picture\": {\"file\": ");
-    char *file = mem_printf("%s.%dx%d.exr", stage->name, target->width, target->height);
-    json_print_text(out, file);
+static void print_scene(struct json *json, const struct stage *stage, const char *sum) {
+    json_text(json, "format", "manylight scene pack");
+    json_number(json, "version", 1);
+    json_text(json, "name", stage->name);
+    json_open(json, "scene", "{");
+    json_text(json, "file", "scene.glb");
+    json_text(json, "sha256", sum);
+    json_number(json, "triangles", geometry_triangle_count(&stage->geometry));
+    json_number(json, "time_s", stage->geometry.pose.time);
+    json_close(json, "}");
+    json_value(json, "units",
+               "{\"length\": \"m\", \"up\": \"+Y\", \"handedness\": \"right\",\n"
+               "  \"colour\": \"linear, primaries and white of sRGB\", \"intensity\": \"W/sr\",\n"
+               "  \"irradiance\": \"W/m2\", \"radiance\": \"W/(sr m2)\"}");
+}
+
+static void print_picture(struct json *json, const struct export_target *target) {
+    char *file = mem_printf("%s.%dx%d.exr", target->stage->name, target->width, target->height);
+    json_open(json, "picture", "{");
+    json_text(json, "file", file);
+    json_number(json, "width", target->width);
+    json_number(json, "height", target->height);
+    json_text(json, "filter", "box of one pixel");
+    json_number(json, "exposure", 1);
+    json_number(json, "bounces", target->bounces);
+    json_text(json, "materials", materials_names[target->materials]);
+    json_close(json, "}");
     free(file);
-    fprintf(
-        out,
-        ", \"width\": %d, \"height\": %d,\n  \"filter\": \"box of one pixel\", \"exposure\": 1, "
-        "\"bounces\": %d, \"materials\": \"%s\"},\n",
-        target->width, target->height, target->bounces, materials_names[target->materials]);
 }
 
 bool export_pack(struct export_target *target) {
     char sum[SHA256_DIGITS + 1];
-    struct output_text json;
+    struct output_text text;
     bool shines;
     if (!find_shining(target, &shines) || !copy_scene(target, sum))
         return false;
-    output_text_init(&json);
-    print_head(json.stream, target, sum);
-    print_camera(json.stream, target->stage);
-    print_lights(json.stream, target->stage);
-    bool ok = print_environment(target, json.stream);
-    fprintf(json.stream, " \"emissive_surfaces\": %s\n}\n", shines ? "true" : "false");
+    output_text_init(&text);
+    struct json json = {.out = text.stream, .lines = 2};
+    json_open(&json, NULL, "{");
+    print_scene(&json, target->stage, sum);
+    print_picture(&json, target);
+    print_camera(&json, target->stage);
+    print_lights(&json, target->stage);
+    bool ok = print_environment(target, &json);
+    json_flag(&json, "emissive_surfaces", shines);
+    json_close(&json, "}");
     char *path = export_path(target, "scene.json");
-    ok = output_text_end(&json, path) && ok;
+    ok = output_text_end(&text, path) && ok;
     free(path);
     return ok;
 }

@@ -63,7 +63,6 @@ bool export_projector_picture(struct export_target *target, const struct emitter
     char *name = export_projector_name(emitter), *path = export_path(target, name);
     bool ok = image_write(&image, path);
     image_free(&image);
-    free(path);
-    free(name);
+    mem_free(path, name);
     return ok;
 }

@@ -38,8 +38,7 @@ bool export_write(const struct export_target *target, const char *name, const ch
     add_comments(&all, target, before, after);
     text_append(&all, body->data, body->length);
     bool ok = output_file_write(path, all.data, all.length);
-    free(all.data);
-    free(path);
+    mem_free(all.data, path);
     return ok;
 }
 

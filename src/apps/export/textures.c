@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/file/image_file.h"
 #include "base/memory.h"
-#include "scene/texture.h"
 
 #include <math.h>
 #include <stdlib.h>

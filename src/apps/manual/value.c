@@ -1,6 +1,5 @@
 #include "apps/manual/value.h"
 
-#include "apps/bench/measure/variants.h"
 #include "metrics/metric.h"
 #include "reference/channels.h"
 #include "renderer/renderer.h"

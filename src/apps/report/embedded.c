@@ -20,7 +20,8 @@ static void print_base64(FILE *out, const char *bytes, size_t size) {
     }
 }
 
-bool embedded_print(FILE *out, const struct bitmap *bitmap) {
+/* "data:image/png;base64,...". Error: of the encoder. */
+static bool print_bitmap(FILE *out, const struct bitmap *bitmap) {
     struct text bytes = {0};
     bool ok = bitmap_encode(bitmap, &bytes);
     fprintf(out, "data:image/png;base64,");
@@ -42,7 +43,7 @@ bool embedded_print_picture(FILE *out, const struct image *picture) {
                 (unsigned char)lrintf(255 * srgb_encode(layer.pixels[3 * i + c]));
         bitmap.rgba[4 * i + 3] = 255;
     }
-    bool ok = embedded_print(out, &bitmap);
+    bool ok = print_bitmap(out, &bitmap);
     bitmap_free(&bitmap);
     image_free(&layer);
     return ok;
@@ -64,7 +65,7 @@ static bool print_layers_difference(FILE *out, const struct image *a, const stru
                                             .top = (float)(mean > 0 ? top * mean : top),
                                             .is_signed = true},
                          &bitmap);
-    bool ok = embedded_print(out, &bitmap);
+    bool ok = print_bitmap(out, &bitmap);
     bitmap_free(&bitmap);
     free(values);
     return ok;
@@ -75,7 +76,6 @@ bool embedded_print_difference(FILE *out, const struct image *picture,
     struct image a, b = {0};
     bool ok = layer_extract(&a, picture, "beauty") && layer_extract(&b, reference, "beauty") &&
               print_layers_difference(out, &a, &b, top);
-    image_free(&a);
-    image_free(&b);
+    images_free(&a, &b);
     return ok;
 }

@@ -6,9 +6,6 @@
 
 #include <stdio.h>
 
-/* "data:image/png;base64,...". Error: of the encoder. */
-bool embedded_print(FILE *out, const struct bitmap *bitmap);
-
 /* The beauty layer as a screen shows it: clamped to [0, 1] and sRGB-encoded. */
 bool embedded_print_picture(FILE *out, const struct image *picture);
 

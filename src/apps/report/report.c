@@ -6,7 +6,6 @@
 #include "apps/bench/measure/clip.h"
 #include "apps/bench/measure/timing.h"
 #include "apps/report/page.h"
-#include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
@@ -185,8 +184,7 @@ static bool write_page(const struct report *report, const char *path) {
 static void report_free(struct report *report) {
     for (int i = 0; report->pictures && i < report->subjects.count; i++)
         image_free(&report->pictures[i]);
-    free(report->pictures);
-    free(report->subjects.items);
+    mem_free(report->pictures, report->subjects.items);
     image_free(&report->reference);
     results_free(&report->results);
     results_free(&report->flicker);

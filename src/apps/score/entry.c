@@ -73,13 +73,11 @@ bool entry_list(struct entry *entry, const char *folder) {
 
 void entry_free(struct entry *entry) {
     for (int i = 0; i < entry->count; i++) {
-        free(entry->pictures[i].file);
-        free(entry->pictures[i].scene);
+        mem_free(entry->pictures[i].file, entry->pictures[i].scene);
     }
     for (int i = 0; i < entry->other_count; i++)
         free(entry->others[i]);
-    free(entry->pictures);
-    free(entry->others);
+    mem_free(entry->pictures, entry->others);
     *entry = (struct entry){0};
 }
 

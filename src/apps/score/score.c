@@ -74,33 +74,36 @@ struct score {
     FILE *table;
     const char *entry_folder, *reference_folder;
     struct method method;
-    struct output_text json;
-    const char *separator; /* before the next row */
+    struct output_text text;
+    struct json json; /* into text */
     int fault_count;
 };
 
 /* A row in the making. */
 struct row {
     const char *file, *layer;
-    const char *separator; /* before the next fault */
 };
 
 static void begin_row(struct score *score, struct row *row, const char *file, const char *layer) {
-    *row = (struct row){file, layer, ""};
-    fprintf(score->json.stream, "%s\n  {\"picture\": ", score->separator);
-    json_print_text(score->json.stream, file);
-    fprintf(score->json.stream, ", \"layer\": ");
-    json_print_text(score->json.stream, layer);
-    score->separator = ",";
+    *row = (struct row){file, layer};
+    json_open(&score->json, NULL, "{");
+    json_text(&score->json, "picture", file);
+    json_text(&score->json, "layer", layer);
 }
 
-static void add_fault(struct score *score, struct row *row, const char *fault, const char *text) {
+static void add_fault(struct score *score, const struct row *row, const char *fault,
+                      const char *text) {
     fprintf(score->table, "%-28s %-10s fault: %s: %s\n", row->file, row->layer, fault, text);
-    fprintf(score->json.stream, "%s{\"fault\": \"%s\", \"text\": ", row->separator, fault);
-    json_print_text(score->json.stream, text);
-    fprintf(score->json.stream, "}");
-    row->separator = ", ";
+    json_open(&score->json, NULL, "{");
+    json_text(&score->json, "fault", fault);
+    json_text(&score->json, "text", text);
+    json_close(&score->json, "}");
     score->fault_count++;
+}
+
+static void end_row(struct score *score) {
+    json_close(&score->json, "]");
+    json_close(&score->json, "}");
 }
 
 /* A row that has no scores. */
@@ -108,9 +111,11 @@ static void add_unscored(struct score *score, const char *file, const char *laye
                          const char *fault, const char *text) {
     struct row row;
     begin_row(score, &row, file, layer);
-    fprintf(score->json.stream, ", \"metrics\": null, \"noise\": null, \"faults\": [");
+    json_text(&score->json, "metrics", NULL);
+    json_text(&score->json, "noise", NULL);
+    json_open(&score->json, "faults", "[");
     add_fault(score, &row, fault, text);
-    fprintf(score->json.stream, "]}");
+    end_row(score);
 }
 
 /* --- one picture ------------------------------------------------------------------------------ */
@@ -156,19 +161,18 @@ static void print_metrics(struct score *score, const struct row *row, const stru
                                     .reference = &pair->reference,
                                     .pixels_per_degree = (float)DEFAULT_PIXELS_PER_DEGREE};
     fprintf(score->table, "%-28s %-10s", row->file, row->layer);
-    fprintf(score->json.stream, ", \"metrics\": {");
+    json_open(&score->json, "metrics", "{");
     for (int i = 0; i < SCORED; i++) {
         double value = metric_measure(metric_find(metric_names[i]), &comparison, NULL);
         fprintf(score->table, " %13.6g", value);
-        fprintf(score->json.stream, "%s\"%s\": ", i ? ", " : "", metric_names[i]);
-        json_print_number(score->json.stream, value);
+        json_number(&score->json, metric_names[i], value);
     }
     if (isfinite(pair->noise))
         fprintf(score->table, " %13.6g\n", pair->noise);
     else
         fprintf(score->table, " %13s\n", "-");
-    fprintf(score->json.stream, "}, \"noise\": ");
-    json_print_number(score->json.stream, pair->noise);
+    json_close(&score->json, "}");
+    json_number(&score->json, "noise", pair->noise);
 }
 
 /* Of a picture that is another than method.json lists. */
@@ -183,7 +187,7 @@ static void add_sum_fault(struct score *score, struct row *row, const struct pai
 
 static void print_faults(struct score *score, struct row *row, const struct pair *pair) {
     struct picture_faults faults;
-    fprintf(score->json.stream, ", \"faults\": [");
+    json_open(&score->json, "faults", "[");
     add_sum_fault(score, row, pair);
     if (pair->not_finite) {
         char *text = mem_printf("%d values are NaN or infinite, and taken as 0", pair->not_finite);
@@ -197,7 +201,7 @@ static void print_faults(struct score *score, struct row *row, const struct pair
             add_fault(score, row, picture_fault_names[i], text);
             free(text);
         }
-    fprintf(score->json.stream, "]}");
+    end_row(score);
 }
 
 static void score_pair(struct score *score, const char *file, const char *layer,
@@ -227,10 +231,8 @@ static bool score_layer(struct score *score, const char *file, const char *layer
         score_pair(score, file, layer, &pair);
     else if (ok)
         add_unscored(score, file, layer, "missing-layer", error_get());
-    image_free(&pair.picture);
-    image_free(&pair.reference);
-    free(path);
-    free(reference_path);
+    images_free(&pair.picture, &pair.reference);
+    mem_free(path, reference_path);
     return ok;
 }
 
@@ -327,7 +329,9 @@ static void print_head(struct score *score) {
     for (int i = 0; i < SCORED; i++)
         fprintf(score->table, " %13s", metric_names[i]);
     fprintf(score->table, " %13s\n", "noise");
-    fprintf(score->json.stream, "{\"method\": %s,\n \"scores\": [", method->json);
+    json_open(&score->json, NULL, "{");
+    json_value(&score->json, "method", method->json);
+    json_open(&score->json, "scores", "[");
 }
 
 static bool score_entry(struct score *score, const struct values *values) {
@@ -337,14 +341,16 @@ static bool score_entry(struct score *score, const struct values *values) {
               entry_list(&references, score->reference_folder) &&
               check_scenes(&values->scenes, &references) &&
               (!values->output || check_output(score, values->output, &entry, &references));
-    output_text_init(&score->json);
+    output_text_init(&score->text);
+    score->json = (struct json){.out = score->text.stream, .lines = 2};
     if (ok) {
         print_head(score);
         ok = score_all(score, values, &entry, &references);
-        fprintf(score->json.stream, "\n ]}\n");
+        json_close(&score->json, "]");
+        json_close(&score->json, "}");
     }
-    ok = ok && (!values->output || output_text_write(&score->json, values->output));
-    output_text_free(&score->json);
+    ok = ok && (!values->output || output_text_write(&score->text, values->output));
+    output_text_free(&score->text);
     method_free(&score->method);
     entry_free(&entry);
     entry_free(&references);
@@ -360,8 +366,7 @@ int app_score(int argc, char **argv) {
         return status;
     struct score score = {.table = outputs_table_stream(&values.output, 1),
                           .entry_folder = folders[0],
-                          .reference_folder = folders[1],
-                          .separator = ""};
+                          .reference_folder = folders[1]};
     if (!score_entry(&score, &values))
         return arguments_fail(argv[0]);
     return score.fault_count ? STATUS_FAILED : STATUS_OK;

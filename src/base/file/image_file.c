@@ -215,6 +215,7 @@ static bool keep_layer(struct image *image, const char *path, const char *layer,
     kept.display = image->display;
     kept.data = image->data;
     kept.encoded = image->encoded;
+    kept.cube = image->cube;
     image_free(image);
     *image = kept;
     return true;

@@ -389,8 +389,7 @@ bool output_journal_append(struct output_journal *journal, const void *bytes, si
 void output_journal_close(struct output_journal *journal) {
     if (journal->path)
         close(journal->file);
-    free(journal->path);
-    free(journal->text);
+    mem_free(journal->path, journal->text);
     *journal = (struct output_journal){0};
 }
 

@@ -105,7 +105,9 @@ static struct kept *find_or_read(const char *path) {
     return all_kept = kept;
 }
 
-const char *piped_file_open(const char *path) {
+/* The path that opens the bytes as a regular file: the path itself where it is no pipe. The text lives as long as the
+ * program. NULL and an error: a terminal, 4 GiB or more, or more than half of the memory that is free. */
+static const char *open_bytes(const char *path) {
     if (!piped_file_is(path))
         return path;
     pthread_mutex_lock(&lock);
@@ -123,26 +125,25 @@ static bool blame(const char *path, const char *opened) {
         text_print(&named, "%.*s%s", (int)(at - rest), rest, path);
     text_print(&named, "%s", rest);
     error_set("%s", named.data);
-    free(named.data);
-    free(message);
+    mem_free(named.data, message);
     return false;
 }
 
 bool piped_file_read(struct file_bytes *bytes, const char *path) {
     *bytes = (struct file_bytes){0};
-    const char *opens = piped_file_open(path);
+    const char *opens = open_bytes(path);
     return opens && (file_read(bytes, opens) || blame(path, opens));
 }
 
 bool piped_image_read_layer(struct image *image, const char *path, const char *layer,
                             int channels[3]) {
     *image = (struct image){0};
-    const char *opens = piped_file_open(path);
+    const char *opens = open_bytes(path);
     return opens && (image_read_layer(image, opens, layer, channels) || blame(path, opens));
 }
 
 bool piped_image_read(struct image *image, const char *path) {
     *image = (struct image){0};
-    const char *opens = piped_file_open(path);
+    const char *opens = open_bytes(path);
     return opens && (image_read(image, opens) || blame(path, opens));
 }

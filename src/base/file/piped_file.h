@@ -11,11 +11,6 @@
 /* Whether the path is "-" or leads to a pipe. */
 bool piped_file_is(const char *path);
 
-/* The path that opens the bytes as a regular file: the path itself where it is no pipe. The text lives as
- * long as the program. NULL and an error: a terminal, 4 GiB or more, or more than half of the memory that
- * is free. */
-const char *piped_file_open(const char *path);
-
 /* file_read of a file or a pipe. */
 bool piped_file_read(struct file_bytes *bytes, const char *path);
 

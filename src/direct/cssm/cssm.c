@@ -17,9 +17,10 @@ static const char *const prefilters[] = {"mip", "sat", NULL};
 
 static const struct option table[] = {
     {"harmonics", 0, OPTION_INT, offsetof(struct cssm_settings, terms), 8, 1, 16,
+     .label = "Fourier terms",
      .help = "terms of the Fourier series, K; raise against light at contacts"},
     {"prefilter", 0, OPTION_CHOICE, offsetof(struct cssm_settings, prefilter), PREFILTER_MIP,
-     .choices = prefilters,
+     .label = "filter", .choices = prefilters,
      .help = "filter of the maps: MIP maps, or summed area tables, which\n"
              "have exact boxes and take 16 bytes per texel and term"},
     {NULL},
@@ -110,9 +111,7 @@ const struct direct_method cssm_direct = {
     .parts = parts,
     .init = init,
     .free = free_state,
-    .resize = shadow_resize,
     .render_lights = render_lights,
     .render_view = shadow_render_view,
-    .light = shadow_light,
-    .specular = shadow_specular,
+    SHADOW_METHOD,
 };

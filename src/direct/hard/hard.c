@@ -22,9 +22,7 @@ const struct direct_method hard_direct = {
     .parts = parts,
     .init = init,
     .free = shadow_free,
-    .resize = shadow_resize,
     .render_lights = shadow_render_lights,
     .render_view = shadow_render_view,
-    .light = shadow_light,
-    .specular = shadow_specular,
+    SHADOW_METHOD,
 };

@@ -16,9 +16,7 @@ const struct direct_method msm_direct = {
     .parts = prefilter_parts,
     .init = init,
     .free = prefiltered_free,
-    .resize = shadow_resize,
     .render_lights = prefiltered_render_lights,
     .render_view = shadow_render_view,
-    .light = shadow_light,
-    .specular = shadow_specular,
+    SHADOW_METHOD,
 };

@@ -10,8 +10,10 @@ struct pcss_settings {
 
 static const struct option table[] = {
     {"light-taps", 0, OPTION_INT, offsetof(struct pcss_settings, light_taps), 48, 1, 1024,
+     .label = "shadow samples",
      .help = "light samples per pixel; raise against steps in wide penumbrae"},
     {"shadow-rays", 0, OPTION_INT, offsetof(struct pcss_settings, shadow_rays), 32, 0, 1024,
+     .label = "shadow rays",
      .help = "shadow rays per pixel through the map where blockers lie at\n"
              "many distances; raise against bands; 0: off"},
     {NULL},
@@ -52,9 +54,7 @@ const struct direct_method pcss_direct = {
     .parts = parts,
     .init = init,
     .free = shadow_free,
-    .resize = shadow_resize,
     .render_lights = shadow_render_lights,
     .render_view = shadow_render_view,
-    .light = shadow_light,
-    .specular = shadow_specular,
+    SHADOW_METHOD,
 };

@@ -4,7 +4,6 @@
 #include "base/memory.h"
 #include "direct/shadow.h"
 #include "passes/frame.h"
-#include "shared/lookup.h"
 
 #include <cglm/cglm.h>
 #include <math.h>
@@ -18,6 +17,7 @@ struct samples_settings {
 
 static const struct option table[] = {
     {"points", 0, OPTION_INT, offsetof(struct samples_settings, points), 64, 1, 4096,
+     .label = "light samples",
      .help = "light samples per light, one shadow map\n"
              "each; raise against steps in penumbrae"},
     {NULL},
@@ -96,8 +96,6 @@ const struct direct_method samples_direct = {
     .parts = parts,
     .init = init,
     .free = free_state,
-    .resize = shadow_resize,
     .render_view = render_view,
-    .light = shadow_light,
-    .specular = shadow_specular,
+    SHADOW_METHOD,
 };

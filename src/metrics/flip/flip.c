@@ -49,10 +49,7 @@ static void strip_init(struct strip *strip, const struct flip *flip, size_t inde
 }
 
 static void strip_free(struct strip *strip) {
-    free(strip->padded);
-    free(strip->colour);
-    free(strip->feature);
-    free(strip->filtered);
+    mem_free(strip->padded, strip->colour, strip->feature, strip->filtered);
 }
 
 static int clamp_index(int i, int count) {
@@ -163,8 +160,7 @@ static void measure_strip(void *context, size_t index) {
     float *map = flip->map + (size_t)strip.first_row * width;
     for (size_t i = 0; i < (size_t)strip.row_count * width; i++)
         map[i] = pixel_error(&test[i], &reference[i], flip->largest_distance);
-    free(test);
-    free(reference);
+    mem_free(test, reference);
     strip_free(&strip);
 }
 

@@ -104,10 +104,8 @@ void flip_filters_init(struct flip_filters *filters, float pixels_per_degree) {
 }
 
 void flip_filters_free(struct flip_filters *filters) {
-    free(filters->colour.row);
-    free(filters->colour.column);
-    free(filters->feature.row);
-    free(filters->feature.column);
+    mem_free(filters->colour.row, filters->colour.column, filters->feature.row,
+             filters->feature.column);
     *filters = (struct flip_filters){0};
 }
 

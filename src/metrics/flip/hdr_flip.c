@@ -76,8 +76,10 @@ void flip_hdr(const struct comparison *comparison, float *map) {
     for (size_t i = 0; i < pixel_count; i++)
         map[i] = 0;
 
-    struct exposure_range range = hdr_flip_exposures(reference);
-    float step = (range.last - range.first) / (float)(range.count - 1);
+    struct exposure_range range = comparison->exposures;
+    if (range.count == 0)
+        range = hdr_flip_exposures(reference);
+    float step = (range.last - range.first) / fmaxf(1, (float)(range.count - 1));
     for (int i = 0; i < range.count; i++) {
         float exposure = range.first + step * (float)i;
         expose(comparison->test, exposure, comparison->threads, &test_shown);
@@ -87,6 +89,5 @@ void flip_hdr(const struct comparison *comparison, float *map) {
             map[p] = fmaxf(map[p], exposed_map[p]);
     }
     free(exposed_map);
-    image_free(&test_shown);
-    image_free(&reference_shown);
+    images_free(&test_shown, &reference_shown);
 }

@@ -15,12 +15,7 @@
 
 #include "metrics/comparison.h"
 
-struct exposure_range {
-    float first, last; /* EV */
-    int count;         /* at least 2 */
-};
-
-/* The exposures at which the reference is looked at. */
+/* The exposures at which the reference is looked at: at least two. */
 struct exposure_range hdr_flip_exposures(const struct image *reference);
 
 /* The error of each pixel; the mean is the error of the picture. map: height x width. */

@@ -106,24 +106,11 @@ static bool init_targets(struct caustics_pass *pass) {
 }
 
 static void free_targets(struct caustics_pass *pass) {
-    framebuffer_free(&pass->surface_framebuffer);
-    framebuffer_free(&pass->volume_framebuffer);
-    texture_free(&pass->surface);
-    texture_free(&pass->volume);
+    framebuffers_free(&pass->surface_framebuffer, &pass->volume_framebuffer);
+    textures_free(&pass->surface, &pass->volume);
 }
 
-bool caustics_pass_resize(struct caustics_pass *pass, int width, int height) {
-    struct caustics_pass fresh = *pass;
-    fresh.surface = fresh.volume = (struct texture){0};
-    fresh.surface_framebuffer = fresh.volume_framebuffer = 0;
-    fresh.desc.width = width;
-    fresh.desc.height = height;
-    bool ok = init_targets(&fresh);
-    free_targets(ok ? pass : &fresh);
-    if (ok)
-        *pass = fresh;
-    return ok;
-}
+DEFINE_RESIZE(caustics_pass, surface, volume_framebuffer)
 
 bool caustics_pass_init(struct caustics_pass *pass, const struct caustics_desc *desc) {
     *pass = (struct caustics_pass){.desc = *desc};
@@ -143,25 +130,13 @@ bool caustics_pass_init(struct caustics_pass *pass, const struct caustics_desc *
 void caustics_pass_free(struct caustics_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->tree);
     smooth_surfaces_free(&pass->surfaces);
-    program_free(&pass->ray_program);
-    program_free(&pass->cell_program);
-    program_free(&pass->splat_list_program);
-    program_free(&pass->patch_program);
-    program_free(&pass->splat_program);
-    program_free(&pass->line_program);
-    program_free(&pass->between_program);
-    framebuffer_free(&pass->ray_framebuffer);
-    framebuffer_free(&pass->cell_framebuffer);
-    framebuffer_free(&pass->splat_framebuffer);
+    programs_free(&pass->ray_program, &pass->cell_program, &pass->splat_list_program,
+                  &pass->patch_program, &pass->splat_program, &pass->line_program,
+                  &pass->between_program);
+    framebuffers_free(&pass->ray_framebuffer, &pass->cell_framebuffer, &pass->splat_framebuffer);
     free_targets(pass);
-    texture_free(&pass->leaves);
-    texture_free(&pass->ends);
-    texture_free(&pass->fluxes);
-    texture_free(&pass->between[0]);
-    texture_free(&pass->between[1]);
-    texture_free(&pass->patches[0]);
-    texture_free(&pass->patches[1]);
-    texture_free(&pass->splats);
+    textures_free(&pass->leaves, &pass->ends, &pass->fluxes, &pass->between[0], &pass->between[1],
+                  &pass->patches[0], &pass->patches[1], &pass->splats);
     buffer_free(&pass->params);
     *pass = (struct caustics_pass){0};
 }
@@ -254,7 +229,7 @@ static void trace(const struct caustics_pass *pass, const struct frame *frame, i
     smooth_surfaces_add(&pass->surfaces, &state);
     if (frame->scene->slides.id)
         pass_add_texture(&state, UNIT_SLIDES, frame->scene->slides.id);
-    pass_add_texture(&state, UNIT_BVH, pass->tree->texels);
+    pass_add_texture(&state, UNIT_BVH, pass->tree->buffer.texels);
     timer_begin(frame->timers, state.name);
     draw_rays(&state, pass, side, pass->ray_framebuffer);
     pass_set_int(LOCATION_LIGHT, light);

@@ -53,22 +53,11 @@ static bool init_triangles(struct glass_pass *pass, const struct geometry *geome
     for (size_t i = 0; i < count; i++)
         memcpy(texels[2 * i], &albedos[i], sizeof albedos[i]);
     add_glow(pass, geometry, texels);
-    bool ok = buffer_init(&pass->triangles, "triangles that glass shows",
-                          2 * count * sizeof *texels, texels);
-    free(albedos);
-    free(texels);
+    bool ok = buffer_init_texels(&pass->triangles, GL_RGBA32F, "triangles that glass shows",
+                                 2 * count * sizeof *texels, texels);
+    mem_free(albedos, texels);
     pass->painted = geometry->painted;
-    if (!ok)
-        return false;
-    buffer_show(&pass->triangles, GL_RGBA32F, &pass->triangle_texels);
-    return true;
-}
-
-static void free_triangles(struct glass_pass *pass) {
-    if (pass->triangle_texels)
-        gl.DeleteTextures(1, &pass->triangle_texels);
-    pass->triangle_texels = 0;
-    buffer_free(&pass->triangles);
+    return ok;
 }
 
 /* Where there is no memory for metaballs that have grown, what they reflect is black. */
@@ -77,13 +66,13 @@ static void follow(struct glass_pass *pass, const struct frame *frame) {
     if (pass->painted == frame->geometry->painted && glows_alike)
         return;
     memcpy(pass->glow, frame->scene->glow, glow_size(pass));
-    free_triangles(pass);
+    buffer_free(&pass->triangles);
     init_triangles(pass, frame->geometry);
 }
 
 /* --- life ------------------------------------------------------------------------------------- */
 
-static bool init_screen(struct glass_pass *pass) {
+static bool init_targets(struct glass_pass *pass) {
     return framebuffer_init_target(&pass->screen, &pass->screen_framebuffer,
                                    &(struct texture_desc){.format = GL_RGBA32F,
                                                           .label = "light that glass shows",
@@ -91,23 +80,12 @@ static bool init_screen(struct glass_pass *pass) {
                                                           .height = pass->desc.height});
 }
 
-static void free_screen(struct glass_pass *pass) {
+static void free_targets(struct glass_pass *pass) {
     framebuffer_free(&pass->screen_framebuffer);
     texture_free(&pass->screen);
 }
 
-bool glass_pass_resize(struct glass_pass *pass, int width, int height) {
-    struct glass_pass fresh = *pass;
-    fresh.screen = (struct texture){0};
-    fresh.screen_framebuffer = 0;
-    fresh.desc.width = width;
-    fresh.desc.height = height;
-    bool ok = init_screen(&fresh);
-    free_screen(ok ? pass : &fresh);
-    if (ok)
-        *pass = fresh;
-    return ok;
-}
+DEFINE_RESIZE(glass_pass, screen, screen_framebuffer)
 
 static bool init_program(struct glass_pass *pass) {
     const struct glass_desc *desc = &pass->desc;
@@ -123,7 +101,7 @@ static bool init_program(struct glass_pass *pass) {
 bool glass_pass_init(struct glass_pass *pass, const struct glass_desc *desc) {
     *pass = (struct glass_pass){.desc = *desc};
     pass->glow = mem_alloc((size_t)desc->scene->material_count, sizeof *pass->glow);
-    if (init_program(pass) && init_screen(pass) && init_triangles(pass, desc->geometry) &&
+    if (init_program(pass) && init_targets(pass) && init_triangles(pass, desc->geometry) &&
         buffer_init(&pass->params, "parameters of glass", sizeof(struct glass_params), NULL))
         return true;
     glass_pass_free(pass);
@@ -132,9 +110,8 @@ bool glass_pass_init(struct glass_pass *pass, const struct glass_desc *desc) {
 
 void glass_pass_free(struct glass_pass *pass) {
     program_free(&pass->program);
-    free_screen(pass);
-    free_triangles(pass);
-    buffer_free(&pass->params);
+    free_targets(pass);
+    buffers_free(&pass->triangles, &pass->params);
     free(pass->glow);
     *pass = (struct glass_pass){0};
 }
@@ -167,11 +144,11 @@ void glass_pass_render(struct glass_pass *pass, const struct frame *frame,
         .framebuffer = inputs->framebuffer,
         .width = pass->desc.width,
         .height = pass->desc.height,
-        .textures = {{UNIT_BVH, inputs->tree->texels},
+        .textures = {{UNIT_BVH, inputs->tree->buffer.texels},
                      {UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                      {UNIT_GBUFFER_ALBEDO, gbuffer->albedo.id},
-                     {UNIT_GLASS_TRIANGLES, pass->triangle_texels},
+                     {UNIT_GLASS_TRIANGLES, pass->triangles.texels},
                      {UNIT_GLASS_SCREEN, pass->screen.id}},
         .blocks = {{BLOCK_PASS, &pass->params},
                    {BLOCK_LIGHTS, frame->lights},

@@ -33,7 +33,6 @@ struct glass_pass {
     struct texture screen; /* RGBA32F, LAYER_SENT of passes/picture/composite.h */
     GLuint screen_framebuffer;
     struct buffer triangles, params;
-    GLuint triangle_texels;
     unsigned painted; /* of the geometry, that the triangles are of */
     float (*glow)[3]; /* of materials, likewise */
 };

@@ -53,11 +53,8 @@ bool adaptive_pass_init(struct adaptive_pass *pass, const struct adaptive_desc *
 void adaptive_pass_free(struct adaptive_pass *pass) {
     program_free(&pass->program);
     framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->lists.pixels);
-    texture_free(&pass->lists.texels);
-    texture_free(&pass->lists.edge_sample_texels);
-    buffer_free(&pass->lists.counts);
-    buffer_free(&pass->params);
+    textures_free(&pass->lists.pixels, &pass->lists.texels, &pass->lists.edge_sample_texels);
+    buffers_free(&pass->lists.counts, &pass->params);
     *pass = (struct adaptive_pass){0};
 }
 

@@ -30,8 +30,7 @@ static bool init_test_program(struct correction_pass *pass) {
     bool ok = program_init(
         &pass->test_program,
         &(struct program_desc){.screen = {"gather/correction_test.frag"}, .defines = defines});
-    free(lookup);
-    free(defines);
+    mem_free(lookup, defines);
     return ok;
 }
 
@@ -110,26 +109,13 @@ bool correction_pass_init(struct correction_pass *pass, const struct correction_
 }
 
 void correction_pass_free(struct correction_pass *pass) {
-    program_free(&pass->test_program);
-    program_free(&pass->sum_program);
-    program_free(&pass->val_program);
-    program_free(&pass->mean_program);
-    program_free(&pass->cell_program);
-    program_free(&pass->block_program);
-    framebuffer_free(&pass->test_framebuffer);
-    framebuffer_free(&pass->sum_framebuffer);
-    framebuffer_free(&pass->val_framebuffer);
-    framebuffer_free(&pass->mean_framebuffer);
-    framebuffer_free(&pass->cell_framebuffer);
-    texture_free(&pass->tests);
-    texture_free(&pass->sums);
-    texture_free(&pass->squares);
-    texture_free(&pass->val_sums);
-    texture_free(&pass->val_squares);
-    texture_free(&pass->mean);
-    texture_free(&pass->corrections);
-    buffer_free(&pass->params);
-    buffer_free(&pass->lookup_params);
+    programs_free(&pass->test_program, &pass->sum_program, &pass->val_program, &pass->mean_program,
+                  &pass->cell_program, &pass->block_program);
+    framebuffers_free(&pass->test_framebuffer, &pass->sum_framebuffer, &pass->val_framebuffer,
+                      &pass->mean_framebuffer, &pass->cell_framebuffer);
+    textures_free(&pass->tests, &pass->sums, &pass->squares, &pass->val_sums, &pass->val_squares,
+                  &pass->mean, &pass->corrections);
+    buffers_free(&pass->params, &pass->lookup_params);
     *pass = (struct correction_pass){0};
 }
 
@@ -144,8 +130,8 @@ static void test(const struct correction_pass *pass, const struct frame *frame,
         .height = pass->tests.desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_BVH, inputs->tree->texels},
-                     {UNIT_VPLS, vpls->texels}},
+                     {UNIT_BVH, inputs->tree->buffer.texels},
+                     {UNIT_VPLS, vpls->buffer.texels}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     /* Without blocks nothing is read there: any texture of layers. */

@@ -10,11 +10,9 @@
 #include "passes/vpls.h"
 #include "shared/gather.h"
 #include "shared/lookup.h"
-#include "shared/vpl.h"
 
 #include <cglm/util.h>
 #include <limits.h>
-#include <math.h>
 #include <stdlib.h>
 
 /* The parts of glsl/gather/gather.frag, which it includes by these names. */
@@ -48,9 +46,7 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, int cl
             .screen = {"gather/gather.frag", .blended = true, .tiled = true},
             .defines = defines,
         });
-    free(lookup);
-    free(files);
-    free(defines);
+    mem_free(lookup, files, defines);
     return ok;
 }
 
@@ -83,11 +79,9 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
 }
 
 void gather_pass_free(struct gather_pass *pass) {
-    program_free(&pass->program);
-    program_free(&pass->later_program);
+    programs_free(&pass->program, &pass->later_program);
     irradiance_free(&pass->irradiance);
-    buffer_free(&pass->params);
-    buffer_free(&pass->lookup_params);
+    buffers_free(&pass->params, &pass->lookup_params);
     *pass = (struct gather_pass){0};
 }
 
@@ -213,7 +207,7 @@ void gather_pass_render(const struct gather_pass *pass, const struct frame *fram
     if (inputs->rectangles)
         pass_add_block(&state, BLOCK_LIGHT_RECTANGLES, inputs->rectangles);
     pass_add_texture(&state, UNIT_VPLS,
-                     pass->desc.cuts ? inputs->cuts->tree->vpls : inputs->vpls->texels);
+                     pass->desc.cuts ? inputs->cuts->tree->vpls : inputs->vpls->buffer.texels);
     if (pass->desc.together > 0)
         pass_add_texture(&state, UNIT_VPL_SUMS, inputs->vpls->sums.id);
     pixel_lists_add(&state, inputs->lists, pass->desc.receivers);

@@ -63,9 +63,7 @@ static bool init_programs(struct near_field_pass *pass) {
                                                    .screen = {"gather/near_field.frag",
                                                               .blended = true, .tiled = true},
                                                    .defines = adaptive}));
-    free(of_light);
-    free(defines);
-    free(adaptive);
+    mem_free(of_light, defines, adaptive);
     return ok;
 }
 
@@ -99,9 +97,7 @@ bool near_field_pass_init(struct near_field_pass *pass, const struct near_field_
 
 void near_field_pass_free(struct near_field_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->tree);
-    program_free(&pass->light_program);
-    program_free(&pass->program);
-    program_free(&pass->adaptive_program);
+    programs_free(&pass->light_program, &pass->program, &pass->adaptive_program);
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         texture_free(&pass->lights[kind]);
         framebuffer_free(&pass->lights_framebuffers[kind]);
@@ -260,7 +256,7 @@ void near_field_pass_render(const struct near_field_pass *pass, const struct fra
     if (inputs->of_lists)
         pass_add_texture(&state, UNIT_EDGE_SAMPLES, frame->edge_samples->id);
     if (pass->tree)
-        pass_add_texture(&state, UNIT_BVH, pass->tree->texels);
+        pass_add_texture(&state, UNIT_BVH, pass->tree->buffer.texels);
     write_params(pass, frame, irradiance_pattern(irradiance));
     pass_begin(frame->timers, &state);
     if (inputs->of_lists)

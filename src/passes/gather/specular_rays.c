@@ -28,8 +28,7 @@ static bool init_program(struct specular_rays_pass *pass) {
                             .screen = {"gather/specular_rays.frag", .blended = true, .tiled = true},
                             .defines = defines,
                         });
-    free(lookup);
-    free(defines);
+    mem_free(lookup, defines);
     return ok;
 }
 
@@ -48,8 +47,7 @@ bool specular_rays_pass_init(struct specular_rays_pass *pass,
 
 void specular_rays_pass_free(struct specular_rays_pass *pass) {
     program_free(&pass->program);
-    buffer_free(&pass->params);
-    buffer_free(&pass->lookup_params);
+    buffers_free(&pass->params, &pass->lookup_params);
     slot_lights_free(&pass->slot_lights);
     *pass = (struct specular_rays_pass){0};
 }

@@ -45,8 +45,7 @@ bool vpl_cut_pass_init(struct vpl_cut_pass *pass, const struct vpl_cut_desc *des
 }
 
 void vpl_cut_pass_free(struct vpl_cut_pass *pass) {
-    program_free(&pass->program);
-    program_free(&pass->later_program);
+    programs_free(&pass->program, &pass->later_program);
     texture_free(&pass->cuts.texture);
     buffer_free(&pass->params);
     *pass = (struct vpl_cut_pass){0};

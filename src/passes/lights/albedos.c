@@ -14,13 +14,11 @@ static bool find(struct albedos *albedos, const struct geometry *geometry) {
                                     .smooth_black = albedos->desc.smooth_black};
     texture_decode_table(colors.srgb_to_linear);
     triangle_albedos_find(found, &colors);
-    bool ok = buffer_init(&albedos->buffer, "albedos of triangles", count * sizeof *found, found);
+    bool ok = buffer_init_texels(&albedos->buffer, GL_RGBA32F, "albedos of triangles",
+                                 count * sizeof *found, found);
     free(found);
     albedos->painted = geometry->painted;
-    if (!ok)
-        return false;
-    buffer_show(&albedos->buffer, GL_RGBA32F, &albedos->texels);
-    return true;
+    return ok;
 }
 
 bool albedos_init(struct albedos *albedos, const struct albedos_desc *desc,
@@ -30,8 +28,6 @@ bool albedos_init(struct albedos *albedos, const struct albedos_desc *desc,
 }
 
 void albedos_free(struct albedos *albedos) {
-    if (albedos->texels)
-        gl.DeleteTextures(1, &albedos->texels);
     buffer_free(&albedos->buffer);
     *albedos = (struct albedos){.desc = albedos->desc};
 }

@@ -14,9 +14,9 @@ struct albedos_desc {
 
 struct albedos {
     struct albedos_desc desc;
-    struct buffer buffer; /* struct triangle_albedo of each triangle */
-    GLuint texels;        /* the buffer texture at UNIT_TRIANGLE_ALBEDOS */
-    unsigned painted;     /* the geometry's, that they are of */
+    struct buffer
+        buffer;       /* struct triangle_albedo of each triangle; texels: UNIT_TRIANGLE_ALBEDOS */
+    unsigned painted; /* the geometry's, that they are of */
 };
 
 /* Error: driver, memory. */

@@ -139,29 +139,13 @@ bool bounce_pass_init(struct bounce_pass *pass, const struct bounce_desc *desc) 
 
 void bounce_pass_free(struct bounce_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->tree);
-    program_free(&pass->path_program);
-    program_free(&pass->area_program);
-    program_free(&pass->share_program);
-    program_free(&pass->flux_program);
-    program_free(&pass->seen_program);
-    program_free(&pass->kept_program);
-    program_free(&pass->vpl_program);
-    framebuffer_free(&pass->path_framebuffer);
-    framebuffer_free(&pass->area_framebuffer);
-    framebuffer_free(&pass->share_framebuffer);
-    framebuffer_free(&pass->shared_framebuffer);
-    framebuffer_free(&pass->seen_framebuffer);
-    framebuffer_free(&pass->kept_framebuffer);
-    texture_free(&pass->numbers);
-    texture_free(&pass->positions);
-    texture_free(&pass->normals);
-    texture_free(&pass->fluxes);
-    texture_free(&pass->nexts);
-    texture_free(&pass->areas);
-    texture_free(&pass->shares);
-    texture_free(&pass->shared);
-    texture_free(&pass->seen);
-    texture_free(&pass->kept);
+    programs_free(&pass->path_program, &pass->area_program, &pass->share_program,
+                  &pass->flux_program, &pass->seen_program, &pass->kept_program,
+                  &pass->vpl_program);
+    framebuffers_free(&pass->path_framebuffer, &pass->area_framebuffer, &pass->share_framebuffer,
+                      &pass->shared_framebuffer, &pass->seen_framebuffer, &pass->kept_framebuffer);
+    textures_free(&pass->numbers, &pass->positions, &pass->normals, &pass->fluxes, &pass->nexts,
+                  &pass->areas, &pass->shares, &pass->shared, &pass->seen, &pass->kept);
     vpl_buffer_free(&pass->vpls);
     buffer_free(&pass->params);
     *pass = (struct bounce_pass){0};
@@ -208,8 +192,8 @@ static void trace_paths(const struct bounce_pass *pass, const struct frame *fram
     struct pass_state trace = {
         .name = "bounces",
         .program = pass->path_program,
-        .textures = {{UNIT_VPLS, vpls->texels},
-                     {UNIT_BVH, pass->tree->texels},
+        .textures = {{UNIT_VPLS, vpls->buffer.texels},
+                     {UNIT_BVH, pass->tree->buffer.texels},
                      {UNIT_TRIANGLE_ALBEDOS, albedos},
                      {UNIT_PATH_NUMBERS, pass->numbers.id}},
         .blocks = {{BLOCK_PASS, &pass->params}},
@@ -246,7 +230,7 @@ void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
 void bounce_pass_find_kept(const struct bounce_pass *pass, const struct frame *frame) {
     struct pass_state seen = state_of(pass, pass->seen_program),
                       kept = state_of(pass, pass->kept_program);
-    pass_add_texture(&seen, UNIT_BVH, pass->tree->texels);
+    pass_add_texture(&seen, UNIT_BVH, pass->tree->buffer.texels);
     pass_add_block(&seen, BLOCK_VIEW, frame->view);
     pass_add_texture(&kept, UNIT_PATH_RESULTS, pass->seen.id);
     timer_begin(frame->timers, "bounces");

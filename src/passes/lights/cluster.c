@@ -6,7 +6,6 @@
 #include "passes/frame.h"
 #include "shared/cluster.h"
 #include "shared/map_view.h"
-#include "shared/vpl.h"
 
 #include <cglm/util.h>
 #include <stdio.h>
@@ -80,15 +79,11 @@ void cluster_pass_free(struct cluster_pass *pass) {
                           &pass->views_program};
     for (size_t i = 0; i < sizeof programs / sizeof *programs; i++)
         program_free(programs[i]);
-    texture_free(&pass->vals.position);
-    texture_free(&pass->vals.normal);
-    texture_free(&pass->vals.flux);
-    texture_free(&pass->sums);
+    textures_free(&pass->vals.position, &pass->vals.normal, &pass->vals.flux, &pass->sums);
     framebuffer_free(&pass->extremes_framebuffer);
     texture_free(&pass->extremes);
     vpl_buffer_free(&pass->vpls);
-    buffer_free(&pass->views.buffer);
-    buffer_free(&pass->params);
+    buffers_free(&pass->views.buffer, &pass->params);
     *pass = (struct cluster_pass){0};
 }
 
@@ -197,7 +192,7 @@ static void find_centers(struct cluster_pass *pass, const struct frame *frame,
                          const struct vpl_buffer *vpls) {
     bool seeds = pass->desc.start == CLUSTER_START_SEEDS || !pass->started;
     int before_map = pass->desc.iterations - (pass->desc.means_of_map ? 1 : 0);
-    pass->vpl_texels = vpls->texels;
+    pass->vpl_texels = vpls->buffer.texels;
     pass->vpl_sums = vpls->sums.id;
     pass->started = true;
     iterate(pass, frame, seeds, before_map);
@@ -218,7 +213,7 @@ static void find_extents(const struct cluster_pass *pass) {
 }
 
 static void write_views(struct cluster_pass *pass) {
-    pass->vpl_texels = pass->vpls.texels;
+    pass->vpl_texels = pass->vpls.buffer.texels;
     struct pass_state state = state_of(pass, pass->views_program);
     pass_add_texture(&state, UNIT_VAL_EXTREMES, pass->extremes.id);
     pass_set_state(&state);

@@ -49,12 +49,9 @@ bool cluster_light_pass_init(struct cluster_light_pass *pass,
 }
 
 void cluster_light_pass_free(struct cluster_light_pass *pass) {
-    program_free(&pass->moment_program);
-    program_free(&pass->light_program);
-    program_free(&pass->rectangle_program);
+    programs_free(&pass->moment_program, &pass->light_program, &pass->rectangle_program);
     framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->squares);
-    texture_free(&pass->products);
+    textures_free(&pass->squares, &pass->products);
     vpl_buffer_free(&pass->lights);
     buffer_free(&pass->rectangles);
     *pass = (struct cluster_light_pass){0};

@@ -96,19 +96,12 @@ bool importance_map_pass_init(struct importance_map_pass *pass,
 void importance_map_pass_free(struct importance_map_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->bvh);
     for (int round = 0; round < IMPORTANCE_ROUNDS; round++) {
-        program_free(&pass->candidate_programs[round]);
-        program_free(&pass->add_programs[round]);
+        programs_free(&pass->candidate_programs[round], &pass->add_programs[round]);
     }
-    program_free(&pass->light_program);
-    program_free(&pass->density_program);
-    framebuffer_free(&pass->candidate_framebuffer);
-    framebuffer_free(&pass->value_framebuffer);
-    framebuffer_free(&pass->light_framebuffer);
-    framebuffer_free(&pass->density_framebuffer);
-    texture_free(&pass->candidates);
-    texture_free(&pass->map.values);
-    texture_free(&pass->map.lights);
-    texture_free(&pass->map.densities);
+    programs_free(&pass->light_program, &pass->density_program);
+    framebuffers_free(&pass->candidate_framebuffer, &pass->value_framebuffer,
+                      &pass->light_framebuffer, &pass->density_framebuffer);
+    textures_free(&pass->candidates, &pass->map.values, &pass->map.lights, &pass->map.densities);
     buffer_free(&pass->params);
     *pass = (struct importance_map_pass){0};
 }

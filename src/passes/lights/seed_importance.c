@@ -39,7 +39,6 @@ static bool init_targets(struct seed_importance_pass *pass) {
 bool seed_importance_pass_init(struct seed_importance_pass *pass,
                                const struct seed_importance_desc *desc) {
     *pass = (struct seed_importance_pass){.desc = *desc};
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->vpl_texture);
     if (init_programs(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "importance parameters", sizeof(struct seed_importance_params),
                     NULL))
@@ -49,17 +48,9 @@ bool seed_importance_pass_init(struct seed_importance_pass *pass,
 }
 
 void seed_importance_pass_free(struct seed_importance_pass *pass) {
-    program_free(&pass->value_program);
-    program_free(&pass->number_program);
-    program_free(&pass->seed_program);
-    if (pass->vpl_texture)
-        gl.DeleteTextures(1, &pass->vpl_texture);
-    framebuffer_free(&pass->value_framebuffer);
-    framebuffer_free(&pass->number_framebuffer);
-    framebuffer_free(&pass->seed_framebuffer);
-    texture_free(&pass->values);
-    texture_free(&pass->numbers);
-    texture_free(&pass->seeds);
+    programs_free(&pass->value_program, &pass->number_program, &pass->seed_program);
+    framebuffers_free(&pass->value_framebuffer, &pass->number_framebuffer, &pass->seed_framebuffer);
+    textures_free(&pass->values, &pass->numbers, &pass->seeds);
     buffer_free(&pass->params);
     *pass = (struct seed_importance_pass){0};
 }
@@ -99,14 +90,13 @@ void seed_importance_pass_render(const struct seed_importance_pass *pass, const 
         .vertex_array = points,
         .width = SEED_IMPORTANCE_SIDE,
         .height = SEED_IMPORTANCE_SIDE,
-        .textures = {{UNIT_VPLS, pass->vpl_texture},
+        .textures = {{UNIT_VPLS, vpls->buffer.texels},
                      {UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
     };
     timer_begin(frame->timers, "importance");
     buffer_write(&pass->params, 0, sizeof params, &params);
-    gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, vpls->buffer.id);
     scatter(&cells, pass->value_program, pass->value_framebuffer, PASS_BLEND_ADD, vpls->count);
     scatter(&cells, pass->number_program, pass->number_framebuffer, PASS_BLEND_OFF, vpls->count);
     warp(pass);

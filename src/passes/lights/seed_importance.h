@@ -22,7 +22,6 @@ struct seed_importance_desc {
 struct seed_importance_pass {
     struct seed_importance_desc desc;
     GLuint value_program, number_program, seed_program;
-    GLuint vpl_texture;
     struct texture values, numbers; /* a texel a cell; R32F */
     GLuint value_framebuffer, number_framebuffer;
     struct texture seeds; /* count x 1, R32F: numbers of VPLs, or -1 */

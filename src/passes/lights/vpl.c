@@ -36,8 +36,7 @@ static bool init_programs(struct vpl_pass *pass) {
         program_init(&pass->sums_program, &(struct program_desc){.vertex = "lights/vpl_sums.vert",
                                                                  .fragment = "lights/vpl_sums.frag",
                                                                  .defines = defines});
-    free(defines);
-    free(vpl_defines);
+    mem_free(defines, vpl_defines);
     return ok;
 }
 
@@ -62,11 +61,9 @@ bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
 }
 
 void vpl_pass_free(struct vpl_pass *pass) {
-    program_free(&pass->program);
-    program_free(&pass->sums_program);
+    programs_free(&pass->program, &pass->sums_program);
     vertex_array_free(&pass->vertices);
-    buffer_free(&pass->samples);
-    buffer_free(&pass->shares);
+    buffers_free(&pass->samples, &pass->shares);
     texture_free(&pass->no_maps);
     free(pass->points);
     *pass = (struct vpl_pass){0};

@@ -44,7 +44,6 @@ static bool init_tree(struct vpl_tree_pass *pass) {
     tree->leaves = 1;
     while (tree->leaves < pass->desc.vpl_count)
         tree->leaves *= 2;
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &tree->vpls);
     return init_nodes(&tree->nodes, "tree of VPLs", GL_RGBA32F, 2 * tree->leaves, TREE_ROWS) &&
            init_nodes(&tree->representatives, "representatives", GL_R32UI, 2 * tree->leaves,
                       tree->sets) &&
@@ -65,18 +64,11 @@ bool vpl_tree_pass_init(struct vpl_tree_pass *pass, const struct vpl_tree_desc *
 }
 
 void vpl_tree_pass_free(struct vpl_tree_pass *pass) {
-    program_free(&pass->keys_program);
-    program_free(&pass->sort_program);
-    program_free(&pass->leaves_program);
-    program_free(&pass->nodes_program);
-    program_free(&pass->representatives_program);
+    programs_free(&pass->keys_program, &pass->sort_program, &pass->leaves_program,
+                  &pass->nodes_program, &pass->representatives_program);
     framebuffer_free(&pass->representatives_framebuffer);
-    texture_free(&pass->tree.nodes);
-    texture_free(&pass->tree.representatives);
-    if (pass->tree.vpls)
-        gl.DeleteTextures(1, &pass->tree.vpls);
-    buffer_free(&pass->keys);
-    buffer_free(&pass->params);
+    textures_free(&pass->tree.nodes, &pass->tree.representatives);
+    buffers_free(&pass->keys, &pass->params);
     *pass = (struct vpl_tree_pass){0};
 }
 
@@ -142,10 +134,10 @@ static void choose_representatives(const struct vpl_tree_pass *pass) {
     pass_draw_fullscreen(pass->tree.sets);
 }
 
-void vpl_tree_pass_render(const struct vpl_tree_pass *pass, const struct frame *frame,
+void vpl_tree_pass_render(struct vpl_tree_pass *pass, const struct frame *frame,
                           const struct vpl_buffer *vpls) {
     timer_begin(frame->timers, "tree");
-    gl.TextureBuffer(pass->tree.vpls, GL_RGBA32F, vpls->buffer.id);
+    pass->tree.vpls = vpls->buffer.texels;
     write_params(pass, frame);
     sort(pass);
     build(pass);

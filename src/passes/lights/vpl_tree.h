@@ -28,7 +28,7 @@ bool vpl_tree_pass_init(struct vpl_tree_pass *pass, const struct vpl_tree_desc *
 void vpl_tree_pass_free(struct vpl_tree_pass *pass);
 
 /* Fills pass->tree, which reads the VPLs too. Timer "tree". */
-void vpl_tree_pass_render(const struct vpl_tree_pass *pass, const struct frame *frame,
+void vpl_tree_pass_render(struct vpl_tree_pass *pass, const struct frame *frame,
                           const struct vpl_buffer *vpls);
 
 #endif

@@ -36,12 +36,9 @@ bool vpl_weight_pass_init(struct vpl_weight_pass *pass, int vpl_count) {
 }
 
 void vpl_weight_pass_free(struct vpl_weight_pass *pass) {
-    program_free(&pass->program);
-    program_free(&pass->sum_program);
-    framebuffer_free(&pass->value_framebuffer);
-    framebuffer_free(&pass->sum_framebuffer);
-    texture_free(&pass->weights.values);
-    texture_free(&pass->weights.sum);
+    programs_free(&pass->program, &pass->sum_program);
+    framebuffers_free(&pass->value_framebuffer, &pass->sum_framebuffer);
+    textures_free(&pass->weights.values, &pass->weights.sum);
     *pass = (struct vpl_weight_pass){0};
 }
 
@@ -53,7 +50,7 @@ static struct pass_state row_state(GLuint program, GLuint framebuffer, const str
         .framebuffer = framebuffer,
         .width = row->desc.width,
         .height = 1,
-        .textures = {{UNIT_VPLS, vpls->texels}},
+        .textures = {{UNIT_VPLS, vpls->buffer.texels}},
     };
 }
 

@@ -54,27 +54,11 @@ static bool init_targets(struct airlight_pass *pass) {
 }
 
 static void free_targets(struct airlight_pass *pass) {
-    framebuffer_free(&pass->steps_framebuffer);
-    framebuffer_free(&pass->half_framebuffer);
-    framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->steps);
-    texture_free(&pass->half_blurred);
-    texture_free(&pass->in_scatter);
-    texture_free(&pass->transmittance);
+    framebuffers_free(&pass->steps_framebuffer, &pass->half_framebuffer, &pass->framebuffer);
+    textures_free(&pass->steps, &pass->half_blurred, &pass->in_scatter, &pass->transmittance);
 }
 
-bool airlight_pass_resize(struct airlight_pass *pass, int width, int height) {
-    struct airlight_pass fresh = *pass;
-    fresh.steps = fresh.half_blurred = fresh.in_scatter = fresh.transmittance = (struct texture){0};
-    fresh.steps_framebuffer = fresh.half_framebuffer = fresh.framebuffer = 0;
-    fresh.desc.width = width;
-    fresh.desc.height = height;
-    bool ok = init_targets(&fresh);
-    free_targets(ok ? pass : &fresh);
-    if (ok)
-        *pass = fresh;
-    return ok;
-}
+DEFINE_RESIZE(airlight_pass, steps, framebuffer)
 
 bool airlight_pass_init(struct airlight_pass *pass, const struct airlight_desc *desc) {
     *pass = (struct airlight_pass){.desc = *desc};
@@ -93,8 +77,7 @@ void airlight_pass_free(struct airlight_pass *pass) {
     for (int axis = 0; axis < 2; axis++)
         program_free(&pass->blur_programs[axis]);
     free_targets(pass);
-    buffer_free(&pass->params);
-    buffer_free(&pass->blur_params);
+    buffers_free(&pass->params, &pass->blur_params);
     *pass = (struct airlight_pass){0};
 }
 
@@ -182,7 +165,7 @@ static void blur(const struct airlight_pass *pass, const struct frame *frame,
         .height = pass->desc.height,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_PANES, frame->scene->panes.texels},
+                     {UNIT_PANES, frame->scene->panes.buffer.texels},
                      {UNIT_AIRLIGHT, axis ? pass->half_blurred.id : pass->steps.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_MEDIUM, frame->medium},

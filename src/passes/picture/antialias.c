@@ -142,17 +142,12 @@ bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_des
 }
 
 void antialias_pass_free(struct antialias_pass *pass) {
-    program_free(&pass->solid_program);
-    program_free(&pass->masked_program);
-    program_free(&pass->edge_program);
-    program_free(&pass->assignment_program);
-    framebuffer_free(&pass->sample_framebuffer);
-    framebuffer_free(&pass->assignment_framebuffer);
-    texture_free(&pass->depths);
-    texture_free(&pass->normals);
+    programs_free(&pass->solid_program, &pass->masked_program, &pass->edge_program,
+                  &pass->assignment_program);
+    framebuffers_free(&pass->sample_framebuffer, &pass->assignment_framebuffer);
+    textures_free(&pass->depths, &pass->normals);
     pixel_mask_free(&pass->edges);
-    texture_free(&pass->assignment);
-    texture_free(&pass->edge_samples);
+    textures_free(&pass->assignment, &pass->edge_samples);
     buffer_free(&pass->params);
     *pass = (struct antialias_pass){0};
 }

@@ -83,12 +83,9 @@ bool composite_pass_init(struct composite_pass *pass, const struct composite_des
 }
 
 void composite_pass_free(struct composite_pass *pass) {
-    program_free(&pass->centers_program);
-    program_free(&pass->display_program);
-    program_free(&pass->layer_program);
+    programs_free(&pass->centers_program, &pass->display_program, &pass->layer_program);
     framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->display);
-    texture_free(&pass->edges);
+    textures_free(&pass->display, &pass->edges);
     buffer_free(&pass->params);
     *pass = (struct composite_pass){0};
 }

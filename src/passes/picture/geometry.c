@@ -23,16 +23,14 @@ bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *
     light_desc.defines = light ? light : desc->facets ? "LIGHT_VIEW;FACETS" : "LIGHT_VIEW";
     bool ok = program_init(&pass->camera_program, &camera_desc) &&
               program_init(&pass->light_program, &light_desc);
-    free(camera);
-    free(light);
+    mem_free(camera, light);
     if (!ok)
         geometry_pass_free(pass);
     return ok;
 }
 
 void geometry_pass_free(struct geometry_pass *pass) {
-    program_free(&pass->camera_program);
-    program_free(&pass->light_program);
+    programs_free(&pass->camera_program, &pass->light_program);
 }
 
 /* What is seen, and by which program, is in the state that comes in. */

@@ -56,8 +56,7 @@ bool mean_pass_init(struct mean_pass *pass, const struct mean_desc *desc) {
 }
 
 void mean_pass_free(struct mean_pass *pass) {
-    program_free(&pass->layer_program);
-    program_free(&pass->display_program);
+    programs_free(&pass->layer_program, &pass->display_program);
     for (int i = 0; i < LAYERS; i++) {
         framebuffer_free(&pass->framebuffers[i]);
         texture_free(&pass->sums[i]);

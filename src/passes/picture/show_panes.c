@@ -25,22 +25,10 @@ static bool init_targets(struct show_panes_pass *pass) {
 
 static void free_targets(struct show_panes_pass *pass) {
     framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->own);
-    texture_free(&pass->transmittance);
+    textures_free(&pass->own, &pass->transmittance);
 }
 
-bool show_panes_pass_resize(struct show_panes_pass *pass, int width, int height) {
-    struct show_panes_pass fresh = *pass;
-    fresh.own = fresh.transmittance = (struct texture){0};
-    fresh.framebuffer = 0;
-    fresh.desc.width = width;
-    fresh.desc.height = height;
-    bool ok = init_targets(&fresh);
-    free_targets(ok ? pass : &fresh);
-    if (ok)
-        *pass = fresh;
-    return ok;
-}
+DEFINE_RESIZE(show_panes_pass, framebuffer, transmittance)
 
 bool show_panes_pass_init(struct show_panes_pass *pass, const struct show_panes_desc *desc) {
     char defines[96];
@@ -81,7 +69,7 @@ void show_panes_pass_render(const struct show_panes_pass *pass, const struct fra
         .framebuffer = pass->framebuffer,
         .width = pass->desc.width,
         .height = pass->desc.height,
-        .textures = {{UNIT_BVH, pass->tree->texels},
+        .textures = {{UNIT_BVH, pass->tree->buffer.texels},
                      {UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id}},
         .blocks = {{BLOCK_PASS, &pass->params},

@@ -20,7 +20,8 @@ struct show_panes_desc {
 
 struct show_panes_pass {
     struct show_panes_desc desc;
-    GLuint program, framebuffer;
+    GLuint program;
+    GLuint framebuffer;           /* of the two */
     struct texture own;           /* RGBA16F, radiance times irradiance_scale */
     struct texture transmittance; /* RGBA16F */
     struct buffer params;

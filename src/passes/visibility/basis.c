@@ -105,15 +105,10 @@ bool basis_pass_init(struct basis_pass *pass, const struct basis_desc *desc) {
 }
 
 void basis_pass_free(struct basis_pass *pass) {
-    program_free(&pass->range_program);
-    program_free(&pass->program);
-    framebuffer_free(&pass->first_framebuffer);
-    framebuffer_free(&pass->more_framebuffer);
-    texture_free(&pass->maps.cos);
-    texture_free(&pass->maps.sin);
-    texture_free(&pass->maps.z_cos);
-    texture_free(&pass->maps.z_sin);
-    texture_free(&pass->maps.z);
+    programs_free(&pass->range_program, &pass->program);
+    framebuffers_free(&pass->first_framebuffer, &pass->more_framebuffer);
+    textures_free(&pass->maps.cos, &pass->maps.sin, &pass->maps.z_cos, &pass->maps.z_sin,
+                  &pass->maps.z);
     buffer_free(&pass->maps.ranges);
     for (int i = 0; i < 4; i++)
         buffer_free(&pass->params[i]);

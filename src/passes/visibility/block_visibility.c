@@ -54,8 +54,7 @@ void block_visibility_pass_free(struct block_visibility_pass *pass) {
     program_free(&pass->program);
     framebuffer_free(&pass->blocks.framebuffer);
     texture_free(&pass->blocks.texture);
-    buffer_free(&pass->params);
-    buffer_free(&pass->lookup_params);
+    buffers_free(&pass->params, &pass->lookup_params);
     *pass = (struct block_visibility_pass){0};
 }
 

@@ -40,8 +40,7 @@ bool depth_bounds_pass_init(struct depth_bounds_pass *pass, int size, int count)
 }
 
 void depth_bounds_pass_free(struct depth_bounds_pass *pass) {
-    program_free(&pass->first_program);
-    program_free(&pass->more_program);
+    programs_free(&pass->first_program, &pass->more_program);
     texture_free(&pass->maps.bounds);
     for (int level = 0; level < DEPTH_BOUNDS_LEVELS_MAX; level++)
         buffer_free(&pass->params[level]);

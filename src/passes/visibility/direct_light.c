@@ -27,8 +27,7 @@ static bool init_target(struct direct_light_target *target, bool specular, int w
 
 static void free_target(struct direct_light_target *target) {
     framebuffer_free(&target->framebuffer);
-    texture_free(&target->light);
-    texture_free(&target->specular);
+    textures_free(&target->light, &target->specular);
 }
 
 static bool init_program(GLuint *program, const struct direct_light_desc *desc, int projection) {
@@ -70,8 +69,7 @@ bool direct_light_pass_init(struct direct_light_pass *pass, const struct direct_
 }
 
 void direct_light_pass_free(struct direct_light_pass *pass) {
-    program_free(&pass->perspective_program);
-    program_free(&pass->orthographic_program);
+    programs_free(&pass->perspective_program, &pass->orthographic_program);
     free_target(&pass->target);
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         buffer_free(&pass->lookups[kind]);

@@ -40,8 +40,7 @@ static bool init_programs(struct environment_lighting_pass *pass) {
                            &(struct program_desc){
                                .screen = {"visibility/environment_lighting.frag", .blended = true},
                                .defines = light_defines});
-    free(defines);
-    free(light_defines);
+    mem_free(defines, light_defines);
     return ok;
 }
 
@@ -89,11 +88,8 @@ static bool init_targets(struct environment_lighting_pass *pass) {
 }
 
 static void free_targets(struct environment_lighting_pass *pass) {
-    framebuffer_free(&pass->block_framebuffer);
-    framebuffer_free(&pass->light_framebuffer);
-    texture_free(&pass->blocks);
-    texture_free(&pass->light);
-    texture_free(&pass->specular);
+    framebuffers_free(&pass->block_framebuffer, &pass->light_framebuffer);
+    textures_free(&pass->blocks, &pass->light, &pass->specular);
 }
 
 bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
@@ -110,9 +106,7 @@ bool environment_lighting_pass_init(struct environment_lighting_pass *pass,
 
 void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
     caster_pool_release_tree(pass->desc.casters, &pass->bvh);
-    program_free(&pass->share_program);
-    program_free(&pass->block_program);
-    program_free(&pass->light_program);
+    programs_free(&pass->share_program, &pass->block_program, &pass->light_program);
     free_targets(pass);
     framebuffer_free(&pass->share_framebuffer);
     texture_free(&pass->shares);
@@ -120,19 +114,7 @@ void environment_lighting_pass_free(struct environment_lighting_pass *pass) {
     *pass = (struct environment_lighting_pass){0};
 }
 
-bool environment_lighting_pass_resize(struct environment_lighting_pass *pass, int width,
-                                      int height) {
-    struct environment_lighting_pass fresh = *pass;
-    fresh.blocks = fresh.light = fresh.specular = (struct texture){0};
-    fresh.block_framebuffer = fresh.light_framebuffer = 0;
-    fresh.desc.width = width;
-    fresh.desc.height = height;
-    bool ok = init_targets(&fresh);
-    free_targets(ok ? pass : &fresh);
-    if (ok)
-        *pass = fresh;
-    return ok;
-}
+DEFINE_RESIZE(environment_lighting_pass, block_framebuffer, specular)
 
 void environment_lighting_pass_render_lights(const struct environment_lighting_pass *pass,
                                              const struct frame *frame,
@@ -192,7 +174,7 @@ void environment_lighting_pass_render(const struct environment_lighting_pass *pa
     struct pass_state state = {
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_BVH, pass->bvh->texels},
+                     {UNIT_BVH, pass->bvh->buffer.texels},
                      {UNIT_SKY_SHARES, pass->shares.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_SKY, inputs->lights},

@@ -27,11 +27,12 @@ struct environment_lighting_pass {
     struct environment_lighting_desc desc;
     const struct caster_bvh *bvh;
     GLuint share_program, block_program, light_program;
-    struct texture shares;   /* RGBA32F, a layer four lights, and one of all; sky_shares.frag */
+    struct texture shares; /* RGBA32F, a layer four lights, and one of all; sky_shares.frag */
+    GLuint share_framebuffer;
+    GLuint block_framebuffer, light_framebuffer;
     struct texture blocks;   /* RGBA8, the same */
     struct texture light;    /* RGBA32F, irradiance over pi, W/(sr m2) */
     struct texture specular; /* where desc.specular: radiance towards the eye, RGBA32F */
-    GLuint share_framebuffer, block_framebuffer, light_framebuffer;
     struct buffer params;
 };
 

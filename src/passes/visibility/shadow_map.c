@@ -36,8 +36,7 @@ bool shadow_map_pass_init(struct shadow_map_pass *pass, const struct shadow_map_
 }
 
 void shadow_map_pass_free(struct shadow_map_pass *pass) {
-    program_free(&pass->opaque_program);
-    program_free(&pass->masked_program);
+    programs_free(&pass->opaque_program, &pass->masked_program);
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
         framebuffer_free(&pass->framebuffers[kind]);
         texture_free(&pass->maps[kind]);

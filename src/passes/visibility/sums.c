@@ -26,8 +26,7 @@ static bool init_programs(struct sums_pass *pass, const struct sums_desc *desc) 
               program_init(&pass->columns_program,
                            &(struct program_desc){.compute = "visibility/sum_columns.comp",
                                                   .defines = format});
-    free(format);
-    free(rows);
+    mem_free(format, rows);
     return ok;
 }
 
@@ -49,8 +48,7 @@ bool sums_pass_init(struct sums_pass *pass, const struct sums_desc *desc) {
 }
 
 void sums_pass_free(struct sums_pass *pass) {
-    program_free(&pass->rows_program);
-    program_free(&pass->columns_program);
+    programs_free(&pass->rows_program, &pass->columns_program);
     texture_free(&pass->maps.sums);
     *pass = (struct sums_pass){0};
 }

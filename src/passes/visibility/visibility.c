@@ -24,7 +24,7 @@ static void add_maps(struct pass_state *state, const struct visibility_desc *des
     if (inputs->views)
         pass_add_block(state, BLOCK_MAPS, &inputs->views->buffer);
     if (desc->lookup == VISIBILITY_LOOKUP_TRACED) {
-        pass_add_texture(state, UNIT_BVH, inputs->tree->texels);
+        pass_add_texture(state, UNIT_BVH, inputs->tree->buffer.texels);
         return;
     }
     if (desc->lookup != VISIBILITY_LOOKUP_CSSM) {

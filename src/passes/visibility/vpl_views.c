@@ -23,8 +23,7 @@ bool vpl_views_pass_init(struct vpl_views_pass *pass, float near_clip) {
 
 void vpl_views_pass_free(struct vpl_views_pass *pass) {
     program_free(&pass->program);
-    buffer_free(&pass->views.buffer);
-    buffer_free(&pass->params);
+    buffers_free(&pass->views.buffer, &pass->params);
     *pass = (struct vpl_views_pass){0};
 }
 

@@ -18,8 +18,7 @@ static bool init_program(GLuint *program, const char *vertex, const struct volum
     bool ok = program_init(program, &(struct program_desc){.vertex = vertex,
                                                            .fragment = "volume/inject.frag",
                                                            .defines = defines});
-    free(own);
-    free(defines);
+    mem_free(own, defines);
     return ok;
 }
 
@@ -35,8 +34,7 @@ bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, boo
 }
 
 void inject_pass_free(struct inject_pass *pass) {
-    program_free(&pass->program);
-    program_free(&pass->pixel_program);
+    programs_free(&pass->program, &pass->pixel_program);
     *pass = (struct inject_pass){0};
 }
 

@@ -19,16 +19,14 @@ bool march_pass_init(struct march_pass *pass, const struct volume *volume) {
     ok = ok &&
          program_init(&pass->smooth_program,
                       &(struct program_desc){.screen = {"volume/smooth.frag"}, .defines = own});
-    free(own);
-    free(defines);
+    mem_free(own, defines);
     if (!ok)
         march_pass_free(pass);
     return ok;
 }
 
 void march_pass_free(struct march_pass *pass) {
-    program_free(&pass->program);
-    program_free(&pass->smooth_program);
+    programs_free(&pass->program, &pass->smooth_program);
     *pass = (struct march_pass){0};
 }
 

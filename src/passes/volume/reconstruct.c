@@ -6,8 +6,6 @@
 
 #include <stdlib.h>
 
-static const char label[] = "irradiance of the volume";
-
 bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *volume, int width,
                            int height) {
     *pass = (struct reconstruct_pass){0};
@@ -15,7 +13,8 @@ bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *v
     bool ok =
         program_init(&pass->program, &(struct program_desc){.screen = {"volume/reconstruct.frag"},
                                                             .defines = defines}) &&
-        irradiance_init(&pass->irradiance, label, GL_RGBA16F, width, height, 1);
+        irradiance_init(&pass->irradiance, "irradiance of the volume", GL_RGBA16F, width, height,
+                        1);
     free(defines);
     if (!ok)
         reconstruct_pass_free(pass);
@@ -25,10 +24,6 @@ bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *v
 void reconstruct_pass_free(struct reconstruct_pass *pass) {
     program_free(&pass->program);
     irradiance_free(&pass->irradiance);
-}
-
-bool reconstruct_pass_resize(struct reconstruct_pass *pass, int width, int height) {
-    return irradiance_resize(&pass->irradiance, label, GL_RGBA16F, width, height);
 }
 
 void reconstruct_pass_render(const struct reconstruct_pass *pass, const struct frame *frame,

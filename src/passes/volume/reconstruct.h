@@ -22,9 +22,6 @@ bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *v
                            int height);
 void reconstruct_pass_free(struct reconstruct_pass *pass);
 
-/* Error: out of GPU memory; all is as it was. */
-bool reconstruct_pass_resize(struct reconstruct_pass *pass, int width, int height);
-
 /* Fills pass->irradiance. Timer "reconstruct". */
 void reconstruct_pass_render(const struct reconstruct_pass *pass, const struct frame *frame,
                              const struct gbuffer *gbuffer, const struct volume *volume,

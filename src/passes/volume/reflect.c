@@ -40,9 +40,7 @@ bool reflect_pass_init(struct reflect_pass *pass, const struct volume *volume) {
 void reflect_pass_free(struct reflect_pass *pass) {
     program_free(&pass->program);
     framebuffer_free(&pass->framebuffer);
-    texture_free(&pass->radiosity);
-    texture_free(&pass->turned);
-    texture_free(&pass->back);
+    textures_free(&pass->radiosity, &pass->turned, &pass->back);
 }
 
 void reflect_pass_render(const struct reflect_pass *pass, const struct frame *frame,

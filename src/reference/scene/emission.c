@@ -36,8 +36,7 @@ static void deal_rays(struct emission *emission, int count) {
     deal(fluxes, emission->count, emission->rays, count, counts);
     for (int n = 0; n < emission->count && count > 0; n++)
         emission->sources[n].share = (float)counts[n] / (float)count;
-    free(fluxes);
-    free(counts);
+    mem_free(fluxes, counts);
 }
 
 static void add_lights(struct emission *emission, const struct emitters *emitters) {
@@ -78,8 +77,7 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
 }
 
 void emission_free(struct emission *emission) {
-    free(emission->sources);
-    free(emission->rays);
+    mem_free(emission->sources, emission->rays);
     surfaces_free(&emission->surfaces);
     sky_free(&emission->sky);
     *emission = (struct emission){0};

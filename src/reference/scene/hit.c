@@ -146,8 +146,7 @@ static bool has_two_sides(const struct hit_table *table, const struct material *
 }
 
 void hit_table_free(struct hit_table *table) {
-    free(table->material_of);
-    free(table->normal_of);
+    mem_free(table->material_of, table->normal_of);
     *table = (struct hit_table){0};
 }
 

@@ -32,8 +32,7 @@ bool sky_init(struct sky *sky, const struct environment *environment) {
     }
     if (sky->power > 0)
         alias_init(&sky->rows, sums, height);
-    free(weights);
-    free(sums);
+    mem_free(weights, sums);
     return sky->power > 0;
 }
 

@@ -115,9 +115,7 @@ void surfaces_init(struct surfaces *surfaces, const struct hit_table *table,
 }
 
 void surfaces_free(struct surfaces *surfaces) {
-    free(surfaces->shines);
-    free(surfaces->first);
-    free(surfaces->list);
+    mem_free(surfaces->shines, surfaces->first, surfaces->list);
     alias_free(&surfaces->alias);
     *surfaces = (struct surfaces){0};
 }

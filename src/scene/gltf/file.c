@@ -86,8 +86,7 @@ static enum file_lack resolve(const char *folder, const char *root, const char *
             *place = mem_strdup(as_text);
         }
     }
-    free(as_text);
-    free(path);
+    mem_free(as_text, path);
     return lack;
 }
 
@@ -101,8 +100,7 @@ static void refuse_outside(const char *folder, const char *root, const char *pla
     else
         error_set("'%s' leads out of the folder %s (--root %s allows it)", shown(text, name), root,
                   word);
-    free(word);
-    free(common);
+    mem_free(word, common);
 }
 
 /* The name as a path: without "file://"; the caller frees it. NULL: another URL, or nothing. */
@@ -177,9 +175,7 @@ char *file_find_named(const char *folder, const char *name, enum file_lack *lack
         place = NULL;
         *lack = *path == '/' ? FILE_MISSING : FILE_OUTSIDE;
     }
-    free(path);
-    free(base);
-    free(root);
+    mem_free(path, base, root);
     return place;
 }
 

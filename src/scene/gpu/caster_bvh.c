@@ -3,11 +3,9 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/phases.h"
-#include "base/memory.h"
 #include "scene/mesh/pane_triangles.h"
 #include "scene/mesh/stackless_bvh.h"
 
-#include <math.h>
 #include <string.h>
 
 static void plant(struct bvh *tree, bool of_panes, const struct scene *scene,
@@ -30,15 +28,10 @@ static bool upload(struct caster_bvh *tree, const struct stackless_bvh *stackles
         return true;
     }
     caster_bvh_free(tree);
-    if (!buffer_init(&tree->buffer, "caster BVH", size, stackless->texels))
-        return false;
-    buffer_show(&tree->buffer, GL_RGBA32UI, &tree->texels);
-    return true;
+    return buffer_init_texels(&tree->buffer, GL_RGBA32UI, "caster BVH", size, stackless->texels);
 }
 
 void caster_bvh_free(struct caster_bvh *tree) {
-    if (tree->texels)
-        gl.DeleteTextures(1, &tree->texels);
     buffer_free(&tree->buffer);
     *tree = (struct caster_bvh){.of_panes = tree->of_panes};
 }
@@ -56,7 +49,7 @@ bool caster_bvh_update(struct caster_bvh *tree, const struct scene *scene,
     struct bvh built;
     struct stackless_bvh stackless;
     struct stackless_bvh_desc desc = {.clearance = geometry_clearance(geometry)};
-    if (tree->texels && !has_moved(tree, geometry)) {
+    if (tree->buffer.id && !has_moved(tree, geometry)) {
         tree->pose = geometry->pose_count;
         return true;
     }

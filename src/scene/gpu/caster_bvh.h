@@ -9,7 +9,6 @@
 
 struct caster_bvh {
     struct buffer buffer;
-    GLuint texels;
     unsigned pose; /* of the geometry, that it is of */
     bool of_panes; /* scene/mesh/pane_triangles.h; set before the first time */
 };

@@ -48,9 +48,7 @@ static bool init_buffers(struct caster_gpu *gpu, const struct geometry *geometry
 
 static void free_buffers(struct caster_gpu *gpu) {
     vertex_array_free(&gpu->vertices);
-    buffer_free(&gpu->positions);
-    buffer_free(&gpu->uvs);
-    buffer_free(&gpu->indices);
+    buffers_free(&gpu->positions, &gpu->uvs, &gpu->indices);
 }
 
 bool caster_gpu_init(struct caster_gpu *gpu, const struct geometry *geometry,

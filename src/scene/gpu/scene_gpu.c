@@ -37,10 +37,10 @@ static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geom
     for (size_t i = 0; i < count; i++)
         for (int c = 0; c < 4; c++)
             colors[i][c] = (uint16_t)lrintf(fminf(fmaxf(geometry->color[i][c], 0), 1) * 65535);
-    bool ok = buffer_init(&gpu->normals, "scene normals", count * sizeof *normals, normals) &&
+    bool ok = buffer_init_texels(&gpu->normals, GL_RGBA16I, "scene normals",
+                                 count * sizeof *normals, normals) &&
               buffer_init(&gpu->colors, "scene colours", count * sizeof *colors, colors);
-    free(normals);
-    free(colors);
+    mem_free(normals, colors);
     return ok;
 }
 
@@ -224,11 +224,11 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
     size_t count = geometry->vertex_count;
     gpu->pose = geometry->pose_count;
     copy_batches(gpu, geometry);
-    if (!buffer_init(&gpu->positions, "scene positions", count * sizeof *geometry->position,
-                     geometry->position) ||
+    if (!buffer_init_texels(&gpu->positions, GL_RGB32F, "scene positions",
+                            count * sizeof *geometry->position, geometry->position) ||
         !upload_uvs(gpu, geometry) || !upload_attributes(gpu, geometry) ||
-        !buffer_init(&gpu->indices, "scene indices", geometry->index_count * sizeof(uint32_t),
-                     geometry->indices))
+        !buffer_init_texels(&gpu->indices, GL_R32UI, "scene indices",
+                            geometry->index_count * sizeof(uint32_t), geometry->indices))
         return false;
     if (!caster_bvh_update(&gpu->panes, gpu->scene, geometry))
         return false;
@@ -239,12 +239,10 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
 
 static void free_geometry(struct scene_gpu *gpu) {
     vertex_array_free(&gpu->shaded_vertices);
-    buffer_free(&gpu->positions);
-    buffer_free(&gpu->normals);
+    buffers_free(&gpu->positions, &gpu->normals);
     for (int m = 0; m < MAPPINGS_MAX; m++)
         buffer_free(&gpu->uvs[m]);
-    buffer_free(&gpu->colors);
-    buffer_free(&gpu->indices);
+    buffers_free(&gpu->colors, &gpu->indices);
     culling_free(&gpu->culling);
     free(gpu->batches);
     gpu->batches = NULL;
@@ -290,13 +288,8 @@ void scene_gpu_free(struct scene_gpu *gpu) {
     buffer_free(&gpu->materials);
     for (int i = 0; i < gpu->texture_count; i++)
         texture_free(&gpu->textures[i]);
-    free(gpu->textures);
-    free(gpu->glow);
-    texture_free(&gpu->blank);
-    texture_free(&gpu->sky);
-    texture_free(&gpu->slides);
-    texture_free(&gpu->lobes);
-    texture_free(&gpu->lobe_albedos);
+    mem_free(gpu->textures, gpu->glow);
+    textures_free(&gpu->blank, &gpu->sky, &gpu->slides, &gpu->lobes, &gpu->lobe_albedos);
     free(gpu->normal_room);
     *gpu = (struct scene_gpu){0};
 }

@@ -175,9 +175,7 @@ static void give_more(struct findings *findings, int left) {
     for (int i = 0; i < findings->count; i++)
         if (counts[i] > 0)
             findings->items[i].lights = counts[i] < STAND_INS_MAX ? counts[i] : STAND_INS_MAX;
-    free(dealt);
-    free(powers);
-    free(counts);
+    mem_free(dealt, powers, counts);
 }
 
 /* --- lights ----------------------------------------------------------------------------------- */
@@ -338,10 +336,7 @@ static void findings_free(struct findings *findings) {
             free(findings->islands[m][p].ends);
         free(findings->islands[m]);
     }
-    free(findings->islands);
-    free(findings->items);
-    free(findings->worlds);
-    free(findings->told);
+    mem_free(findings->islands, findings->items, findings->worlds, findings->told);
 }
 
 void emissive_add_lights(struct scene *scene) {

@@ -124,8 +124,7 @@ struct emitters emitters_place(const struct scene *scene, double time) {
             place(&all.items[all.count], scene, &light, all.count, worlds[i]);
             all.count++;
         }
-    free(shown);
-    free(worlds);
+    mem_free(shown, worlds);
     return all;
 }
 

@@ -120,6 +120,77 @@ static void take_block(struct environment *environment, const struct image *imag
 /* Wider ones cost much and show no more. */
 enum { WIDEST = 8192 };
 
+/* --- cubes [OpenEXR, ImfEnvmap.h] --------------------------------------------------------------- */
+
+/* Where a direction meets the squares of a cube: +X -X +Y -Y +Z -Z, one below the other. Centres of texels along an edge
+ * lie on the edge. */
+static void cube_place(const float d[3], int side, double place[2], int *top) {
+    int axis = fabsf(d[0]) >= fabsf(d[1]) && fabsf(d[0]) >= fabsf(d[2]) ? 0
+               : fabsf(d[1]) >= fabsf(d[2])                             ? 1
+                                                                        : 2;
+    bool below = d[axis] < 0;
+    double scale = 1 / fabs((double)d[axis]), x = (double)d[0] * scale, y = (double)d[1] * scale,
+           z = (double)d[2] * scale;
+    place[0] = axis == 0 ? (below ? -z : z) : axis == 1 ? x : below ? x : -x;
+    place[1] = axis == 1 ? (below ? z : -z) : -y;
+    for (int i = 0; i < 2; i++)
+        place[i] = (place[i] + 1) / 2 * (side - 1);
+    *top = (2 * axis + below) * side;
+}
+
+/* Adds what lies between four texels. */
+static void add_cube(const float (*texels)[3], int side, const float direction[3], double sum[3]) {
+    double place[2];
+    int top;
+    cube_place(direction, side, place, &top);
+    int x = (int)fmin(place[0], side - 2), y = (int)fmin(place[1], side - 2);
+    for (int i = 0; i < 4; i++) {
+        int column = x + i % 2, row = y + i / 2;
+        double weight = (1 - fabs(place[0] - column)) * (1 - fabs(place[1] - row));
+        for (int c = 0; c < 3; c++)
+            sum[c] += weight * (double)texels[(top + row) * side + column][c];
+    }
+}
+
+/* A panorama of the cube's, which looks along +Z in the middle as OpenEXR's have it: +X of the scene. */
+static void take_cube(struct environment *environment, const float (*texels)[3], int side) {
+    enum { SAMPLES = 3 }; /* a side of a texel */
+    for (int i = 0; i < environment->width * environment->height; i++) {
+        double sum[3] = {0};
+        for (int s = 0; s < SAMPLES * SAMPLES; s++) {
+            float d[3];
+            environment_direction(environment,
+                                  i % environment->width + (s % SAMPLES + .5) / SAMPLES,
+                                  i / environment->width + (s / SAMPLES + .5) / SAMPLES, d);
+            add_cube(texels, side, (float[]){-d[2], d[1], d[0]}, sum);
+        }
+        for (int c = 0; c < 3; c++)
+            environment->texels[i][c] = (float)(sum[c] / (SAMPLES * SAMPLES));
+    }
+}
+
+static bool load_cube(struct environment *environment, const struct image *image,
+                      const int channels[3], const char *path) {
+    struct odd_texels odd = {0};
+    int side = image->width;
+    if (image->encoded || image->height != 6 * side || side < 2)
+        return error_set("%d x %d pixels are no cube of light: six squares, one below the other",
+                         side, image->height);
+    environment->width = 4 * side < WIDEST ? 4 * side : WIDEST;
+    environment->height = environment->width / 2;
+    size_t count = (size_t)environment->width * (size_t)environment->height;
+    float(*texels)[3] = mem_alloc((size_t)side * (size_t)image->height, sizeof *texels);
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < side; x++)
+            take_texel(texels[(size_t)y * (size_t)side + (size_t)x], image, channels, x, y, &odd);
+    environment->texels = mem_alloc(count, sizeof *environment->texels);
+    take_cube(environment, (const float(*)[3])texels, side);
+    free(texels);
+    return tell_odd(&odd, path);
+}
+
+/* --- panoramas -------------------------------------------------------------------------------- */
+
 static bool take_texels(struct environment *environment, const struct image *image,
                         const int channels[3], const char *path) {
     struct odd_texels odd = {0};
@@ -145,7 +216,8 @@ bool environment_load(struct environment *environment, const char *path) {
     *environment = (struct environment){.strength = 1};
     if (!piped_image_read_layer(&image, path, "", channels))
         return false;
-    bool ok = take_texels(environment, &image, channels, path) || error_prefix("%s", path);
+    bool ok = (image.cube ? load_cube : take_texels)(environment, &image, channels, path) ||
+              error_prefix("%s", path);
     image_free(&image);
     if (ok)
         environment->path = mem_strdup(path);
@@ -157,9 +229,7 @@ bool environment_load(struct environment *environment, const char *path) {
 void environment_free(struct environment *environment) {
     if (!environment)
         return;
-    free(environment->texels);
-    free(environment->path);
-    free(environment);
+    mem_free(environment->texels, environment->path, environment);
 }
 
 bool environment_follow(struct environment **environment, const struct environment_desc *desc) {

@@ -65,8 +65,7 @@ static void number(struct islands *islands, const struct primitive *primitive, i
         number_of[i / 3] = *of_root;
         islands->ends[*of_root] += 3;
     }
-    free(parents);
-    free(of_roots);
+    mem_free(parents, of_roots);
 }
 
 /* ends: of islands from 1 on; each moves from the begin of its island to the end. */

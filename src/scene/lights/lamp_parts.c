@@ -115,8 +115,7 @@ static int cluster(const struct feature *features, int count, int most, int *own
             for (int j = 0; j < 6 && sums[k][6] > 0; j++)
                 means[k][j] = sums[k][j] / sums[k][6];
     }
-    free(means);
-    free(sums);
+    mem_free(means, sums);
     return made;
 }
 
@@ -223,7 +222,6 @@ int lamp_parts_make(const struct lamp_triangle *triangles, int count, struct lam
                 add_moments(&sums, &triangles[i]);
         make_part(&parts[made++], &sums);
     }
-    free(features);
-    free(owner);
+    mem_free(features, owner);
     return made;
 }

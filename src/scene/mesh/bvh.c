@@ -217,7 +217,6 @@ void bvh_init(struct bvh *tree, struct bvh_triangle *triangles, uint32_t count) 
 }
 
 void bvh_free(struct bvh *tree) {
-    free(tree->triangles);
-    free(tree->nodes);
+    mem_free(tree->triangles, tree->nodes);
     *tree = (struct bvh){0};
 }

@@ -97,8 +97,7 @@ static void list_init(struct caster_list *list, const struct geometry *geometry,
 }
 
 static void list_free(struct caster_list *list) {
-    free(list->indices);
-    free(list->batches);
+    mem_free(list->indices, list->batches);
 }
 
 static void list_begin_batch(struct caster_list *list, const struct geometry *geometry, int batch) {

@@ -215,12 +215,10 @@ static void allocate_arrays(struct geometry *geometry) {
 }
 
 static void free_arrays(struct geometry *geometry) {
-    free(geometry->position);
-    free(geometry->normal);
+    mem_free(geometry->position, geometry->normal);
     for (int m = 0; m < MAPPINGS_MAX; m++)
         free(geometry->uv[m]);
-    free(geometry->color);
-    free(geometry->indices);
+    mem_free(geometry->color, geometry->indices);
 }
 
 /* What does not move: texture coordinates and colours, white where there is none. */
@@ -483,8 +481,7 @@ void geometry_free(struct geometry *geometry) {
     pose_free(&geometry->pose);
     pose_free(&geometry->next);
     free_arrays(geometry);
-    free(geometry->batches);
-    free(geometry->parts);
+    mem_free(geometry->batches, geometry->parts);
     *geometry = (struct geometry){0};
 }
 

@@ -148,17 +148,12 @@ void primitive_repair_normals(struct primitive *primitive) {
 
 void primitive_free(struct primitive *primitive, int target_count) {
     for (int i = 0; primitive->targets && i < target_count; i++) {
-        free(primitive->targets[i].position);
-        free(primitive->targets[i].normal);
+        mem_free(primitive->targets[i].position, primitive->targets[i].normal);
     }
-    free(primitive->targets);
-    free(primitive->joints);
-    free(primitive->weights);
-    free(primitive->position);
-    free(primitive->normal);
+    mem_free(primitive->targets, primitive->joints, primitive->weights, primitive->position,
+             primitive->normal);
     for (int m = 0; m < MAPPINGS_MAX; m++)
         free(primitive->uv[m]);
-    free(primitive->color);
-    free(primitive->indices);
+    mem_free(primitive->color, primitive->indices);
     *primitive = (struct primitive){0};
 }

@@ -359,12 +359,8 @@ static void patch_init(struct patch *patch, const struct simplify_mesh *mesh,
 }
 
 static void patch_free(struct patch *patch) {
-    free(patch->triangles);
-    free(patch->quadrics);
-    free(patch->first);
-    free(patch->around);
-    free(patch->best);
-    free(patch->touched);
+    mem_free(patch->triangles, patch->quadrics, patch->first, patch->around, patch->best,
+             patch->touched);
 }
 
 void simplify_mesh(const struct simplify_mesh *mesh, const struct simplify_desc *desc,
@@ -407,8 +403,7 @@ static void simplify_part(const struct parts *parts, const struct geometry_part 
     simplify_mesh(&mesh, &own, moved);
     for (uint32_t v = 0; v < count; v++)
         parts->moved_to[base + v] = base + moved[first[base + v] - base];
-    free(indices);
-    free(moved);
+    mem_free(indices, moved);
 }
 
 static void simplify_numbered_part(void *context, size_t number) {

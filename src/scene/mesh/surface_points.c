@@ -91,8 +91,7 @@ static void init_sums(struct running_sums *sums, const struct surface_points_des
 }
 
 static void free_sums(struct running_sums *sums) {
-    free(sums->ends);
-    free(sums->first);
+    mem_free(sums->ends, sums->first);
 }
 
 /* The first of count ends that lies beyond the value. */
@@ -223,8 +222,7 @@ static void deal_by_area(struct surface_points *points, const struct surface_poi
     for (int i = 0; i < found; i++)
         points->items[i].share *= (float)(all / tried);
     free_sums(&trial.sums);
-    free(trial.points);
-    free(trial.good);
+    mem_free(trial.points, trial.good);
 }
 
 void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc) {

@@ -69,12 +69,10 @@ void weld_init(struct weld *weld, const struct geometry *geometry) {
                 weld->shared[other] = weld->shared[weld->first[vertex]] = true;
         }
     }
-    free(own.slots);
-    free(all.slots);
+    mem_free(own.slots, all.slots);
 }
 
 void weld_free(struct weld *weld) {
-    free(weld->first);
-    free(weld->shared);
+    mem_free(weld->first, weld->shared);
     *weld = (struct weld){0};
 }

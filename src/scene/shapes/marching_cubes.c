@@ -4,7 +4,6 @@
 #include "base/unit.h"
 
 #include <assert.h>
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -109,8 +108,7 @@ void marching_cubes_init(struct marching_cubes *cubes) {
 
 void marching_cubes_free(struct marching_cubes *cubes) {
     for (int i = 0; i < 2; i++) {
-        free(cubes->values[i]);
-        free(cubes->vertices[i]);
+        mem_free(cubes->values[i], cubes->vertices[i]);
     }
     free(cubes->wrong);
     *cubes = (struct marching_cubes){0};

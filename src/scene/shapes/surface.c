@@ -6,9 +6,7 @@
 #include <string.h>
 
 void surface_free(struct surface *surface) {
-    free(surface->position);
-    free(surface->normal);
-    free(surface->indices);
+    mem_free(surface->position, surface->normal, surface->indices);
     *surface = (struct surface){0};
 }
 

@@ -31,19 +31,21 @@ static const char *const seed_names[] = {"even", "importance", NULL};
 
 static const struct option table[] = {
     {"area-lights", 0, OPTION_INT, ROW(lights), 128, 1, LIGHT_RECTANGLES_MAX,
-     .help = "number of area lights (clusters of VPLs), J"},
-    {"form", 0, OPTION_CHOICE, ROW(form), LIGHT_FORM_RECTANGLE, .choices = form_names,
+     .label = "area lights", .help = "number of area lights (clusters of VPLs), J"},
+    {"form", 0, OPTION_CHOICE, ROW(form), LIGHT_FORM_RECTANGLE, .label = "shape",
+     .choices = form_names,
      .help = "shape of an area light: a rectangle of the cluster's second moments; or,\n"
              "as published, a disk (its clusters weigh normals by\n"
              "10 instead of .1)"},
-    {"shadows", 0, OPTION_CHOICE, ROW(visibility), LIGHT_VISIBILITY_VALS,
+    {"shadows", 0, OPTION_CHOICE, ROW(visibility), LIGHT_VISIBILITY_VALS, .label = "shadows",
      .choices = visibility_names,
      .help = "visibility of the area lights: from virtual area\n"
              "lights (clustered.vals), or none as published"},
-    {"seeds", 0, OPTION_CHOICE, ROW(seeds), LIGHT_SEEDS_EVEN, .choices = seed_names,
+    {"seeds", 0, OPTION_CHOICE, ROW(seeds), LIGHT_SEEDS_EVEN, .label = "first groups",
+     .choices = seed_names,
      .help = "VPLs where clusters begin: the first J, or\n"
              "chosen by their unoccluded light in the picture"},
-    {"near", 0, OPTION_INT, ROW(near), 256, 0, NEAR_SAMPLES_MAX,
+    {"near", 0, OPTION_INT, ROW(near), 256, 0, NEAR_SAMPLES_MAX, .label = "near samples",
      .help = "near-field samples per pixel, which replace the near part of\n"
              "the rectangles; 0: off",
      .needs = "cluster-lights.form=rectangle"},
@@ -266,15 +268,7 @@ extern const struct technique cluster_lights_technique;
 const struct technique cluster_lights_technique = {
     .name = "cluster-lights",
     .help = "clusters of VPLs as area lights, all at each pixel",
-    .parts = parts,
-    .presets = presets,
+    MANY_LIGHTS_TECHNIQUE,
     .refinement = &many_lights_refinement,
-    .init = init,
-    .free = free_state,
     .resize = resize,
-    .render_lights = render_lights,
-    .follows_camera = many_lights_follow_camera,
-    .render_view = render_view,
-    .contribution = many_lights_contribution,
-    .outputs = outputs,
 };

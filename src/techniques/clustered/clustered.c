@@ -97,16 +97,8 @@ extern const struct technique clustered_technique;
 const struct technique clustered_technique = {
     .name = "clustered",
     .help = "soft shadow maps of clusters of VPLs",
-    .parts = parts,
-    .presets = presets,
+    MANY_LIGHTS_TECHNIQUE,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
-    .init = init,
-    .free = free_state,
     .resize = resize,
-    .render_lights = render_lights,
-    .follows_camera = many_lights_follow_camera,
-    .render_view = render_view,
-    .contribution = many_lights_contribution,
-    .outputs = outputs,
 };

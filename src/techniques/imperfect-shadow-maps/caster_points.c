@@ -23,17 +23,15 @@ bool caster_points_init(struct caster_points *points, const struct caster_points
     points->dealt_by_pose = surface_points_differ_by_pose(desc->geometry);
     points->room = mem_alloc(count, sizeof *points->room);
     deal(points, desc->geometry);
-    if (!buffer_init(&points->buffer, "caster points", count * sizeof *points->room, NULL)) {
+    if (!buffer_init_texels(&points->buffer, GL_RGBA32F, "caster points",
+                            count * sizeof *points->room, NULL)) {
         caster_points_free(points);
         return false;
     }
-    buffer_show(&points->buffer, GL_RGBA32F, &points->texture);
     return true;
 }
 
 void caster_points_free(struct caster_points *points) {
-    if (points->texture)
-        gl.DeleteTextures(1, &points->texture);
     buffer_free(&points->buffer);
     surface_points_free(&points->points);
     free(points->room);

@@ -21,7 +21,6 @@ struct caster_points {
     struct caster_point *room; /* for what is uploaded */
     float radius;              /* of all disks of a map together, were they alike, metres */
     struct buffer buffer;
-    GLuint texture; /* a buffer texture over it, for UNIT_CASTER_POINTS */
 };
 
 bool caster_points_init(struct caster_points *points, const struct caster_points_desc *desc);

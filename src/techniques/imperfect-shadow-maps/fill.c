@@ -57,14 +57,10 @@ bool fill_pass_init(struct fill_pass *pass, int size, int count) {
 }
 
 void fill_pass_free(struct fill_pass *pass) {
-    program_free(&pass->pull_program);
-    program_free(&pass->push_program);
-    program_free(&pass->map_program);
+    programs_free(&pass->pull_program, &pass->push_program, &pass->map_program);
     for (int l = 0; l < FILL_LEVELS; l++) {
-        framebuffer_free(&pass->pulled_framebuffers[l]);
-        framebuffer_free(&pass->pushed_framebuffers[l]);
-        texture_free(&pass->pulled[l]);
-        texture_free(&pass->pushed[l]);
+        framebuffers_free(&pass->pulled_framebuffers[l], &pass->pushed_framebuffers[l]);
+        textures_free(&pass->pulled[l], &pass->pushed[l]);
     }
     depth_maps_free(&pass->maps);
     buffer_free(&pass->params);

@@ -21,12 +21,13 @@ enum shape { SHAPE_DISK, SHAPE_SQUARE, SHAPE_FILLED };
 static const char *const shape_names[] = {"disk", "square", "filled", NULL};
 
 static const struct option table[] = {
-    {"size", 0, OPTION_INT, ROW(size), 64, 8, 1024,
+    {"size", 0, OPTION_INT, ROW(size), 64, 8, 1024, .label = "map texels",
      .help = "texels along each side of a VPL's map"},
-    {"map-points", 0, OPTION_INT, ROW(points), 4096, 16, 262144,
+    {"map-points", 0, OPTION_INT, ROW(points), 4096, 16, 262144, .label = "points a map",
      .help = "number of surface points per map; raise\n"
              "for contact shadows and thin casters"},
-    {"shape", 0, OPTION_CHOICE, ROW(shape), SHAPE_DISK, .choices = shape_names,
+    {"shape", 0, OPTION_CHOICE, ROW(shape), SHAPE_DISK, .label = "point shape",
+     .choices = shape_names,
      .help = "shape of a point in a map: a disk in its true orientation,\n"
              "a square at one depth, or squares half as large whose\n"
              "holes pull and push fill, as published"},
@@ -127,16 +128,8 @@ extern const struct technique imperfect_shadow_maps_technique;
 const struct technique imperfect_shadow_maps_technique = {
     .name = "imperfect-shadow-maps",
     .help = "a small map of surface points per VPL",
-    .parts = parts,
-    .presets = presets,
+    MANY_LIGHTS_TECHNIQUE,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
-    .init = init,
-    .free = free_state,
     .resize = many_lights_resize,
-    .render_lights = render_lights,
-    .follows_camera = many_lights_follow_camera,
-    .render_view = render_view,
-    .contribution = many_lights_contribution,
-    .outputs = outputs,
 };

@@ -61,7 +61,7 @@ void splat_pass_render(struct splat_pass *pass, const struct frame *frame,
                    .height = desc->size,
                    .depth = PASS_DEPTH_LESS,
                    .point_size = true,
-                   .textures = {{UNIT_CASTER_POINTS, pass->points.texture}},
+                   .textures = {{UNIT_CASTER_POINTS, pass->points.buffer.texels}},
                    .blocks = {{BLOCK_MAPS, &views->buffer}, {BLOCK_PASS, &pass->params}},
                });
     framebuffer_clear_depth(pass->maps.framebuffer, 1);

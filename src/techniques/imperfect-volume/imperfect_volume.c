@@ -55,7 +55,7 @@ static bool init(void **state, const struct technique_desc *desc) {
 
 static bool resize(void *state, int width, int height) {
     struct imperfect_volume *technique = state;
-    return volume_light_resize(&technique->light, width, height);
+    return irradiance_resize(&technique->light.reconstruct.irradiance, width, height);
 }
 
 static bool update(void *state, const struct geometry *geometry) {

@@ -80,8 +80,7 @@ void bins_init(struct bins *bins, int side) {
 }
 
 void bins_free(struct bins *bins) {
-    free(bins->items);
-    free(bins->directions);
+    mem_free(bins->items, bins->directions);
     *bins = (struct bins){0};
 }
 

@@ -316,8 +316,7 @@ void elements_init(struct elements *elements, const struct elements_desc *desc) 
     maker.colored = false;
     visit_all(&maker, choose_place);
     take_clusters(elements, &maker);
-    free(maker.slots);
-    free(maker.clusters);
+    mem_free(maker.slots, maker.clusters);
     elements->edge = maker.edge;
     elements_place(elements, desc->geometry);
 }

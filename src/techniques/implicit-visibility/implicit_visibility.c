@@ -35,34 +35,38 @@ static const char *const cover_names[] = {"disk", "center", NULL};
 static const char *const weight_names[] = {"bin", "element", NULL};
 
 static const struct option table[] = {
-    {"elements", 0, OPTION_INT, ROW(elements), 4000, 16, 65536,
+    {"elements", 0, OPTION_INT, ROW(elements), 4000, 16, 65536, .label = "elements",
      .help = "largest number of surface elements; more: finer light and fewer leaks, time in\n"
              "proportion"},
-    {"bins", 0, OPTION_INT, ROW(bins), 12, 2, BINS_SIDE_MAX,
+    {"bins", 0, OPTION_INT, ROW(bins), 12, 2, BINS_SIDE_MAX, .label = "bins a side",
      .help = "bins along each side of a cube of directions, n: 6 n^2 directions; more: sharper\n"
              "shadows, slower; at most the root of a sixth of the elements"},
-    {"links", 0, OPTION_CHOICE, ROW(links), LINKS_BY_LEAVES, .choices = links_names,
+    {"links", 0, OPTION_CHOICE, ROW(links), LINKS_BY_LEAVES, .label = "links made by",
+     .choices = links_names,
      .help = "who makes links: leaves, each element by its own walk of the tree; pairs, nodes in\n"
              "pairs, then refined and pushed to the elements, as published"},
-    {"cover", 0, OPTION_CHOICE, ROW(cover), LINKS_COVER_DISK, .choices = cover_names,
+    {"cover", 0, OPTION_CHOICE, ROW(cover), LINKS_COVER_DISK, .label = "bins filled",
+     .choices = cover_names,
      .help =
          "bins that an element fills: disk, all that it covers; center, the one of its middle,\n"
          "as published, with leaks",
      .needs = "radiosity.links=leaves"},
-    {"weight", 0, OPTION_CHOICE, ROW(weight), LINKS_WEIGHT_BIN, .choices = weight_names,
+    {"weight", 0, OPTION_CHOICE, ROW(weight), LINKS_WEIGHT_BIN, .label = "weight",
+     .choices = weight_names,
      .help = "light of an element: bin, as if it filled its bin; element, by its own solid angle,\n"
              "as published, too dark by half"},
-    {"sky", 0, OPTION_CHOICE, ROW(sky), BY_RAYS, .choices = light_names,
+    {"sky", 0, OPTION_CHOICE, ROW(sky), BY_RAYS, .label = "environment", .choices = light_names,
      .help = "light of an environment at the elements: rays, from sky.directions directions;\n"
              "bins, through those without a partner, as published"},
-    {"lamps", 0, OPTION_CHOICE, ROW(lamps), BY_RAYS, .choices = light_names,
+    {"lamps", 0, OPTION_CHOICE, ROW(lamps), BY_RAYS, .label = "lamps", .choices = light_names,
      .help = "light of lamps that are surfaces, at the elements: rays, to the lights that stand\n"
              "for them; bins, by links to their elements, as published"},
-    {"specular", 0, OPTION_CHOICE, ROW(specular), SPECULAR_OFF, .choices = specular_names,
+    {"specular", 0, OPTION_CHOICE, ROW(specular), SPECULAR_OFF, .label = "specular by bins",
+     .choices = specular_names,
      .help = "what specular surfaces reflect by bins: direct, light of lamps and environments in\n"
              "place of the direct method's, as published; indirect, all other light;\n"
              "off, nothing"},
-    {"turned", 0, OPTION_FLAG, ROW(turned), 1,
+    {"turned", 0, OPTION_FLAG, ROW(turned), 1, .label = "turned bins",
      .help = "turns the bins of each element at random: noise in place of bands",
      .needs = "radiosity.links=leaves"},
     {NULL},
@@ -234,7 +238,7 @@ static bool resize(void *state, int width, int height) {
     bool specular = technique->specular_kind != SPECULAR_OFF;
     if (specular && !specular_target_init(&radiance, width, height))
         return false;
-    if (!interpolate_pass_resize(&technique->interpolate, width, height)) {
+    if (!irradiance_resize(&technique->interpolate.irradiance, width, height)) {
         irradiance_free(&radiance);
         return false;
     }

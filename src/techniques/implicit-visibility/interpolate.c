@@ -13,14 +13,13 @@ static const float reach = 1.2F;
 
 enum { CELLS_MAX = 1 << 20 };
 
-static const char label[] = "irradiance of elements";
-
 bool interpolate_pass_init(struct interpolate_pass *pass, int width, int height) {
     *pass = (struct interpolate_pass){0};
     if (program_init(&pass->program,
                      &(struct program_desc){
                          .screen = {"techniques/implicit-visibility/interpolate.frag"}}) &&
-        irradiance_init(&pass->irradiance, label, GL_RGBA16F, width, height, 1) &&
+        irradiance_init(&pass->irradiance, "irradiance of elements", GL_RGBA16F, width, height,
+                        1) &&
         buffer_init(&pass->params, "element grid", sizeof pass->grid, NULL))
         return true;
     interpolate_pass_free(pass);
@@ -28,10 +27,8 @@ bool interpolate_pass_init(struct interpolate_pass *pass, int width, int height)
 }
 
 static void free_room(struct interpolate_pass *pass) {
-    buffer_free(&pass->cells);
-    buffer_free(&pass->elements);
-    free(pass->firsts);
-    free(pass->texels);
+    buffers_free(&pass->cells, &pass->elements);
+    mem_free(pass->firsts, pass->texels);
     pass->firsts = NULL;
     pass->texels = NULL;
 }
@@ -42,10 +39,6 @@ void interpolate_pass_free(struct interpolate_pass *pass) {
     irradiance_free(&pass->irradiance);
     buffer_free(&pass->params);
     *pass = (struct interpolate_pass){0};
-}
-
-bool interpolate_pass_resize(struct interpolate_pass *pass, int width, int height) {
-    return irradiance_resize(&pass->irradiance, label, GL_RGBA16F, width, height);
 }
 
 /* Cells as wide as elements reach, wider where there would be too many; and a margin of one around them. */

@@ -25,9 +25,6 @@ struct interpolate_pass {
 bool interpolate_pass_init(struct interpolate_pass *pass, int width, int height);
 void interpolate_pass_free(struct interpolate_pass *pass);
 
-/* Error: out of GPU memory; all is as it was. */
-bool interpolate_pass_resize(struct interpolate_pass *pass, int width, int height);
-
 /* Makes room for elements like these in the geometry's bounds. Error: out of GPU memory; the pass must then be freed. */
 bool interpolate_pass_fit(struct interpolate_pass *pass, const struct elements *elements,
                           const struct geometry *geometry);

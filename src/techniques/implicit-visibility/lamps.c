@@ -46,9 +46,7 @@ void lamps_init(struct lamps *lamps, const struct scene *scene, const struct geo
 }
 
 void lamps_free(struct lamps *lamps) {
-    free(lamps->own);
-    free(lamps->share);
-    free(lamps->of_elements);
+    mem_free(lamps->own, lamps->share, lamps->of_elements);
     *lamps = (struct lamps){0};
 }
 

@@ -23,10 +23,7 @@ void element_light_init(struct element_light *light, const struct tree *tree) {
 }
 
 void element_light_free(struct element_light *light) {
-    free(light->direct);
-    free(light->radiance);
-    free(light->irradiance);
-    free(light->emission);
+    mem_free(light->direct, light->radiance, light->irradiance, light->emission);
     *light = (struct element_light){0};
 }
 

@@ -348,13 +348,8 @@ bool links_init(struct links *links, const struct links_desc *desc, int leaf_cou
 
 void links_free(struct links *links) {
     bins_free(&links->bins);
-    free(links->items);
-    free(links->counts);
-    free(links->open_counts);
-    free(links->lamp_counts);
-    free(links->filled);
-    free(links->buried);
-    free(links->sky);
+    mem_free(links->items, links->counts, links->open_counts, links->lamp_counts, links->filled,
+             links->buried, links->sky);
     *links = (struct links){0};
 }
 

@@ -116,7 +116,6 @@ void pairs_make(struct pairs *pairs, const struct tree *tree, const struct bins 
 }
 
 void pairs_free(struct pairs *pairs) {
-    free(pairs->distances);
-    free(pairs->partners);
+    mem_free(pairs->distances, pairs->partners);
     *pairs = (struct pairs){0};
 }

@@ -14,6 +14,7 @@ enum { MAP_BATCH = 64 };
 
 static const struct option table[] = {
     {"traced", 0, OPTION_FLAG, offsetof(struct instant_radiosity_settings, traced), 0,
+     .label = "traced shadows",
      .help = "shadow rays through all triangles instead of maps; with\n"
              "gather.interleave=1 or gather.adaptive=0, visibility is tested for 2 of\n"
              "every 12 VPLs (24 at 800x800) and 1 of every 16 near-field samples"},
@@ -106,16 +107,8 @@ extern const struct technique instant_radiosity_technique;
 const struct technique instant_radiosity_technique = {
     .name = "instant-radiosity",
     .help = "a hard shadow map per VPL",
-    .parts = parts,
-    .presets = presets,
+    MANY_LIGHTS_TECHNIQUE,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
-    .init = init,
-    .free = free_state,
     .resize = many_lights_resize,
-    .render_lights = render_lights,
-    .follows_camera = many_lights_follow_camera,
-    .render_view = render_view,
-    .contribution = many_lights_contribution,
-    .outputs = outputs,
 };

@@ -18,10 +18,10 @@ enum { BLOCK = 8 }; /* pixels a side that share a cut */
 #define ROW(name) offsetof(struct lightcuts_settings, name)
 
 static const struct option table[] = {
-    {"nodes", 0, OPTION_INT, ROW(nodes), 32, 1, CUT_NODES_MAX,
+    {"nodes", 0, OPTION_INT, ROW(nodes), 32, 1, CUT_NODES_MAX, .label = "nodes of a cut",
      .help = "largest number of tree nodes in a block's cut;\n"
              "raise against faint patches near bright lights"},
-    {"tolerance", 0, OPTION_FLOAT, ROW(tolerance), .02, 0, 1,
+    {"tolerance", 0, OPTION_FLOAT, ROW(tolerance), .02, 0, 1, .label = "tolerance",
      .help = "error bound of a node, as a fraction of the unshadowed\n"
              "sum; smaller: more nodes, up to lightcuts.nodes"},
     {NULL},
@@ -157,16 +157,8 @@ extern const struct technique lightcuts_technique;
 const struct technique lightcuts_technique = {
     .name = "lightcuts",
     .help = "a cut through a tree of VPLs for each block of pixels",
-    .parts = parts,
-    .presets = presets,
+    MANY_LIGHTS_TECHNIQUE,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
-    .init = init,
-    .free = free_state,
     .resize = resize,
-    .render_lights = render_lights,
-    .follows_camera = many_lights_follow_camera,
-    .render_view = render_view,
-    .contribution = many_lights_contribution,
-    .outputs = outputs,
 };

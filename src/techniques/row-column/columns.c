@@ -21,12 +21,8 @@ void columns_init(struct columns *columns, const struct columns_desc *desc) {
 }
 
 void columns_free(struct columns *columns) {
-    free(columns->directions);
-    free(columns->lengths);
-    free(columns->weights);
-    free(columns->keys);
-    free(columns->members);
-    free(columns->labels);
+    mem_free(columns->directions, columns->lengths, columns->weights, columns->keys,
+             columns->members, columns->labels);
     for (int i = 0; i < 2; i++)
         free(columns->sums[i]);
     free(columns->clusters);

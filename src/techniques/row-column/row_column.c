@@ -28,10 +28,10 @@ struct row_column_settings {
 #define ROW(name) offsetof(struct row_column_settings, name)
 
 static const struct option table[] = {
-    {"rows", 0, OPTION_INT, ROW(rows), 100, 1, 16384,
+    {"rows", 0, OPTION_INT, ROW(rows), 100, 1, 16384, .label = "rows (pixels)",
      .help = "number of rows: pixels that test all VPLs;\n"
              "raise if small regions are too dark or bright"},
-    {"columns", 0, OPTION_INT, ROW(columns), 200, 1, 16384,
+    {"columns", 0, OPTION_INT, ROW(columns), 200, 1, 16384, .label = "columns (lights)",
      .help = "largest number of columns: VPLs drawn for\n"
              "all pixels; raise against hard shadow edges"},
     {NULL},
@@ -69,11 +69,8 @@ static void free_state(void *state) {
         columns_free(&technique->columns);
         for (int kind = 0; kind < KINDS; kind++)
             vpl_buffer_free(&technique->chosen[kind]);
-        free(technique->matrix);
-        free(technique->vpls);
-        free(technique->powers);
-        free(technique->list);
-        free(technique->room);
+        mem_free(technique->matrix, technique->vpls, technique->powers, technique->list,
+                 technique->room);
     }
     free(technique);
 }
@@ -285,16 +282,8 @@ extern const struct technique row_column_technique;
 const struct technique row_column_technique = {
     .name = "row-column",
     .help = "VPLs chosen by rows and columns of the matrix of pixels and VPLs",
-    .parts = parts,
-    .presets = presets,
+    MANY_LIGHTS_TECHNIQUE,
     .refinement = &many_lights_refinement,
     .check = check,
-    .init = init,
-    .free = free_state,
     .resize = many_lights_resize,
-    .render_lights = render_lights,
-    .follows_camera = many_lights_follow_camera,
-    .render_view = render_view,
-    .contribution = many_lights_contribution,
-    .outputs = outputs,
 };

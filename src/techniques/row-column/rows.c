@@ -17,8 +17,7 @@ static bool init_program(GLuint *program, const struct rows_desc *desc, int clam
     bool ok =
         program_init(program, &(struct program_desc){.screen = {"techniques/row-column/rows.frag"},
                                                      .defines = defines});
-    free(lookup);
-    free(defines);
+    mem_free(lookup, defines);
     return ok;
 }
 
@@ -43,7 +42,6 @@ bool rows_pass_init(struct rows_pass *pass, const struct rows_desc *desc) {
     *pass = (struct rows_pass){.desc = *desc};
     size_t rows = (size_t)desc->rows;
     pass->room = mem_alloc(rows, sizeof *pass->room);
-    gl.CreateTextures(GL_TEXTURE_BUFFER, 1, &pass->vpl_texture);
     if (!init_programs(pass) || !init_matrix(pass) ||
         !buffer_init(&pass->places, "places of rows", rows * sizeof *pass->room, NULL) ||
         !vpl_buffer_init(&pass->pixels, "pixels of rows", desc->rows) ||
@@ -60,16 +58,12 @@ bool rows_pass_init(struct rows_pass *pass, const struct rows_desc *desc) {
 }
 
 void rows_pass_free(struct rows_pass *pass) {
-    program_free(&pass->pick_program);
-    program_free(&pass->program);
-    program_free(&pass->later_program);
+    programs_free(&pass->pick_program, &pass->program, &pass->later_program);
     vertex_array_free(&pass->place_vertices);
     buffer_free(&pass->places);
     vpl_buffer_free(&pass->pixels);
     framebuffer_free(&pass->framebuffer);
     texture_free(&pass->matrix);
-    if (pass->vpl_texture)
-        gl.DeleteTextures(1, &pass->vpl_texture);
     buffer_free(&pass->lookup_params);
     free(pass->room);
     *pass = (struct rows_pass){0};
@@ -121,10 +115,9 @@ void rows_pass_render(const struct rows_pass *pass, const struct frame *frame,
         .y = inputs->first,
         .width = inputs->vpls->count,
         .height = inputs->count,
-        .textures = {{UNIT_VPLS, pass->vpl_texture}},
+        .textures = {{UNIT_VPLS, inputs->vpls->buffer.texels}},
         .blocks = {{BLOCK_PASS, inputs->gather_params}},
     };
-    gl.TextureBuffer(pass->vpl_texture, GL_RGBA32F, inputs->vpls->buffer.id);
     /* The pixels are read from the views, whether their maps are looked up or not. */
     if (pass->desc.visibility.lookup == VISIBILITY_LOOKUP_NONE)
         pass_add_block(&state, BLOCK_MAPS, &inputs->visibility.views->buffer);

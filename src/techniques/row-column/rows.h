@@ -21,7 +21,7 @@ struct rows_pass {
     GLuint place_vertices;
     struct vpl_buffer pixels; /* count: r of the last picture; they have no spread of their own */
     struct texture matrix;    /* RGBA32F: VPLs x r */
-    GLuint framebuffer, vpl_texture;
+    GLuint framebuffer;
     struct buffer lookup_params;
     float (*room)[2];
 };

@@ -44,17 +44,9 @@ extern const struct technique unshadowed_technique;
 const struct technique unshadowed_technique = {
     .name = "unshadowed",
     .help = "all VPLs, without visibility",
-    .parts = parts,
-    .presets = presets,
+    MANY_LIGHTS_TECHNIQUE,
     .refinement = &refinement,
     .through_walls = true,
     .check = many_lights_check,
-    .init = init,
-    .free = free_state,
     .resize = many_lights_resize,
-    .render_lights = render_lights,
-    .follows_camera = many_lights_follow_camera,
-    .render_view = render_view,
-    .contribution = many_lights_contribution,
-    .outputs = outputs,
 };

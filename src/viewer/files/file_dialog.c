@@ -23,8 +23,7 @@ static bool ask_desktop(struct file_dialog *dialog, const char *folder) {
             char *quoted = shell_quote(folder);
             char *command = mem_printf("cd -- %s; %s 2>/dev/null", quoted, commands[i][1]);
             dialog->answer = popen(command, "re");
-            free(quoted);
-            free(command);
+            mem_free(quoted, command);
             dialog->length = 0;
             if (dialog->answer)
                 fcntl(fileno(dialog->answer), F_SETFL, O_NONBLOCK);

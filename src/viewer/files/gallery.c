@@ -53,8 +53,7 @@ static bool add_folder(struct gallery *gallery, const char *folder) {
     for (int i = 0; i < count; i++) {
         char *path = mem_printf("%s/%s", folder, entries[i]->d_name);
         add(gallery, path);
-        free(path);
-        free(entries[i]);
+        mem_free(path, entries[i]);
     }
     if (count >= 0)
         free(entries);
@@ -68,8 +67,7 @@ void gallery_add_own(struct gallery *gallery) {
     for (int n = 0; !found && (folder = folder_of_program(n)); n++) {
         char *scenes = mem_printf("%sscenes", folder);
         found = add_folder(gallery, scenes);
-        free(scenes);
-        free(folder);
+        mem_free(scenes, folder);
     }
 }
 
@@ -191,8 +189,7 @@ void gallery_free(struct gallery *gallery) {
     for (int i = 0; i < gallery->count; i++) {
         struct gallery_item *item = &gallery->items[i];
         texture_free(&item->texture);
-        free(item->path);
-        free(item->picture);
+        mem_free(item->path, item->picture);
     }
     memset(gallery, 0, sizeof *gallery);
 }

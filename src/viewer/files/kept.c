@@ -43,8 +43,7 @@ static char *state_path(const char *scene) {
         hash_bytes(&hash, whole, strlen(whole));
         path = mem_printf("%s/scenes/%016llx.settings", folder, (unsigned long long)hash);
     }
-    free(folder);
-    free(whole);
+    mem_free(folder, whole);
     return path;
 }
 

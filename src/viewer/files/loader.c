@@ -79,6 +79,5 @@ void loader_free(struct loader *loader) {
         pthread_join(loader->thread, NULL);
         document_free(&loader->document);
     }
-    free(loader->path);
-    free(loader->next);
+    mem_free(loader->path, loader->next);
 }

@@ -39,7 +39,7 @@ static void paste_beside(struct bitmap *shown, const struct bitmap *right) {
     shown->width *= 2;
 }
 
-void viewer_read_shown(const struct viewer *viewer, struct bitmap *shown) {
+static void read_shown(const struct viewer *viewer, struct bitmap *shown) {
     struct screen_pictures pictures = viewer_pictures(viewer);
     struct bitmap right;
     texture_read_bitmap(pictures.left, shown);
@@ -66,7 +66,7 @@ bool viewer_write_picture(struct viewer *viewer, const char *path) {
         image_free(&image);
     } else {
         struct bitmap bitmap;
-        viewer_read_shown(viewer, &bitmap);
+        read_shown(viewer, &bitmap);
         ok = bitmap_write(&bitmap, path);
         bitmap_free(&bitmap);
     }

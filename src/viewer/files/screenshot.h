@@ -12,9 +12,6 @@ enum name_state { NAME_IS_FREE, NAME_IS_TAKEN, NAME_IS_REFUSED };
  * one with an error of its own. */
 int free_number(enum name_state (*state_of)(void *user, int number), void *user);
 
-/* What is shown, in its own size, with the wipe. */
-void viewer_read_shown(const struct viewer *viewer, struct bitmap *shown);
-
 /* What is shown, in its own size, as PNG and the like; the renderer's layers as EXR. */
 bool viewer_write_picture(struct viewer *viewer, const char *path);
 

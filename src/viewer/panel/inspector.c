@@ -16,8 +16,7 @@ static bool read_renderer(struct viewer *viewer, struct renderer *renderer, int 
               layer_extract(&layer, &all, shown_layer_prefix(viewer->shown.layer));
     if (ok)
         memcpy(rgb, layer.pixels, 3 * sizeof *rgb);
-    image_free(&all);
-    image_free(&layer);
+    images_free(&all, &layer);
     return ok;
 }
 

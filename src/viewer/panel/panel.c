@@ -11,7 +11,6 @@
 #include "viewer/picture/picture.h"
 #include "viewer/scene/sessions.h"
 
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -198,9 +197,7 @@ static void save_command(struct viewer *viewer, const struct session *session) {
     char *command = session_command(session), *text = mem_printf("#!/bin/sh\n%s\n", command);
     char *path = mem_printf("%s.sh", viewer->panel.session_path);
     viewer_tell_saved(viewer, output_file_write(path, text, strlen(text)), path);
-    free(path);
-    free(text);
-    free(command);
+    mem_free(path, text, command);
 }
 
 /* For a spreadsheet, beside the settings. */

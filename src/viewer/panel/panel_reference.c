@@ -212,8 +212,10 @@ static void draw_chart(struct viewer *viewer) {
     if (viewer_is_charting(viewer) && viewer->tracing.samples > 0)
         ui_text(UI_DIM, "measuring %s, %d of %d ...", chart->dots[chart->next].name,
                 chart->next + 1, chart->count);
-    else if (viewer_is_charting(viewer))
-        ui_text(UI_DIM, "waiting for the first samples of the reference ...");
+    else
+        ui_text(UI_DIM, viewer_is_charting(viewer)
+                            ? "waiting for the first samples of the reference ..."
+                            : "A click on a dot or a row takes it.");
     int clicked = draw_plot(chart), row = draw_rows(viewer);
     clicked = row >= 0 ? row : clicked;
     if (clicked >= 0)
@@ -222,31 +224,46 @@ static void draw_chart(struct viewer *viewer) {
 
 /* --- the reference --- */
 
-static void draw_state(const struct viewer *viewer) {
+/* A line that is always there: rows do not move under the mouse. */
+static void draw_notice(const struct viewer *viewer) {
     const struct tracing *tracing = &viewer->tracing;
-    if (!tracing->view.lights)
-        return;
-    if (!tracing->of_view)
+    if (tracing->view.lights && !tracing->of_view)
         ui_text(UI_WARNING, "The reference is of another view.");
     else if (tracing->samples > 0 && !viewer_has_reference_size(viewer))
         ui_text(UI_WARNING, "The reference is of another size, %d x %d: Compare shows it.",
                 tracing->view.width, tracing->view.height);
-    if (tracing->samples > 0)
-        ui_value("samples a pixel", "%d%s", tracing->samples,
-                 viewer_is_tracing(viewer) ? " ..." : "");
-    else if (viewer_is_tracing(viewer))
-        ui_text(UI_DIM, "tracing the first samples ...");
-    if (tracing->samples > 0)
-        ui_fact(
-            "its noise",
-            "standard error of the reference's indirect light, RMS over its mean: it falls with "
-            "the samples",
-            "%.1f %%", 100 * tracing->noise);
-    if (tracing->has_error)
-        ui_fact("error of indirect light",
-                "relative RMSE of the picture's indirect light, with the reference's noise taken "
-                "out: the error of layer indirect in Compare",
-                "%.1f %%", 100 * tracing->error);
+    else
+        ui_text(UI_DIM, "%s",
+                tracing->samples > 0        ? "The reference is of this view."
+                : viewer_is_tracing(viewer) ? "tracing the first samples ..."
+                                            : "Nothing has been traced.");
+}
+
+static void draw_percent(const char *name, const char *help, bool is_known, double value) {
+    ui_fact(name, help, is_known ? "%.1f %%" : "-", 100 * value);
+}
+
+static void draw_state(const struct viewer *viewer) {
+    const struct tracing *tracing = &viewer->tracing;
+    draw_notice(viewer);
+    ui_value("samples a pixel", "%d%s", tracing->samples,
+             viewer_is_tracing(viewer) && tracing->samples > 0 ? " ..." : "");
+    draw_percent("its noise",
+                 "standard error of the reference's indirect light, RMS over its mean: it falls "
+                 "with the samples",
+                 tracing->samples > 0, tracing->noise);
+    draw_percent("error of indirect light",
+                 "relative RMSE of the picture's indirect light, with the reference's noise taken "
+                 "out: the error of layer indirect in Compare",
+                 tracing->has_error, tracing->error);
+}
+
+static void draw_save(struct viewer *viewer) {
+    ui_disabled_begin(viewer->tracing.samples == 0);
+    if (ui_wide_button("Save the reference",
+                       "as EXR with all layers, as manylight reference writes it"))
+        viewer_save_reference(viewer);
+    ui_disabled_end();
 }
 
 void panel_draw_reference(struct viewer *viewer) {
@@ -265,10 +282,7 @@ void panel_draw_reference(struct viewer *viewer) {
         viewer_chart(viewer);
         viewer->panel.shows_chart = true;
     }
+    draw_save(viewer);
     draw_state(viewer);
-    if (viewer->tracing.samples > 0 &&
-        ui_wide_button("Save the reference",
-                       "as EXR with all layers, as manylight reference writes it"))
-        viewer_save_reference(viewer);
     draw_chart(viewer);
 }

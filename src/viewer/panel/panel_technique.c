@@ -5,7 +5,6 @@
 #include "direct/environment.h"
 #include "scene/caustics.h"
 #include "scene/medium.h"
-#include "viewer/panel/setting_label.h"
 #include "viewer/picture/budget.h"
 #include "viewer/picture/picture.h"
 #include "viewer/picture/preset.h"
@@ -46,16 +45,19 @@ static enum ui_result draw_widget(const struct option *option, double *value,
     return result;
 }
 
+static const char *label_of(const struct option *option) {
+    return option->label ? option->label : option->name;
+}
+
 static bool draw_setting(const struct setting *setting, struct settings *settings, const char *name,
                          const char *help) {
     struct settings defaults;
     const struct option *option = setting->option;
-    char label[SETTING_LABEL_SIZE], whole[SETTING_NAME_SIZE], explained[1024];
+    char whole[SETTING_NAME_SIZE], explained[1024];
     renderer_settings_init(&defaults);
-    setting_label(setting, label);
     setting_name(setting, whole);
     snprintf(explained, sizeof explained, "%s\n(--set %s)", help ? help : option->help, whole);
-    struct ui_row row = {.name = name ? name : label,
+    struct ui_row row = {.name = name ? name : label_of(option),
                          .help = explained,
                          .scope = setting->part->owner,
                          .differs = !setting_equal(setting, settings, &defaults)};
@@ -145,10 +147,10 @@ static bool has_text(const char *text, const char *part) {
 }
 
 static bool is_wanted(const struct setting *setting, const char *filter) {
-    char label[SETTING_LABEL_SIZE];
-    setting_label(setting, label);
-    return *filter == '\0' || has_text(label, filter) || has_text(setting->option->name, filter) ||
-           has_text(setting->option->help, filter) || has_text(setting->part->title, filter);
+    const struct option *option = setting->option;
+    return *filter == '\0' || has_text(label_of(option), filter) ||
+           has_text(option->name, filter) || has_text(option->help, filter) ||
+           has_text(setting->part->title, filter);
 }
 
 /* The rows that have an effect, under their heading; without any there is none. */

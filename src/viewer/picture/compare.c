@@ -3,7 +3,6 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "metrics/layer.h"
-#include "shared/composite.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -182,8 +181,7 @@ bool compare_measure(struct compare *compare, struct renderer *renderer, int lay
         memset(compare->is_known, 0, sizeof compare->is_known);
         compare->heat = false;
     }
-    image_free(&left);
-    image_free(&right);
+    images_free(&left, &right);
     return ok;
 }
 

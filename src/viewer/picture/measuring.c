@@ -27,8 +27,7 @@ static void *run(void *context) {
 }
 
 static void forget(struct measuring *measuring) {
-    image_free(&measuring->test);
-    image_free(&measuring->reference);
+    images_free(&measuring->test, &measuring->reference);
     free(measuring->map);
     *measuring = (struct measuring){0};
 }

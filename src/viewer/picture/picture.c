@@ -1,6 +1,5 @@
 #include "viewer/picture/picture.h"
 
-#include "base/memory.h"
 #include "viewer/picture/budget.h"
 #include "viewer/picture/legend.h"
 

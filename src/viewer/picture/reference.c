@@ -97,12 +97,10 @@ bool reference_load(struct reference *reference, const char *path) {
 }
 
 void reference_free(struct reference *reference) {
-    image_free(&reference->picture);
-    image_free(&reference->layer);
+    images_free(&reference->picture, &reference->layer);
     program_free(&reference->program);
     framebuffer_free(&reference->framebuffer);
-    texture_free(&reference->radiance);
-    texture_free(&reference->display);
+    textures_free(&reference->radiance, &reference->display);
     buffer_free(&reference->params);
     *reference = (struct reference){0};
 }

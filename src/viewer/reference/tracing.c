@@ -144,8 +144,7 @@ static void measure(struct viewer *viewer) {
     tracing->error_frame = shown->frame_count;
     tracing->error_samples = tracing->samples;
     shown->recompose = true; /* reading layers used the display's framebuffer state */
-    image_free(&all);
-    image_free(&indirect);
+    images_free(&all, &indirect);
 }
 
 /* What is traced for a view that is left is of no use; the picture stays, should one come back. */

@@ -1,6 +1,5 @@
 #include "viewer/scene/animation.h"
 
-#include "base/error.h"
 #include "scene/animation.h"
 #include "viewer/scene/lights.h"
 

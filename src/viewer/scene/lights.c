@@ -4,7 +4,6 @@
 
 #include <cglm/cglm.h>
 
-#include <math.h>
 #include <string.h>
 
 bool viewer_has_light(const struct viewer *viewer) {

@@ -33,8 +33,7 @@ static const struct option sky_table[] = {
 };
 
 void session_free(struct session *session) {
-    free(session->lights);
-    free(session->sky);
+    mem_free(session->lights, session->sky);
     session->lights = session->sky = NULL;
 }
 
@@ -92,8 +91,7 @@ static bool next_changed(const struct settings *settings, struct setting *settin
 
 static void append(char **text, char *more) {
     char *longer = mem_printf("%s%s", *text, more);
-    free(*text);
-    free(more);
+    mem_free(*text, more);
     *text = longer;
 }
 

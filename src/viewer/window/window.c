@@ -195,8 +195,7 @@ void window_free(struct window *window) {
     if (window->handle)
         glfwDestroyWindow(window->handle);
     glfwTerminate();
-    free(window->input.dropped);
-    free(window->next.dropped);
+    mem_free(window->input.dropped, window->next.dropped);
     events_free(&window->events);
     free(window);
 }

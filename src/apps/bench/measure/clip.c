@@ -50,8 +50,7 @@ static bool track_start(struct track *track, const struct measure_desc *desc, in
 
 static void track_free(struct track *track) {
     renderer_free(&track->renderer);
-    image_free(&track->image);
-    image_free(&track->before);
+    images_free(&track->image, &track->before);
     lights_free(&track->lights);
     lights_free(&track->lights_before);
     free(track->frames);

@@ -30,8 +30,7 @@ static bool add(struct results *results, const struct error_row *row, const stru
     if (ok)
         results_add(results, row->metric, against, row->unit,
                     row->scale * metric_measure(metric_find(row->metric), &comparison, NULL));
-    image_free(&layers[0]);
-    image_free(&layers[1]);
+    images_free(&layers[0], &layers[1]);
     return ok;
 }
 

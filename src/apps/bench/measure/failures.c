@@ -172,8 +172,7 @@ bool failure_measure(struct results *results, const struct failure_row *row,
     ok = ok && resume(results, &run, &resumed) && (resumed || measure_all(results, &run));
     for (int i = 0; i < FAILURE_COLUMNS; i++)
         image_free(&run.tests[i]);
-    image_free(&run.reference);
-    image_free(&run.picture);
+    images_free(&run.reference, &run.picture);
     stage_free(&run.stage);
     return ok || error_prefix("%s", row->name);
 }

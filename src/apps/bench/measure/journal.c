@@ -210,9 +210,7 @@ char *journal_value(const char *path, const char *name) {
     char *text = access(part, R_OK) == 0 && !file_is_stream(part) ? file_read_text(part) : NULL;
     const char *at = text ? strstr(text, line) : NULL, *value = at ? at + strlen(line) : NULL;
     char *found = value ? mem_printf("%.*s", (int)strcspn(value, "\n"), value) : NULL;
-    free(text);
-    free(line);
-    free(part);
+    mem_free(text, line, part);
     return found;
 }
 
@@ -236,10 +234,7 @@ void journal_close(struct journal *journal) {
     if (!journal)
         return;
     output_journal_close(&journal->file);
-    free(journal->found);
-    free(journal->rows);
-    free(journal->mode);
-    free(journal);
+    mem_free(journal->found, journal->rows, journal->mode, journal);
 }
 
 bool journal_finish(struct journal *journal) {

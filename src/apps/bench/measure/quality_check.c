@@ -2,7 +2,6 @@
 
 #include "apps/bench/measure/reference.h"
 #include "base/clock.h"
-#include "base/memory.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "quality/estimate.h"

@@ -11,8 +11,7 @@
 #include <time.h>
 
 void results_free(struct results *results) {
-    free(results->subjects);
-    free(results->rows);
+    mem_free(results->subjects, results->rows);
     *results = (struct results){0};
 }
 

@@ -140,8 +140,7 @@ static bool add_errors(struct results *results, struct run *run,
               (reference_get(reference, run->desc, &exact) &&
                renderer_read_layers(&run->renderer, &frame) &&
                compare(results, run, reference->kind, &frame, &exact));
-    image_free(&frame);
-    image_free(&exact);
+    images_free(&frame, &exact);
     baseline_add_ratios(results);
     return ok;
 }

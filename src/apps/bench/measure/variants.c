@@ -114,8 +114,7 @@ bool measure_vary(struct measure_list *list, const char *text) {
             ok = add_values(&product, &list->items[i], full_name(name), value);
             free(value);
         }
-    free(name);
-    free(list->items);
+    mem_free(name, list->items);
     *list = product;
     return ok;
 }

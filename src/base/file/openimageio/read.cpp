@@ -319,6 +319,7 @@ void take_header(const Source &source, struct image *image) {
     image->passes = passes.empty() ? NULL : mem_strdup(passes.c_str());
     image->weight = spec.get_float_attribute(weight_attribute);
     image->unit = spec.get_float_attribute("whiteLuminance");
+    image->cube = spec.get_string_attribute("textureformat") == "CubeFace Environment";
     spec.getattribute("chromaticities", TypeDesc(TypeDesc::FLOAT, 8), image->primaries);
     if (source.names.size() == size_t(spec.nchannels))
         return;

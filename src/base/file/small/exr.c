@@ -141,8 +141,7 @@ static bool check_windows(struct source *source) {
 }
 
 static void close_source(struct source *source) {
-    free(source->order);
-    free(source->names);
+    mem_free(source->order, source->names);
     exr_finish(&source->file);
 }
 
@@ -282,8 +281,8 @@ static void take_passes(const struct source *source, struct image *image) {
 
 _Static_assert(sizeof(exr_attr_chromaticities_t) == 8 * sizeof(float), "x and y of four colours");
 
-/* What the file says of its colours; the attributes are optional. */
-static void take_colours(const struct source *source, struct image *image) {
+/* What the file says of its colours and of its projection; the attributes are optional. */
+static void take_meaning(const struct source *source, struct image *image) {
     exr_attr_chromaticities_t colours;
     const exr_attribute_t *attribute = NULL;
     exr_get_attribute_by_name(source->file, 0, "chromaticities", &attribute);
@@ -293,6 +292,12 @@ static void take_colours(const struct source *source, struct image *image) {
     exr_get_attribute_by_name(source->file, 0, "whiteLuminance", &attribute);
     if (attribute)
         exr_attr_get_float(source->file, 0, "whiteLuminance", &image->unit);
+    exr_envmap_t envmap = EXR_ENVMAP_LATLONG;
+    attribute = NULL;
+    exr_get_attribute_by_name(source->file, 0, "envmap", &attribute);
+    if (attribute)
+        exr_attr_get_envmap(source->file, 0, "envmap", &envmap);
+    image->cube = envmap == EXR_ENVMAP_CUBE;
 }
 
 static bool read_lines(const struct source *source, struct image *image, const int *at) {
@@ -331,11 +336,10 @@ static bool read_channels(const struct source *source, const int *wanted, int co
     image->display = image->data = (struct image_window){source->window.min.x, source->window.min.y,
                                                          source->width, source->height};
     take_passes(source, image);
-    take_colours(source, image);
+    take_meaning(source, image);
     error_set("cannot be decoded");
     bool ok = read_lines(source, image, at);
-    free(names);
-    free(at);
+    mem_free(names, at);
     return ok;
 }
 
@@ -539,8 +543,7 @@ static bool write_file(exr_context_t file, const struct image *image) {
         int left = (image->height - batch.first + batch.step - 1) / batch.step;
         ok = write_batch(&batch, left < together ? left : together);
     }
-    free(batch.chunks);
-    free(batch.ok);
+    mem_free(batch.chunks, batch.ok);
     return ok;
 }
 

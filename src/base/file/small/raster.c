@@ -14,8 +14,7 @@ bool check_picture_size(int64_t width, int64_t height) {
 }
 
 void raster_free(struct raster *raster) {
-    free(raster->wide);
-    free(raster->narrow);
+    mem_free(raster->wide, raster->narrow);
     *raster = (struct raster){0};
 }
 
