@@ -31,10 +31,10 @@ vec3 medium_passes(float metres) {
     return exp(-medium.extinction * max(metres, 0.0));
 }
 
-// Along a unit direction: a medium and panes; panes alone.
-vec3 medium_passes_along(vec3 origin, vec3 direction, float metres) {
+// Along a unit direction: the medium alone; panes alone.
+vec3 medium_alone(vec3 origin, vec3 direction, float metres) {
     vec2 segment = medium_segment(origin, direction, metres);
-    return medium_passes(segment.y - segment.x) * panes_pass(origin, direction, metres);
+    return medium_passes(segment.y - segment.x);
 }
 
 vec3 medium_panes(vec3 origin, vec3 direction, float metres) {
@@ -51,15 +51,14 @@ vec3 medium_sends(vec3 place, vec3 direction, bool has_place, uvec2 seed, inout 
         end = surface(true, origin + metres * direction + panes_clearance() * normal, normal);
         albedo = vec3(1.0);
     }
-    vec2 segment = medium_segment(origin, direction, metres);
-    return share * medium_passes(segment.y - segment.x);
+    return share * medium_alone(origin, direction, metres);
 }
 #else
 vec3 medium_passes(float metres) {
     return vec3(1.0);
 }
 
-vec3 medium_passes_along(vec3 origin, vec3 direction, float metres) {
+vec3 medium_alone(vec3 origin, vec3 direction, float metres) {
     return vec3(1.0);
 }
 
@@ -71,6 +70,11 @@ vec3 medium_sends(vec3 place, vec3 direction, bool has_place, uvec2 seed, inout 
     return vec3(1.0);
 }
 #endif
+
+// Both.
+vec3 medium_passes_along(vec3 origin, vec3 direction, float metres) {
+    return medium_alone(origin, direction, metres) * medium_panes(origin, direction, metres);
+}
 
 // Between two points.
 vec3 medium_passes_between(vec3 a, vec3 b) {

@@ -65,8 +65,7 @@ void main() {
             break;
         pane p = pane_at(met.texel);
         if (p.both || dot(p.normal, ray.direction) < 0.0) { // the camera sees no backs of one side
-            vec2 segment = medium_segment(ray.origin, ray.direction, met.nearest);
-            own.rgb += before * medium_passes(segment.y - segment.x) *
+            own.rgb += before * medium_alone(ray.origin, ray.direction, met.nearest) *
                        own_light(p, ray.origin + met.nearest * ray.direction, ray.direction, pixel);
             before *= pane_passes(p, ray.direction);
         }

@@ -39,8 +39,9 @@ float sky_specular(lobe o, int i) {
 
 // Visibility has how much panes let pass: here they have their colour alone, by the light's middle.
 vec3 through_medium(vec3 radiance, int i, vec3 position) {
-    float most = max_of(medium_panes(position, sky_direction(i), MEDIUM_FAR));
-    return most > 0.0 ? radiance * medium_passes_light(position, -sky_direction(i), false, 0.0) / most : radiance;
+    vec3 panes = medium_panes(position, sky_direction(i), MEDIUM_FAR);
+    float most = max_of(panes);
+    return most > 0.0 ? radiance * (medium_alone(position, sky_direction(i), MEDIUM_FAR) * panes) / most : radiance;
 }
 
 const float PI = 3.14159265358979;
