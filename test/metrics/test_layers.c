@@ -58,17 +58,20 @@ static void test_windows(void **state) {
         struct exr_part part;
         const char *note;
     } cases[] = {
-        {{0, "B G R", {0, 0, 6, 4}, {0, 0, 6, 4}, 1}, ""},
-        {{0, "B G R", {2, 1, 3, 2}, {0, 0, 6, 4}, 1},
+        {{0, "B G R", {0, 0, 6, 4}, {0, 0, 6, 4}, .base = 1}, ""},
+        {{0, "B G R", {2, 1, 3, 2}, {0, 0, 6, 4}, .base = 1},
          "3x2 at 2,1, lies in the display window, 6x4"},
-        {{0, "B G R", {-2, -1, 5, 3}, {0, 0, 6, 4}, 1}, "5x3 at -2,-1, is cut to the display"},
-        {{0, "B G R", {4, 2, 5, 5}, {0, 0, 6, 4}, 1}, "is cut to the display window, 6x4 at 0,0"},
-        {{0, "B G R", {-3, -3, 12, 10}, {0, 0, 6, 4}, 1}, "is cut to"},
-        {{0, "B G R", {1, 2, 6, 4}, {0, 0, 6, 4}, 1}, "is cut to"},
-        {{0, "B G R", {-9, -7, 3, 3}, {-10, -8, 6, 4}, 1},
+        {{0, "B G R", {-2, -1, 5, 3}, {0, 0, 6, 4}, .base = 1},
+         "5x3 at -2,-1, is cut to the display"},
+        {{0, "B G R", {4, 2, 5, 5}, {0, 0, 6, 4}, .base = 1},
+         "is cut to the display window, 6x4 at 0,0"},
+        {{0, "B G R", {-3, -3, 12, 10}, {0, 0, 6, 4}, .base = 1}, "is cut to"},
+        {{0, "B G R", {1, 2, 6, 4}, {0, 0, 6, 4}, .base = 1}, "is cut to"},
+        {{0, "B G R", {-9, -7, 3, 3}, {-10, -8, 6, 4}, .base = 1},
          "display window, 6x4 at -10,-8; the rest"},
-        {{0, "B G R", {20, 0, 2, 2}, {0, 0, 6, 4}, 1}, "black: its data window, 2x2 at 20,0"},
-        {{0, "B G R", {-2147483000, 0, 2, 2}, {2147483000, 0, 6, 4}, 1}, NULL},
+        {{0, "B G R", {20, 0, 2, 2}, {0, 0, 6, 4}, .base = 1},
+         "black: its data window, 2x2 at 20,0"},
+        {{0, "B G R", {-2147483000, 0, 2, 2}, {2147483000, 0, 6, 4}, .base = 1}, NULL},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct image layer;
@@ -89,7 +92,7 @@ static void test_compared_windows(void **state) {
     (void)state;
     need_all_formats();
     struct image whole;
-    const struct exr_part part = {0, "B G R", {3, 2, 3, 2}, {0, 0, 6, 4}, 1};
+    const struct exr_part part = {0, "B G R", {3, 2, 3, 2}, {0, 0, 6, 4}, .base = 1};
     const char *test = exr_write("part.exr", &part, 1), *reference = scratch("whole.pfm");
     char arguments[1200];
     image_init(&whole, 6, 4, "R G B");
@@ -104,7 +107,7 @@ static void test_compared_windows(void **state) {
     compare(0, arguments);
     check_near("rmse", strtod(strstr(output, "rmse") + 4, NULL), sqrt(.75), 1e-6);
     check_near("bias", strtod(strstr(output, "bias") + 4, NULL), -.75, 1e-6);
-    const struct exr_part small = {0, "B G R", {3, 2, 3, 2}, {3, 2, 3, 2}, 1};
+    const struct exr_part small = {0, "B G R", {3, 2, 3, 2}, {3, 2, 3, 2}, .base = 1};
     snprintf(arguments, sizeof arguments, "%s %s", test, exr_write("small.exr", &small, 1));
     compare(1, arguments);
     expect_text("part.exr is 6x4 (data window 3x2 at 3,2, display window at 0,0), but ");
@@ -121,7 +124,7 @@ static void test_hostile_windows(void **state) {
                                       {0, 0, 16384, 16384},
                                       {0, 0, 16384, 4097}};
     for (size_t i = 0; i < sizeof displays / sizeof *displays; i++) {
-        struct exr_part part = {0, "B G R", {0, 0, 2, 2}, {0}, 1};
+        struct exr_part part = {0, "B G R", {0, 0, 2, 2}, {0}, .base = 1};
         struct image layer;
         memcpy(part.display, displays[i], sizeof part.display);
         assert_false(read_layer(&layer, exr_write("huge.exr", &part, 1), ""));
@@ -251,9 +254,9 @@ static void test_parts(void **state) {
     (void)state;
     need_all_formats();
     static const struct exr_part parts[3] = {
-        {"depth", "Z", {0, 0, 6, 4}, {0, 0, 6, 4}, 1},
-        {"N", "B G R", {0, 0, 6, 4}, {0, 0, 6, 4}, 2},
-        {"rgba", "B G R spec.B spec.G spec.R", {2, 1, 3, 2}, {0, 0, 6, 4}, 3}};
+        {"depth", "Z", {0, 0, 6, 4}, {0, 0, 6, 4}, .base = 1},
+        {"N", "B G R", {0, 0, 6, 4}, {0, 0, 6, 4}, .base = 2},
+        {"rgba", "B G R spec.B spec.G spec.R", {2, 1, 3, 2}, {0, 0, 6, 4}, .base = 3}};
     const char *path = exr_write("parts.exr", parts, 3);
     struct image layer, all;
     check_ok("beauty", read_layer(&layer, path, ""));
@@ -286,8 +289,12 @@ static void test_parts(void **state) {
 static void test_two_names(void **state) {
     (void)state;
     need_all_formats();
-    static const struct exr_part one = {0, "L.x.B L.x.G L.x.R", {0, 0, 6, 4}, {0, 0, 6, 4}, 1},
-                                 two = {0, "B G R Z", {0, 0, 6, 4}, {0, 0, 6, 4}, 1.5f};
+    static const struct exr_part one = {0,
+                                        "L.x.B L.x.G L.x.R",
+                                        {0, 0, 6, 4},
+                                        {0, 0, 6, 4},
+                                        .base = 1},
+                                 two = {0, "B G R Z", {0, 0, 6, 4}, {0, 0, 6, 4}, .base = 1.5f};
     char arguments[1200], paths[1100];
     snprintf(paths, sizeof paths, "%s %s -m rmse", exr_write("one.exr", &one, 1),
              exr_write("two.exr", &two, 1));
