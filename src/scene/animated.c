@@ -2,6 +2,9 @@
 
 #include "base/memory.h"
 #include "scene/animation.h"
+#include "scene/material.h"
+
+#include <cglm/vec4.h>
 
 #include <math.h>
 #include <stddef.h>
@@ -133,9 +136,12 @@ void animated_follow_materials(struct scene *scene) {
     }
 }
 
+/* Of panes the colour, too. */
 static bool is_opacity_same(const struct material *a, const struct material *b) {
-    return !a->alpha_mask ||
-           (a->base_color[3] == b->base_color[3] && a->alpha_cutoff == b->alpha_cutoff);
+    return (!a->alpha_mask ||
+            (a->base_color[3] == b->base_color[3] && a->alpha_cutoff == b->alpha_cutoff)) &&
+           (!material_is_pane(a) || (glm_vec4_eqv((float *)a->base_color, (float *)b->base_color) &&
+                                     a->transmission == b->transmission));
 }
 
 enum animated_change animated_pose_materials(struct scene *scene, double time) {

@@ -297,32 +297,42 @@ bool load_material(Loader &loader, const tinygltf::Material &from, struct materi
            load_emission(from, to) && load_textures(loader, from, to, mappings);
 }
 
-/* Of the alphas of a texture. */
-void widen_range(const struct bitmap &bitmap, float range[2]) {
-    size_t count = size_t(bitmap.width) * size_t(bitmap.height);
-    unsigned char least = 255, most = 0;
-    for (size_t i = 0; i < count; i++) {
-        least = std::min(least, bitmap.rgba[4 * i + 3]);
-        most = std::max(most, bitmap.rgba[4 * i + 3]);
+/* Alphas of a material. */
+struct Alphas {
+    float least = 1, most = 0;
+    size_t covering = 0, partly = 0; /* how many are not holes, and are not opaque either */
+
+    void add(float alpha) {
+        const float clear = .1F;
+        least = std::min(least, alpha);
+        most = std::max(most, alpha);
+        covering += alpha > clear;
+        partly += alpha > clear && alpha < 1 - clear;
     }
-    range[0] *= float(least) / 255;
-    range[1] *= float(most) / 255;
+};
+
+Alphas of_texture(const struct scene &scene, const struct material &material) {
+    Alphas alphas;
+    if (material.base_color_texture < 0) {
+        alphas.add(material.base_color[3]);
+        return alphas;
+    }
+    const struct bitmap &bitmap = scene.textures[material.base_color_texture].bitmap;
+    for (size_t i = 0; i < size_t(bitmap.width) * size_t(bitmap.height); i++)
+        alphas.add(material.base_color[3] * float(bitmap.rgba[4 * i + 3]) / 255);
+    return alphas;
 }
 
-/* Of the alphas of vertices; those that have none have 1. */
-void widen_range(const struct scene &scene, int material, float range[2]) {
-    float least = 1, most = 0;
+/* Those that have none have 1. */
+Alphas of_vertices(const struct scene &scene, int material) {
+    Alphas alphas;
     for (int m = 0; m < scene.mesh_count; m++)
         for (int p = 0; p < scene.meshes[m].primitive_count; p++) {
             const struct primitive &primitive = scene.meshes[m].primitives[p];
-            for (int i = 0; primitive.material == material && i < primitive.vertex_count; i++) {
-                float alpha = primitive.color ? primitive.color[i][3] : 1;
-                least = std::min(least, alpha);
-                most = std::max(most, alpha);
-            }
+            for (int i = 0; primitive.material == material && i < primitive.vertex_count; i++)
+                alphas.add(primitive.color ? primitive.color[i][3] : 1);
         }
-    range[0] *= least;
-    range[1] *= std::max(most, least);
+    return alphas;
 }
 
 /* The standard's default: white, rough and, as it is, a metal. */
@@ -340,19 +350,22 @@ void make_default(struct material &to) {
 
 } // namespace
 
-/* What blends with an alpha of 1 throughout is opaque. */
+/* What blends with an alpha of 1 throughout is opaque. Leaves, whose alphas are 0 or 1 but for their edges, are masked:
+ * their triangles stay few, and sharp. */
 void settle_blending(struct scene &scene) {
     const float even = 1e-3F;
     for (int i = 0; i < scene.material_count; i++) {
         struct material &material = scene.materials[i];
         if (!material.blends)
             continue;
-        float range[2] = {material.base_color[3], material.base_color[3]};
-        if (material.base_color_texture >= 0)
-            widen_range(scene.textures[material.base_color_texture].bitmap, range);
-        widen_range(scene, i, range);
-        material.blends = range[0] < 1 - even;
-        material.alpha_mask = range[1] - range[0] > even;
+        Alphas alphas[] = {of_texture(scene, material), of_vertices(scene, i)};
+        material.blends = material.alpha_mask = false;
+        for (const Alphas &own : alphas) {
+            material.blends = material.blends || own.least < 1 - even;
+            material.alpha_mask = material.alpha_mask || own.most - own.least > even;
+        }
+        for (const Alphas &own : alphas)
+            material.alpha_mask = material.alpha_mask && 2 * own.partly <= own.covering;
     }
 }
 

@@ -3,6 +3,7 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "base/phases.h"
+#include "scene/mesh/opacity.h"
 #include "scene/mesh/pane_triangles.h"
 #include "scene/mesh/stackless_bvh.h"
 
@@ -10,7 +11,7 @@
 
 static void plant(struct bvh *tree, bool of_panes, const struct scene *scene,
                   const struct geometry *geometry) {
-    struct opaque_triangles list =
+    struct triangle_parts list =
         of_panes ? pane_triangles_of(scene, geometry) : opaque_triangles_of(scene, geometry);
     bvh_init(tree, list.items, list.count);
 }

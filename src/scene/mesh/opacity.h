@@ -4,16 +4,10 @@
 #ifndef SCENE_MESH_OPACITY_H
 #define SCENE_MESH_OPACITY_H
 
-#include "scene/mesh/geometry.h"
-#include "scene/mesh/bvh.h"
-
-struct opaque_triangles {
-    struct bvh_triangle *items; /* of the heap; its owner's */
-    uint32_t count, room;
-};
+#include "scene/mesh/cut_triangle.h"
 
 /* All triangles but panes, of those with an alpha mask what it leaves. */
-struct opaque_triangles opaque_triangles_of(const struct scene *scene,
-                                            const struct geometry *geometry);
+struct triangle_parts opaque_triangles_of(const struct scene *scene,
+                                          const struct geometry *geometry);
 
 #endif

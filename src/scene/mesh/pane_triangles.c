@@ -1,24 +1,31 @@
 #include "scene/mesh/pane_triangles.h"
 
 #include "base/halton.h"
-#include "base/memory.h"
 #include "scene/mesh/corners.h"
 #include "shared/panes.h"
 
 #include <math.h>
 #include <string.h>
 
-static vec4s mean_color(const struct scene *scene, const struct geometry *geometry,
-                        const uint32_t *index, const float decode[256],
-                        const struct material *material) {
-    enum { PLACES = 16 };
-    vec4s sum = glms_vec4_zero();
+enum { PLACES = 16, TEXELS = 16, DEPTH = 5 }; /* of a part; times a triangle is cut at most */
+
+/* Differences of base colour that are not worth a cut. */
+static const float even = .1F;
+
+/* The mean, by places of the part; whether they are much the same. */
+static bool mean_color(const struct cut_triangle *triangle, const struct triangle_part *part,
+                       vec4s *mean) {
+    vec4s sum = glms_vec4_zero(), least = glms_vec4_one(), most = glms_vec4_zero();
     for (uint32_t i = 0; i < PLACES; i++) {
-        struct corners corners = {{index[0], index[1], index[2]}, {0}};
-        corners_spread(corners.weight, radical_inverse(2, i), radical_inverse(3, i));
-        sum = glms_vec4_add(sum, corners_base_color(&corners, scene, geometry, decode, material));
+        float weight[3];
+        corners_spread(weight, radical_inverse(2, i), radical_inverse(3, i));
+        vec4s color = triangle_color(triangle, triangle_within(part, weight[1], weight[2]));
+        sum = glms_vec4_add(sum, color);
+        least = glms_vec4_minv(least, color);
+        most = glms_vec4_maxv(most, color);
     }
-    return glms_vec4_scale(sum, 1.F / PLACES);
+    *mean = glms_vec4_scale(sum, 1.F / PLACES);
+    return glms_vec4_max(glms_vec4_sub(most, least)) < even;
 }
 
 static uint32_t unorm_of(float share) {
@@ -39,20 +46,30 @@ static void pack(struct bvh_triangle *triangle, const struct material *material,
     }
 }
 
-struct opaque_triangles pane_triangles_of(const struct scene *scene,
-                                          const struct geometry *geometry) {
-    uint32_t first = geometry->blocking_index_count, count = (geometry->index_count - first) / 3;
-    struct opaque_triangles list = {mem_alloc(count, sizeof *list.items), count, count};
-    float decode[256];
-    texture_decode_table(decode);
+static void add_part(struct triangle_parts *list, const struct cut_triangle *triangle,
+                     const struct triangle_part *part, int depth) {
+    vec4s color;
+    struct triangle_part quarters[4];
+    if (mean_color(triangle, part, &color) || depth == 0) {
+        pack(triangle_parts_add(list, triangle, part), triangle->material, color);
+        return;
+    }
+    triangle_quarters(part, quarters);
+    for (int q = 0; q < 4; q++)
+        add_part(list, triangle, &quarters[q], depth - 1);
+}
+
+struct triangle_parts pane_triangles_of(const struct scene *scene,
+                                        const struct geometry *geometry) {
+    struct triangle_parts list = {0};
+    struct cut_triangle triangle = {.scene = scene, .geometry = geometry};
+    texture_decode_table(triangle.decode);
     for (int b = geometry->blocking_batch_count; b < geometry->batch_count; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];
-        const struct material *material = &scene->materials[batch->material];
+        triangle.material = &scene->materials[batch->material];
         for (uint32_t i = 0; i < batch->index_count; i += 3) {
-            const uint32_t *index = &geometry->indices[batch->first_index + i];
-            struct bvh_triangle *triangle = &list.items[(batch->first_index - first + i) / 3];
-            triangle->corner = corners_edges(geometry, index, triangle->edges);
-            pack(triangle, material, mean_color(scene, geometry, index, decode, material));
+            triangle.index = &geometry->indices[batch->first_index + i];
+            add_part(&list, &triangle, &triangle_whole, triangle_depth(&triangle, TEXELS, DEPTH));
         }
     }
     return list;

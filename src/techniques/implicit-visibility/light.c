@@ -54,7 +54,7 @@ void element_light_dim(struct element_light *light, const struct elements *eleme
 
 void element_light_casters(struct bvh *casters, const struct scene *scene,
                            const struct geometry *geometry) {
-    struct opaque_triangles list = opaque_triangles_of(scene, geometry);
+    struct triangle_parts list = opaque_triangles_of(scene, geometry);
     if (list.count > 0)
         bvh_init(casters, list.items, list.count);
 }
