@@ -22,7 +22,8 @@ struct environment {
 
 /* Without a turn, of strength 1. Numbers that are negative or none become 0, infinite ones 65504, and a
  * note counts their texels. Error: names the file and what is wrong with it: it cannot be read, or is no
- * linear picture twice as wide as high, nor an EXR of six squares whose envmap attribute says cube; under --strict also where a number would be replaced. */
+ * linear picture twice as wide as high, nor an EXR of six squares whose envmap attribute says cube; under
+ * --strict also where a number would be replaced. */
 bool environment_load(struct environment *environment, const char *path);
 
 /* Accepts NULL. */
