@@ -48,6 +48,8 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
     gather_pass_render(&lights->gather, frame, gbuffer, &all);
     if (lights->adaptive.program)
         gather_pass_render(&lights->adaptive_gather, frame, gbuffer, &all);
+    if (lights->specular_rays.tree)
+        all.visibility.tree = lights->specular_rays.tree;
     if (lights->specular_gather.program)
         gather_pass_render(&lights->specular_gather, frame, gbuffer, &all);
     if (lights->specular_rays.program && inputs->first == 0 && !inputs->later)
@@ -56,8 +58,8 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
             &(struct specular_rays_inputs){.rsm = lights->rsm,
                                            .shares = &lights->vpl.shares,
                                            .importance = &lights->importance.map,
-                                           .radiance = &lights->specular_gather.irradiance,
-                                           .visibility = inputs->visibility});
+                                           .albedos = lights->albedos.buffer.texels,
+                                           .radiance = &lights->specular_gather.irradiance});
 }
 
 static void add_near_field(const struct many_lights *lights, const struct frame *frame,

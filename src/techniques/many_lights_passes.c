@@ -111,9 +111,14 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
     int n = SPECULAR_INTERLEAVE < own->interleave ? SPECULAR_INTERLEAVE : own->interleave;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
-    gather.cuts = false;
-    gather.specular = own->specular + 1;
+    gather.cuts = gather.share = false;
+    gather.specular = lights->specular;
     gather.specular_rays = SPECULAR_RAY_COUNT;
+    if (lights->specular == SPECULAR_RAYS && gather.visibility.lookup != VISIBILITY_LOOKUP_NONE) {
+        gather.visibility.lookup = VISIBILITY_LOOKUP_TRACED;
+        gather.visibility.corrected = false;
+        gather.together = vpls_together(&gather);
+    }
     /* What rays show of one bounce stays sharp where it is smooth; VPLs of later bounces show their pattern there. */
     bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
     const struct blur_desc of_blur = {
@@ -123,24 +128,22 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
         .distance = blur->distance,
         .cosine = specular_cosine,
         .specular = sharp,
-        .level_radius = {.5F, .5F},
+        .level_radius = {.5F, 1},
         .level_weight = {1, 1},
         .square = true,
     };
-    return !desc->specular || (gather_pass_init(&lights->specular_gather, &gather) &&
+    return lights->specular == SPECULAR_NONE || (gather_pass_init(&lights->specular_gather, &gather) &&
                                blur_pass_init(&lights->specular_blur, &of_blur));
 }
 
 static bool init_specular_rays(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct gather_desc *gather = &lights->specular_gather.desc;
-    return gather->specular != SPECULAR_RAYS ||
+    return lights->specular != SPECULAR_RAYS ||
            specular_rays_pass_init(
                &lights->specular_rays,
                &(struct specular_rays_desc){
                    .rays = SPECULAR_RAY_COUNT,
-                   .has_maps =
-                       !gather->map_per_vpl && gather->visibility.lookup != VISIBILITY_LOOKUP_NONE,
-                   .visibility = gather->visibility,
+                   .casters = desc->casters,
+                   .by_importance = many_lights_follow_camera(lights),
                    .medium = lights->medium,
                    .slides = lights->slides,
                    .lights = *desc->lights,
@@ -260,11 +263,18 @@ bool many_lights_check(const struct settings *settings) {
                                                gather->interleave, places, lights->vpls);
 }
 
-static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
+/* Without a BVH for rays VPLs are balls. */
+static int specular_of(const struct technique_desc *desc) {
     const struct gather_settings *gather =
         settings_of(struct gather_settings, desc->settings, &gather_part);
+    int wanted = desc->specular ? gather->specular + 1 : SPECULAR_NONE;
+    bool can_trace = many_lights_may_trace(desc->scene, desc->geometry);
+    return wanted == SPECULAR_RAYS && !can_trace ? SPECULAR_SPHERE : wanted;
+}
+
+static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
     const struct light_layout *layout = desc->lights;
-    bool ok = true, has_specular = desc->specular && gather->specular + 1 == SPECULAR_RAYS;
+    bool ok = true, has_specular = lights->specular == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
@@ -316,7 +326,8 @@ static bool init_path_starts(struct many_lights *lights, const struct technique_
 }
 
 static bool init_albedos(struct many_lights *lights, const struct technique_desc *desc) {
-    return (lights->bounces == 1 && !has_sky_rays(lights, desc)) ||
+    bool has_rays = has_sky_rays(lights, desc) || lights->specular == SPECULAR_RAYS;
+    return (lights->bounces == 1 && !has_rays) ||
            albedos_init(&lights->albedos,
                         &(struct albedos_desc){
                             .scene = desc->scene,
@@ -343,6 +354,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const float reach = own->facets ? near_reach_of_facets : near_reach;
     *lights = (struct many_lights){.settings = *desc->settings,
                                    .visibility = *visibility,
+                                   .specular = specular_of(desc),
                                    .medium = desc->medium,
                                    .slides = desc->scene->slide_count > 0};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
@@ -396,8 +408,7 @@ bool many_lights_resize(void *state, int width, int height) {
     struct many_lights *lights = state, fresh = *lights;
     const struct technique_desc desc = {.settings = &lights->settings,
                                         .width = width,
-                                        .height = height,
-                                        .specular = lights->specular_gather.program};
+                                        .height = height};
     fresh.gather = fresh.adaptive_gather = fresh.specular_gather = (struct gather_pass){0};
     fresh.specular_blur = fresh.blur = (struct blur_pass){0};
     fresh.adaptive = (struct adaptive_pass){0};
