@@ -3,7 +3,7 @@
 // A surface y that a ray meets takes one light, chosen by the light that it gives there if nothing hides it: a fraction of
 // all lights' sum, so no choice makes y brighter than all lights do.
 // A draw fills one tile of the gather's pattern.
-#include "lib/gbuffer_specular.glsl"
+#include "gather/seen_end.glsl"
 #include "lib/random.glsl"
 #include "lib/weighted_pick.glsl"
 #include "gather/receiver_all.glsl"
@@ -14,6 +14,9 @@
 #include "lights/triangle_albedo.glsl"
 #include "shared/vpl.h"
 #include VPL_AREA
+
+layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray gbuffer_albedos;
+layout(binding = UNIT_DIRECT) uniform sampler2D direct;
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // the tile's place in the pattern, in its last two
 
@@ -27,14 +30,21 @@ vec2 sample_of(ivec2 pixel, int ray) {
 }
 
 // How much of what the ray finds is the rays' to add: VPLs find the rest.
-float share_of_rays(specular_surface seen, surface s, surface end, vec3 direction, chosen_light chosen) {
+float share_of_rays(specular_surface seen, surface s, surface end, vec3 direction, chosen_light chosen, float rays) {
     vec3 path = end.position - s.position;
     vpl_share shares = vpl_share_at(chosen.index);
     float area = chosen.distance2 / max(chosen.cosine, VPL_COSINE_MIN) * shares.measure;
     area = vpl_area_at(area, chosen.index, light_at(chosen.index), end.position);
-    specular_densities there = specular_densities_at(seen, direction, -dot(end.normal, direction), dot(path, path),
-                                                     params.rays, area * params.vpl_weight);
+    specular_densities there = specular_densities_at(seen, direction, -dot(end.normal, direction), dot(path, path), rays,
+                                                     area * params.vpl_weight);
     return specular_weight(there.rays, there.vpls);
+}
+
+// What a pixel sends of its direct light, as if all that the lobe does not mirror towards the eye were diffuse.
+vec3 sent_by_pixel(ivec2 pixel) {
+    specular_surface own = gbuffer_specular(gbuffer_surface(pixel), pixel);
+    vec3 lobe = specular_albedo(own.f0, own.f90, own.alpha, dot(own.normal, own.to_eye));
+    return albedo_fetch(gbuffer_albedos, ivec3(pixel, 0)) * texelFetch(direct, pixel, 0).rgb / max(1.0 - lobe, 0.1);
 }
 
 // The radiance that the ray finds, as far as it is the rays' to add.
@@ -45,8 +55,11 @@ vec3 found(surface s, specular_surface seen, vec3 direction, uvec3 seed, bool as
     chosen_light chosen = choose_light(end, random.x);
     if (!end.present || chosen.share <= 0.0)
         return vec3(0.0);
-    vec3 sent = hit_radiance(end, reflected(hit), chosen, -direction, seen.alpha, random.y);
-    return sent * (share_of_rays(seen, s, end, direction, chosen) / chosen.share);
+    ivec2 pixel;
+    bool on_screen = camera_sees(end.position, end.normal, pixel);
+    float rays = float(params.rays) / (on_screen ? 1.0 : float(light_count));
+    vec3 sent = on_screen ? sent_by_pixel(pixel) : hit_radiance(end, reflected(hit), chosen, -direction, seen.alpha, random.y) / chosen.share;
+    return sent * share_of_rays(seen, s, end, direction, chosen, rays);
 }
 
 void main() {

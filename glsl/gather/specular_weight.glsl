@@ -6,10 +6,10 @@ struct specular_densities {
 };
 
 // cosine: at y, towards x; area: what one of the VPLs that x has stands for there.
-specular_densities specular_densities_at(specular_surface x, vec3 direction, float cosine, float distance2, int rays,
+specular_densities specular_densities_at(specular_surface x, vec3 direction, float cosine, float distance2, float rays,
                                          float area) {
     return specular_densities(is_smooth(x.alpha) ? 0.0 : 1.0 / area,
-                              float(rays) * lobe_density(x, direction) * cosine / distance2);
+                              rays * lobe_density(x, direction) * cosine / distance2);
 }
 
 float specular_weight(float own, float other) {

@@ -17,8 +17,8 @@ layout(binding = UNIT_RSM_SPECULAR) uniform sampler2DArray rsm_speculars[LIGHT_M
 // Of a light sample of a sky that lies behind the surface: directions of its pieces may not.
 const float SKY_COSINE_MIN = 0.1;
 // The light's map has a surface where it lies within so many of the map's texels of its plane, and faces alike.
-const float SEEN_TEXELS = 2.0;
-const float SEEN_COSINE = 0.5;
+const float LIT_TEXELS = 2.0;
+const float LIT_COSINE = 0.5;
 
 struct chosen_light {
     int index;
@@ -67,8 +67,8 @@ bool is_seen_by(light l, inout surface end, out vec3 albedo, out vec4 code) {
     albedo = rsm_albedo(v, texel);
     code = v.kind == LIGHT_MAP_FACE ? texelFetch(rsm_speculars[LIGHT_MAP_FACE], place, 0)
                                     : texelFetch(rsm_speculars[LIGHT_MAP_SINGLE], place, 0);
-    bool met = inside && seen.present && dot(seen.normal, end.normal) > SEEN_COSINE &&
-               abs(dot(seen.position - end.position, end.normal)) < SEEN_TEXELS * wide;
+    bool met = inside && seen.present && dot(seen.normal, end.normal) > LIT_COSINE &&
+               abs(dot(seen.position - end.position, end.normal)) < LIT_TEXELS * wide;
     end.normal = met ? seen.normal : end.normal;
     return met;
 }

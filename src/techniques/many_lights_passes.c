@@ -12,7 +12,7 @@
 
 enum {
     SPECULAR_RAY_COUNT = 4,  /* specular rays of a pixel */
-    SPECULAR_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
+    SPECULAR_INTERLEAVE = 4, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
     FILTER_TAPS = 16,        /* texels of a percentage-closer filter; a blocker search takes half */
 };
 
@@ -124,13 +124,12 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
     const struct blur_desc of_blur = {
         .width = desc->width,
         .height = desc->height,
-        .radius = n / 2,
+        .radius = n,
         .distance = blur->distance,
         .cosine = specular_cosine,
         .specular = sharp,
-        .level_radius = {.5F, 1},
+        .level_radius = {.5F, 2},
         .level_weight = {1, 1},
-        .square = true,
     };
     return lights->specular == SPECULAR_NONE || (gather_pass_init(&lights->specular_gather, &gather) &&
                                blur_pass_init(&lights->specular_blur, &of_blur));

@@ -13,6 +13,7 @@
 
 #include <cglm/util.h>
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 
 /* The parts of glsl/gather/gather.frag, which it includes by these names. */
@@ -107,6 +108,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .together = desc->together,
         .specular_rays = desc->specular_rays,
+        .unseen_rays = (float)desc->specular_rays / fmaxf((float)frame->layout.lights, 1),
         .turn = frame_turn(frame),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
