@@ -4,6 +4,9 @@
 #include "gather/blur_tap.glsl"
 #include "lib/camera.glsl"
 #include "shared/blur.h"
+#if SPECULAR_BLUR
+#include "gather/pixel_reflects.glsl"
+#endif
 
 layout(binding = UNIT_BLUR_TAPS) uniform usampler2D taps;
 
@@ -22,6 +25,9 @@ void write(uvec4 center, vec3 irradiance) {
 #if PACK
     packed_tap = blur_tap_lit(center, irradiance);
 #else
+#if SPECULAR_BLUR
+    irradiance *= pixel_reflects(ivec2(gl_FragCoord.xy));
+#endif
     blurred = vec4(irradiance, blur_tap_depth(center) > 0.0 ? 1.0 : 0.0);
 #endif
 }

@@ -21,7 +21,7 @@ bool is_steep(vec3 irradiance, float depth) {
 #endif
 
 #if SPECULAR_BLUR
-#include "lib/gbuffer_specular.glsl"
+#include "gather/pixel_reflects.glsl"
 #endif
 
 layout(location = TARGET_RESULT) out uvec4 packed_tap;
@@ -42,6 +42,7 @@ void main() {
     }
 #endif
 #if SPECULAR_BLUR
+    irradiance /= pixel_reflects(pixel);
     float roughness = specular_decode(texelFetch(gbuffer_speculars, ivec3(pixel, 0), 0)).a;
     level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(0) : roughness < 0.4 ? BLUR_LEVEL_OF_LIST(1) : BLUR_LEVEL_NONE;
 #endif
