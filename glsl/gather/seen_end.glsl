@@ -12,7 +12,7 @@ bool camera_sees(vec3 position, vec3 normal, out ivec2 pixel) {
     vec2 ndc = clip.xy / clip.w;
     ivec2 size = gbuffer_size();
     bool inside = clip.w > 0.0 && all(lessThan(abs(ndc), vec2(1.0)));
-    pixel = ivec2((clamp(ndc, -1.0, 1.0) * 0.5 + 0.5) * (vec2(size) - 0.5));
+    pixel = min(ivec2(((inside ? ndc : vec2(0.0)) * 0.5 + 0.5) * vec2(size)), size - 1);
     surface seen = gbuffer_surface(pixel);
     float wide = view_height(camera, gbuffer_depth(pixel)) / float(size.y);
     vec3 f0 = specular_decode(texelFetch(gbuffer_speculars, ivec3(pixel, 0), 0)).rgb;

@@ -17,10 +17,13 @@
 
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray gbuffer_albedos;
 layout(binding = UNIT_DIRECT) uniform sampler2D direct;
+layout(binding = UNIT_IRRADIANCE) uniform sampler2D irradiance;
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // the tile's place in the pattern, in its last two
 
 layout(location = TARGET_RESULT) out vec4 radiance;
+
+const float INVERSE_PI = 0.31830988618;
 
 // Two numbers of [0, 1) for each pixel and ray: neighbours' lie far apart, and so do one pixel's.
 vec2 sample_of(ivec2 pixel, int ray) {
@@ -40,26 +43,42 @@ float share_of_rays(specular_surface seen, surface s, surface end, vec3 directio
     return specular_weight(there.rays, there.vpls);
 }
 
-// What a pixel sends of its direct light, as if all that the lobe does not mirror towards the eye were diffuse.
-vec3 sent_by_pixel(ivec2 pixel) {
+// A pixel's albedo, as if all that its lobe does not mirror towards the eye were diffuse.
+vec3 pixel_albedo(ivec2 pixel) {
     specular_surface own = gbuffer_specular(gbuffer_surface(pixel), pixel);
     vec3 lobe = specular_albedo(own.f0, own.f90, own.alpha, dot(own.normal, own.to_eye));
-    return albedo_fetch(gbuffer_albedos, ivec3(pixel, 0)) * texelFetch(direct, pixel, 0).rgb / max(1.0 - lobe, 0.1);
+    return albedo_fetch(gbuffer_albedos, ivec3(pixel, 0)) / max(1.0 - lobe, 0.1);
 }
 
-// The radiance that the ray finds, as far as it is the rays' to add.
-vec3 found(surface s, specular_surface seen, vec3 direction, uvec3 seed, bool asks) {
+// The indirect light that the surface sends, by the frame's irradiance there. Where the camera does not see the surface, the
+// receiver's irradiance stands for it.
+vec3 sent_later(vec3 albedo, ivec2 pixel) {
+#if LATER
+    return albedo * texelFetch(irradiance, pixel, 0).rgb * (INVERSE_PI / params.scale);
+#else
+    return vec3(0.0);
+#endif
+}
+
+// The radiance that a ray of pixel `own` finds, as far as it is the rays' to add.
+vec3 found(surface s, specular_surface seen, vec3 direction, ivec2 own, uint seed, bool asks) {
     bvh_hit hit = bvh_meet(s.position + bvh_clearance() * s.normal, direction, asks);
     surface end = surface(asks && hit.triangle >= 0, s.position + hit.distance * direction, hit.normal);
-    vec2 random = random_of(seed);
+    vec2 random = random_of(uvec3(own, seed));
     chosen_light chosen = choose_light(end, random.x);
-    if (!end.present || chosen.share <= 0.0)
+    if (!end.present)
         return vec3(0.0);
     ivec2 pixel;
     bool on_screen = camera_sees(end.position, end.normal, pixel);
-    float rays = float(params.rays) / (on_screen ? 1.0 : float(light_count));
-    vec3 sent = on_screen ? sent_by_pixel(pixel) : hit_radiance(end, reflected(hit), chosen, -direction, seen.alpha, random.y) / chosen.share;
-    return sent * share_of_rays(seen, s, end, direction, chosen, rays);
+    vec3 albedo = on_screen ? pixel_albedo(pixel) : reflected(hit);
+    vec3 later = sent_later(albedo, on_screen ? pixel : own), sent = vec3(0.0);
+    if (chosen.share > 0.0) {
+        float rays = float(params.rays) / (on_screen ? 1.0 : float(light_count));
+        sent = on_screen ? albedo * texelFetch(direct, pixel, 0).rgb
+                         : hit_radiance(end, albedo, chosen, -direction, seen.alpha, random.y);
+        sent *= share_of_rays(seen, s, end, direction, chosen, rays);
+    }
+    return (sent + later) * medium_passes_between(s.position, end.position);
 }
 
 void main() {
@@ -77,8 +96,7 @@ void main() {
         float density = lobe_density(seen, direction);
         bool asks = dot(direction, s.normal) > 0.0 && !is_behind_horizon(facet, direction) && density > 0.0;
         vec3 reflects = asks ? specular_brdf(seen, direction) / density : vec3(0.0);
-        uvec3 seed = uvec3(pixel, floatBitsToUint(place.x));
-        radiance.rgb += reflects * found(s, seen, direction, seed, asks);
+        radiance.rgb += reflects * found(s, seen, direction, pixel, floatBitsToUint(place.x), asks);
     }
     radiance.rgb *= params.scale / float(params.rays);
 }

@@ -10,15 +10,25 @@ layout(binding = UNIT_RSM_SPECULAR) uniform sampler2DArray rsm_speculars[LIGHT_M
 #ifdef HAS_SKY
 #include "lights/sky_pieces.glsl"
 #define IS_SKY(light) has_sky_pieces(light)
+
+void take_sky_direction(int light, float random, out vec3 incoming, out vec3 power) {
+    int piece = min(int(random * float(SKY_PIECES)), SKY_PIECES - 1);
+    vec3 right = sky_piece_row(light, piece, 1).xyz, up = sky_piece_row(light, piece, 2).xyz;
+    incoming = normalize(cross(up, right));
+    power = sky_piece_row(light, piece, 3).xyz;
+}
 #else
 #define IS_SKY(light) false
+
+void take_sky_direction(int light, float random, out vec3 incoming, out vec3 power) {
+}
 #endif
 
 // Of a light sample of a sky that lies behind the surface: directions of its pieces may not.
 const float SKY_COSINE_MIN = 0.1;
 // The light's map has a surface where it lies within so many of the map's texels of its plane, and faces alike.
-const float LIT_TEXELS = 2.0;
-const float LIT_COSINE = 0.5;
+const float MAP_TEXELS = 2.0;
+const float MAP_COSINE = 0.5;
 
 struct chosen_light {
     int index;
@@ -53,24 +63,25 @@ chosen_light choose_light(surface end, float random) {
     return chosen;
 }
 
-// Whether the light's map has the surface: then it is lit, and the map knows its texture, normal and lobe.
-bool is_seen_by(light l, inout surface end, out vec3 albedo, out vec4 code) {
+// Takes texture, normal and lobe of the surface from the light's map where that has it.
+void take_from_map(light l, inout surface end, inout vec3 albedo, inout vec4 code) {
     light_view v = light_view_at(light_view_index(l, end.position - l.position));
     vec4 clip = v.view.world_to_clip * vec4(end.position, 1.0);
     vec2 ndc = clip.xy / clip.w;
     bool inside = clip.w > 0.0 && all(lessThan(abs(ndc), vec2(1.0)));
-    ivec2 size = rsm_size(v.kind), texel = ivec2((clamp(ndc, -1.0, 1.0) * 0.5 + 0.5) * vec2(size - 1) + 0.5);
+    ndc = inside ? ndc : vec2(0.0);
+    ivec2 size = rsm_size(v.kind), texel = min(ivec2((ndc * 0.5 + 0.5) * vec2(size)), size - 1);
     surface seen = rsm_surface(v, texel);
     float depth = v.view.orthographic ? 1.0 : dot(end.position - v.view.origin, v.view.forward);
     float wide = 2.0 * length(v.view.right) * depth / float(size.x);
+    if (!inside || !seen.present || dot(seen.normal, end.normal) < MAP_COSINE ||
+        abs(dot(seen.position - end.position, end.normal)) > MAP_TEXELS * wide)
+        return;
     ivec3 place = ivec3(texel, v.layer);
+    end.normal = seen.normal;
     albedo = rsm_albedo(v, texel);
     code = v.kind == LIGHT_MAP_FACE ? texelFetch(rsm_speculars[LIGHT_MAP_FACE], place, 0)
                                     : texelFetch(rsm_speculars[LIGHT_MAP_SINGLE], place, 0);
-    bool met = inside && seen.present && dot(seen.normal, end.normal) > LIT_COSINE &&
-               abs(dot(seen.position - end.position, end.normal)) < LIT_TEXELS * wide;
-    end.normal = met ? seen.normal : end.normal;
-    return met;
 }
 
 // What of the light's irradiance the surface sends to the receiver, 1/sr times the light's cosine there. Few rays of a
@@ -87,32 +98,21 @@ vec3 end_reflects(surface end, vec3 albedo, vec4 code, vec3 to_light, vec3 to_re
            (specular.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
 }
 
-// Of that light alone.
+// Of the chosen light alone, over the chance that it is chosen. A sky's light sample has many directions; `random` takes one.
 vec3 hit_radiance(surface end, vec3 albedo, chosen_light chosen, vec3 to_receiver, float receiver_alpha, float random) {
     light l = light_at(chosen.index);
-    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL, is_sky = IS_SKY(chosen.index), is_lit = false;
+    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
     vec3 incoming = directional ? l.direction : normalize(end.position - l.position), normal = end.normal;
     vec3 power = directional ? l.intensity : light_intensity(l, incoming) * light_in_range(l, chosen.distance2);
     vec4 code = vec4(0.0);
-#ifdef HAS_SKY
-    if (is_sky) {
-        int piece = min(int(random * float(SKY_PIECES)), SKY_PIECES - 1);
-        vec3 right = sky_piece_row(chosen.index, piece, 1).xyz, up = sky_piece_row(chosen.index, piece, 2).xyz;
-        incoming = normalize(cross(up, right));
-        power = sky_piece_row(chosen.index, piece, 3).xyz;
-    }
-#endif
-    vec3 seen_albedo;
-    vec4 seen_code;
-    if (!is_sky && is_seen_by(l, end, seen_albedo, seen_code)) {
-        is_lit = true;
-        albedo = seen_albedo;
-        code = seen_code;
-    }
+    if (IS_SKY(chosen.index))
+        take_sky_direction(chosen.index, random, incoming, power);
+    else
+        take_from_map(l, end, albedo, code);
     vec3 reflects = end_reflects(end, albedo, code, -incoming, to_receiver, receiver_alpha);
-    bool asks = !is_lit && reflects != vec3(0.0);
     vec3 light_place = directional ? end.position - params.farthest * incoming : l.position;
+    bool asks = reflects != vec3(0.0);
     bool hidden = is_blocked(end.position, normal, asks ? light_place : end.position); // no way, no ray
     power *= medium_passes_light(end.position, incoming, !directional, chosen.distance2);
-    return hidden ? vec3(0.0) : reflects * power / chosen.distance2;
+    return hidden ? vec3(0.0) : reflects * power / (chosen.distance2 * chosen.share);
 }

@@ -119,15 +119,14 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
         gather.visibility.corrected = false;
         gather.together = vpls_together(&gather);
     }
-    /* What rays show of one bounce stays sharp where it is smooth; VPLs of later bounces show their pattern there. */
-    bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
+    gather.later = gather.later && lights->specular != SPECULAR_RAYS;
     const struct blur_desc of_blur = {
         .width = desc->width,
         .height = desc->height,
         .radius = n,
         .distance = blur->distance,
         .cosine = specular_cosine,
-        .specular = sharp,
+        .specular = lights->specular == SPECULAR_RAYS, /* smooth surfaces stay sharp */
         .level_radius = {.5F, .5F},
         .level_weight = {1, 1},
     };
@@ -142,6 +141,7 @@ static bool init_specular_rays(struct many_lights *lights, const struct techniqu
                &(struct specular_rays_desc){
                    .rays = SPECULAR_RAY_COUNT,
                    .casters = desc->casters,
+                   .later = lights->bounces > 1,
                    .by_importance = many_lights_follow_camera(lights),
                    .medium = lights->medium,
                    .slides = lights->slides,

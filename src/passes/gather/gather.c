@@ -57,19 +57,13 @@ static int later_clamp(int clamp) {
     return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
 }
 
-/* No ray finds what later bounces light: there VPLs are balls. */
-static int later_specular(int specular) {
-    return specular == SPECULAR_RAYS ? SPECULAR_SPHERE : specular;
-}
-
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
     int size[2] = {desc->width, desc->height};
     if (desc->receivers == RECEIVERS_ADAPTIVE)
         pixel_lists_size(size, desc->interleave);
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
-        (!desc->later || init_program(&pass->later_program, desc, later_clamp(desc->clamp),
-                                      later_specular(desc->specular))) &&
+        (!desc->later || init_program(&pass->later_program, desc, later_clamp(desc->clamp), desc->specular)) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, size[0], size[1],
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&

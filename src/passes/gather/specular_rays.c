@@ -13,9 +13,9 @@ static bool init_program(struct specular_rays_pass *pass) {
     const struct light_layout *lights = &pass->desc.lights;
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
-    char *defines = mem_printf("%s%sLIGHTS %d;MAP_KINDS %d;VPL_AREA %s",
+    char *defines = mem_printf("%s%sLATER %d;LIGHTS %d;MAP_KINDS %d;VPL_AREA %s",
                                light_defines(pass->desc.medium, pass->desc.slides),
-                               lights->sky ? "HAS_SKY;" : "", lights->lights, kinds,
+                               lights->sky ? "HAS_SKY;" : "", pass->desc.later, lights->lights, kinds,
                                vpl_area_file(pass->desc.by_importance));
     bool ok = program_init(
         &pass->program, &(struct program_desc){
@@ -96,6 +96,8 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
         pass_add_texture(&state, UNIT_RSM_SPECULAR + kind,
                          inputs->rsm[inputs->rsm[kind].layers ? kind : !kind].specular.id);
+    if (pass->desc.later)
+        pass_add_texture(&state, UNIT_IRRADIANCE, inputs->irradiance->texture.id);
     if (pass->desc.by_importance)
         pass_add_texture(&state, UNIT_VPL_DENSITY, inputs->importance->densities.id);
     write_params(pass, frame, radiance);

@@ -17,6 +17,7 @@ struct frame;
 
 struct specular_rays_desc {
     int rays;                           /* of a pixel */
+    bool later;                         /* surfaces send indirect light, too */
     struct caster_pool *casters;        /* must outlive the pass */
     bool by_importance, medium, slides; /* as in struct near_field_desc */
     struct light_layout lights;
@@ -39,6 +40,7 @@ struct specular_rays_inputs {
     const struct buffer *shares;             /* passes/lights/vpl.h's */
     const struct importance_map *importance; /* where by_importance */
     GLuint albedos;                          /* of triangles (passes/lights/albedos.h) */
+    const struct irradiance *irradiance;     /* where later: the frame's indirect light, in picture order */
     const struct irradiance *radiance;       /* to be added to: a gather's with SPECULAR_RAYS */
 };
 
