@@ -55,6 +55,7 @@ void main() {
     // Two pixels count for each other between what each counts for its like, so that as much light goes as comes.
     // Pixels of lists take of none beyond their own windows.
     int level = blur_tap_level(center);
+    float like = level == BLUR_LEVEL_OF_LIST(PIXEL_LEVEL_DETAIL) ? params.detail_cosine : params.cosine;
     vec4 radii = level == BLUR_LEVEL_NONE ? params.taken_radii : min(params.radii, of_level(params.radii, level));
     vec4 weights = sqrt(params.weights * of_level(params.weights, level));
     ivec2 along = params.along, across = along.yx;
@@ -68,7 +69,7 @@ void main() {
             float tap_depth = blur_tap_depth(tap);
             vec3 apart = tap_position((vec2(at) + 0.5) * per_pixel - extent, tap_depth) - position;
             bool alike = at == inside && tap_depth > 0.0 && dot(apart, apart) < reach * reach &&
-                dot(blur_tap_normal(tap), normal) > params.cosine;
+                dot(blur_tap_normal(tap), normal) > like;
             int tap_level = blur_tap_level(tap);
             float wide = of_level(radii, tap_level);
             float weight = window(abs(i), wide) * (rows > 0 ? window(abs(j), wide) : 1.0) * of_level(weights, tap_level);

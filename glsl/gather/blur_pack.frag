@@ -44,7 +44,7 @@ void main() {
 #if SPECULAR_BLUR
     irradiance /= pixel_reflects(pixel);
     float roughness = specular_decode(texelFetch(gbuffer_speculars, ivec3(pixel, 0), 0)).a;
-    level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(0) : BLUR_LEVEL_NONE;
+    level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(0) : roughness < 0.45 ? BLUR_LEVEL_OF_LIST(1) : BLUR_LEVEL_NONE;
 #endif
     packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,
                                         blur_tap_normal_code(normal), irradiance, level));

@@ -64,7 +64,7 @@ static struct visibility_desc lookup_of(const struct settings *settings,
 
 /* 15 degrees: with no more than a pixel to each side the blur is as sharp as the lobe, and within fewer
  * degrees it finds no neighbours on small round things. */
-static const float specular_cosine = .985F;
+static const float specular_cosine = .966F;
 
 int many_lights_blur_radius(const struct settings *settings) {
     const struct gather_settings *gather =
@@ -127,7 +127,8 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
         .distance = blur->distance,
         .cosine = specular_cosine,
         .specular = lights->specular == SPECULAR_RAYS, /* smooth surfaces stay sharp */
-        .level_radius = {.5F, .5F},
+        .detail_cosine = .996F,
+        .level_radius = {.5F, (float)n},
         .level_weight = {1, 1},
     };
     return lights->specular == SPECULAR_NONE || (gather_pass_init(&lights->specular_gather, &gather) &&
