@@ -22,6 +22,7 @@ vec3 specular_light(vpl light, surface s, float area) {
     if (SPECULAR == SPECULAR_RAYS) {
         ivec2 pixel;
         float rays = camera_sees(light.position, light.normal, pixel) ? float(params.specular_rays) : params.unseen_rays;
+        rays *= specular_effort(seen);
         specular_densities there = specular_densities_at(seen, direction, cosine, distance2, rays, area);
         float of_vpls = specular_weight(there.vpls, there.rays);
         return light.flux * specular_brdf(seen, direction) * (cosine / distance2 * of_vpls);
@@ -38,9 +39,14 @@ float given_back() {
     return 1.0;
 }
 
+int lights_per_test(int most) {
+    return int(float(most) / specular_effort(receiver_specular));
+}
+
 bool receives_light(surface s, ivec2 pixel) {
     receiver_specular = gbuffer_specular(s, pixel);
-    return receiver_specular.f90 != vec3(0.0);
+    bool has_rays = SPECULAR == SPECULAR_RAYS && is_smooth(receiver_specular.alpha); // they find all
+    return receiver_specular.f90 != vec3(0.0) && !has_rays;
 }
 
 // What is reflected of near VPLs counts as unoccluded.

@@ -73,7 +73,7 @@ vec3 found(surface s, specular_surface seen, vec3 direction, ivec2 own, uint see
     vec3 albedo = on_screen ? pixel_albedo(pixel) : reflected(hit);
     vec3 later = sent_later(albedo, on_screen ? pixel : own), sent = vec3(0.0);
     if (chosen.share > 0.0) {
-        float rays = float(params.rays) / (on_screen ? 1.0 : float(light_count));
+        float rays = specular_effort(seen) * float(params.rays) / (on_screen ? 1.0 : float(light_count));
         sent = on_screen ? albedo * texelFetch(direct, pixel, 0).rgb
                          : hit_radiance(end, albedo, chosen, -direction, seen.alpha, random.y);
         sent *= share_of_rays(seen, s, end, direction, chosen, rays);
@@ -90,7 +90,8 @@ void main() {
     if (!receives || !s.present || seen.f90 == vec3(0.0))
         return;
     vec3 facet = receiver_triangle(s, pixel);
-    for (int ray = 0; ray < params.rays; ray++) {
+    int rays = max(int(float(params.rays) * specular_effort(seen)), 1);
+    for (int ray = 0; ray < rays; ray++) {
         vec2 place = sample_of(pixel, ray);
         vec3 direction = lobe_sample(seen, place);
         float density = lobe_density(seen, direction);
@@ -98,5 +99,5 @@ void main() {
         vec3 reflects = asks ? specular_brdf(seen, direction) / density : vec3(0.0);
         radiance.rgb += reflects * found(s, seen, direction, pixel, floatBitsToUint(place.x), asks);
     }
-    radiance.rgb *= params.scale / float(params.rays);
+    radiance.rgb *= params.scale / float(rays);
 }

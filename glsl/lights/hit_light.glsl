@@ -29,6 +29,7 @@ const float SKY_COSINE_MIN = 0.1;
 // The light's map has a surface where it lies within so many of the map's texels of its plane, and faces alike.
 const float MAP_TEXELS = 2.0;
 const float MAP_COSINE = 0.5;
+const float END_ALPHA_MIN = 0.2;
 
 struct chosen_light {
     int index;
@@ -84,15 +85,15 @@ void take_from_map(light l, inout surface end, inout vec3 albedo, inout vec4 cod
                                     : texelFetch(rsm_speculars[LIGHT_MAP_SINGLE], place, 0);
 }
 
-// What of the light's irradiance the surface sends to the receiver, 1/sr times the light's cosine there. Few rays of a
-// rough receiver would find a highlight, as spots: its lobe is as much wider as the receiver's is [Kaplanyan and
-// Dachsbacher 2013]. Diffuse is what the albedo has beside the specular part (picture/surface_detail.glsl).
+// What of the light's irradiance the surface sends to the receiver, 1/sr times the light's cosine there. Few rays would
+// find a narrow highlight, as spots: its lobe is as much wider as the receiver's is [Kaplanyan and Dachsbacher 2013], and
+// never narrower than END_ALPHA_MIN. Diffuse is what the albedo has beside the specular part (picture/surface_detail.glsl).
 vec3 end_reflects(surface end, vec3 albedo, vec4 code, vec3 to_light, vec3 to_receiver, float receiver_alpha) {
     vec4 specular = specular_decode(code);
     vec3 f90 = specular_grazing(code);
     float cosine = max(dot(end.normal, to_light), 0.0);
     vec3 lobe = specular_albedo(specular.rgb, f90, specular_alpha(specular.a), cosine);
-    float alpha = min(length(vec2(specular.a * specular.a, receiver_alpha)), 1.0);
+    float alpha = clamp(length(vec2(specular.a * specular.a, receiver_alpha)), END_ALPHA_MIN, 1.0);
     specular_surface s = specular_surface(specular.rgb, f90, alpha, end.normal, facing(end.normal, to_receiver));
     return max(albedo - lobe, 0.0) * (cosine / 3.14159265) +
            (specular.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));

@@ -117,7 +117,7 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
     if (lights->specular == SPECULAR_RAYS && gather.visibility.lookup != VISIBILITY_LOOKUP_NONE) {
         gather.visibility.lookup = VISIBILITY_LOOKUP_TRACED;
         gather.visibility.corrected = false;
-        gather.together = vpls_together(&gather);
+        gather.together = 4 * vpls_together(&gather) / 3;
     }
     gather.later = gather.later && lights->specular != SPECULAR_RAYS;
     const struct blur_desc of_blur = {
