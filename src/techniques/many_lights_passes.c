@@ -12,8 +12,10 @@
 
 enum {
     SPECULAR_RAY_COUNT = 4,  /* specular rays of a pixel */
-    SPECULAR_INTERLEAVE = 4, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
-    FILTER_TAPS = 16,        /* texels of a percentage-closer filter; a blocker search takes half */
+    SPECULAR_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
+    SPECULAR_RAYS_INTERLEAVE = 4, /* the same beside rays */
+    SPECULAR_TOGETHER = 16,       /* VPLs of which two test visibility */
+    FILTER_TAPS = 16, /* texels of a percentage-closer filter; a blocker search takes half */
 };
 
 /* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the
@@ -66,6 +68,9 @@ static struct visibility_desc lookup_of(const struct settings *settings,
  * degrees it finds no neighbours on small round things. */
 static const float specular_cosine = .966F;
 
+/* 5 degrees, of narrow lobes that only rays' blur takes: a mirrored direction turns twice as far as the normal. */
+static const float narrow_cosine = .996F;
+
 int many_lights_blur_radius(const struct settings *settings) {
     const struct gather_settings *gather =
         settings_of(struct gather_settings, settings, &gather_part);
@@ -100,6 +105,16 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
     return gather_pass_init(&lights->gather, &gather_desc);
 }
 
+/* VPLs, with rays for visibility; rays of their own find what narrow lobes reflect. */
+static void take_rays(struct gather_desc *gather) {
+    gather->later = gather->share = gather->map_per_vpl = false;
+    if (gather->visibility.lookup == VISIBILITY_LOOKUP_NONE)
+        return;
+    gather->visibility.lookup = VISIBILITY_LOOKUP_TRACED;
+    gather->visibility.corrected = false;
+    gather->together = SPECULAR_TOGETHER;
+}
+
 /* Specular reflection is sharper than diffuse: each pixel takes more VPLs, and is blurred less. It is no
  * share of light that the near field could take: near VPLs are bounded as disks. */
 static bool init_specular(struct many_lights *lights, const struct technique_desc *desc) {
@@ -108,46 +123,46 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
     const struct blur_settings *blur =
         settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
-    int n = SPECULAR_INTERLEAVE < own->interleave ? SPECULAR_INTERLEAVE : own->interleave;
+    bool rays = lights->specular == SPECULAR_RAYS;
+    int wanted = rays ? SPECULAR_RAYS_INTERLEAVE : SPECULAR_INTERLEAVE;
+    int n = wanted < own->interleave ? wanted : own->interleave;
+    int radius = rays && n > 1 ? n : n / 2;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
-    gather.cuts = gather.share = false;
+    gather.cuts = false;
     gather.specular = lights->specular;
     gather.specular_rays = SPECULAR_RAY_COUNT;
-    if (lights->specular == SPECULAR_RAYS && gather.visibility.lookup != VISIBILITY_LOOKUP_NONE) {
-        gather.visibility.lookup = VISIBILITY_LOOKUP_TRACED;
-        gather.visibility.corrected = false;
-        gather.together = 4 * vpls_together(&gather) / 3;
-    }
-    gather.later = gather.later && lights->specular != SPECULAR_RAYS;
+    if (rays)
+        take_rays(&gather);
     const struct blur_desc of_blur = {
         .width = desc->width,
         .height = desc->height,
-        .radius = n,
+        .radius = radius,
         .distance = blur->distance,
         .cosine = specular_cosine,
-        .specular = lights->specular == SPECULAR_RAYS, /* smooth surfaces stay sharp */
-        .detail_cosine = .996F,
-        .level_radius = {.5F, (float)n},
+        .detail_cosine = narrow_cosine,
+        .specular = rays,
+        .level_radius = {.5F, (float)radius},
         .level_weight = {1, 1},
+        .square = !rays,
     };
-    return lights->specular == SPECULAR_NONE || (gather_pass_init(&lights->specular_gather, &gather) &&
-                               blur_pass_init(&lights->specular_blur, &of_blur));
+    return lights->specular == SPECULAR_NONE ||
+           (gather_pass_init(&lights->specular_gather, &gather) &&
+            blur_pass_init(&lights->specular_blur, &of_blur));
 }
 
 static bool init_specular_rays(struct many_lights *lights, const struct technique_desc *desc) {
     return lights->specular != SPECULAR_RAYS ||
-           specular_rays_pass_init(
-               &lights->specular_rays,
-               &(struct specular_rays_desc){
-                   .rays = SPECULAR_RAY_COUNT,
-                   .casters = desc->casters,
-                   .later = lights->bounces > 1,
-                   .by_importance = many_lights_follow_camera(lights),
-                   .medium = lights->medium,
-                   .slides = lights->slides,
-                   .lights = *desc->lights,
-               });
+           specular_rays_pass_init(&lights->specular_rays,
+                                   &(struct specular_rays_desc){
+                                       .rays = SPECULAR_RAY_COUNT,
+                                       .casters = desc->casters,
+                                       .later = lights->bounces > 1,
+                                       .by_importance = many_lights_follow_camera(lights),
+                                       .medium = lights->medium,
+                                       .slides = lights->slides,
+                                       .lights = *desc->lights,
+                                   });
 }
 
 /* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture, and 64 points no
@@ -406,9 +421,8 @@ void many_lights_free(struct many_lights *lights) {
 
 bool many_lights_resize(void *state, int width, int height) {
     struct many_lights *lights = state, fresh = *lights;
-    const struct technique_desc desc = {.settings = &lights->settings,
-                                        .width = width,
-                                        .height = height};
+    const struct technique_desc desc = {
+        .settings = &lights->settings, .width = width, .height = height};
     fresh.gather = fresh.adaptive_gather = fresh.specular_gather = (struct gather_pass){0};
     fresh.specular_blur = fresh.blur = (struct blur_pass){0};
     fresh.adaptive = (struct adaptive_pass){0};

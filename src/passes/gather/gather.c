@@ -63,7 +63,8 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
         pixel_lists_size(size, desc->interleave);
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
-        (!desc->later || init_program(&pass->later_program, desc, later_clamp(desc->clamp), desc->specular)) &&
+        (!desc->later ||
+         init_program(&pass->later_program, desc, later_clamp(desc->clamp), desc->specular)) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, size[0], size[1],
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
@@ -128,7 +129,7 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
  * test together a sixth do. */
 static int vpls_of_draw(const struct gather_pass *pass) {
     bool traced = pass->desc.visibility.lookup == VISIBILITY_LOOKUP_TRACED;
-    return !traced ? INT_MAX : pass->desc.together >= 12 ? 6 * RAYS_MAX : RAYS_MAX;
+    return !traced ? INT_MAX : pass->desc.together > 6 ? 6 * RAYS_MAX : RAYS_MAX;
 }
 
 /* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by side. */

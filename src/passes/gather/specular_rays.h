@@ -40,8 +40,9 @@ struct specular_rays_inputs {
     const struct buffer *shares;             /* passes/lights/vpl.h's */
     const struct importance_map *importance; /* where by_importance */
     GLuint albedos;                          /* of triangles (passes/lights/albedos.h) */
-    const struct irradiance *irradiance;     /* where later: the frame's indirect light, in picture order */
-    const struct irradiance *radiance;       /* to be added to: a gather's with SPECULAR_RAYS */
+    const struct irradiance
+        *irradiance; /* where later: the frame's indirect light, in picture order */
+    const struct irradiance *radiance; /* to be added to: a gather's with SPECULAR_RAYS */
 };
 
 /* Adds to inputs->radiance. Timer "specular rays". */
