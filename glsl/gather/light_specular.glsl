@@ -21,8 +21,8 @@ vec3 specular_light(vpl light, surface s, float area) {
     specular_surface seen = receiver_specular;
     if (SPECULAR == SPECULAR_RAYS) {
         ivec2 pixel;
-        float rays = camera_sees(light.position, light.normal, pixel) ? float(params.specular_rays) : params.unseen_rays;
-        rays *= specular_effort(seen);
+        bool on_screen = camera_sees(light.position, light.normal, pixel);
+        float rays = (on_screen ? float(params.specular_rays) : params.unseen_rays) * specular_effort(seen);
         specular_densities there = specular_densities_at(seen, direction, cosine, distance2, rays, area);
         float of_vpls = specular_weight(there.vpls, there.rays);
         return light.flux * specular_brdf(seen, direction) * (cosine / distance2 * of_vpls);

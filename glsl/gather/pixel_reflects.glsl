@@ -1,5 +1,4 @@
-// How much a pixel reflects as by a mirror, of light from all sides alike: blurs take radiance over it, so that they keep
-// textures.
+// Directional albedo of a pixel's specular part. The blur divides radiance by it, so that textures stay sharp.
 #include "lib/gbuffer_specular.glsl"
 #include "lib/lobe_albedo.glsl"
 

@@ -1,7 +1,7 @@
 // What a surface that is not diffuse reflects of lit surfaces, found by rays that are sampled by its lobe [Heitz 2018]:
 //     L = 1/n sum_j  f_r cos_x / p(l_j)  L_y(-l_j)  share_j
-// A surface y that a ray meets takes one light, chosen by the light that it gives there if nothing hides it: a fraction of
-// all lights' sum, so no choice makes y brighter than all lights do.
+// The surface y that a ray meets has the direct light of its pixel if the camera sees y. Else y takes one light, chosen
+// by the light that it gives there if nothing hides it: no choice makes y brighter than all lights do.
 // A draw fills one tile of the gather's pattern.
 #include "gather/seen_end.glsl"
 #include "lib/random.glsl"
@@ -38,8 +38,8 @@ float share_of_rays(specular_surface seen, surface s, surface end, vec3 directio
     vpl_share shares = vpl_share_at(chosen.index);
     float area = chosen.distance2 / max(chosen.cosine, VPL_COSINE_MIN) * shares.measure;
     area = vpl_area_at(area, chosen.index, light_at(chosen.index), end.position);
-    specular_densities there = specular_densities_at(seen, direction, -dot(end.normal, direction), dot(path, path), rays,
-                                                     area * params.vpl_weight);
+    specular_densities there = specular_densities_at(seen, direction, -dot(end.normal, direction), dot(path, path),
+                                                     rays, area * params.vpl_weight);
     return specular_weight(there.rays, there.vpls);
 }
 
@@ -50,8 +50,8 @@ vec3 pixel_albedo(ivec2 pixel) {
     return albedo_fetch(gbuffer_albedos, ivec3(pixel, 0)) / max(1.0 - lobe, 0.1);
 }
 
-// The indirect light that the surface sends, by the frame's irradiance there. Where the camera does not see the surface, the
-// receiver's irradiance stands for it.
+// The indirect light that the surface sends, by the frame's irradiance there. Where the camera does not see the
+// surface, the receiver's irradiance stands for it.
 vec3 sent_later(vec3 albedo, ivec2 pixel) {
 #if LATER
     return albedo * texelFetch(irradiance, pixel, 0).rgb * (INVERSE_PI / params.scale);
