@@ -4,6 +4,9 @@
 #include "gather/blur_tap.glsl"
 #include "lib/camera.glsl"
 #include "shared/blur.h"
+#if SPECULAR_BLUR
+#include "gather/pixel_reflects.glsl"
+#endif
 
 layout(binding = UNIT_BLUR_TAPS) uniform usampler2D taps;
 
@@ -22,6 +25,9 @@ void write(uvec4 center, vec3 irradiance) {
 #if PACK
     packed_tap = blur_tap_lit(center, irradiance);
 #else
+#if SPECULAR_BLUR
+    irradiance *= pixel_reflects(ivec2(gl_FragCoord.xy));
+#endif
     blurred = vec4(irradiance, blur_tap_depth(center) > 0.0 ? 1.0 : 0.0);
 #endif
 }
@@ -49,6 +55,7 @@ void main() {
     // Two pixels count for each other between what each counts for its like, so that as much light goes as comes.
     // Pixels of lists take of none beyond their own windows.
     int level = blur_tap_level(center);
+    float like = level == BLUR_LEVEL_OF_LIST(PIXEL_LEVEL_DETAIL) ? params.detail_cosine : params.cosine;
     vec4 radii = level == BLUR_LEVEL_NONE ? params.taken_radii : min(params.radii, of_level(params.radii, level));
     vec4 weights = sqrt(params.weights * of_level(params.weights, level));
     ivec2 along = params.along, across = along.yx;
@@ -62,7 +69,7 @@ void main() {
             float tap_depth = blur_tap_depth(tap);
             vec3 apart = tap_position((vec2(at) + 0.5) * per_pixel - extent, tap_depth) - position;
             bool alike = at == inside && tap_depth > 0.0 && dot(apart, apart) < reach * reach &&
-                dot(blur_tap_normal(tap), normal) > params.cosine;
+                dot(blur_tap_normal(tap), normal) > like;
             int tap_level = blur_tap_level(tap);
             float wide = of_level(radii, tap_level);
             float weight = window(abs(i), wide) * (rows > 0 ? window(abs(j), wide) : 1.0) * of_level(weights, tap_level);

@@ -21,7 +21,9 @@ bool is_steep(vec3 irradiance, float depth) {
 #endif
 
 #if SPECULAR_BLUR
-#include "lib/gbuffer_specular.glsl"
+#include "gather/pixel_reflects.glsl"
+
+const float NARROW_ROUGHNESS = 0.45; // lobes that bent surfaces soon turn away
 #endif
 
 layout(location = TARGET_RESULT) out uvec4 packed_tap;
@@ -42,8 +44,10 @@ void main() {
     }
 #endif
 #if SPECULAR_BLUR
+    irradiance /= pixel_reflects(pixel);
     float roughness = specular_decode(texelFetch(gbuffer_speculars, ivec3(pixel, 0), 0)).a;
-    level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(0) : BLUR_LEVEL_NONE;
+    level = roughness < NARROW_ROUGHNESS ? BLUR_LEVEL_OF_LIST(PIXEL_LEVEL_DETAIL) : BLUR_LEVEL_NONE;
+    level = is_smooth(roughness * roughness) ? BLUR_LEVEL_OF_LIST(PIXEL_LEVEL_EDGE) : level;
 #endif
     packed_tap = blur_tap_pack(blur_tap(depth > 0.0 ? view_linear_depth(camera, depth) : 0.0,
                                         blur_tap_normal_code(normal), irradiance, level));

@@ -12,6 +12,7 @@
 //     vec3 arriving(own, back, visible)        of both
 //     bool receives_light(s, pixel)
 //     float given_back()                       what all light is multiplied by
+//     int lights_per_test(most)                lights side by side that test visibility together
 // GATHER_VISIBILITY, who tests visibility:
 //     vec3 light_of(s, pixel, lights)          the sum of what arrives
 #include "lib/gbuffer.glsl"

@@ -46,8 +46,9 @@ vec3 light_of(surface s, ivec2 pixel, ivec2 lights) {
     vec3 sum = vec3(0.0);
     vec2 hue = vpl_hue();
     float random = group_random(pixel, params.turn);
-    for (int i = lights.x; i < lights.y; i += params.together) {
-        sum += light_together(s, i, min(i + params.together, lights.y), hue, random);
+    int together = lights_per_test(params.together);
+    for (int i = lights.x; i < lights.y; i += together) {
+        sum += light_together(s, i, min(i + together, lights.y), hue, random);
         random = group_random_next(random);
     }
     return sum;

@@ -3,7 +3,7 @@
 // A point's mirror image would be a spot in the picture: SPHERE spreads the light over the ball around the VPL that
 // holds the patch that the pixel's VPLs stand for [Hašan et al. 2009]. The lobe is as much wider as the ball is.
 // With RAYS a point gives no more than what rays do not find better (gather/specular_rays.frag).
-#include "lib/gbuffer_specular.glsl"
+#include "gather/seen_end.glsl"
 #include "lib/medium.glsl"
 #include "gather/specular_weight.glsl"
 #include "gather/near_field.glsl"
@@ -20,8 +20,10 @@ vec3 specular_light(vpl light, surface s, float area) {
         return vec3(0.0);
     specular_surface seen = receiver_specular;
     if (SPECULAR == SPECULAR_RAYS) {
-        specular_densities there =
-            specular_densities_at(seen, direction, cosine, distance2, params.specular_rays, area);
+        ivec2 pixel;
+        bool on_screen = camera_sees(light.position, light.normal, pixel);
+        float rays = (on_screen ? float(params.specular_rays) : params.unseen_rays) * specular_effort(seen);
+        specular_densities there = specular_densities_at(seen, direction, cosine, distance2, rays, area);
         float of_vpls = specular_weight(there.vpls, there.rays);
         return light.flux * specular_brdf(seen, direction) * (cosine / distance2 * of_vpls);
     }
@@ -37,9 +39,14 @@ float given_back() {
     return 1.0;
 }
 
+int lights_per_test(int most) {
+    return int(float(most) / specular_effort(receiver_specular));
+}
+
 bool receives_light(surface s, ivec2 pixel) {
     receiver_specular = gbuffer_specular(s, pixel);
-    return receiver_specular.f90 != vec3(0.0);
+    bool has_rays = SPECULAR == SPECULAR_RAYS && is_smooth(receiver_specular.alpha); // they find all
+    return receiver_specular.f90 != vec3(0.0) && !has_rays;
 }
 
 // What is reflected of near VPLs counts as unoccluded.

@@ -1,37 +1,29 @@
-// What a surface that is not diffuse reflects of the light that rays find, sampled by its lobe, in the lights' maps:
-//     L = 1/n sum_j  f_r cos_x / p(l_j)  rho I cos_y / (pi d^2)  share_j
-// A draw fills one tile, whose pixels take the same lights, as in the near field.
-#include "lib/gbuffer_specular.glsl"
-#include "lib/lobe_albedo.glsl"
-#include "lib/medium.glsl"
+// What a surface that is not diffuse reflects of lit surfaces, found by rays that are sampled by its lobe [Heitz 2018]:
+//     L = 1/n sum_j  f_r cos_x / p(l_j)  L_y(-l_j)  share_j
+// The surface y that a ray meets has the direct light of its pixel if the camera sees y. Else y takes one light, chosen
+// by the light that it gives there if nothing hides it: no choice makes y brighter than all lights do.
+// A draw fills one tile of the gather's pattern.
+#include "gather/seen_end.glsl"
+#include "lib/random.glsl"
+#include "lib/weighted_pick.glsl"
 #include "gather/receiver_all.glsl"
 #include "gather/specular_weight.glsl"
-#include "gather/light_march.glsl"
-#include "gather/near_field.glsl"
 #include "lib/vpl_shares.glsl"
 #include "shared/specular_rays.h"
+#include "lights/hit_light.glsl"
+#include "lights/triangle_albedo.glsl"
 #include "shared/vpl.h"
 #include VPL_AREA
-#if VAL_COUNT > 0
-#include "visibility/visibility.glsl"
-#endif
 
-layout(binding = UNIT_RSM_SPECULAR) uniform sampler2DArray rsm_speculars[LIGHT_MAP_KINDS];
+layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray gbuffer_albedos;
+layout(binding = UNIT_DIRECT) uniform sampler2D direct;
+layout(binding = UNIT_IRRADIANCE) uniform sampler2D irradiance;
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // the tile's place in the pattern, in its last two
-// The lights that this tile takes, and each one's weight: of a group of many one stands for all.
-layout(location = LOCATION_SLOT_LIGHT_COUNT) uniform int slot_light_count;
-layout(location = LOCATION_SLOT_LIGHTS) uniform vec2 slot_lights[LIGHTS];
 
 layout(location = TARGET_RESULT) out vec4 radiance;
 
-// Until the ray has left the scene, metres: well behind a wall that bounds it.
-float farthest(vec3 origin, vec3 direction) {
-    vec3 a = (params.bounds_min - origin) / direction, b = (params.bounds_max - origin) / direction;
-    vec3 leaves = max(a, b);
-    float beyond = 0.05 * distance(params.bounds_min, params.bounds_max);
-    return max(min(min(leaves.x, leaves.y), leaves.z), 0.0) + beyond;
-}
+const float INVERSE_PI = 0.31830988618;
 
 // Two numbers of [0, 1) for each pixel and ray: neighbours' lie far apart, and so do one pixel's.
 vec2 sample_of(ivec2 pixel, int ray) {
@@ -40,104 +32,72 @@ vec2 sample_of(ivec2 pixel, int ray) {
     return fract(fract(shift) + params.start + float(ray) * STEP);
 }
 
-vec4 hit_specular_code(march_hit hit) {
-    ivec3 place = ivec3(hit.texel, hit.seen_by.layer);
-    return hit.seen_by.kind == LIGHT_MAP_FACE ? texelFetch(rsm_speculars[LIGHT_MAP_FACE], place, 0)
-                                              : texelFetch(rsm_speculars[LIGHT_MAP_SINGLE], place, 0);
+// How much of what the ray finds is the rays' to add: VPLs find the rest.
+float share_of_rays(specular_surface seen, surface s, surface end, vec3 direction, chosen_light chosen, float rays) {
+    vec3 path = end.position - s.position;
+    vpl_share shares = vpl_share_at(chosen.index);
+    float area = chosen.distance2 / max(chosen.cosine, VPL_COSINE_MIN) * shares.measure;
+    area = vpl_area_at(area, chosen.index, light_at(chosen.index), end.position);
+    specular_densities there = specular_densities_at(seen, direction, -dot(end.normal, direction), dot(path, path),
+                                                     rays, area * params.vpl_weight);
+    return specular_weight(there.rays, there.vpls);
 }
 
-// What of the light's irradiance the hit surface sends to the receiver, 1/sr times the light's cosine there. Few rays of a
-// rough receiver would find a highlight, as spots: its lobe is as much wider as the receiver's is [Kaplanyan and
-// Dachsbacher 2013]. Diffuse is what the map's albedo has beside the specular part (picture/surface_detail.glsl).
-vec3 hit_reflects(march_hit hit, vec3 to_light, vec3 to_receiver, float cosine, float receiver_alpha) {
-    vec4 code = hit_specular_code(hit), specular = specular_decode(code);
-    vec3 f90 = specular_grazing(code), light_away = facing(hit.end.normal, to_light);
-    vec3 lobe = specular_albedo(specular.rgb, f90, specular_alpha(specular.a), dot(hit.end.normal, light_away));
-    vec3 diffuse = max(rsm_albedo(hit.seen_by, hit.texel) - lobe, 0.0);
-    float alpha = min(length(vec2(specular.a * specular.a, receiver_alpha)), 1.0);
-    specular_surface s = specular_surface(specular.rgb, f90, alpha, hit.end.normal, facing(hit.end.normal, to_receiver));
-    return diffuse * (cosine / 3.14159265) + (specular.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
+// A pixel's albedo, as if all that its lobe does not mirror towards the eye were diffuse.
+vec3 pixel_albedo(ivec2 pixel) {
+    specular_surface own = gbuffer_specular(gbuffer_surface(pixel), pixel);
+    vec3 lobe = specular_albedo(own.f0, own.f90, own.alpha, dot(own.normal, own.to_eye));
+    return albedo_fetch(gbuffer_albedos, ivec3(pixel, 0)) / max(1.0 - lobe, 0.1);
 }
 
-// The radiance of the hit surface, and the area that a VPL has there, over the solid angle that it stands for.
-vec3 sent_back(light l, march_hit hit, vec3 to_receiver, float receiver_alpha, out float area) {
-    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
-    vec3 from_light = hit.end.position - l.position;
-    float distance2 = directional ? 1.0 : dot(from_light, from_light);
-    vec3 incoming = directional ? l.direction : from_light * inversesqrt(distance2);
-    float cosine = max(dot(hit.end.normal, -incoming), 0.0);
-    vec3 power = directional ? l.intensity : light_intensity(l, incoming) * light_in_range(l, distance2);
-    area = distance2 / max(cosine, VPL_COSINE_MIN);
-    power *= medium_passes_light(hit.end.position, incoming, !directional, distance2);
-    return hit_reflects(hit, -incoming, to_receiver, cosine, receiver_alpha) * power / distance2;
-}
-
-// What VALs know to hide the end of a ray that was in the dark in between.
-float arrives(surface s, surface end) {
-#if VAL_COUNT > 0
-    int nearest = 0;
-    float least = 1e30;
-    for (int k = 0; k < VAL_COUNT; k++) {
-        map_view v = map_view_at(k);
-        float apart = distance(v.center, end.position) * (1.5 - dot(v.axis, end.normal));
-        nearest = apart < least ? k : nearest;
-        least = min(apart, least);
-    }
-    return visibility_from(nearest, s.position, s.normal, end.position);
+// The indirect light that the surface sends, by the frame's irradiance there. Where the camera does not see the
+// surface, the receiver's irradiance stands for it.
+vec3 sent_later(vec3 albedo, ivec2 pixel) {
+#if LATER
+    return albedo * texelFetch(irradiance, pixel, 0).rgb * (INVERSE_PI / params.scale);
 #else
-    return 1.0;
+    return vec3(0.0);
 #endif
 }
 
-vec3 from_light(surface s, specular_surface seen, vec3 direction, float far, int index, float jitter) {
-    light l = light_at(index);
-    light_view v = light_view_at(light_view_index(l, s.position - l.position));
-    vec3 origin = s.position + s.normal * (1.5 * march_texel(v, s.position));
-    march_hit hit = light_march(l, origin, direction, far, jitter);
-    if (!hit.found)
+// The radiance that a ray of pixel `own` finds, as far as it is the rays' to add.
+vec3 found(surface s, specular_surface seen, vec3 direction, ivec2 own, uint seed, bool asks) {
+    bvh_hit hit = bvh_meet(s.position + bvh_clearance() * s.normal, direction, asks);
+    surface end = surface(asks && hit.triangle >= 0, s.position + hit.distance * direction, hit.normal);
+    vec2 random = random_of(uvec3(own, seed));
+    chosen_light chosen = choose_light(end, random.x);
+    if (!end.present)
         return vec3(0.0);
-    float area;
-    vec3 sent = sent_back(l, hit, -direction, seen.alpha, area);
-    vec3 path = hit.end.position - s.position;
-    float distance2 = dot(path, path);
-    vpl_share shares = vpl_share_at(index);
-    area = vpl_area_at(area * shares.measure, index, l, hit.end.position);
-    float visible = 1.0;
-    for (int dark = hit.in_light ? 0 : 1; dark > 0; dark--) // what is near counts as unoccluded, as of VPLs
-        visible = mix(arrives(s, hit.end), 1.0, near_share(distance2, area, shares.reach));
-    specular_densities there = specular_densities_at(seen, direction, -dot(hit.end.normal, direction), distance2,
-                                                     params.rays, area * params.vpl_weight);
-    sent *= medium_passes_between(s.position, hit.end.position);
-    return sent * (specular_weight(there.rays, there.vpls) * visible);
+    ivec2 pixel;
+    bool on_screen = camera_sees(end.position, end.normal, pixel);
+    vec3 albedo = on_screen ? pixel_albedo(pixel) : reflected(hit);
+    vec3 later = sent_later(albedo, on_screen ? pixel : own), sent = vec3(0.0);
+    if (chosen.share > 0.0) {
+        float rays = specular_effort(seen) * float(params.rays) / (on_screen ? 1.0 : float(light_count));
+        sent = on_screen ? albedo * texelFetch(direct, pixel, 0).rgb
+                         : hit_radiance(end, albedo, chosen, -direction, seen.alpha, random.y);
+        sent *= share_of_rays(seen, s, end, direction, chosen, rays);
+    }
+    return (sent + later) * medium_passes_between(s.position, end.position);
 }
 
 void main() {
     radiance = vec4(0.0);
     ivec2 pixel;
-    if (!receiver_pixel(params.pattern, slot.zw, pixel))
-        return;
+    bool receives = receiver_pixel(params.pattern, slot.zw, pixel);
     surface s = receiver_surface(pixel);
-    if (!s.present)
-        return;
     specular_surface seen = gbuffer_specular(s, pixel);
-    if (seen.f90 == vec3(0.0))
+    if (!receives || !s.present || seen.f90 == vec3(0.0))
         return;
-    bool all_lights = is_smooth(seen.alpha);
-    int count = all_lights ? light_count : slot_light_count;
     vec3 facet = receiver_triangle(s, pixel);
-    for (int ray = 0; ray < params.rays; ray++) {
+    int rays = max(int(float(params.rays) * specular_effort(seen)), 1);
+    for (int ray = 0; ray < rays; ray++) {
         vec2 place = sample_of(pixel, ray);
         vec3 direction = lobe_sample(seen, place);
         float density = lobe_density(seen, direction);
-        if (dot(direction, s.normal) <= 0.0 || is_behind_horizon(facet, direction) || density <= 0.0)
-            continue;
-        float far = farthest(s.position, direction);
-        vec3 share = specular_brdf(seen, direction) / density, sum = vec3(0.0);
-        for (int i = 0; i < count; i++) {
-            vec2 item = all_lights ? vec2(float(i), 1.0) : slot_lights[i];
-            sum += item.y * from_light(s, seen, direction, far, int(item.x), fract(17.0 * (place.x + place.y)));
-        }
-        radiance.rgb += sum * share;
+        bool asks = dot(direction, s.normal) > 0.0 && !is_behind_horizon(facet, direction) && density > 0.0;
+        vec3 reflects = asks ? specular_brdf(seen, direction) / density : vec3(0.0);
+        radiance.rgb += reflects * found(s, seen, direction, pixel, floatBitsToUint(place.x), asks);
     }
-    radiance.rgb *= params.scale / float(params.rays);
+    radiance.rgb *= params.scale / float(rays);
 }

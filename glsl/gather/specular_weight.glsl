@@ -6,13 +6,19 @@ struct specular_densities {
 };
 
 // cosine: at y, towards x; area: what one of the VPLs that x has stands for there.
-specular_densities specular_densities_at(specular_surface x, vec3 direction, float cosine, float distance2, int rays,
+specular_densities specular_densities_at(specular_surface x, vec3 direction, float cosine, float distance2, float rays,
                                          float area) {
     return specular_densities(is_smooth(x.alpha) ? 0.0 : 1.0 / area,
-                              float(rays) * lobe_density(x, direction) * cosine / distance2);
+                              rays * lobe_density(x, direction) * cosine / distance2);
 }
 
 float specular_weight(float own, float other) {
     float ratio = other / max(own, 1e-30);
     return own > 0.0 ? 1.0 / (1.0 + min(ratio * ratio, 1e30)) : 0.0;
+}
+
+// The part of rays and visibility tests that a receiver takes: what reflects little adds little noise.
+float specular_effort(specular_surface x) {
+    float rest = max(1.0 - dot(x.normal, x.to_eye), 0.0), f0 = max(x.f0.r, max(x.f0.g, x.f0.b));
+    return f0 + (x.f90.r - f0) * rest * rest * rest * rest * rest < 0.1 ? 0.5 : 1.0;
 }

@@ -20,7 +20,7 @@ struct blur_params {
     float distance;               /* alpha, over the picture's height at the pixel's depth */
     float cosine;                 /* beta */
     float inverse_power; /* of all lights; times area and irradiance as it is stored: a share */
-    float unused;
+    float detail_cosine; /* beta of BLUR_LEVEL_OF_LIST(PIXEL_LEVEL_DETAIL) */
     vec4 radii;       /* of windows: of taps of each level */
     vec4 taken_radii; /* likewise, but of what a pixel that no list has takes of them */
     vec4 weights;     /* of their estimates: as many more lights have they */

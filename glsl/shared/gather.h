@@ -38,7 +38,8 @@ struct gather_params {
     int cut_layer;  /* the first of the cuts that are read */
     int specular_rays; /* of a pixel */
     int together;   /* VPLs side by side, of which two test the visibility of all */
-    int unused0, unused1, unused2;
+    float unseen_rays; /* specular rays for each light, where the camera does not see what they meet */
+    int unused1, unused2;
 };
 STD140_SIZE(gather_params, 64)
 

@@ -12,14 +12,13 @@
 
 struct specular_rays_params {
     STRUCT(interleaving) pattern;
-    vec3 bounds_min; /* of the scene, metres */
-    float scale;     /* of the stored radiance */
-    vec3 bounds_max;
-    int rays;         /* of a pixel */
     vec2 start;       /* of a pass's first ray, in [0, 1): others in each pass of many */
+    float scale;      /* of the stored radiance */
+    float farthest;   /* beyond all surfaces, metres */
+    int rays;         /* of a pixel */
     float vpl_weight; /* of the VPLs that share a receiver with the rays: one stands for so many */
-    float unused;
+    float unused0, unused1;
 };
-PASS_BLOCK(specular_rays_params, 64)
+PASS_BLOCK(specular_rays_params, 48)
 
 #endif

@@ -18,8 +18,9 @@ struct frame {
     const struct gbuffer *gbuffer; /* the camera's, where lights follow it; else NULL */
     /* Lights: for a direct method the lights that shine, for a technique the light samples from which reflected light
      * starts. */
-    const struct buffer *lights; /* for BLOCK_LIGHTS */
-    const struct buffer *medium; /* for BLOCK_MEDIUM; NULL where there is neither it nor a pane */
+    const struct buffer *lights;  /* for BLOCK_LIGHTS */
+    const struct texture *direct; /* of the camera's pixels (direct/direct.h) */
+    const struct buffer *medium;  /* for BLOCK_MEDIUM; NULL where there is neither it nor a pane */
     const struct scene_gpu *scene;
     const struct emitters *emitters;
     const struct light_block *light_block; /* of the emitters: what the buffer holds */

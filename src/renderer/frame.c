@@ -58,6 +58,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .camera = &renderer->camera_view,
         .camera_range = renderer->camera_range,
         .lights = &renderer->sample_buffer,
+        .direct = renderer->direct->light(renderer->direct_state),
         .medium = renderer->airlight.medium.id ? &renderer->airlight.medium : NULL,
         .scene = &renderer->scene,
         .emitters = &renderer->sample_emitters,

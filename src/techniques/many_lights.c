@@ -48,16 +48,10 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
     gather_pass_render(&lights->gather, frame, gbuffer, &all);
     if (lights->adaptive.program)
         gather_pass_render(&lights->adaptive_gather, frame, gbuffer, &all);
-    if (lights->specular_gather.program)
+    if (lights->specular_rays.tree)
+        all.visibility.tree = lights->specular_rays.tree;
+    if (lights->specular_gather.program && !(inputs->later && lights->specular_rays.program))
         gather_pass_render(&lights->specular_gather, frame, gbuffer, &all);
-    if (lights->specular_rays.program && inputs->first == 0 && !inputs->later)
-        specular_rays_pass_render(
-            &lights->specular_rays, frame, gbuffer,
-            &(struct specular_rays_inputs){.rsm = lights->rsm,
-                                           .shares = &lights->vpl.shares,
-                                           .importance = &lights->importance.map,
-                                           .radiance = &lights->specular_gather.irradiance,
-                                           .visibility = inputs->visibility});
 }
 
 static void add_near_field(const struct many_lights *lights, const struct frame *frame,
@@ -73,21 +67,40 @@ static void add_near_field(const struct many_lights *lights, const struct frame 
     near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
 }
 
-void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
-                        const struct gbuffer *gbuffer) {
-    if (lights->near_field.program)
-        add_near_field(lights, frame, gbuffer);
-    if (lights->specular_gather.program)
-        blur_pass_render(&lights->specular_blur, frame, gbuffer,
-                         &(struct blur_inputs){.source = &lights->specular_gather.irradiance});
-    if (!lights->blur.pack_program)
-        return;
+static void blur_irradiance(const struct many_lights *lights, const struct frame *frame,
+                            const struct gbuffer *gbuffer) {
     struct blur_inputs inputs = {.source = &lights->gather.irradiance};
     if (lights->adaptive.program) {
         inputs.lists = &lights->adaptive.lists;
         inputs.adaptive = &lights->adaptive_gather.irradiance;
     }
     blur_pass_render(&lights->blur, frame, gbuffer, &inputs);
+}
+
+static void finish_specular(const struct many_lights *lights, const struct frame *frame,
+                            const struct gbuffer *gbuffer) {
+    const struct specular_rays_inputs inputs = {
+        .rsm = lights->rsm,
+        .shares = &lights->vpl.shares,
+        .importance = &lights->importance.map,
+        .albedos = lights->albedos.buffer.texels,
+        .irradiance = many_lights_contribution(lights).irradiance,
+        .radiance = &lights->specular_gather.irradiance,
+    };
+    if (lights->specular_rays.program)
+        specular_rays_pass_render(&lights->specular_rays, frame, gbuffer, &inputs);
+    blur_pass_render(&lights->specular_blur, frame, gbuffer,
+                     &(struct blur_inputs){.source = &lights->specular_gather.irradiance});
+}
+
+void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
+                        const struct gbuffer *gbuffer) {
+    if (lights->near_field.program)
+        add_near_field(lights, frame, gbuffer);
+    if (lights->blur.pack_program)
+        blur_irradiance(lights, frame, gbuffer);
+    if (lights->specular_gather.program)
+        finish_specular(lights, frame, gbuffer);
 }
 
 void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,

@@ -109,8 +109,9 @@ struct many_lights_visibility {
 struct many_lights {
     struct settings settings; /* that it was made for */
     struct many_lights_visibility visibility;
-    bool medium; /* frames have one */
-    bool slides; /* lights may have some */
+    int specular; /* SPECULAR_... */
+    bool medium;  /* frames have one */
+    bool slides;  /* lights may have some */
     struct gbuffer rsm[LIGHT_MAP_KINDS];
     struct geometry_pass geometry;
     struct importance_map_pass importance; /* where VPLs are placed by it */

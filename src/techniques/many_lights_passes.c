@@ -13,7 +13,9 @@
 enum {
     SPECULAR_RAY_COUNT = 4,  /* specular rays of a pixel */
     SPECULAR_INTERLEAVE = 2, /* of the VPLs in specular reflection; 1 is sharper, 4 is cheaper */
-    FILTER_TAPS = 16,        /* texels of a percentage-closer filter; a blocker search takes half */
+    SPECULAR_RAYS_INTERLEAVE = 4, /* the same beside rays */
+    SPECULAR_TOGETHER = 16,       /* VPLs of which two test visibility */
+    FILTER_TAPS = 16, /* texels of a percentage-closer filter; a blocker search takes half */
 };
 
 /* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the
@@ -66,6 +68,9 @@ static struct visibility_desc lookup_of(const struct settings *settings,
  * degrees it finds no neighbours on small round things. */
 static const float specular_cosine = .966F;
 
+/* 5 degrees, of narrow lobes that only rays' blur takes: a mirrored direction turns twice as far as the normal. */
+static const float narrow_cosine = .996F;
+
 int many_lights_blur_radius(const struct settings *settings) {
     const struct gather_settings *gather =
         settings_of(struct gather_settings, settings, &gather_part);
@@ -100,6 +105,16 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
     return gather_pass_init(&lights->gather, &gather_desc);
 }
 
+/* VPLs, with rays for visibility; rays of their own find what narrow lobes reflect. */
+static void take_rays(struct gather_desc *gather) {
+    gather->later = gather->share = gather->map_per_vpl = false;
+    if (gather->visibility.lookup == VISIBILITY_LOOKUP_NONE)
+        return;
+    gather->visibility.lookup = VISIBILITY_LOOKUP_TRACED;
+    gather->visibility.corrected = false;
+    gather->together = SPECULAR_TOGETHER;
+}
+
 /* Specular reflection is sharper than diffuse: each pixel takes more VPLs, and is blurred less. It is no
  * share of light that the near field could take: near VPLs are bounded as disks. */
 static bool init_specular(struct many_lights *lights, const struct technique_desc *desc) {
@@ -108,43 +123,46 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
     const struct blur_settings *blur =
         settings_of(struct blur_settings, desc->settings, &blur_part);
     struct gather_desc gather = lights->gather.desc;
-    int n = SPECULAR_INTERLEAVE < own->interleave ? SPECULAR_INTERLEAVE : own->interleave;
+    bool rays = lights->specular == SPECULAR_RAYS;
+    int wanted = rays ? SPECULAR_RAYS_INTERLEAVE : SPECULAR_INTERLEAVE;
+    int n = wanted < own->interleave ? wanted : own->interleave;
+    int radius = rays && n > 1 ? n : n / 2;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
     gather.cuts = false;
-    gather.specular = own->specular + 1;
+    gather.specular = lights->specular;
     gather.specular_rays = SPECULAR_RAY_COUNT;
-    /* What rays show of one bounce stays sharp where it is smooth; VPLs of later bounces show their pattern there. */
-    bool sharp = gather.specular == SPECULAR_RAYS && lights->bounces == 1;
+    if (rays)
+        take_rays(&gather);
     const struct blur_desc of_blur = {
         .width = desc->width,
         .height = desc->height,
-        .radius = n / 2,
+        .radius = radius,
         .distance = blur->distance,
         .cosine = specular_cosine,
-        .specular = sharp,
-        .level_radius = {.5F, .5F},
+        .detail_cosine = narrow_cosine,
+        .specular = rays,
+        .level_radius = {.5F, (float)radius},
         .level_weight = {1, 1},
-        .square = true,
+        .square = !rays,
     };
-    return !desc->specular || (gather_pass_init(&lights->specular_gather, &gather) &&
-                               blur_pass_init(&lights->specular_blur, &of_blur));
+    return lights->specular == SPECULAR_NONE ||
+           (gather_pass_init(&lights->specular_gather, &gather) &&
+            blur_pass_init(&lights->specular_blur, &of_blur));
 }
 
 static bool init_specular_rays(struct many_lights *lights, const struct technique_desc *desc) {
-    const struct gather_desc *gather = &lights->specular_gather.desc;
-    return gather->specular != SPECULAR_RAYS ||
-           specular_rays_pass_init(
-               &lights->specular_rays,
-               &(struct specular_rays_desc){
-                   .rays = SPECULAR_RAY_COUNT,
-                   .has_maps =
-                       !gather->map_per_vpl && gather->visibility.lookup != VISIBILITY_LOOKUP_NONE,
-                   .visibility = gather->visibility,
-                   .medium = lights->medium,
-                   .slides = lights->slides,
-                   .lights = *desc->lights,
-               });
+    return lights->specular != SPECULAR_RAYS ||
+           specular_rays_pass_init(&lights->specular_rays,
+                                   &(struct specular_rays_desc){
+                                       .rays = SPECULAR_RAY_COUNT,
+                                       .casters = desc->casters,
+                                       .later = lights->bounces > 1,
+                                       .by_importance = many_lights_follow_camera(lights),
+                                       .medium = lights->medium,
+                                       .slides = lights->slides,
+                                       .lights = *desc->lights,
+                                   });
 }
 
 /* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture, and 64 points no
@@ -260,11 +278,18 @@ bool many_lights_check(const struct settings *settings) {
                                                gather->interleave, places, lights->vpls);
 }
 
-static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
+/* Without a BVH for rays VPLs are balls. */
+static int specular_of(const struct technique_desc *desc) {
     const struct gather_settings *gather =
         settings_of(struct gather_settings, desc->settings, &gather_part);
+    int wanted = desc->specular ? gather->specular + 1 : SPECULAR_NONE;
+    bool can_trace = many_lights_may_trace(desc->scene, desc->geometry);
+    return wanted == SPECULAR_RAYS && !can_trace ? SPECULAR_SPHERE : wanted;
+}
+
+static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
     const struct light_layout *layout = desc->lights;
-    bool ok = true, has_specular = desc->specular && gather->specular + 1 == SPECULAR_RAYS;
+    bool ok = true, has_specular = lights->specular == SPECULAR_RAYS;
     bool facets = sends_as_facets(desc);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
@@ -316,7 +341,8 @@ static bool init_path_starts(struct many_lights *lights, const struct technique_
 }
 
 static bool init_albedos(struct many_lights *lights, const struct technique_desc *desc) {
-    return (lights->bounces == 1 && !has_sky_rays(lights, desc)) ||
+    bool has_rays = has_sky_rays(lights, desc) || lights->specular == SPECULAR_RAYS;
+    return (lights->bounces == 1 && !has_rays) ||
            albedos_init(&lights->albedos,
                         &(struct albedos_desc){
                             .scene = desc->scene,
@@ -343,6 +369,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const float reach = own->facets ? near_reach_of_facets : near_reach;
     *lights = (struct many_lights){.settings = *desc->settings,
                                    .visibility = *visibility,
+                                   .specular = specular_of(desc),
                                    .medium = desc->medium,
                                    .slides = desc->scene->slide_count > 0};
     if (init_rsm(lights, desc, rsm_size(desc)) &&
@@ -394,10 +421,8 @@ void many_lights_free(struct many_lights *lights) {
 
 bool many_lights_resize(void *state, int width, int height) {
     struct many_lights *lights = state, fresh = *lights;
-    const struct technique_desc desc = {.settings = &lights->settings,
-                                        .width = width,
-                                        .height = height,
-                                        .specular = lights->specular_gather.program};
+    const struct technique_desc desc = {
+        .settings = &lights->settings, .width = width, .height = height};
     fresh.gather = fresh.adaptive_gather = fresh.specular_gather = (struct gather_pass){0};
     fresh.specular_blur = fresh.blur = (struct blur_pass){0};
     fresh.adaptive = (struct adaptive_pass){0};

@@ -82,8 +82,8 @@ static const struct option gather_table[] = {
     {"specular", 0, OPTION_CHOICE, ROW(gather, specular), SPECULAR_RAYS - 1,
      .label = "specular light", .choices = specular_names,
      .help = "specular reflection of indirect light: VPLs as points\n"
-             "(visible as spots), VPLs as balls, or points and rays\n"
-             "through the reflective shadow maps (least error)"},
+             "(visible as spots), VPLs as balls, or points and rays through\n"
+             "the BVH (least error); without a BVH rays are balls"},
     {"adaptive", 0, OPTION_INT, ROW(gather, adaptive), 4, 0, 8, .label = "adaptive pattern",
      .help = "interleave for adaptive pixels, which have too few similar neighbours\n"
              "to blur; smaller than gather.interleave: more VPLs each, own lookups,\n"

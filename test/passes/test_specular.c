@@ -1,5 +1,6 @@
 /* How shaders reflect as by a mirror: the same as the path tracer's BRDF, and lights with a size beside sums over
  * their places. */
+#include "gltf_parts.h"
 #include "render_support.h"
 
 #include "gl/glsl.h"
@@ -393,6 +394,89 @@ static void test_mirror_of_bounces(void **state) {
     stage_free(&stage);
 }
 
+/* --- a mirror --------------------------------------------------------------------------------- */
+
+/* A wall of material 0 and a mirror of material 1, both quads, by their nodes. */
+static void open_mirror(struct stage *stage, const char *nodes, const struct camera *camera,
+                        const float sun[3]) {
+    open_stage(
+        stage,
+        write_parts(
+            "mirror.glb",
+            &(struct gltf_parts){
+                .materials = "[{\"doubleSided\": true, \"pbrMetallicRoughness\": {"
+                             "\"baseColorFactor\": [0.6, 0.3, 0.1, 1], \"metallicFactor\": 0},"
+                             " \"extensions\": {\"KHR_materials_specular\": {"
+                             "\"specularFactor\": 0}}},"
+                             " {\"doubleSided\": true, \"pbrMetallicRoughness\": {"
+                             "\"metallicFactor\": 1, \"roughnessFactor\": 0}}]",
+                .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                          " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\":"
+                          " 0}, \"indices\": 1, \"material\": 1}]}]",
+                .nodes = nodes}));
+    stage->camera = *camera;
+    emitters_free(&stage->emitters);
+    stage->emitters = (struct emitters){.items = mem_alloc(1, sizeof(struct emitter)), .count = 1};
+    stage->emitters.items[0] = emitter_new(EMITTER_DIRECTIONAL);
+    emitter_aim(&stage->emitters.items[0], sun);
+    glm_vec3_broadcast(GLM_PIf, stage->emitters.items[0].intensity);
+}
+
+/* Each pixel of a mirror has the radiance of the wall that it shows: albedo times the cosine of a sun of pi W/m2. */
+static void check_mirror(const struct stage *stage, double cosine) {
+    static const double albedo[3] = {.6, .3, .1};
+    enum { SIZE = 48 };
+    struct image drawn = render_stage(stage, "clustered", "", SIZE);
+    int wall = image_find_channel(&drawn, "albedo.R"), channels[3], pixels = 0;
+    double least = 1e9, most = 0;
+    check_ok("layer", image_find_layer(&drawn, "indirect.specular", channels));
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        const float *pixel = image_at(&drawn, i % SIZE, i / SIZE);
+        if (pixel[wall] > 0)
+            continue;
+        pixels++;
+        for (int c = 0; c < 3; c++) {
+            double over = (double)pixel[channels[c]] / (albedo[c] * cosine);
+            least = fmin(least, over);
+            most = fmax(most, over);
+        }
+    }
+    assert_true(pixels > SIZE * SIZE / 8);
+    check_near("darkest over the wall", least, 1, .03);
+    check_near("brightest over the wall", most, 1, .03);
+    image_free(&drawn);
+}
+
+static void test_mirror(void **state) {
+    (void)state;
+    struct stage stage;
+    /* A mirror fills the picture; the wall lies behind the camera. */
+    open_mirror(&stage,
+                "[{\"mesh\": 0, \"translation\": [-4, -4, 3], \"scale\": [9, 9, 1]},"
+                " {\"mesh\": 1}]",
+                &(struct camera){.eye = {.5F, .5F, 1},
+                                 .right = {1, 0, 0},
+                                 .up = {0, 1, 0},
+                                 .forward = {0, 0, -1},
+                                 .fov_y = .6F},
+                (float[]){0, -.6F, .8F});
+    check_mirror(&stage, .8);
+    stage_free(&stage);
+    /* The floor is a mirror, and the camera sees the wall as well. */
+    open_mirror(&stage,
+                "[{\"mesh\": 0, \"translation\": [-4, 0, -1], \"scale\": [9, 9, 1]},"
+                " {\"mesh\": 1, \"translation\": [-4, 0, 1], \"scale\": [9, 2, 1],"
+                " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}]",
+                &(struct camera){.eye = {.5F, .5F, 1},
+                                 .right = {1, 0, 0},
+                                 .up = {0, 1, 0},
+                                 .forward = {0, 0, -1},
+                                 .fov_y = .8F},
+                (float[]){0, 0, -1});
+    check_mirror(&stage, 1);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_same_as_traced),
@@ -402,6 +486,7 @@ int main(void) {
         cmocka_unit_test(test_plane_of_balls),
         cmocka_unit_test(test_picture),
         cmocka_unit_test(test_mirror_of_bounces),
+        cmocka_unit_test(test_mirror),
     };
     return cmocka_run_group_tests_name("specular", tests, open_group_context, close_group_context);
 }

@@ -1,5 +1,5 @@
 # samplers.awk PROGRAMS DECLARATIONS: no two samplers of a program have the same texture unit, an element of an array
-# each, and no stage has more than 18. OpenGL promises 16, its drivers for 4.5 offer 32. PROGRAMS has a line
+# each, and no stage has more than 21. OpenGL promises 16, its drivers for 4.5 offer 32. PROGRAMS has a line
 # "PROGRAM SHADER" for each stage, DECLARATIONS a line "SHADER layout(binding = UNIT) uniform TYPE NAME;" for each sampler.
 function sum(text,    parts, i, total) {
     gsub(/[() ]/, "", text)
@@ -22,7 +22,7 @@ END {
         split("", taken)
         for (s = split(stages[program], shaders); s; s--) {
             count = split(units[shaders[s]], pairs)
-            if (count > 18)
+            if (count > 21)
                 said["a stage has " count " samplers:" units[shaders[s]]]
             for (i = 1; i <= count; i++) {
                 split(pairs[i], pair, "=")

@@ -10,10 +10,12 @@
 #include <math.h>
 
 /* Packed, a result is what the next axis takes. */
-static bool init_axis(struct blur_axis *axis, bool pack) {
+static bool init_axis(struct blur_axis *axis, bool pack, bool specular) {
     return program_init(&axis->program,
                         &(struct program_desc){.screen = {"gather/blur.frag"},
-                                               .defines = pack ? "PACK 1" : "PACK 0"}) &&
+                                               .defines = pack       ? "PACK 1;SPECULAR_BLUR 0"
+                                                          : specular ? "PACK 0;SPECULAR_BLUR 1"
+                                                                     : "PACK 0;SPECULAR_BLUR 0"}) &&
            buffer_init(&axis->params, "blur parameters", sizeof(struct blur_params), NULL);
 }
 
@@ -37,7 +39,8 @@ bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
     if (init_pack(pass) && init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
         (desc->square || init_target(&pass->half, "blur taps", GL_RGBA32UI, desc)) &&
         init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) &&
-        (desc->square || init_axis(&pass->along_x, true)) && init_axis(&pass->along_y, false))
+        (desc->square || init_axis(&pass->along_x, true, false)) &&
+        init_axis(&pass->along_y, false, desc->specular))
         return true;
     blur_pass_free(pass);
     return false;
@@ -86,6 +89,7 @@ static struct blur_params params_along(const struct blur_pass *pass,
         .rows = desc->square ? desc->radius : 0,
         .distance = desc->distance,
         .cosine = desc->cosine,
+        .detail_cosine = fmaxf(desc->cosine, desc->detail_cosine),
         .inverse_power = power > 0 ? (float)(1 / power) : 0,
         .radii = {own, edge, desc->level_radius[PIXEL_LEVEL_DETAIL], .5F * edge},
         .taken_radii = {own, taken_radius(desc, PIXEL_LEVEL_EDGE),
@@ -105,6 +109,14 @@ static void write_params(const struct blur_pass *pass, const struct frame *frame
         buffer_write(&pass->along_x.params, 0, sizeof x, &x);
 }
 
+static void add_reflectance(struct pass_state *state, const struct frame *frame,
+                            const struct gbuffer *gbuffer) {
+    pass_add_texture(state, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+    pass_add_texture(state, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    pass_add_texture(state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
+    pass_add_texture(state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
+}
+
 static void pack(const struct blur_pass *pass, const struct frame *frame,
                  const struct gbuffer *gbuffer, const struct blur_inputs *inputs) {
     struct pass_state state = {
@@ -113,13 +125,15 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
         .framebuffer = pass->taps.framebuffer,
         .width = pass->desc.width,
         .height = pass->desc.height,
-        .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
-                     {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
-                     {UNIT_IRRADIANCE, inputs->source->texture.id}},
+        .textures = {{UNIT_IRRADIANCE, inputs->source->texture.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->along_y.params}},
     };
     if (pass->desc.specular)
-        pass_add_texture(&state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
+        add_reflectance(&state, frame, gbuffer);
+    else {
+        pass_add_texture(&state, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
+        pass_add_texture(&state, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    }
     if (inputs->lists) {
         pass_add_texture(&state, UNIT_LIST_TEXELS, inputs->lists->texels.id);
         pass_add_texture(&state, UNIT_ADAPTIVE_IRRADIANCE, inputs->adaptive->texture.id);
@@ -129,9 +143,9 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
 }
 
 static void blur_along(const struct blur_pass *pass, const struct frame *frame,
-                       const struct blur_axis *axis, const struct irradiance *from,
-                       const struct irradiance *to) {
-    pass_set_state(&(struct pass_state){
+                       const struct gbuffer *gbuffer, const struct blur_axis *axis,
+                       const struct irradiance *from, const struct irradiance *to) {
+    struct pass_state state = {
         .name = "blur",
         .program = axis->program,
         .framebuffer = to->framebuffer,
@@ -139,7 +153,10 @@ static void blur_along(const struct blur_pass *pass, const struct frame *frame,
         .height = pass->desc.height,
         .textures = {{UNIT_BLUR_TAPS, from->texture.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &axis->params}},
-    });
+    };
+    if (pass->desc.specular && axis == &pass->along_y)
+        add_reflectance(&state, frame, gbuffer);
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
 }
 
@@ -149,8 +166,8 @@ void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
     write_params(pass, frame, inputs->source);
     pack(pass, frame, gbuffer, inputs);
     if (!pass->desc.square)
-        blur_along(pass, frame, &pass->along_x, &pass->taps, &pass->half);
-    blur_along(pass, frame, &pass->along_y, pass->desc.square ? &pass->taps : &pass->half,
+        blur_along(pass, frame, gbuffer, &pass->along_x, &pass->taps, &pass->half);
+    blur_along(pass, frame, gbuffer, &pass->along_y, pass->desc.square ? &pass->taps : &pass->half,
                &pass->blurred);
     timer_end(frame->timers);
 }

@@ -18,6 +18,7 @@ struct blur_desc {
     int radius;                       /* taps to each side; 0 only puts the tiles in order */
     float distance;                   /* alpha, over the picture's height at the pixel's depth */
     float cosine;                     /* beta */
+    float detail_cosine;              /* of PIXEL_LEVEL_DETAIL, if larger */
     bool adaptive;                    /* there are pixels of lists */
     float level_radius[PIXEL_LEVELS]; /* theirs, smaller; half an edge's where light is steep */
     float level_weight[PIXEL_LEVELS]; /* how many times as many lights as others they have */

@@ -13,6 +13,7 @@
 
 #include <cglm/util.h>
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 
 /* The parts of glsl/gather/gather.frag, which it includes by these names. */
@@ -56,19 +57,14 @@ static int later_clamp(int clamp) {
     return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
 }
 
-/* No ray finds what later bounces light: there VPLs are balls. */
-static int later_specular(int specular) {
-    return specular == SPECULAR_RAYS ? SPECULAR_SPHERE : specular;
-}
-
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
     int size[2] = {desc->width, desc->height};
     if (desc->receivers == RECEIVERS_ADAPTIVE)
         pixel_lists_size(size, desc->interleave);
     *pass = (struct gather_pass){.desc = *desc};
     if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
-        (!desc->later || init_program(&pass->later_program, desc, later_clamp(desc->clamp),
-                                      later_specular(desc->specular))) &&
+        (!desc->later ||
+         init_program(&pass->later_program, desc, later_clamp(desc->clamp), desc->specular)) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, size[0], size[1],
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
@@ -107,6 +103,7 @@ void gather_pass_write_params(const struct gather_pass *pass, const struct frame
         .sphere2 = neighbours / (float)GLM_PI * desc->sphere * desc->sphere,
         .together = desc->together,
         .specular_rays = desc->specular_rays,
+        .unseen_rays = (float)desc->specular_rays / fmaxf((float)frame->layout.lights, 1),
         .turn = frame_turn(frame),
     };
     buffer_write(&pass->params, 0, sizeof params, &params);
@@ -128,11 +125,11 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
         pass_draw_fullscreen(1);
 }
 
-/* llvmpipe ends the loops of a shader after 65,535 steps in all, and a ray takes hundreds in a large scene. Of a list's VPLs
- * a sixth test visibility. */
+/* llvmpipe ends the loops of a shader after 65,535 steps in all, and a ray takes hundreds in a large scene. Of VPLs that
+ * test together a sixth do. */
 static int vpls_of_draw(const struct gather_pass *pass) {
     bool traced = pass->desc.visibility.lookup == VISIBILITY_LOOKUP_TRACED;
-    return !traced ? INT_MAX : pass->desc.receivers == RECEIVERS_ADAPTIVE ? 6 * RAYS_MAX : RAYS_MAX;
+    return !traced ? INT_MAX : pass->desc.together > 6 ? 6 * RAYS_MAX : RAYS_MAX;
 }
 
 /* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by side. */

@@ -4,12 +4,8 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "passes/targets.h"
-#include "passes/vpls.h"
 #include "shared/specular_rays.h"
-#include "shared/lookup.h"
 
-#include <cglm/vec3.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -17,38 +13,33 @@ static bool init_program(struct specular_rays_pass *pass) {
     const struct light_layout *lights = &pass->desc.lights;
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
-    int room = lights->lights > 0 ? lights->lights : 1; /* GLSL has no empty arrays */
-    char *lookup = visibility_defines(&pass->desc.visibility);
-    char *defines = mem_printf("%s%s;LIGHTS %d;MAP_KINDS %d;VAL_COUNT %d;VPL_AREA %s",
-                               light_defines(pass->desc.medium, pass->desc.slides), lookup, room,
-                               kinds, pass->desc.has_maps ? pass->desc.visibility.map_count : 0,
-                               vpl_area_file(pass->desc.by_importance));
+    char *defines = mem_printf("%s%sLATER %d;LIGHTS %d;MAP_KINDS %d;VPL_AREA %s",
+                               light_defines(pass->desc.medium, pass->desc.slides),
+                               lights->sky ? "HAS_SKY;" : "", pass->desc.later, lights->lights,
+                               kinds, vpl_area_file(pass->desc.by_importance));
     bool ok = program_init(
         &pass->program, &(struct program_desc){
                             .screen = {"gather/specular_rays.frag", .blended = true, .tiled = true},
                             .defines = defines,
                         });
-    mem_free(lookup, defines);
+    free(defines);
     return ok;
 }
 
 bool specular_rays_pass_init(struct specular_rays_pass *pass,
                              const struct specular_rays_desc *desc) {
     *pass = (struct specular_rays_pass){.desc = *desc};
-    slot_lights_init(&pass->slot_lights, &desc->lights);
-    if (init_program(pass) &&
-        buffer_init(&pass->params, "parameters of rays", sizeof(struct specular_rays_params),
-                    NULL) &&
-        buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
+    if (caster_pool_acquire_tree(desc->casters, &pass->tree) && init_program(pass) &&
+        buffer_init(&pass->params, "parameters of rays", sizeof(struct specular_rays_params), NULL))
         return true;
     specular_rays_pass_free(pass);
     return false;
 }
 
 void specular_rays_pass_free(struct specular_rays_pass *pass) {
+    caster_pool_release_tree(pass->desc.casters, &pass->tree);
     program_free(&pass->program);
-    buffers_free(&pass->params, &pass->lookup_params);
-    slot_lights_free(&pass->slot_lights);
+    buffer_free(&pass->params);
     *pass = (struct specular_rays_pass){0};
 }
 
@@ -59,17 +50,15 @@ static float steps(double step, double count) {
 
 static void write_params(const struct specular_rays_pass *pass, const struct frame *frame,
                          const struct irradiance *radiance) {
-    int slots = radiance->interleave * radiance->interleave;
     double first = (double)frame->pass * pass->desc.rays;
     struct specular_rays_params params = {
         .pattern = irradiance_pattern(radiance),
-        .scale = frame->irradiance_scale,
-        .rays = pass->desc.rays,
         .start = {steps(SPECULAR_STEP_X, first), steps(SPECULAR_STEP_Y, first)},
-        .vpl_weight = (float)slots,
+        .scale = frame->irradiance_scale,
+        .farthest = 2 * frame->geometry->radius,
+        .rays = pass->desc.rays,
+        .vpl_weight = (float)(radiance->interleave * radiance->interleave),
     };
-    glm_vec3_copy((float *)frame->geometry->bounds_min, params.bounds_min);
-    glm_vec3_copy((float *)frame->geometry->bounds_max, params.bounds_max);
     buffer_write(&pass->params, 0, sizeof params, &params);
 }
 
@@ -77,6 +66,11 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
                                const struct gbuffer *gbuffer,
                                const struct specular_rays_inputs *inputs) {
     const struct irradiance *radiance = inputs->radiance;
+    const struct light_rays rays = {
+        .tree = pass->tree->buffer.texels,
+        .albedos = inputs->albedos,
+        .sky_pieces = pass->desc.lights.sky ? frame->sky_pieces->id : 0,
+    };
     struct pass_state state = {
         .name = "specular rays",
         .program = pass->program,
@@ -86,7 +80,9 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
         .blend = PASS_BLEND_ADD,
         .textures = {{UNIT_GBUFFER_DEPTH, gbuffer->depth.id},
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
+                     {UNIT_GBUFFER_ALBEDO, gbuffer->albedo.id},
                      {UNIT_GBUFFER_SPECULAR, gbuffer->specular.id},
+                     {UNIT_DIRECT, frame->direct->id},
                      {UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
@@ -95,22 +91,21 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
     };
     int n = radiance->interleave;
     frame_add_light(frame, &state);
+    light_rays_add(&state, &rays);
     rsm_add(&state, inputs->rsm);
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
         pass_add_texture(&state, UNIT_RSM_SPECULAR + kind,
                          inputs->rsm[inputs->rsm[kind].layers ? kind : !kind].specular.id);
-    if (pass->desc.has_maps)
-        visibility_add(&state, &pass->desc.visibility, &pass->lookup_params, &inputs->visibility);
+    if (pass->desc.later)
+        pass_add_texture(&state, UNIT_IRRADIANCE, inputs->irradiance->texture.id);
     if (pass->desc.by_importance)
         pass_add_texture(&state, UNIT_VPL_DENSITY, inputs->importance->densities.id);
     write_params(pass, frame, radiance);
-    int light_count = slot_lights_allocate(&pass->slot_lights, frame, n * n);
     pass_begin(frame->timers, &state);
     for (int slot = 0; slot < n * n; slot++) {
         pass_viewport(slot % n * radiance->tile_width, slot / n * radiance->tile_height,
                       radiance->tile_width, radiance->tile_height);
         pass_set_ints(LOCATION_SLOT, 0, 0, slot % n, slot / n);
-        slot_lights_set(&pass->slot_lights, slot, 0, light_count);
         pass_draw_fullscreen(1);
     }
     pass_end(frame->timers);

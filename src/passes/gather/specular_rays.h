@@ -1,27 +1,24 @@
-/* What surfaces that are not diffuse reflect of nearby or sharply seen light: rays, sampled by the lobe
- * [Heitz 2018], look for lit surfaces in the reflective shadow maps.
+/* What surfaces that are not diffuse reflect of lit surfaces: rays through the BVH, sampled by the lobe [Heitz 2018].
  *
- * One bounce of light comes from what the lights see, and their maps have all of it, whatever the camera
- * sees: a ray that comes to lie behind what a light sees, and where it does so close to it, has met it. VPLs
- * find the same light; each of both ways counts by the power heuristic [Veach 1997, §9.2.4], so that rays
- * give smooth surfaces what points would give as spots, and VPLs the rough ones what few rays would
- * give as noise. What hides y from x is known as far as light shines on it, and where VALs have maps, by them. Cost: pixels that are not diffuse x
- * rays x groups of lights x steps.
+ * A ray shades the surface that it meets by one light. The light's reflective shadow map tells whether this surface is
+ * lit, and its texture; where the map has it not, a shadow ray tells. VPLs find the same light: each of both ways counts
+ * by the power heuristic [Veach 1997, §9.2.4]. Rays give smooth surfaces images where points would give spots; VPLs give
+ * rough surfaces even light where few rays would give noise. Cost: pixels that are not diffuse x two rays x rays of each.
  */
 #ifndef PASSES_SPECULAR_RAYS_H
 #define PASSES_SPECULAR_RAYS_H
 
 #include "lights/view.h"
-#include "passes/slot_lights.h"
-#include "passes/visibility/visibility.h"
+#include "passes/targets.h"
+#include "passes/vpls.h"
+#include "scene/gpu/caster_pool.h"
 
 struct frame;
-struct importance_map;
 
 struct specular_rays_desc {
-    int rays;      /* of a pixel */
-    bool has_maps; /* of VALs: the one nearest to what a ray meets says what else hides it */
-    struct visibility_desc visibility;  /* where has_maps */
+    int rays;                           /* of a pixel */
+    bool later;                         /* surfaces send indirect light, too */
+    struct caster_pool *casters;        /* must outlive the pass */
     bool by_importance, medium, slides; /* as in struct near_field_desc */
     struct light_layout lights;
 };
@@ -29,10 +26,11 @@ struct specular_rays_desc {
 struct specular_rays_pass {
     struct specular_rays_desc desc;
     GLuint program;
-    struct buffer params, lookup_params;
-    struct slot_lights slot_lights;
+    struct buffer params;
+    const struct caster_bvh *tree;
 };
 
+/* Error: driver, memory, or more triangles than OpenGL has room for. */
 bool specular_rays_pass_init(struct specular_rays_pass *pass,
                              const struct specular_rays_desc *desc);
 void specular_rays_pass_free(struct specular_rays_pass *pass);
@@ -41,8 +39,10 @@ struct specular_rays_inputs {
     const struct gbuffer *rsm;               /* LIGHT_MAP_KINDS of them, with specular targets */
     const struct buffer *shares;             /* passes/lights/vpl.h's */
     const struct importance_map *importance; /* where by_importance */
-    const struct irradiance *radiance;       /* to be added to: a gather's with SPECULAR_RAYS */
-    struct visibility_inputs visibility;
+    GLuint albedos;                          /* of triangles (passes/lights/albedos.h) */
+    const struct irradiance
+        *irradiance; /* where later: the frame's indirect light, in picture order */
+    const struct irradiance *radiance; /* to be added to: a gather's with SPECULAR_RAYS */
 };
 
 /* Adds to inputs->radiance. Timer "specular rays". */
