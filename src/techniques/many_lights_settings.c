@@ -13,7 +13,7 @@ static const char *const importance_names[] = {"off", "auto", "on", NULL};
 static const struct option lights_table[] = {
     {"vpls", 0, OPTION_INT, ROW(lights, vpls), 0, 0, 65536, .label = "virtual lights",
      .help = "number of virtual point lights (VPLs), N; more: smoother and slower;\n"
-             "0: 384 if clustered traces shadow rays, else 1024",
+             "0: 512 if clustered traces shadow rays, else 1024",
      .needs = VIRTUAL_LIGHTS},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9, .label = "random seed",
      .help = "seed of VPLs, light paths and random choices; 0: unshifted Halton sequence",
@@ -94,7 +94,7 @@ static const struct option gather_table[] = {
      .label = "adaptive factor",
      .help = "factor of VPLs for adaptive pixels of fine detail, with fewer\n"
              "than 2 of 4 neighbours on their surface within 8 degrees; above 400x400\n"
-             "divided by pixels / 160000; 0: 2 if clustered traces shadow rays, else 4",
+             "divided by pixels / 160000; 0: 1 if clustered traces shadow rays, else 4",
      .needs = "technique!=cluster-lights, gather.adaptive!=0, blur.radius!=0"},
     {"edge-samples", 0, OPTION_FLAG, ROW(gather, edge_samples), 1, .label = "edge samples",
      .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
@@ -150,11 +150,11 @@ struct settings many_lights_chosen(const struct settings *settings, bool by_rays
     struct lights_settings lights = *settings_of(struct lights_settings, settings, &lights_part);
     struct gather_settings gather = *settings_of(struct gather_settings, settings, &gather_part);
     if (lights.vpls == 0)
-        lights.vpls = by_rays ? 384 : 1024;
+        lights.vpls = by_rays ? 512 : 1024;
     if (gather.adaptive < 0)
         gather.adaptive = by_rays ? 3 : 4;
     if (gather.adaptive_factor == 0)
-        gather.adaptive_factor = by_rays ? 2 : 4;
+        gather.adaptive_factor = by_rays ? 1 : 4;
     settings_set(&chosen, &lights_part, &lights);
     settings_set(&chosen, &gather_part, &gather);
     return chosen;

@@ -98,9 +98,8 @@ static const struct settings_part *const parts[] = {&lights_part, &vals_part,   
                                                     &blur_part,   NULL};
 
 static const struct preset presets[] = {
-    {"draft", "for slow machines: half the VPLs, 12 small maps, no adaptive pixels",
-     "lights.vpls=512 clustered.vals=12 map.size=128 gather.adaptive=0 gather.near-samples=256",
-     NULL},
+    {"draft", "for slow machines: 256 VPLs, no adaptive pixels",
+     "lights.vpls=256 gather.adaptive=0", NULL},
     MANY_LIGHTS_FAST,
     {"traced", "1024 VPLs by rays, 256 of them at adaptive pixels: the least error of one frame",
      "clustered.shadow-rays=on lights.vpls=1024 gather.adaptive=2 gather.adaptive-factor=1",
