@@ -59,7 +59,7 @@ char *time_budget_settings(int level) {
     int block = between(a->numbers.block, b->numbers.block, share);
     return mem_printf(
         "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
-        "clustered.shadow-rays=%s clustered.visibility-block=%d gather.interleave=%d "
+        "clustered.trace=%s clustered.visibility-block=%d gather.interleave=%d "
         "gather.adaptive=%d gather.adaptive-factor=%d picture.samples=%d",
         between(a->numbers.vpls, b->numbers.vpls, share),
         between(a->numbers.rsm, b->numbers.rsm, share),

@@ -238,9 +238,9 @@ static bool is_picture(const struct setting *setting) {
 /* Those most often set; and all that another technique than the default calls its own. */
 static void print_main(FILE *out, const struct technique *technique) {
     static const char *const names[] = {
-        "lights.vpls",          "lights.bounces",   "clustered.shadow-rays", "clustered.vals",
-        "clustered.visibility", "map.size",         "gather.interleave",     "gather.adaptive",
-        "surface.materials",    "picture.exposure", "picture.samples",       "picture.tone-map",
+        "lights.vpls",          "lights.bounces",   "clustered.trace",   "clustered.vals",
+        "clustered.visibility", "map.size",         "gather.interleave", "gather.adaptive",
+        "surface.materials",    "picture.exposure", "picture.samples",   "picture.tone-map",
     };
     struct settings settings;
     renderer_settings_init(&settings);

@@ -63,7 +63,7 @@ struct caster_settings {
 };
 
 /* What maps and VALs need, where area lights may do without visibility and rays without maps. */
-#define SHADOWS "cluster-lights.shadows!=none, clustered.shadow-rays!=auto|on"
+#define SHADOWS "cluster-lights.shadows!=none, clustered.trace!=on"
 
 extern const struct settings_part lights_part, map_part, lookup_part, gather_part, blur_part,
     caster_part;

@@ -10,19 +10,20 @@ enum visibility_kind {
 };
 
 /* What clusters need. */
-#define VAL_MAPS "clustered.shadow-rays!=auto|on"
+#define VAL_MAPS "clustered.trace!=on"
 
 #define ROW(name) offsetof(struct vals_settings, name)
 
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
 static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", NULL};
-static const char *const ray_names[] = {"off", "auto", "on", NULL};
+static const char *const trace_names[] = {"off", "auto", "on", NULL};
 
 static const struct option table[] = {
-    {"shadow-rays", 0, OPTION_CHOICE, ROW(shadow_rays), SHADOW_RAYS_AUTO, .label = "shadow rays",
-     .choices = ray_names,
+    {"trace", 0, OPTION_CHOICE, ROW(trace), TRACE_AUTO, .label = "shadow rays",
+     .choices = trace_names,
      .help = "tests visibility by rays through the scene's triangles instead of VALs and maps;\n"
-             "auto: up to 1048576 triangles, 20000 in an animated scene",
+             "auto: up to 1048576 triangles, 20000 in an animated scene, unless a setting\n"
+             "of VALs, maps, lookups or casters differs from its default",
      .needs = "technique=clustered"},
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .label = "shadow groups",
      .help = "number of virtual area lights (VALs), M: clusters of VPLs with\n"
@@ -130,11 +131,24 @@ enum visibility_lookup vals_lookup(const struct settings *settings) {
     return lookups[own->visibility];
 }
 
+/* A setting that only maps read asks for maps. */
+static bool asks_for_maps(const struct settings *settings) {
+    static const struct settings_part *const parts[] = {&vals_part, &map_part, &lookup_part,
+                                                        &caster_part, NULL};
+    struct settings usual = {0};
+    bool same = true;
+    for (const struct settings_part *const *part = parts; *part && same; part++) {
+        settings_add(&usual, *part);
+        same = settings_same(settings, &usual, *part);
+    }
+    return !same;
+}
+
 bool vals_by_rays(const struct settings *settings, const struct scene *scene,
                   const struct geometry *geometry) {
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
-    return own->shadow_rays == SHADOW_RAYS_ON ||
-           (own->shadow_rays == SHADOW_RAYS_AUTO && many_lights_may_trace(scene, geometry));
+    return own->trace == TRACE_ON || (own->trace == TRACE_AUTO && !asks_for_maps(settings) &&
+                                      many_lights_may_trace(scene, geometry));
 }
 
 /* A ray ends at a VPL: a VAL as a whole has none. */

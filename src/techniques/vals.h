@@ -11,11 +11,11 @@
 #include "techniques/many_lights.h"
 
 /* Whether rays test visibility in place of maps; clustered alone reads it. */
-enum { SHADOW_RAYS_OFF, SHADOW_RAYS_AUTO, SHADOW_RAYS_ON };
+enum { TRACE_OFF, TRACE_AUTO, TRACE_ON };
 
 struct vals_settings {
-    int shadow_rays; /* SHADOW_RAYS_... */
-    int vals;        /* M */
+    int trace; /* TRACE_... */
+    int vals;  /* M */
     int bounce_vals;
     int iterations;
     int start;                            /* enum cluster_start */

@@ -102,12 +102,11 @@ static const struct preset presets[] = {
      "lights.vpls=256 gather.adaptive=0", NULL},
     MANY_LIGHTS_FAST,
     {"traced", "1024 VPLs by rays, 256 of them at adaptive pixels: the least error of one frame",
-     "clustered.shadow-rays=on lights.vpls=1024 gather.adaptive=2 gather.adaptive-factor=1",
-     "high"},
+     "clustered.trace=on lights.vpls=1024 gather.adaptive=2 gather.adaptive-factor=1", "high"},
     {"maps", "soft shadow maps of clusters instead of rays, for large scenes that move",
-     "clustered.shadow-rays=off", NULL},
+     "clustered.trace=off", NULL},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
-     "clustered.shadow-rays=off clustered.visibility=cssm "
+     "clustered.trace=off clustered.visibility=cssm "
      "clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED,
      NULL},
     {NULL}};
