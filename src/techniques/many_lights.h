@@ -103,8 +103,8 @@ struct many_lights_visibility {
     bool cuts;        /* but what is reflected as by a mirror takes VPLs */
     int map_size;     /* 0: as the settings have it */
     int block;        /* pixels a side of a block that shares its visibility; 0: none does */
-    /* Of ..._TRACED at all pixels: it hides near light and later bounces, too. */
-    const struct caster_bvh *tree;
+    bool together;    /* pixels that are not on lists test it for several VPLs, too */
+    const struct caster_bvh *tree; /* of ..._TRACED */
 };
 
 /* A pass without a program is one that the settings or the scene's materials leave out. */

@@ -94,7 +94,7 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
     };
     if (!adaptive_pixels_init(lights, desc, &gather_desc))
         return false;
-    if (visibility->tree && gather_desc.receivers == RECEIVERS_ALL)
+    if (visibility->together && gather_desc.receivers == RECEIVERS_ALL)
         gather_desc.together = vpls_together(&gather_desc);
     return gather_pass_init(&lights->gather, &gather_desc);
 }
