@@ -32,7 +32,6 @@ layout(location = TARGET_RESULT) out vec4 irradiance;
 const float INVERSE_PI = 0.31830988618;
 
 vec3 receiver_facet = vec3(0.0); // the normal of the triangle that the receiver lies on
-vec2 receiver_place = vec2(0.0); // in the picture, from 0 to 1
 
 #include "gather/receiver.glsl"
 #include GATHER_LIGHTS
@@ -51,7 +50,6 @@ void main() {
     surface s = receiver_surface(pixel);
     receives = receives && s.present;
     receiver_facet = receiver_triangle(s, pixel);
-    receiver_place = (vec2(pixel) + 0.5) / vec2(gbuffer_size());
     receives = receives_light(s, pixel) && receives;
     // No lights, and no branch around the loops, which a software rasteriser would keep books of at each step.
     ivec2 lights = receives ? lights_of(pixel) : ivec2(0);

@@ -1,14 +1,9 @@
 // Visibility that a pixel finds by itself, of each light.
-#include "gather/correction.glsl"
 #include "visibility/visibility.glsl"
 
 // Whether a light's own arrives there, by that map.
 float visibility_of(int map, surface s, vec3 light) {
-    float visible = visibility_from(map, s.position, s.normal, light);
-#if CORRECTED
-    visible = corrected(visible, correction_at(map, receiver_place).r);
-#endif
-    return visible;
+    return visibility_from(map, s.position, s.normal, light);
 }
 
 // Loops and no branches: a software rasteriser leaves a loop that no pixel is in after one step, but executes both

@@ -23,7 +23,7 @@
 #define STORAGE_LIST_COUNTS 0
 #define STORAGE_SERIES_RANGES 1
 #define STORAGE_TREE_KEYS 2
-#define STORAGE_SCREEN_ROWS 3 /* of screen passes that are dispatched */
+#define STORAGE_SCREEN_ROWS 3  /* of screen passes that are dispatched */
 #define STORAGE_SCREEN_QUEUE 4 /* likewise */
 #define STORAGE_ELEMENT_CELLS 5
 #define STORAGE_ELEMENTS 6
@@ -41,7 +41,7 @@
  * What one pass alone samples is numbered from UNIT_OWN on in that pass's header, shared/PASS.h: the passes share these
  * numbers, for a program includes own units of one header. An array takes a number for each element. test/shaders/check
  * and debug contexts (gl/context/samplers.c) check that no two samplers of a program share a unit. */
-#define UNIT_BASE_COLOR 1  /* of a material, with the next three */
+#define UNIT_BASE_COLOR 1 /* of a material, with the next three */
 #define UNIT_EMISSION 2
 #define UNIT_METAL_ROUGHNESS 3
 #define UNIT_NORMAL_MAP 4
@@ -75,7 +75,6 @@
 #define UNIT_SUMS 35
 #define UNIT_DEPTH_BOUNDS 36
 #define UNIT_BLOCK_VISIBILITY 37
-#define UNIT_CORRECTION 38
 #define UNIT_DIRECT 39
 #define UNIT_DIRECT_SPECULAR 40
 #define UNIT_IRRADIANCE 41
@@ -120,8 +119,6 @@
 #define TARGET_BASIS_Z_COS 2
 #define TARGET_BASIS_Z_SIN 3
 #define TARGET_BASIS_Z 4
-#define TARGET_CORRECTION_SUM 0
-#define TARGET_CORRECTION_SQUARE 1
 #define TARGET_SUM_SQUARES 0
 #define TARGET_SUM_PRODUCTS 1
 #define TARGET_TRANSMITTANCE 1
@@ -146,7 +143,7 @@
 #define LOCATION_SCREEN_AREA 12 /* of screen passes that are dispatched */
 #define LOCATION_SCREEN_ADDS 14
 #define LOCATION_SCREEN_ROW 15
-#define LOCATION_SKY_LAYERS 13 /* first and count */
+#define LOCATION_SKY_LAYERS 13  /* first and count */
 #define LOCATION_SLOT_LIGHTS 16 /* LIGHTS_MAX of them (shared/light.h) */
 
 #endif

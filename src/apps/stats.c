@@ -20,9 +20,16 @@ static void print_times(FILE *out, struct timers *timers) {
         fprintf(out, "  (software OpenGL: each pass timed with glFinish and the clock)\n");
 }
 
+static bool is_by_rays(const struct renderer *renderer) {
+    const struct renderer_desc *desc = &renderer->desc;
+    return renderer->technique->by_rays(&desc->settings, desc->scene, desc->geometry);
+}
+
 void stats_print(FILE *out, struct renderer *renderer) {
     struct lights lights;
     fprintf(out, "faces  %u\n", geometry_triangle_count(renderer->desc.geometry));
+    if (renderer->technique->by_rays)
+        fprintf(out, "indirect visibility by %s\n", is_by_rays(renderer) ? "rays" : "maps");
     if (lights_read(&lights, renderer)) {
         fprintf(out, "VPLs   %d, of which %d emit\n", lights.vpl_count, lights.lit);
         if (lights.val_count)

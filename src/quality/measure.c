@@ -80,13 +80,22 @@ char *measure_settings(const struct measure_desc *desc) {
     return text.data;
 }
 
+/* Without a stage, as it was given. */
+static double chosen_number(const struct measure_desc *desc, const char *name) {
+    const struct stage *stage = desc->stage;
+    struct settings chosen = stage ? renderer_settings_chosen(&desc->settings, desc->technique,
+                                                              &stage->scene, &stage->geometry)
+                                   : desc->settings;
+    return settings_number(&chosen, name);
+}
+
 double measure_setting(const struct measure_desc *desc, const char *name) {
     struct setting setting;
     if (!desc->technique || !settings_find(&desc->settings, name, &setting))
         return 0;
     for (const struct settings_part *const *p = desc->technique->parts; *p; p++)
         if (*p == setting.part)
-            return settings_number(&desc->settings, name);
+            return chosen_number(desc, name);
     return 0;
 }
 

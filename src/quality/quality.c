@@ -15,9 +15,8 @@ const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
  * (bench/PARSIMONY.md): drafts by maps, then rays. What is by maps above them is for techniques that have no rays, too.
  * Cheapest first. */
 static const struct quality_choice frames[] = {
-    QUALITY_FRAME("path=draft clustered.vals=4"),
     QUALITY_FRAME("path=draft"),
-    QUALITY_FRAME("gather.adaptive=0 clustered.vals=8"),
+    QUALITY_FRAME("gather.adaptive=0"),
     QUALITY_FRAME("path=traced lights.vpls=128 gather.interleave=4"),
     QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=4"),
     QUALITY_FRAME(""),
@@ -25,7 +24,7 @@ static const struct quality_choice frames[] = {
     QUALITY_FRAME("gather.interleave=4 gather.adaptive=2"),
     {"picture.samples=16", 1, "cluster-lights"},
     QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=2 gather.adaptive=1"),
-    QUALITY_FRAME("gather.interleave=2 gather.adaptive=1 clustered.vals=60 picture.samples=16"),
+    QUALITY_FRAME("gather.interleave=2 gather.adaptive=1 picture.samples=16"),
     QUALITY_FRAME(
         "path=traced lights.vpls=512 gather.interleave=2 gather.adaptive=1 picture.samples=16"),
     QUALITY_FRAME("path=traced gather.interleave=2 gather.adaptive=1 picture.samples=16"),

@@ -59,16 +59,15 @@ char *time_budget_settings(int level) {
     int block = between(a->numbers.block, b->numbers.block, share);
     return mem_printf(
         "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
-        "clustered.visibility=%s clustered.visibility-block=%d gather.interleave=%d "
+        "clustered.trace=%s clustered.visibility-block=%d gather.interleave=%d "
         "gather.adaptive=%d gather.adaptive-factor=%d picture.samples=%d",
         between(a->numbers.vpls, b->numbers.vpls, share),
         between(a->numbers.rsm, b->numbers.rsm, share),
         between(a->numbers.vals, b->numbers.vals, share),
         between(a->numbers.map, b->numbers.map, share),
         between(a->numbers.near_samples, b->numbers.near_samples, share),
-        lower->choices.by_rays ? "traced" : "ray", lower->choices.by_rays ? 0 : block,
-        lower->choices.interleave, lower->choices.adaptive, lower->choices.adaptive_factor,
-        lower->choices.samples);
+        lower->choices.by_rays ? "on" : "off", block, lower->choices.interleave,
+        lower->choices.adaptive, lower->choices.adaptive_factor, lower->choices.samples);
 }
 
 /* --- the choice of one --- */

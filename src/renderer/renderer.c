@@ -87,11 +87,13 @@ static bool init_direct(struct renderer *renderer) {
 static bool make_technique(const struct renderer *renderer, const struct technique *technique,
                            const struct settings *settings, void **state) {
     const struct renderer_desc *desc = &renderer->desc;
+    const struct geometry *geometry = renderer_geometry(renderer);
+    struct settings chosen = renderer_settings_chosen(settings, technique, desc->scene, geometry);
     return technique_check(technique, settings) &&
            technique->init(state, &(struct technique_desc){
-                                      .settings = settings,
+                                      .settings = &chosen,
                                       .scene = desc->scene,
-                                      .geometry = renderer_geometry(renderer),
+                                      .geometry = geometry,
                                       .casters = renderer->casters,
                                       .width = desc->width,
                                       .height = desc->height,

@@ -8,6 +8,7 @@
 #include "scene/caustics.h"
 #include "scene/material.h"
 #include "scene/medium.h"
+#include "techniques/many_lights.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -88,6 +89,14 @@ bool renderer_settings_assign(struct settings *settings, const struct technique 
                 if (!assign(settings, technique, &word, presets))
                     return false;
     return true;
+}
+
+struct settings renderer_settings_chosen(const struct settings *settings,
+                                         const struct technique *technique,
+                                         const struct scene *scene,
+                                         const struct geometry *geometry) {
+    return many_lights_chosen(settings,
+                              technique->by_rays && technique->by_rays(settings, scene, geometry));
 }
 
 bool renderer_settings_same(const struct settings *a, const struct settings *b,
@@ -229,9 +238,9 @@ static bool is_picture(const struct setting *setting) {
 /* Those most often set; and all that another technique than the default calls its own. */
 static void print_main(FILE *out, const struct technique *technique) {
     static const char *const names[] = {
-        "lights.vpls",      "lights.bounces",    "clustered.vals",   "clustered.visibility",
-        "map.size",         "gather.interleave", "gather.adaptive",  "surface.materials",
-        "picture.exposure", "picture.samples",   "picture.tone-map",
+        "lights.vpls",          "lights.bounces",   "clustered.trace",   "clustered.vals",
+        "clustered.visibility", "map.size",         "gather.interleave", "gather.adaptive",
+        "surface.materials",    "picture.exposure", "picture.samples",   "picture.tone-map",
     };
     struct settings settings;
     renderer_settings_init(&settings);

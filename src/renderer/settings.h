@@ -25,6 +25,12 @@ void renderer_settings_init(struct settings *settings);
 bool renderer_settings_assign(struct settings *settings, const struct technique *technique,
                               const char *const *texts, int count);
 
+/* The settings with the technique's numbers for the scene in place of values that leave a choice to the program. */
+struct settings renderer_settings_chosen(const struct settings *settings,
+                                         const struct technique *technique,
+                                         const struct scene *scene,
+                                         const struct geometry *geometry);
+
 /* Whether all of the parts are the same in both. */
 bool renderer_settings_same(const struct settings *a, const struct settings *b,
                             const struct settings_part *const *parts);

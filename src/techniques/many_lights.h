@@ -27,7 +27,7 @@ enum { RSM_SIZE_MIN = 16 };
 enum { IMPORTANCE_OFF, IMPORTANCE_AUTO, IMPORTANCE_ON };
 
 struct lights_settings {
-    int vpls; /* N */
+    int vpls; /* N; 0: many_lights_chosen */
     int seed, rsm_size;
     int bounces, paths; /* P */
     int importance;     /* IMPORTANCE_... */
@@ -45,8 +45,8 @@ struct lookup_settings {
 struct gather_settings {
     int interleave, clamp; /* GATHER_CLAMP_... */
     int near_samples;
-    int adaptive; /* n of pixels with few like neighbours; 0: as all others */
-    int adaptive_factor;
+    int adaptive; /* n of pixels with few like neighbours; 0: as all others; -1: many_lights_chosen */
+    int adaptive_factor; /* 0: many_lights_chosen */
     bool edge_samples;
     int specular; /* SPECULAR_... - 1 */
 };
@@ -62,8 +62,8 @@ struct caster_settings {
     int long_count;
 };
 
-/* What maps and VALs need, where area lights may do without visibility. */
-#define SHADOWS "cluster-lights.shadows!=none"
+/* What maps and VALs need, where area lights may do without visibility and rays without maps. */
+#define SHADOWS "cluster-lights.shadows!=none, clustered.trace!=on"
 
 extern const struct settings_part lights_part, map_part, lookup_part, gather_part, blur_part,
     caster_part;
@@ -90,6 +90,9 @@ extern const float many_lights_clamp_value;
 
 extern const struct refinement many_lights_refinement;
 
+/* The settings with numbers in place of the values that leave a choice to the program. */
+struct settings many_lights_chosen(const struct settings *settings, bool by_rays);
+
 /* --- passes --- */
 
 /* How the gather asks for visibility. */
@@ -100,9 +103,8 @@ struct many_lights_visibility {
     bool cuts;        /* but what is reflected as by a mirror takes VPLs */
     int map_size;     /* 0: as the settings have it */
     int block;        /* pixels a side of a block that shares its visibility; 0: none does */
-    bool corrected;   /* as in struct visibility_desc */
-    /* Of ..._TRACED at all pixels: it hides near light and later bounces, too. */
-    const struct caster_bvh *tree;
+    bool together;    /* pixels that are not on lists test it for several VPLs, too */
+    const struct caster_bvh *tree; /* of ..._TRACED */
 };
 
 /* A pass without a program is one that the settings or the scene's materials leave out. */

@@ -60,7 +60,6 @@ static struct visibility_desc lookup_of(const struct settings *settings,
     struct visibility_desc desc = many_lights_lookup(settings, lookup, visibility->map_count);
     if (visibility->map_size)
         desc.map_size = visibility->map_size;
-    desc.corrected = visibility->corrected;
     return desc;
 }
 
@@ -100,7 +99,7 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
     };
     if (!adaptive_pixels_init(lights, desc, &gather_desc))
         return false;
-    if (visibility->tree && gather_desc.receivers == RECEIVERS_ALL)
+    if (visibility->together && gather_desc.receivers == RECEIVERS_ALL)
         gather_desc.together = vpls_together(&gather_desc);
     return gather_pass_init(&lights->gather, &gather_desc);
 }
@@ -111,7 +110,6 @@ static void take_rays(struct gather_desc *gather) {
     if (gather->visibility.lookup == VISIBILITY_LOOKUP_NONE)
         return;
     gather->visibility.lookup = VISIBILITY_LOOKUP_TRACED;
-    gather->visibility.corrected = false;
     gather->together = SPECULAR_TOGETHER;
 }
 
@@ -191,18 +189,16 @@ static bool has_light_samples(const struct light_layout *layout) {
     return layout->lights > layout->groups;
 }
 
-/* A sky's views, and those of places over a wide lamp, are many, and each sees little of what is within a room; VPLs by
- * importance are far apart where the camera sees little of their light, which would shine through walls from there. Rays
- * tell what is between, where there is a tree for them anyway. */
-static bool asks_by_rays(const struct many_lights *lights, const struct light_layout *layout) {
+/* VPLs by importance are far apart where the camera sees little of their light, which would shine through walls from
+ * there: their BVH tells what is between. */
+static bool asks_by_rays(const struct many_lights *lights) {
     return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
-           many_lights_follow_camera(lights) ||
-           (lights->visibility.corrected && has_light_samples(layout));
+           many_lights_follow_camera(lights);
 }
 
 /* As VPLs are. */
-static int near_occlusion(const struct many_lights *lights, const struct light_layout *layout) {
-    return asks_by_rays(lights, layout)                          ? NEAR_BY_RAYS
+static int near_occlusion(const struct many_lights *lights) {
+    return asks_by_rays(lights)                                  ? NEAR_BY_RAYS
            : lights->visibility.lookup == VISIBILITY_LOOKUP_NONE ? NEAR_UNOCCLUDED
                                                                  : NEAR_BY_VIEWS;
 }
@@ -211,7 +207,7 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
     const struct gather_settings *own =
         settings_of(struct gather_settings, desc->settings, &gather_part);
     bool wanted = own->clamp == GATHER_CLAMP_NEAR || own->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
-    int occlusion = near_occlusion(lights, desc->lights);
+    int occlusion = near_occlusion(lights);
     struct near_field_desc near_field = {
         .samples = own->near_samples,
         .facets = sends_as_facets(desc),

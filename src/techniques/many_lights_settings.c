@@ -11,8 +11,9 @@ static const char *const importance_names[] = {"off", "auto", "on", NULL};
 
 /* Columns: name, letter, type, field, default, minimum, maximum. */
 static const struct option lights_table[] = {
-    {"vpls", 0, OPTION_INT, ROW(lights, vpls), 1024, 1, 65536, .label = "virtual lights",
-     .help = "number of virtual point lights (VPLs), N; more: smoother and slower",
+    {"vpls", 0, OPTION_INT, ROW(lights, vpls), 0, 0, 65536, .label = "virtual lights",
+     .help = "number of virtual point lights (VPLs), N; more: smoother and slower;\n"
+             "0: 512 if clustered traces shadow rays, else 1024",
      .needs = VIRTUAL_LIGHTS},
     {"seed", 0, OPTION_INT, ROW(lights, seed), 0, 0, 1e9, .label = "random seed",
      .help = "seed of VPLs, light paths and random choices; 0: unshifted Halton sequence",
@@ -84,20 +85,21 @@ static const struct option gather_table[] = {
      .help = "specular reflection of indirect light: VPLs as points\n"
              "(visible as spots), VPLs as balls, or points and rays through\n"
              "the BVH (least error); without a BVH rays are balls"},
-    {"adaptive", 0, OPTION_INT, ROW(gather, adaptive), 4, 0, 8, .label = "adaptive pattern",
+    {"adaptive", 0, OPTION_INT, ROW(gather, adaptive), -1, -1, 8, .label = "adaptive pattern",
      .help = "interleave for adaptive pixels, which have too few similar neighbours\n"
              "to blur; smaller than gather.interleave: more VPLs each, own lookups,\n"
-             "less blur; 0: off; if gather.interleave=1, use 1 (own lookups) or 0"},
-    {"adaptive-factor", 0, OPTION_INT, ROW(gather, adaptive_factor), 4, 1, 64,
+             "less blur; 0: off; if gather.interleave=1, use 1 (own lookups) or 0;\n"
+             "-1: 3 if clustered traces shadow rays, else 4"},
+    {"adaptive-factor", 0, OPTION_INT, ROW(gather, adaptive_factor), 0, 0, 64,
      .label = "adaptive factor",
      .help = "factor of VPLs for adaptive pixels of fine detail, with fewer\n"
-             "than 2 of 4 neighbours on their surface within 8 degrees; above\n"
-             "400x400 divided by pixels / 160000",
-     .needs = "technique!=cluster-lights, gather.adaptive>0, blur.radius!=0"},
+             "than 2 of 4 neighbours on their surface within 8 degrees; above 400x400\n"
+             "divided by pixels / 160000; 0: 1 if clustered traces shadow rays, else 4",
+     .needs = "technique!=cluster-lights, gather.adaptive!=0, blur.radius!=0"},
     {"edge-samples", 0, OPTION_FLAG, ROW(gather, edge_samples), 1, .label = "edge samples",
      .help = "edge samples: points of a pixel on a surface that no neighbouring\n"
              "pixel centre sees gather separately",
-     .needs = "gather.adaptive>0"},
+     .needs = "gather.adaptive!=0"},
     {NULL},
 };
 
@@ -141,6 +143,22 @@ PART(lookup, "visibility lookups in the maps");
 PART(gather, "gather of the light");
 PART(blur, "geometry-aware blur");
 PART(caster, "casters in the maps");
+
+/* Fewer VPLs by rays err as much as many by maps, and adaptive pixels then take more of these: docs/notes/rays.md. */
+struct settings many_lights_chosen(const struct settings *settings, bool by_rays) {
+    struct settings chosen = *settings;
+    struct lights_settings lights = *settings_of(struct lights_settings, settings, &lights_part);
+    struct gather_settings gather = *settings_of(struct gather_settings, settings, &gather_part);
+    if (lights.vpls == 0)
+        lights.vpls = by_rays ? 512 : 1024;
+    if (gather.adaptive < 0)
+        gather.adaptive = by_rays ? 3 : 4;
+    if (gather.adaptive_factor == 0)
+        gather.adaptive_factor = by_rays ? 1 : 4;
+    settings_set(&chosen, &lights_part, &lights);
+    settings_set(&chosen, &gather_part, &gather);
+    return chosen;
+}
 
 const float many_lights_near_clip = .025F;
 const float many_lights_clamp_value = 25;

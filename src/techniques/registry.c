@@ -1,6 +1,6 @@
 #include "base/error.h"
 #include "base/names.h"
-#include "techniques/technique.h"
+#include "techniques/many_lights.h"
 
 #include <string.h>
 
@@ -31,7 +31,8 @@ const struct technique *const technique_default = &clustered_technique, *const t
                                                                             &unshadowed_technique;
 
 bool technique_check(const struct technique *technique, const struct settings *settings) {
-    return !technique->check || technique->check(settings);
+    struct settings chosen = many_lights_chosen(settings, false);
+    return !technique->check || technique->check(&chosen);
 }
 
 const struct technique *technique_find(const char *name) {

@@ -47,6 +47,9 @@ struct technique {
     bool through_walls; /* nothing stops its light, so where light comes in is of no matter */
     /* Refuses values that exclude each other; NULL: none do. Error: for the user. */
     bool (*check)(const struct settings *settings);
+    /* Whether rays through a BVH of the scene test the visibility of all its lights; NULL: it has no such rays. */
+    bool (*by_rays)(const struct settings *settings, const struct scene *scene,
+                    const struct geometry *geometry);
     /* Makes *state, with all textures and programs. Error: of the first pass that fails; free is then called. */
     bool (*init)(void **state, const struct technique_desc *desc);
     void (*free)(void *state);

@@ -7,15 +7,24 @@ enum visibility_kind {
     VISIBILITY_HARD,
     VISIBILITY_PCSS,
     VISIBILITY_RAY,
-    VISIBILITY_TRACED,
 };
+
+/* What clusters need. */
+#define VAL_MAPS "clustered.trace!=on"
 
 #define ROW(name) offsetof(struct vals_settings, name)
 
 static const char *const start_names[] = {"seeds", "warm", "reseed", NULL};
-static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", "traced", NULL};
+static const char *const visibility_names[] = {"cssm", "hard", "pcss", "ray", NULL};
+static const char *const trace_names[] = {"off", "auto", "on", NULL};
 
 static const struct option table[] = {
+    {"trace", 0, OPTION_CHOICE, ROW(trace), TRACE_AUTO, .label = "shadow rays",
+     .choices = trace_names,
+     .help = "tests visibility by rays through the scene's triangles instead of VALs and maps;\n"
+             "auto: up to 1048576 triangles, 20000 in an animated scene, unless a setting\n"
+             "of VALs, maps, lookups or casters differs from its default",
+     .needs = "technique=clustered"},
     {"vals", 0, OPTION_INT, ROW(vals), 30, 1, 1024, .label = "shadow groups",
      .help = "number of virtual area lights (VALs), M: clusters of VPLs with\n"
              "one shadow map each; more: finer indirect shadows, slower",
@@ -23,11 +32,12 @@ static const struct option table[] = {
     {"bounce-vals", 0, OPTION_INT, ROW(bounce_vals), 60, 1, 1024, .label = "groups of bounces",
      .help = "number of VALs for the VPLs of later bounces", .needs = SHADOWS ", lights.bounces>1"},
     {"iterations", 0, OPTION_INT, ROW(iterations), 5, 1, 64, .label = "grouping steps",
-     .help = "k-means iterations of the clustering"},
+     .help = "k-means iterations of the clustering", .needs = VAL_MAPS},
     {"start", 0, OPTION_CHOICE, ROW(start), 0, .label = "grouping begins", .choices = start_names,
      .help = "initial centres of k-means: fixed seeds, the last frame's centres (warm),\n"
              "or the last frame's with new seeds for empty clusters (reseed); with warm\n"
-             "and reseed a frame depends on the frames before"},
+             "and reseed a frame depends on the frames before",
+     .needs = VAL_MAPS},
     {"weight-position", 0, OPTION_FLOAT, ROW(weight_position), .25, 0, 1000,
      .label = "weight of place",
      .help = "clustering weight of distance over the spread of the VPLs, w_x", .needs = SHADOWS},
@@ -35,15 +45,9 @@ static const struct option table[] = {
      .help = "clustering weight of the angle between normals over pi, w_alpha", .needs = SHADOWS},
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .label = "shadow lookup",
      .choices = visibility_names,
-     .help =
-         "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
-         "(pcss), or a ray through the map; traced: a ray through all triangles instead; with ray\n"
-         "or traced, blocks of pixels use pcss",
+     .help = "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
+             "(pcss), or a ray through the map, where blocks of pixels use pcss",
      .needs = SHADOWS},
-    {"ray-tests", 0, OPTION_INT, ROW(ray_tests), 512, 0, 16384, .label = "test rays a group",
-     .help = "ray-traced tests per VAL for the visibility correction, 4 times as many for later\n"
-             "bounces; 0: off; up to 1048576 triangles (20000 in an animated scene)",
-     .needs = "technique=clustered, clustered.visibility=ray"},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64, .label = "shadow block",
      .help = "pixels along each side of a block that shares its visibility; 0: a lookup per\n"
              "pixel; blocks that are no multiple of gather.interleave blur better",
@@ -55,25 +59,18 @@ const struct settings_part vals_part = {"clustered", "virtual area lights", tabl
                                         sizeof(struct vals_settings)};
 
 static void free_set(struct val_set *set) {
-    caster_pool_release_tree(set->casters, &set->tree);
     cluster_pass_free(&set->cluster);
     vpl_weight_pass_free(&set->weight);
     paraboloid_pass_free(&set->paraboloid);
     basis_pass_free(&set->basis);
     block_visibility_pass_free(&set->blocks);
-    correction_pass_free(&set->correction);
 }
 
 /* What the first bounce's set and that of later ones differ in. */
 struct set_desc {
     int vpl_count, val_count;
-    int clamp;
-    bool follow, by_importance;
+    bool by_importance;
 };
-
-bool val_set_has_maps(const struct val_set *set) {
-    return set->visibility.lookup != VISIBILITY_LOOKUP_TRACED;
-}
 
 static bool init_cluster(struct val_set *set, const struct settings *settings,
                          const struct set_desc *of) {
@@ -123,64 +120,49 @@ static bool init_blocks(struct block_visibility_pass *blocks, const struct val_s
                                                                  });
 }
 
-/* Clamps with parameters count as disks: the light only weighs tests. */
-static int clamp_of_tests(int clamp) {
-    return clamp == GATHER_CLAMP_NEAR || clamp == GATHER_CLAMP_PATCH ? clamp : GATHER_CLAMP_DISK;
-}
-
-/* Errors of the first bounce add to those of later bounces, whose frames take longer anyway: four times as many. */
-static int tests_of_val(const struct settings *settings) {
-    const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
-    const struct lights_settings *lights =
-        settings_of(struct lights_settings, settings, &lights_part);
-    return own->ray_tests * (lights->bounces > 1 ? 4 : 1);
-}
-
-static bool init_correction(struct val_set *set, const struct technique_desc *desc,
-                            const struct set_desc *of) {
-    struct correction_desc correction = {
-        .vpl_count = of->vpl_count,
-        .tests = tests_of_val(desc->settings) * of->val_count,
-        .clamp = clamp_of_tests(of->clamp),
-        .visibility =
-            many_lights_lookup(desc->settings, VISIBILITY_LOOKUP_RAY, set->visibility.map_count),
-    };
-    return !set->corrected || correction_pass_init(&set->correction, &correction);
-}
-
-/* A ray ends at a VPL: a VAL as a whole has none. */
-static enum visibility_lookup lookup_of_val(enum visibility_lookup lookup, bool share) {
-    bool rays = lookup == VISIBILITY_LOOKUP_RAY || (lookup == VISIBILITY_LOOKUP_TRACED && share);
-    return rays ? VISIBILITY_LOOKUP_PCSS : lookup;
-}
-
 enum visibility_lookup vals_lookup(const struct settings *settings) {
     static const enum visibility_lookup lookups[] = {
-        [VISIBILITY_CSSM] = VISIBILITY_LOOKUP_CSSM,     [VISIBILITY_HARD] = VISIBILITY_LOOKUP_HARD,
-        [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,     [VISIBILITY_RAY] = VISIBILITY_LOOKUP_RAY,
-        [VISIBILITY_TRACED] = VISIBILITY_LOOKUP_TRACED,
+        [VISIBILITY_CSSM] = VISIBILITY_LOOKUP_CSSM,
+        [VISIBILITY_HARD] = VISIBILITY_LOOKUP_HARD,
+        [VISIBILITY_PCSS] = VISIBILITY_LOOKUP_PCSS,
+        [VISIBILITY_RAY] = VISIBILITY_LOOKUP_RAY,
     };
     const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
     return lookups[own->visibility];
 }
 
+/* A setting that only maps read asks for maps. */
+static bool asks_for_maps(const struct settings *settings) {
+    static const struct settings_part *const parts[] = {&vals_part, &map_part, &lookup_part,
+                                                        &caster_part, NULL};
+    struct settings usual = {0};
+    bool same = true;
+    for (const struct settings_part *const *part = parts; *part && same; part++) {
+        settings_add(&usual, *part);
+        same = settings_same(settings, &usual, *part);
+    }
+    return !same;
+}
+
+bool vals_by_rays(const struct settings *settings, const struct scene *scene,
+                  const struct geometry *geometry) {
+    const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
+    return own->trace == TRACE_ON || (own->trace == TRACE_AUTO && !asks_for_maps(settings) &&
+                                      many_lights_may_trace(scene, geometry));
+}
+
+/* A ray ends at a VPL: a VAL as a whole has none. */
 static bool init_set(struct val_set *set, const struct technique_desc *desc,
                      const struct set_desc *of) {
     const struct vals_settings *own = settings_of(struct vals_settings, desc->settings, &vals_part);
     enum visibility_lookup lookup = vals_lookup(desc->settings);
+    if (lookup == VISIBILITY_LOOKUP_RAY)
+        lookup = VISIBILITY_LOOKUP_PCSS;
     set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
     set->block = own->visibility_block;
-    set->visibility =
-        many_lights_lookup(desc->settings, lookup_of_val(lookup, set->block > 0), of->val_count);
-    set->casters = desc->casters;
-    set->corrected = of->follow && lookup == VISIBILITY_LOOKUP_RAY && own->ray_tests > 0 &&
-                     many_lights_may_trace(desc->scene, desc->geometry);
-    return (!val_set_has_maps(set) ||
-            (init_cluster(set, desc->settings, of) && init_maps(set, desc))) &&
-           ((lookup != VISIBILITY_LOOKUP_TRACED && !set->corrected) ||
-            caster_pool_acquire_tree(set->casters, &set->tree)) &&
-           init_blocks(&set->blocks, set, desc->width, desc->height) &&
-           init_correction(set, desc, of);
+    set->visibility = many_lights_lookup(desc->settings, lookup, of->val_count);
+    return init_cluster(set, desc->settings, of) && init_maps(set, desc) &&
+           init_blocks(&set->blocks, set, desc->width, desc->height);
 }
 
 static struct visibility_inputs maps_of(const struct val_set *set) {
@@ -188,37 +170,16 @@ static struct visibility_inputs maps_of(const struct val_set *set) {
         .views = &set->cluster.views,
         .depth = &set->paraboloid.maps,
         .bases = set->convolve ? &set->basis.maps : NULL,
-        .tree = set->tree,
-        .correction = set->corrected ? &set->correction.corrections : NULL,
     };
-}
-
-static bool is_by_importance(const struct settings *settings) {
-    const struct vals_settings *own = settings_of(struct vals_settings, settings, &vals_part);
-    const struct lights_settings *lights =
-        settings_of(struct lights_settings, settings, &lights_part);
-    bool tested = own->visibility != VISIBILITY_TRACED || own->visibility_block > 0;
-    return tested && lights->importance != IMPORTANCE_OFF && lights->bounces > 1;
 }
 
 bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow) {
     const struct vals_settings *own = settings_of(struct vals_settings, desc->settings, &vals_part);
     const struct lights_settings *lights =
         settings_of(struct lights_settings, desc->settings, &lights_part);
-    const struct gather_settings *gather =
-        settings_of(struct gather_settings, desc->settings, &gather_part);
-    vals->by_importance = follow && is_by_importance(desc->settings);
-    struct set_desc first = {
-        .vpl_count = lights->vpls,
-        .val_count = own->vals,
-        .clamp = gather->clamp,
-        .follow = follow,
-        .by_importance = vals->by_importance,
-    };
-    struct set_desc later = first;
-    later.vpl_count = lights->paths;
-    later.val_count = own->bounce_vals;
-    later.clamp = GATHER_CLAMP_PATCH;
+    vals->by_importance = follow && lights->importance != IMPORTANCE_OFF && lights->bounces > 1;
+    const struct set_desc first = {lights->vpls, own->vals, vals->by_importance};
+    const struct set_desc later = {lights->paths, own->bounce_vals, vals->by_importance};
     if (!init_set(&vals->first, desc, &first) ||
         (lights->bounces > 1 && !init_set(&vals->later, desc, &later)))
         return false;
@@ -255,8 +216,6 @@ bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int h
 
 static void render_set(struct val_set *set, const struct frame *frame,
                        const struct gbuffer *gbuffer, const struct vpl_buffer *vpls) {
-    if (!val_set_has_maps(set))
-        return;
     if (gbuffer)
         vpl_weight_pass_render(&set->weight, frame, gbuffer, vpls);
     cluster_pass_render(&set->cluster, frame, vpls);
@@ -274,18 +233,12 @@ void vals_render(struct vals *vals, struct many_lights *lights, const struct fra
         render_set(&vals->later, frame, gbuffer, &lights->bounce.vpls);
 }
 
-const struct vpl_buffer *vals_vpls(const struct val_set *set, const struct vpl_buffer *vpls) {
-    return val_set_has_maps(set) ? &set->cluster.vpls : vpls;
-}
-
 struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,
                                         const struct gbuffer *gbuffer) {
-    struct gather_inputs inputs = {.visibility = maps_of(set), .blocks = &set->blocks.blocks};
+    struct gather_inputs inputs = {
+        .vpls = &set->cluster.vpls, .visibility = maps_of(set), .blocks = &set->blocks.blocks};
     if (set->block > 0)
         block_visibility_pass_render(&set->blocks, frame, gbuffer, &inputs.visibility);
-    if (set->corrected)
-        correction_pass_render(&set->correction, frame, gbuffer, &set->cluster.vpls,
-                               &inputs.visibility, set->block > 0 ? inputs.blocks : NULL);
     return inputs;
 }
 
@@ -312,7 +265,7 @@ void vals_outputs(const struct vals *vals, struct output_list *outputs) {
         {"visibility", "the soft shadow of each VAL alone [Dong 2009 Fig. 9]", OUTPUT_VISIBILITY,
          &vals->output},
     };
-    for (size_t i = 0; val_set_has_maps(&vals->first) && i < sizeof rows / sizeof *rows; i++)
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         output_add(outputs, &rows[i]);
     if (vals->first.convolve)
         add_bases(&vals->first.basis.maps, outputs);

@@ -3,7 +3,6 @@
 #ifndef TECHNIQUES_VALS_H
 #define TECHNIQUES_VALS_H
 
-#include "passes/gather/correction.h"
 #include "passes/lights/cluster.h"
 #include "passes/lights/vpl_weight.h"
 #include "passes/visibility/basis.h"
@@ -11,15 +10,18 @@
 #include "passes/visibility/paraboloid.h"
 #include "techniques/many_lights.h"
 
+/* Whether rays test visibility in place of maps; clustered alone reads it. */
+enum { TRACE_OFF, TRACE_AUTO, TRACE_ON };
+
 struct vals_settings {
-    int vals; /* M */
+    int trace; /* TRACE_... */
+    int vals;  /* M */
     int bounce_vals;
     int iterations;
     int start;                            /* enum cluster_start */
     float weight_position, weight_normal; /* w_x, w_alpha */
     int visibility;                       /* enum visibility_kind */
     int visibility_block;                 /* pixels a side; 0 = each pixel looks itself up */
-    int ray_tests;
 };
 
 /* Called as the technique that they were made for: "clustered". */
@@ -28,17 +30,12 @@ extern const struct settings_part vals_part;
 /* Those of some VPLs. */
 struct val_set {
     struct vpl_weight_pass weight; /* where VPLs count by importance */
-    struct cluster_pass
-        cluster; /* has the VPLs with their VALs' numbers; not of visibility=traced unless shared */
+    struct cluster_pass cluster;   /* has the VPLs with their VALs' numbers */
     struct paraboloid_pass paraboloid;
     struct basis_pass basis;
     int block; /* pixels a side, of any picture; 0: each pixel looks itself up */
     struct block_visibility_pass blocks; /* where it is not 0 */
-    struct correction_pass correction;   /* where corrected */
-    bool convolve, corrected;
-    struct caster_pool *casters;
-    const struct caster_bvh
-        *tree; /* where corrected; and of visibility=traced, then without maps unless shared */
+    bool convolve;
     struct visibility_desc visibility; /* of a VAL as a whole */
 };
 
@@ -48,11 +45,15 @@ struct vals {
     struct val_output output;    /* of the first */
 };
 
-/* How a pixel asks for a VPL's visibility. */
+/* Whether clustered tests visibility by rays, which need no VALs. */
+bool vals_by_rays(const struct settings *settings, const struct scene *scene,
+                  const struct geometry *geometry);
+
+/* How a pixel asks for a VPL's visibility by maps. */
 enum visibility_lookup vals_lookup(const struct settings *settings);
 
 /* Like a technique's; what a failed init leaves is to be freed. follow: the settings may have them made for what the camera
- * sees (vals->by_importance), and corrected there. */
+ * sees (vals->by_importance). */
 bool vals_init(struct vals *vals, const struct technique_desc *desc, bool follow);
 void vals_free(struct vals *vals);
 
@@ -64,13 +65,8 @@ bool vals_resize(struct vals *vals, struct many_lights *lights, int width, int h
 void vals_render(struct vals *vals, struct many_lights *lights, const struct frame *frame,
                  const struct gbuffer *gbuffer);
 
-/* Whether VPLs are clustered and VALs have maps: lookups read these, rays through all triangles need neither. */
-bool val_set_has_maps(const struct val_set *set);
-
-/* The VPLs of a set, with their VALs' numbers where lookups read these; else `vpls`, which they are made of. */
-const struct vpl_buffer *vals_vpls(const struct val_set *set, const struct vpl_buffer *vpls);
-
-/* Visibility by blocks, where it is shared; and what a gather of lights reads beside them: maps, blocks. */
+/* Draws visibility by blocks, where it is shared, and returns what a gather reads: VPLs with their VALs' numbers, maps,
+ * blocks. */
 struct gather_inputs vals_render_blocks(const struct val_set *set, const struct frame *frame,
                                         const struct gbuffer *gbuffer);
 

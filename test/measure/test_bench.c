@@ -113,9 +113,9 @@ static void test_times_of_whole_frames(void **state) {
 /* The first frame has the pixels of render's picture, whatever comes after it. */
 static void test_picture_of_times(void **state) {
     (void)state;
-    expect(0, "% render scenes/cornell-box.glb --size 24x16 --technique clustered --set path=high"
+    expect(0, "% render scenes/cornell-box.glb --size 24x16 --technique clustered --set path=traced"
               " -q -o @/rendered.exr");
-    expect(0, "% bench times scenes/cornell-box.glb --size 24x16 --variant high --frames 1"
+    expect(0, "% bench times scenes/cornell-box.glb --size 24x16 --variant traced --frames 1"
               " --warm-up 3 --whole-frames --picture @/timed.exr -q");
     /* Their headers differ: that of render tells its making. */
     static const char *const layers[] = {"beauty", "indirect", "direct", "albedo", "normal"};

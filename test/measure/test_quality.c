@@ -254,7 +254,7 @@ static void test_rungs(void **state) {
 static void test_ladder(void **state) {
     const char *small = "vpls=256 vals=8 map.size=64";
     struct quality_found draft = find(*state, small, .5, 1), none = find(*state, small, .03, 1);
-    assert_string_equal(draft.choice.settings, "path=draft clustered.vals=4");
+    assert_string_equal(draft.choice.settings, "path=draft");
     assert_true(draft.reached);
     assert_false(none.reached);
     assert_ptr_equal(quality_technique(&none.choice, technique_default), technique_default);
@@ -292,7 +292,7 @@ static void test_given(void **state) {
     struct quality_choice draft = quality_named(QUALITY_DRAFT);
     check_ok("settings", quality_settings(&draft, technique_default, &vals, 1, &settings));
     assert_int_equal((int)settings_number(&settings, "vals"), 5);
-    assert_int_equal((int)settings_number(&settings, "vpls"), 512);
+    assert_int_equal((int)settings_number(&settings, "vpls"), 256);
     check_ok("settings", quality_settings(&draft, technique_default, &path, 1, &settings));
     assert_int_equal((int)settings_number(&settings, "vpls"), 1024);
     assert_string_equal(find(box, "path=fast vals=4 map.size=64 vpls=256", .5, 1).choice.settings,
@@ -313,7 +313,7 @@ static void test_words(void **state) {
         {"--quality better", 2, "quality: 'better' is not one of draft, normal, high, final"},
         {"--max-error 200%", 2, "max-error"},
         {"--max-error 90% --set vpls=64,vals=4", 0,
-         "cornell-box: path=draft clustered.vals=4, which errs"},
+         "cornell-box: path=draft, which errs"},
         {"--max-error 2% --passes 1 --set vpls=64,vals=4,adaptive=0", 0, "nothing errs much less"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {

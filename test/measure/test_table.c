@@ -200,8 +200,8 @@ static void test_names_taken(void **state) {
     expect(0, "cp scenes/cornell-box.glb @/cornell-box.glb");
     expect(2, RUN "--scene @/cornell-box.glb -o @/nothing");
     expect_text("its rows would be those of scenes/cornell-box.glb");
-    expect(2, RUN "--variant high --variant high:vals=9 -o @/nothing");
-    expect_text("--variant high:vals=9: its rows would be those of high");
+    expect(2, RUN "--variant traced --variant traced:vals=9 -o @/nothing");
+    expect_text("--variant traced:vals=9: its rows would be those of traced");
     expect(2, RUN "--variant none --renderer 'a b=x' --renderer a-b=y -o @/nothing");
     expect_text("--renderer a-b=y: its rows would be those of a b=x");
     expect(1, "test -e @/nothing");

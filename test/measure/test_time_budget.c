@@ -163,7 +163,7 @@ static void test_without_rays(void **state) {
     char *text = time_budget_settings(budget.level);
     printf("without %d: %s\n", budget.level, text);
     assert_int_equal(budget.level, 52);
-    assert_non_null(strstr(text, "clustered.visibility=ray "));
+    assert_non_null(strstr(text, "clustered.trace=off "));
     free(text);
 }
 
@@ -181,7 +181,7 @@ static void test_levels(void **state) {
         renderer_settings_init(&settings);
         check_ok(text, renderer_settings_assign(&settings, technique_default, &given, 1) &&
                            technique_check(technique_default, &settings));
-        bool by_rays = settings_number(&settings, "visibility-block") == 0;
+        bool by_rays = settings_number(&settings, "clustered.trace") == 2;
         assert_true(by_rays || by_maps == level);
         if (by_maps == level && by_rays)
             memset(before, 0, sizeof before);

@@ -313,8 +313,7 @@ static void test_one_asks_for_all(void **state) {
     struct adaptive_bench bench;
     open_bench(&bench, "scenes/cornell-animal.glb", "interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
-    struct image each = render_stage(&bench.stage, "clustered",
-                                     "interleave=1 blur-radius=0 visibility-block=0", SIZE);
+    struct image each = render_stage(&bench.stage, "clustered", "interleave=1 blur-radius=0", SIZE);
     struct image together =
         render_stage(&bench.stage, "clustered", "interleave=8 adaptive=1", SIZE);
     int red = image_find_channel(&each, "indirect.R"), differ = 0, adaptive = 0;

@@ -13,26 +13,18 @@
 #include <sys/stat.h>
 
 enum { SIDE = 64, APART = 127 }; /* pixels of a picture of 8K, one in APART along each side */
-enum { GROUP, PLACE_X, PLACE_Y, TEST, KINDS };
 
-static const char *const libraries[] = {"lib/lattice.glsl",           "lib/weighted_pick.glsl",
-                                        "gather/representative.glsl", "gather/correction_test.glsl",
-                                        "shared/correction.h",        "shared/types.h",
+static const char *const libraries[] = {"lib/lattice.glsl", "lib/weighted_pick.glsl",
+                                        "gather/representative.glsl", "shared/types.h",
                                         "shared/bindings.h"};
 
 static const char body[] =
     "#include \"gather/representative.glsl\"\n"
-    "#include \"gather/correction_test.glsl\"\n"
     "layout(local_size_x = 8, local_size_y = 8) in;\n"
     "layout(std430, binding = 0) writeonly buffer numbers { float number[]; };\n"
     "void main() {\n"
     "    ivec2 at = ivec2(gl_GlobalInvocationID.xy);\n"
-    "    int i = KINDS * (at.y * SIDE + at.x);\n"
-    "    number[i] = group_random(at * APART, 0.0);\n"
-    "    vec2 place = fract(test_place(at) * float(CORRECTION_SIDE));\n"
-    "    number[i + 1] = place.x;\n"
-    "    number[i + 2] = place.y;\n"
-    "    number[i + 3] = test_random(at);\n"
+    "    number[at.y * SIDE + at.x] = group_random(at * APART, 0.0);\n"
     "}\n";
 
 static void copy_library(const char *folder, const char *name) {
@@ -70,65 +62,40 @@ static void read_numbers(float *numbers) {
     struct buffer buffer;
     struct timers untimed = {0};
     char defines[96];
-    snprintf(defines, sizeof defines, "SIDE %d;APART %d;KINDS %d;RECEIVERS 0;RECEIVERS_ADAPTIVE 1",
-             SIDE, APART, KINDS);
+    snprintf(defines, sizeof defines, "SIDE %d;APART %d;RECEIVERS 0;RECEIVERS_ADAPTIVE 1", SIDE,
+             APART);
     glsl_set_folder(write_shaders());
-    check_ok("numbers",
-             program_init(&program,
-                          &(struct program_desc){.compute = "numbers.comp", .defines = defines}) &&
-                 buffer_init(&buffer, "numbers", SIDE * SIDE * KINDS * sizeof *numbers, NULL));
+    check_ok("numbers", program_init(&program, &(struct program_desc){.compute = "numbers.comp",
+                                                                      .defines = defines}) &&
+                            buffer_init(&buffer, "numbers", SIDE * SIDE * sizeof *numbers, NULL));
     glsl_set_folder(NULL);
     pass_begin(&untimed, &(struct pass_state){
                              .name = "numbers", .program = program, .storages = {{0, &buffer}}});
     pass_dispatch(SIDE / 8, SIDE / 8, 1);
     pass_end(&untimed);
-    buffer_read(&buffer, 0, SIDE * SIDE * KINDS * sizeof *numbers, numbers);
+    buffer_read(&buffer, 0, SIDE * SIDE * sizeof *numbers, numbers);
     buffer_free(&buffer);
     program_free(&program);
 }
 
-/* Each is the fraction of x steps along x, y along y, and of the start. */
-static const struct kind {
-    const char *name;
-    int apart;
-    uint32_t x, y, start;
-    double step_x, step_y;
-} kinds[KINDS] = {
-    [GROUP] = {"groups", APART, 3242174889u, 2447445414u, 0, .7548776662466927, .5698402909980532},
-    [PLACE_X] = {"places, x", 1, 3242174889u, 2654435769u, 3242174889u / 2, .7548776662466927,
-                 .6180339887498949},
-    [PLACE_Y] = {"places, y", 1, 2447445414u, 1779033704u, 2447445414u / 2, .5698402909980532,
-                 .4142135623730950},
-    [TEST] = {"tests", 1, 2654435769u, 3144134278u, 0, .6180339887498949, .7320508075688773},
-};
-
-/* Against integers; and against the multiples that they stand for. A place lies in one of 8 cells along each side, so
- * that its number has lost three bits. */
-static void check_numbers(const struct kind *kind, const float *numbers) {
-    const double most = kind->start ? 8 / 16777216. : 0;
+/* Each is the fraction of x steps along x and y along y: against integers, and against the multiples that these stand
+ * for. */
+static void test_numbers(void **state) {
+    (void)state;
+    static float numbers[SIDE * SIDE];
     double wrong = 0, furthest = 0;
+    need_file("glsl/lib/lattice.glsl");
+    read_numbers(numbers);
     for (uint32_t i = 0; i < SIDE * SIDE; i++) {
-        uint32_t x = i % SIDE * (uint32_t)kind->apart, y = i / SIDE * (uint32_t)kind->apart;
-        uint32_t turns = x * kind->x + y * kind->y + kind->start;
-        double multiple =
-            x * kind->step_x + y * kind->step_y + (kind->start ? kind->step_x / 2 : 0);
-        double number = (double)numbers[i * KINDS];
-        double off = fabs(number - (multiple - floor(multiple)));
+        uint32_t x = i % SIDE * APART, y = i / SIDE * APART;
+        uint32_t turns = x * 3242174889u + y * 2447445414u;
+        double multiple = x * .7548776662466927 + y * .5698402909980532;
+        double number = (double)numbers[i], off = fabs(number - (multiple - floor(multiple)));
         wrong = fmax(wrong, fabs(number - (turns >> 8) / 16777216.));
         furthest = fmax(furthest, fmin(off, 1 - off));
     }
-    printf("    %s\n", kind->name);
-    check_at_most("off the integers' number", wrong, most);
+    check_at_most("off the integers' number", wrong, 0);
     check_at_most("off the fraction of the multiple", furthest, 3e-6);
-}
-
-static void test_numbers(void **state) {
-    (void)state;
-    static float numbers[SIDE * SIDE * KINDS];
-    need_file("glsl/lib/lattice.glsl");
-    read_numbers(numbers);
-    for (int i = 0; i < KINDS; i++)
-        check_numbers(&kinds[i], numbers + i);
 }
 
 int main(void) {

@@ -217,7 +217,7 @@ static double light_of(const struct bench *bench, const struct vpl *vpl, vec3s p
 static void check_frame(const char *path, int size, int vpl_count) {
     char settings[200];
     snprintf(settings, sizeof settings,
-             "visibility=traced visibility-block=0 vpls=%d interleave=1 clamp=none blur-radius=0 "
+             "trace=on vpls=%d interleave=1 clamp=none blur-radius=0 "
              "gather.adaptive=0 materials=diffuse",
              vpl_count);
     struct bench bench;
@@ -282,7 +282,7 @@ static void test_together(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct image each = render_stage(&stage, "clustered",
-                                     "visibility=traced visibility-block=0 vpls=64 interleave=1 "
+                                     "trace=on vpls=64 interleave=1 "
                                      "clamp=disk blur-radius=0 gather.adaptive=0",
                                      96);
     struct image few = render_stage(
@@ -296,11 +296,30 @@ static void test_together(void **state) {
     stage_free(&stage);
 }
 
+static void check_same(const struct stage *stage, const char *a, const char *b) {
+    struct image first = render_stage(stage, "clustered", a, 64),
+                 second = render_stage(stage, "clustered", b, 64);
+    printf("    '%s' as '%s'\n", a, b);
+    assert_true(same_pixels(&first, &second));
+    images_free(&first, &second);
+}
+
+/* The default is a frame by rays, unless something that maps alone read is set. */
+static void test_default(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, "scenes/cornell-box.glb");
+    check_same(&stage, "", "trace=on vpls=512 adaptive=3 adaptive-factor=1");
+    check_same(&stage, "path=maps", "trace=off vpls=1024 adaptive=4 adaptive-factor=4");
+    check_same(&stage, "vals=8", "path=maps vals=8");
+    check_same(&stage, "vals=8 trace=on", "");
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rays),
-        cmocka_unit_test(test_masks),
-        cmocka_unit_test(test_frame),
+        cmocka_unit_test(test_default),  cmocka_unit_test(test_rays),
+        cmocka_unit_test(test_masks),    cmocka_unit_test(test_frame),
         cmocka_unit_test(test_together),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);

@@ -79,8 +79,8 @@ static double error_of_map_rays(const char *scene, int size) {
     struct stage asked;
     open_stage(&asked, scene);
     struct image maps = render_stage(&asked, "clustered", "visibility-block=0", size),
-                 rays = render_stage(&asked, "clustered", "visibility-block=0 visibility=traced",
-                                     size);
+                 rays = render_stage(&asked, "clustered",
+                                     "trace=on vpls=1024 adaptive=4 adaptive-factor=4", size);
     double error = relative_rmse(&maps, &rays, "indirect");
     images_free(&maps, &rays);
     stage_free(&asked);

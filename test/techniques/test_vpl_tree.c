@@ -465,7 +465,7 @@ static void test_all_leaves(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     static const char *const plain = "vpls=64 vals=8 map.size=64 interleave=1 blur.radius=0 "
-                                     "shadow-size=256 near-samples=16 ray-tests=0";
+                                     "shadow-size=256 near-samples=16";
     char cuts[256];
     snprintf(cuts, sizeof cuts, "%s nodes=64 tolerance=0", plain);
     struct image all = render_stage(&stage, "clustered", plain, 32),

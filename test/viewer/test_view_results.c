@@ -352,7 +352,7 @@ static void test_options_mean_first_scene(void **state) {
 static void test_words(void **state) {
     (void)state;
     static const char *const pairs[][2] = {{"path=fast", "path=normal"},
-                                           {"path=traced", "path=rays"}};
+                                           {"path=traced", "path=high"}};
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
         struct settings a, b;
         renderer_settings_init(&a);

@@ -29,7 +29,7 @@ static const struct step {
     {"VAL clustering", "/clustering/", .5, 1.0},
     {"VAL maps", "/maps/depth maps/", 4.2, 8.1},
     {"indirect illumination",
-     "/gather/block visibility/correction/near light/near field/adaptive/adaptive gather/"
+     "/gather/block visibility/near light/near field/adaptive/adaptive gather/"
      "adaptive near field/",
      35.0, 69.0},
     {"blur", "/blur/", 10.7, 21.0},

@@ -12,9 +12,9 @@ char *visibility_defines(const struct visibility_desc *desc) {
     /* Other programs serve any number of maps. */
     int count = desc->lookup == VISIBILITY_LOOKUP_CSSM ? desc->map_count : 0;
     return mem_printf("FILTER %d;MAP_COUNT %d;BASIS_TERMS %d;BASIS_GROUPS %d;JACOBIAN %d;"
-                      "FILTER_TAPS %d;SEARCH_TAPS %d;CORRECTED %d",
+                      "FILTER_TAPS %d;SEARCH_TAPS %d",
                       desc->lookup, count, terms, (terms + 3) / 4, jacobian, desc->taps,
-                      (desc->taps + 1) / 2, desc->corrected);
+                      (desc->taps + 1) / 2);
 }
 
 static void add_maps(struct pass_state *state, const struct visibility_desc *desc,
@@ -53,7 +53,5 @@ void visibility_add(struct pass_state *state, const struct visibility_desc *desc
     };
     buffer_write(params, 0, sizeof values, &values);
     pass_add_block(state, BLOCK_LOOKUP, params);
-    if (desc->corrected)
-        pass_add_texture(state, UNIT_CORRECTION, inputs->correction->id);
     add_maps(state, desc, inputs);
 }

@@ -28,16 +28,14 @@ struct visibility_desc {
     float shift;    /* of the receiver's depth, over 1 / (2 K) */
     float gain;     /* of the blocked fraction about one half */
     int taps;       /* of a PCSS lookup: the filter's; the search has half as many */
-    bool corrected; /* a pixel's lookups are corrected (passes/gather/correction.h) */
 };
 
 /* What a lookup reads. */
 struct visibility_inputs {
     const struct map_views *views;
-    const struct depth_maps *depth;   /* all but ..._CSSM and ..._TRACED */
-    const struct basis_maps *bases;   /* ..._CSSM */
-    const struct caster_bvh *tree;    /* ..._TRACED */
-    const struct texture *correction; /* where desc.corrected */
+    const struct depth_maps *depth; /* all but ..._CSSM and ..._TRACED */
+    const struct basis_maps *bases; /* ..._CSSM */
+    const struct caster_bvh *tree;  /* ..._TRACED */
 };
 
 /* No shader asks for more by ..._TRACED in one draw. */

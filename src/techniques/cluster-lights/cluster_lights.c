@@ -191,12 +191,8 @@ static void render_set(struct light_set *set, const struct frame *frame,
         cluster_pass_map(&vals->cluster, &set->shape.lights, &set->lights);
 }
 
-static bool has_maps(const struct cluster_lights *technique) {
-    return technique->has_vals && val_set_has_maps(&technique->vals.first);
-}
-
 static void render_first(struct cluster_lights *technique, const struct frame *frame) {
-    const struct val_set *vals = has_maps(technique) ? &technique->vals.first : NULL;
+    const struct val_set *vals = technique->has_vals ? &technique->vals.first : NULL;
     render_set(&technique->first, frame, &technique->lights.vpls, vals);
 }
 
@@ -210,7 +206,7 @@ static void render_lights(void *state, const struct frame *frame) {
         render_first(technique, frame);
     if (lights->bounces > 1)
         render_set(&technique->later, frame, &lights->bounce.vpls,
-                   has_maps(technique) ? &technique->vals.later : NULL);
+                   technique->has_vals ? &technique->vals.later : NULL);
 }
 
 static void gather(const struct cluster_lights *technique, bool later, const struct frame *frame,
@@ -220,7 +216,7 @@ static void gather(const struct cluster_lights *technique, bool later, const str
     struct gather_inputs inputs = {0};
     if (technique->has_vals)
         inputs = vals_render_blocks(vals, frame, gbuffer);
-    inputs.vpls = has_maps(technique) ? &set->lights : &set->shape.lights;
+    inputs.vpls = technique->has_vals ? &set->lights : &set->shape.lights;
     inputs.rectangles = &set->shape.rectangles;
     inputs.later = later;
     many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
@@ -243,7 +239,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
 static void outputs(const void *state, struct output_list *outputs) {
     const struct cluster_lights *technique = state;
     const struct vpl_buffer *vpls =
-        has_maps(technique) ? &technique->vals.first.cluster.vpls : &technique->lights.vpls;
+        technique->has_vals ? &technique->vals.first.cluster.vpls : &technique->lights.vpls;
     many_lights_outputs(&technique->lights, vpls, outputs);
     output_add(outputs, &(struct output){"light", "area lights of clusters, at their middles",
                                          OUTPUT_VPLS, &technique->first.shape.lights});

@@ -8,6 +8,8 @@
 
 struct clustered {
     struct many_lights lights;
+    struct caster_pool *casters;
+    const struct caster_bvh *tree; /* by rays; else: */
     struct vals vals;
 };
 
@@ -15,13 +17,21 @@ static void free_state(void *state) {
     struct clustered *technique = state;
     if (technique) {
         many_lights_free(&technique->lights);
+        caster_pool_release_tree(technique->casters, &technique->tree);
         vals_free(&technique->vals);
     }
     free(technique);
 }
 
-static bool init(void **state, const struct technique_desc *desc) {
-    struct clustered *technique = *state = mem_alloc(1, sizeof *technique);
+static bool init_rays(struct clustered *technique, const struct technique_desc *desc) {
+    return caster_pool_acquire_tree(desc->casters, &technique->tree) &&
+           many_lights_init(&technique->lights, desc,
+                            &(struct many_lights_visibility){.lookup = VISIBILITY_LOOKUP_TRACED,
+                                                             .map_count = 1,
+                                                             .tree = technique->tree});
+}
+
+static bool init_maps(struct clustered *technique, const struct technique_desc *desc) {
     const struct val_set *first = &technique->vals.first;
     return vals_init(&technique->vals, desc, true) &&
            many_lights_init(&technique->lights, desc,
@@ -29,32 +39,42 @@ static bool init(void **state, const struct technique_desc *desc) {
                                 .lookup = vals_lookup(desc->settings),
                                 .map_count = first->visibility.map_count,
                                 .block = first->blocks.desc.block,
-                                .corrected = first->corrected,
                             });
+}
+
+static bool init(void **state, const struct technique_desc *desc) {
+    struct clustered *technique = *state = mem_alloc(1, sizeof *technique);
+    technique->casters = desc->casters;
+    bool by_rays = vals_by_rays(desc->settings, desc->scene, desc->geometry);
+    return (by_rays ? init_rays : init_maps)(technique, desc);
 }
 
 static bool resize(void *state, int width, int height) {
     struct clustered *technique = state;
-    return vals_resize(&technique->vals, &technique->lights, width, height);
+    return technique->tree ? many_lights_resize(&technique->lights, width, height)
+                           : vals_resize(&technique->vals, &technique->lights, width, height);
 }
 
 static void render_lights(void *state, const struct frame *frame) {
     struct clustered *technique = state;
     many_lights_render_vpls(&technique->lights, frame);
-    if (!technique->vals.by_importance)
+    if (!technique->tree && !technique->vals.by_importance)
         vals_render(&technique->vals, &technique->lights, frame, NULL);
 }
 
 static void gather(const struct clustered *technique, const struct val_set *vals, bool later,
                    const struct frame *frame, const struct gbuffer *gbuffer) {
     struct gather_inputs inputs = vals_render_blocks(vals, frame, gbuffer);
-    inputs.vpls = vals_vpls(vals, later ? &technique->lights.bounce.vpls : &technique->lights.vpls);
     inputs.later = later;
     many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct clustered *technique = state;
+    if (technique->tree) {
+        many_lights_render_view(&technique->lights, frame, gbuffer);
+        return;
+    }
     if (technique->vals.by_importance)
         vals_render(&technique->vals, &technique->lights, frame, gbuffer);
     many_lights_begin(&technique->lights, frame, gbuffer);
@@ -67,38 +87,37 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
 static void outputs(const void *state, struct output_list *outputs) {
     const struct clustered *technique = state;
     const struct many_lights *lights = &technique->lights;
-    many_lights_outputs(lights, vals_vpls(&technique->vals.first, &lights->vpls), outputs);
-    vals_outputs(&technique->vals, outputs);
+    many_lights_outputs(
+        lights, technique->tree ? &lights->vpls : &technique->vals.first.cluster.vpls, outputs);
+    if (!technique->tree)
+        vals_outputs(&technique->vals, outputs);
 }
 
 static const struct settings_part *const parts[] = {&lights_part, &vals_part,   &map_part,
                                                     &lookup_part, &caster_part, &gather_part,
                                                     &blur_part,   NULL};
 
-/* In place of maps; and more VPLs where detail is. */
-#define BY_RAYS                                                                                    \
-    "clustered.visibility=traced clustered.visibility-block=0 gather.adaptive=2 "                  \
-    "gather.adaptive-factor=1"
-
 static const struct preset presets[] = {
-    {"draft", "for slow machines: half the VPLs, 12 small maps, no adaptive pixels",
-     "lights.vpls=512 clustered.vals=12 map.size=128 gather.adaptive=0 gather.near-samples=256",
-     NULL},
+    {"draft", "for slow machines: 256 VPLs, no adaptive pixels",
+     "lights.vpls=256 gather.adaptive=0", NULL},
     MANY_LIGHTS_FAST,
-    {"high", "shadow rays instead of maps, 512 VPLs, 128 of them at adaptive pixels",
-     BY_RAYS " lights.vpls=512", NULL},
-    {"traced", "as high, with 1024 VPLs, 256 at adaptive pixels: the least error of one frame",
-     BY_RAYS, "rays"},
+    {"traced", "1024 VPLs by rays, 256 of them at adaptive pixels: the least error of one frame",
+     "clustered.trace=on lights.vpls=1024 gather.adaptive=2 gather.adaptive-factor=1", "high"},
+    {"maps", "soft shadow maps of clusters instead of rays, for large scenes that move",
+     "clustered.trace=off", NULL},
     {"paper", "as published: convolution soft shadow maps at each pixel and VPL",
-     "clustered.visibility=cssm clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED, NULL},
+     "clustered.trace=off clustered.visibility=cssm "
+     "clustered.visibility-block=0 " MANY_LIGHTS_AS_PUBLISHED,
+     NULL},
     {NULL}};
 
 extern const struct technique clustered_technique;
 const struct technique clustered_technique = {
     .name = "clustered",
-    .help = "soft shadow maps of clusters of VPLs",
+    .help = "shadow rays, or soft shadow maps of clusters of VPLs",
     MANY_LIGHTS_TECHNIQUE,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
+    .by_rays = vals_by_rays,
     .resize = resize,
 };

@@ -46,9 +46,9 @@ static void free_state(void *state) {
 static bool init_traced(struct instant_radiosity *technique, const struct technique_desc *desc) {
     return caster_pool_acquire_tree(desc->casters, &technique->tree) &&
            many_lights_init(&technique->lights, desc,
-                            &(struct many_lights_visibility){VISIBILITY_LOOKUP_TRACED,
-                                                             .map_per_vpl = true, .map_count = 1,
-                                                             .tree = technique->tree});
+                            &(struct many_lights_visibility){
+                                VISIBILITY_LOOKUP_TRACED, .map_per_vpl = true, .map_count = 1,
+                                .together = true, .tree = technique->tree});
 }
 
 static bool init_maps(struct instant_radiosity *technique, const struct technique_desc *desc) {

@@ -112,11 +112,9 @@ static void render_lights(void *state, const struct frame *frame) {
     struct lightcuts *technique = state;
     many_lights_render_vpls(&technique->lights, frame);
     vals_render(&technique->vals, &technique->lights, frame, NULL);
-    vpl_tree_pass_render(&technique->first, frame,
-                         vals_vpls(&technique->vals.first, &technique->lights.vpls));
+    vpl_tree_pass_render(&technique->first, frame, &technique->vals.first.cluster.vpls);
     if (technique->lights.bounces > 1)
-        vpl_tree_pass_render(&technique->later, frame,
-                             vals_vpls(&technique->vals.later, &technique->lights.bounce.vpls));
+        vpl_tree_pass_render(&technique->later, frame, &technique->vals.later.cluster.vpls);
 }
 
 static void gather(struct lightcuts *technique, bool later, const struct frame *frame,
@@ -125,7 +123,6 @@ static void gather(struct lightcuts *technique, bool later, const struct frame *
     const struct val_set *vals = later ? &technique->vals.later : &technique->vals.first;
     struct gather_inputs inputs = vals_render_blocks(vals, frame, gbuffer);
     vpl_cut_pass_render(&technique->cut, frame, gbuffer, &tree->tree, later);
-    inputs.vpls = vals_vpls(vals, later ? &technique->lights.bounce.vpls : &technique->lights.vpls);
     inputs.cuts = &technique->cut.cuts;
     inputs.later = later;
     many_lights_gather(&technique->lights, frame, gbuffer, &inputs);
@@ -142,8 +139,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
 
 static void outputs(const void *state, struct output_list *outputs) {
     const struct lightcuts *technique = state;
-    const struct many_lights *lights = &technique->lights;
-    many_lights_outputs(lights, vals_vpls(&technique->vals.first, &lights->vpls), outputs);
+    many_lights_outputs(&technique->lights, &technique->vals.first.cluster.vpls, outputs);
     vals_outputs(&technique->vals, outputs);
 }
 

@@ -21,12 +21,10 @@ static const struct price {
     const char *word, *use;
     const char *time, *error; /* against normal's; NULL: they are normal's */
 } prices[] = {
-    {"draft", "For slow machines and first looks", "x0.5 the time of Normal",
-     "1.4 to 2.7 times its error"},
+    {"draft", "For slow machines and first looks", "x0.7 to x0.9 the time of Normal",
+     "1.6 to 2 times its error"},
     {"normal", "For most scenes: the defaults", NULL, NULL},
-    {"high", "Shadows by rays through the triangles, for halls and rooms",
-     "x1.1 to x2.4 the time of Normal", "up to a quarter less error"},
-    {"rays", "The least error of a frame: High with 1024 VPLs", "x1.4 to x4 the time of Normal",
+    {"high", "The least error of a frame: 1024 VPLs", "x1.4 to x2.5 the time of Normal",
      "up to a third less error"},
 };
 

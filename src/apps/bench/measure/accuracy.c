@@ -27,7 +27,7 @@ struct step {
  * blocks of one pixel are as good as none: a lookup for each VAL, not for each of its VPLs. */
 #define EVERY_VPL "interleave=1,near-samples=1024,blur-radius=0,samples=1"
 #define MAP_PER_VPL "technique=instant-radiosity,"
-#define MAP_PER_VAL "technique=clustered,"
+#define MAP_PER_VAL "technique=clustered,path=maps,"
 
 enum { ON_THE_WAY = 1U << BEFORE | 1U << REFERENCE };
 
@@ -45,7 +45,7 @@ static const struct step budget[] = {
     {"visibility per block", MAP_PER_VAL EVERY_VPL, NULL, ON_THE_WAY, false},
     {"interleaved", MAP_PER_VAL "blur-radius=0,samples=1", NULL, ON_THE_WAY, false},
     {"blurred", MAP_PER_VAL "samples=1", NULL, ON_THE_WAY | 1U << CENTERS, false},
-    {"antialiased: the frame", MAP_PER_VAL, NULL, ON_THE_WAY, false},
+    {"antialiased: the frame by maps", MAP_PER_VAL, NULL, ON_THE_WAY, false},
     {.name = NULL},
 };
 
@@ -55,8 +55,8 @@ static const struct step budget[] = {
  * alone. */
 #define VISIBILITY_ALONE "clamp=disk,visibility-block=1,interleave=1,blur-radius=0,samples=1"
 #define CSSM "technique=clustered,path=paper," VISIBILITY_ALONE
-#define HARD "technique=clustered,path=fast,visibility=hard," VISIBILITY_ALONE
-#define PCSS "technique=clustered,path=fast,visibility=pcss," VISIBILITY_ALONE
+#define HARD "technique=clustered,path=maps,visibility=hard," VISIBILITY_ALONE
+#define PCSS "technique=clustered,path=maps,visibility=pcss," VISIBILITY_ALONE
 
 #define OF_VALS "vals=2,4,8,16,30,60,120,1024"
 #define OF_TERMS "terms=1,2,4,8,16"
@@ -71,8 +71,9 @@ static const struct step curves[] = {
     {"CSSM", CSSM, OF_MAPS, 1U << RAYS, false},
     {"PCSS", PCSS, OF_MAPS, 1U << RAYS, false},
     {"hard", HARD, OF_MAPS, 1U << RAYS, false},
-    {"the frame", MAP_PER_VAL "path=fast,samples=1", OF_VPLS, 1U << CENTERS, false},
-    {"the paper's frame", MAP_PER_VAL "path=paper,samples=1", OF_VPLS, 1U << CENTERS, false},
+    {"the frame", "technique=clustered,samples=1", OF_VPLS, 1U << CENTERS, false},
+    {"the paper's frame", "technique=clustered,path=paper,samples=1", OF_VPLS, 1U << CENTERS,
+     false},
     {"all VPLs by rays", HARD, OF_VPLS, 1U << CENTERS, true},
     {.name = NULL},
 };

@@ -13,18 +13,10 @@
 /* What users might set instead. */
 static const struct quality_choice others[] = {
     QUALITY_FRAME("gather.adaptive=0"),
-    QUALITY_FRAME("gather.adaptive=0 clustered.vals=16"),
-    QUALITY_FRAME("clustered.vals=4"),
-    QUALITY_FRAME("clustered.vals=8"),
-    QUALITY_FRAME("clustered.vals=16"),
-    QUALITY_FRAME("clustered.vals=60"),
+    QUALITY_FRAME("path=maps"),
     QUALITY_FRAME("gather.interleave=4"),
     QUALITY_FRAME("lights.vpls=2048"),
     QUALITY_FRAME("picture.samples=16"),
-    QUALITY_FRAME("path=high"),
-    QUALITY_FRAME("gather.interleave=4 gather.adaptive=2 clustered.vals=60"),
-    QUALITY_FRAME(
-        "gather.interleave=2 gather.adaptive=1 clustered.vals=120 map.size=512 picture.samples=16"),
     QUALITY_FRAME("path=traced"),
     QUALITY_FRAME("path=traced lights.vpls=256"),
     QUALITY_FRAME("path=traced lights.vpls=512"),
