@@ -12,7 +12,7 @@ bool is_hidden(surface at, vec3 toward, bool asks) {
 // Of the points that the receiver faces.
 float free_share(surface at, light l, shape s, place x, casters c, float texel_width) {
     float free = 0.0, faced = 0.0;
-    int first = l.width > 0.0 ? FIRST_RAYS : 1, count = c.any && !c.whole ? first : 0;
+    int first = l.width > 0.0 ? FIRST_RAYS : 1, count = c.any ? first : 0;
     for (int i = 0; i < count; i++) {
         vec3 toward = on_way(s, x, shape_point(s, i), 1.0) - x.position;
         bool faces = dot(toward, x.normal) > 0.0;
@@ -20,5 +20,5 @@ float free_share(surface at, light l, shape s, place x, casters c, float texel_w
         faced += faces ? 1.0 : 0.0;
         count = i + 1 == FIRST_RAYS && free > 0.0 && free < faced ? WAYS : count;
     }
-    return c.whole ? 0.0 : count > 0 ? free / max(faced, 1.0) : 1.0;
+    return count > 0 ? free / max(faced, 1.0) : 1.0;
 }

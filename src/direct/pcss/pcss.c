@@ -14,7 +14,7 @@ static const struct option table[] = {
      .label = "shadow samples",
      .help = "texels of the map per pixel where no rays are traced;\n"
              "raise against steps in wide penumbrae"},
-    {"shadow-rays", 0, OPTION_INT, offsetof(struct pcss_settings, shadow_rays), 32, 0, 1024,
+    {"shadow-rays", 0, OPTION_INT, offsetof(struct pcss_settings, shadow_rays), 64, 0, 1024,
      .label = "shadow rays",
      .help = "shadow rays per pixel where the map has something in front of the light;\n"
              "raise against bands; 0: by the map alone, as in large scenes that move"},

@@ -115,8 +115,8 @@ float hidden_at(shape s, place x, texel found) {
 }
 
 struct casters {
-    float mean;      // t of what hides the light; 0 where nothing does
-    bool any, whole; // something is in front; all ways of the search are hidden
+    float mean; // t of what hides the light; 0 where nothing does
+    bool any;   // something is in front
 };
 
 casters search(light l, shape s, place x, float reach) {
@@ -131,7 +131,7 @@ casters search(light l, shape s, place x, float reach) {
         count += t > 0.0 ? 1.0 : 0.0;
         any = any || blocked;
     }
-    return casters(sum / max(count, 1.0), any, count == float(SEARCH_TAPS));
+    return casters(sum / max(count, 1.0), any);
 }
 
 #include FREE_SHARE
