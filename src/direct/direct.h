@@ -18,8 +18,9 @@ struct direct_desc {
     bool specular; /* the G-buffer has it */
     bool medium;   /* frames have one, which takes its share of the light */
     bool slides;   /* lights may have some */
+    struct caster_pool *casters; /* must outlive the method */
+    bool may_trace;              /* the BVH is ready in time */
     /* For environment_direct alone (direct/environment.h): */
-    struct caster_pool *casters;
     const struct direct_method *lamps;
     const struct environment_lights *sky;
 };

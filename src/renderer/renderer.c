@@ -9,6 +9,7 @@
 #include "renderer/views.h"
 #include "scene/material.h"
 #include "scene/medium.h"
+#include "techniques/many_lights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -79,6 +80,8 @@ static bool init_direct(struct renderer *renderer) {
                                       .medium = has_medium(renderer),
                                       .slides = desc->scene->slide_count > 0,
                                       .casters = renderer->casters,
+                                      .may_trace = many_lights_may_trace(
+                                          desc->scene, renderer_geometry(renderer)),
                                       .lamps = desc->direct,
                                       .sky = &renderer->plan.sky,
                                   });

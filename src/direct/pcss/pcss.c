@@ -1,6 +1,7 @@
 /* Direct light with percentage-closer soft shadows [Fernando 2005]. */
 #include "base/memory.h"
 #include "direct/shadow.h"
+#include "shared/bindings.h"
 
 #include <stdlib.h>
 
@@ -11,11 +12,12 @@ struct pcss_settings {
 static const struct option table[] = {
     {"light-taps", 0, OPTION_INT, offsetof(struct pcss_settings, light_taps), 48, 1, 1024,
      .label = "shadow samples",
-     .help = "light samples per pixel; raise against steps in wide penumbrae"},
-    {"shadow-rays", 0, OPTION_INT, offsetof(struct pcss_settings, shadow_rays), 32, 0, 1024,
+     .help = "texels of the map per pixel where no rays are traced;\n"
+             "raise against steps in wide penumbrae"},
+    {"shadow-rays", 0, OPTION_INT, offsetof(struct pcss_settings, shadow_rays), 64, 0, 1024,
      .label = "shadow rays",
-     .help = "shadow rays per pixel through the map where blockers lie at\n"
-             "many distances; raise against bands; 0: off"},
+     .help = "shadow rays per pixel where the map has something in front of the light;\n"
+             "raise against bands; 0: by the map alone, as in large scenes that move"},
     {NULL},
 };
 
@@ -29,20 +31,44 @@ static const float plane_bias = 1e-3F;
 
 enum { SEARCH_TAPS = 48 }; /* texels of the blocker search per pixel */
 
-/* Standard deviation of the blockers' distances, over their mean, above which shadow rays act. */
-static const double spread = .04;
+struct pcss {
+    struct shadow shadow; /* first: shadow_render_lights and others take the state for it */
+    struct caster_pool *casters;
+    const struct caster_bvh *tree; /* NULL: rays go through the maps */
+};
+
+static void free_state(void *state) {
+    struct pcss *pcss = state;
+    if (pcss) {
+        caster_pool_release_tree(pcss->casters, &pcss->tree);
+        shadow_end(&pcss->shadow);
+    }
+    free(pcss);
+}
 
 static bool init(void **state, const struct direct_desc *desc) {
     const struct pcss_settings *own = settings_of(struct pcss_settings, desc->settings, &own_part);
-    struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
-    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;SPREAD %.6f;NEAREST %.6f;",
-                               own->light_taps, SEARCH_TAPS, own->shadow_rays, spread, nearest);
-    bool ok = shadow_begin(shadow, desc,
+    struct pcss *pcss = *state = mem_alloc(1, sizeof *pcss);
+    bool by_rays = desc->may_trace && own->shadow_rays > 0;
+    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;NEAREST %.6f;FREE_SHARE %s;",
+                               own->light_taps, SEARCH_TAPS, own->shadow_rays, nearest,
+                               by_rays ? "direct/pcss/by_rays.glsl" : "direct/pcss/by_map.glsl");
+    pcss->casters = desc->casters;
+    bool ok = (!by_rays || caster_pool_acquire_tree(desc->casters, &pcss->tree)) &&
+              shadow_begin(&pcss->shadow, desc,
                            &(struct direct_light_desc){.map_bias = plane_bias,
                                                        .fragment = "direct/pcss/pcss.frag",
                                                        .defines = defines});
     free(defines);
     return ok;
+}
+
+/* A BVH that has grown is in another texture. */
+static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
+    struct pcss *pcss = state;
+    if (pcss->tree)
+        pcss->shadow.inputs.more[0] = (struct pass_texture){UNIT_BVH, pcss->tree->buffer.texels};
+    shadow_render_view(state, frame, gbuffer);
 }
 
 static const struct settings_part *const parts[] = {&own_part, &shadow_part, NULL};
@@ -53,8 +79,8 @@ const struct direct_method pcss_direct = {
     .help = "soft shadows by the light's size, one shadow map per light",
     .parts = parts,
     .init = init,
-    .free = shadow_free,
+    .free = free_state,
     .render_lights = shadow_render_lights,
-    .render_view = shadow_render_view,
+    .render_view = render_view,
     SHADOW_METHOD,
 };

@@ -1,6 +1,5 @@
-// Percentage-closer soft shadows of one light [Fernando 2005], with the light's own shape: what hides it is
-// sought along ways to points of it, and the share of such ways that are free is what is seen. All are asked at one
-// distance; where what hides the light lies at many, ways are followed through all.
+// Soft shadows of one light by its own shape: its map is searched along ways to points of it [Fernando 2005]. Where
+// something is in front, the share of ways that are free is found by rays, or by the map at one distance.
 //
 // All places are relative to the light's (a sun's: to its view's origin). t is how far along a way from the
 // receiver to the light: a share of it, or of a sun metres.
@@ -18,10 +17,6 @@ layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depth_maps;
 const bool IS_SUN = PROJECTION == PROJECTION_ORTHOGRAPHIC;
 const float KERNEL_MIN = 0.75; // of a texel's width, from the middle: a smaller one would show steps
 const float OFFSET = 1.0 / 6.0; // of what a receiver is lifted by where no plane is compared
-const float ROUGH = 0.02;       // of a way: distances that differ less are the receiver's own facets, or a contact
-const int PLACES = 8;           // of a way that is followed
-// Casters are as deep as so many gaps between two places there, so that none is stepped over.
-const float CASTER_DEPTH = 3.0;
 
 // As a receiver sees the light.
 struct shape {
@@ -120,55 +115,26 @@ float hidden_at(shape s, place x, texel found) {
 }
 
 struct casters {
-    float mean;  // t of what hides the light; 0 where nothing does
-    float apart; // how surely it lies at many distances, 0 to 1; 1 where something in front hides nothing
+    float mean; // t of what hides the light; 0 where nothing does
+    bool any;   // something is in front
 };
 
 casters search(light l, shape s, place x, float reach) {
-    float sum = 0.0, squares = 0.0, count = 0.0, before = 0.0;
+    float sum = 0.0, count = 0.0;
+    bool any = false;
     for (int i = 0; i < SEARCH_TAPS; i++) {
         float t = reach * (float(i) + 0.5) / float(SEARCH_TAPS);
         texel found = texel_at(l, on_way(s, x, shape_point(s, i), t));
         bool blocked = is_blocked(x, found);
         t = blocked ? hidden_at(s, x, found) : 0.0;
         sum += t;
-        squares += t * t;
         count += t > 0.0 ? 1.0 : 0.0;
-        before += blocked ? 1.0 : 0.0;
+        any = any || blocked;
     }
-    float mean = sum / max(count, 1.0), variance = squares / max(count, 1.0) - mean * mean;
-    float spread = max(sqrt(max(variance, 0.0)) - ROUGH, 0.0) / max(mean, 1e-6);
-    return casters(mean, count > 0.0 ? clamp(spread / max(SPREAD, 1e-6) - 1.0, 0.0, 1.0) : min(before, 1.0));
+    return casters(sum / max(count, 1.0), any);
 }
 
-// Whether the way to a point of the light is within a caster: a little behind what the map has there [Agrawala et
-// al. 2000]. Its places are the closer the nearer to the receiver.
-bool is_hidden(light l, shape s, place x, vec2 p, float jitter, float reach) {
-    float whole = reach * (IS_SUN ? 1.0 : length(x.position));
-    bool hidden = false;
-    for (int i = 0; i < PLACES && !hidden; i++) {
-        float share = (float(i) + jitter) / float(PLACES);
-        vec3 at = on_way(s, x, p, reach * share * share);
-        texel found = texel_at(l, at);
-        float behind = (IS_SUN ? dot(at, found.line) : length(at)) - found.depth;
-        float gap = whole * 2.0 * max(share, 0.5 / float(PLACES)) / float(PLACES);
-        hidden = is_blocked(x, found) && behind > 0.0 && behind < CASTER_DEPTH * gap;
-    }
-    return hidden;
-}
-
-// Of the first so many ways to points of the light that the receiver faces, the share that is free.
-float followed(light l, shape s, place x, float reach, int count) {
-    float free = 0.0, faced = 0.0;
-    for (int i = 0; i < count; i++) {
-        vec2 p = shape_point(s, i);
-        if (dot(on_way(s, x, p, 1.0) - x.position, x.normal) <= 0.0)
-            continue;
-        free += is_hidden(l, s, x, p, fract(float(i) * 0.61803399), reach) ? 0.0 : 1.0;
-        faced += 1.0;
-    }
-    return free / max(faced, 1.0);
-}
+#include FREE_SHARE
 
 place place_of(surface at, light l, shape s, vec3 position) {
     place x;
@@ -189,20 +155,5 @@ float arriving(surface at, light l, vec3 direction) {
     place x = place_of(at, l, s, position);
     float reach = (1.0 - NEAREST) * (IS_SUN ? depth : 1.0);
     casters c = search(l, s, x, reach);
-    float t = c.mean;
-    // As counts and not branches: a software rasteriser leaves a loop that no pixel is in after one step.
-    int ways = c.apart > 0.0 ? WAYS : 0, taps = t > 0.0 && (ways == 0 || c.apart < 1.0) ? FILTER_TAPS : 0;
-    float width = texel_width * (IS_SUN ? 1.0 : 1.0 - t);
-    vec2 widen = max(vec2(1.0), KERNEL_MIN * width / (max(t, 1e-6) * vec2(length(s.right), length(s.up))));
-    // What is in front and yet hides nothing, as a thing close to the light, tells nothing of what is behind it.
-    float blocked = 0.0, free = 0.0;
-    for (int i = 0; i < taps; i++) {
-        texel found = texel_at(l, on_way(s, x, shape_point(s, i) * widen, t));
-        if (!is_blocked(x, found))
-            free += 1.0;
-        else if (hidden_at(s, x, found) > 0.0)
-            blocked += 1.0;
-    }
-    float at_one = taps > 0 ? free / max(free + blocked, 1.0) : 1.0;
-    return ways > 0 ? mix(at_one, followed(l, s, x, reach, ways), c.apart) : at_one;
+    return free_share(at, l, s, x, c, texel_width);
 }
