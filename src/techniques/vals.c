@@ -46,7 +46,7 @@ static const struct option table[] = {
     {"visibility", 0, OPTION_CHOICE, ROW(visibility), VISIBILITY_RAY, .label = "shadow lookup",
      .choices = visibility_names,
      .help = "visibility of a VPL by its VAL's map: convolution (cssm), hard, percentage-closer\n"
-             "(pcss), or a ray through the map, where blocks of pixels use pcss",
+             "(pcss), or a ray through the map; blocks use pcss",
      .needs = SHADOWS},
     {"visibility-block", 0, OPTION_INT, ROW(visibility_block), 7, 0, 64, .label = "shadow block",
      .help = "pixels along each side of a block that shares its visibility; 0: a lookup per\n"

@@ -22,10 +22,10 @@ static const struct price {
     const char *time, *error; /* against normal's; NULL: they are normal's */
 } prices[] = {
     {"draft", "For slow machines and first looks", "x0.7 to x0.9 the time of Normal",
-     "1.6 to 2 times its error"},
+     "1.2 to 1.8 times its error"},
     {"normal", "For most scenes: the defaults", NULL, NULL},
-    {"high", "The least error of a frame: 1024 VPLs", "x1.4 to x2.5 the time of Normal",
-     "up to a third less error"},
+    {"high", "The least error of a frame: 1024 VPLs", "x1.3 to x2.1 the time of Normal",
+     "up to a fifth less error"},
 };
 
 static const struct price *price_of(const char *word) {
