@@ -110,7 +110,7 @@ static void read_fluxes(const struct stage *stage, int bounces, double *first, d
     char settings[64];
     struct renderer renderer;
     struct output_list outputs;
-    snprintf(settings, sizeof settings, "bounces=%d vals=8 map-size=64", bounces);
+    snprintf(settings, sizeof settings, "bounces=%d vpls=1024 vals=8 map-size=64", bounces);
     struct renderer_desc desc = desc_of(stage, "clustered", settings, 32, 32);
     open_renderer(&renderer, &desc);
     renderer_outputs(&renderer, &outputs);
