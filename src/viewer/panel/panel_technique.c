@@ -98,11 +98,12 @@ static const struct main_setting {
 } main_settings[] = {
     {"lights.vpls", "virtual lights",
      "VPLs: points of surfaces that shine on with the light that they reflect. More are smoother, "
-     "and take longer."},
+     "and take longer. 0: 512 by rays, 1024 by maps."},
     {"clustered.vals", "shadow groups",
      "VALs: groups of virtual lights, each with one shadow map. More make finer indirect shadows, "
-     "and take longer."},
-    {"map.size", "map texels", "a side of each group's shadow map"},
+     "and take longer. Other numbers than 30 take maps instead of rays."},
+    {"map.size", "map texels",
+     "a side of each group's shadow map; other numbers than 256 take maps"},
     {"lights.bounces", "light bounces",
      "how often light is reflected on its way: one is half to three quarters of it in a room"},
     {"direct.shadow-size", "shadow texels",
