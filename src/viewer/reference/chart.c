@@ -57,8 +57,8 @@ void chart_free(struct chart *chart) {
 static bool takes_minutes(const struct chart_dot *dot, const struct renderer_desc *shown) {
     static const double triangles_at_most = 6e7;
     bool map_per_light = strcmp(dot->technique->name, "instant-radiosity") == 0;
-    struct settings chosen = renderer_settings_chosen(&dot->settings, dot->technique, shown->scene,
-                                                      shown->geometry);
+    struct settings chosen =
+        renderer_settings_chosen(&dot->settings, dot->technique, shown->scene, shown->geometry);
     return gl.software && map_per_light &&
            settings_number(&chosen, "lights.vpls") *
                    (double)geometry_triangle_count(shown->geometry) >
