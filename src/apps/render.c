@@ -82,8 +82,8 @@ static const struct option options[] = {
      .rare = true},
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
      .help = "more layers of an EXR: outputs of the technique, for example gathered\n"
-             "(before the blur), val (colour of the strongest VAL), visibility\n"
-             "(fraction of the VALs' light that arrives), vpl (flux of VPLs);\n"
+             "(before the blur), vpl (flux of VPLs), and with path=maps val (colour of\n"
+             "the strongest VAL) and visibility (fraction of the VALs' light that arrives);\n"
              "with every technique ao (ambient occlusion, by volume.size and volume.ao-distance)",
      .rare = true},
     STAGE_OPTIONS(struct values, stage),

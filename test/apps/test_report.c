@@ -73,7 +73,7 @@ static void test_refusals(void **state) {
     expect(2, "% report");
     expect(2, "% report scenes/cornell-box.glb --variant nonsense");
     expect_text("nonsense");
-    expect(2, "% report scenes/cornell-box.glb --set lights.vpls=0");
+    expect(2, "% report scenes/cornell-box.glb --set lights.vpls=-1");
     expect(1, "% report no-such-scene.glb -o @/none.html");
     expect_text("no-such-scene.glb: No such file");
     expect(1, "% report scenes/cornell-box.glb -o @/no/such/folder/page.html");

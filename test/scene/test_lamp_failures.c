@@ -24,20 +24,19 @@ struct row {
     double rmse;  /* at most, of direct light by the default method, over the mean */
 };
 
-/* What soft shadows by one view from a light's middle are like. Those far off look from within what hides
- * the light. */
+/* Edges have most of the error: the reference has pixels' centres alone. */
 static const struct row rows[] = {
-    {"usual", {0, 2.5F, .5F}, {0, -1, 0}, {.6F, .6F}, 5, 0, .06},
+    {"usual", {0, 2.5F, .5F}, {0, -1, 0}, {.6F, .6F}, 5, 0, .055},
     {"two in one plane, overlapping", {-.2F, 2.5F, .5F}, {0, -1, 0}, {.6F, .6F}, 5, .3F, .06},
-    {"larger than the room", {0, 2.9F, 0}, {0, -1, 0}, {12, 12}, 300, 0, .4},
+    {"larger than the room", {0, 2.9F, 0}, {0, -1, 0}, {12, 12}, 300, 0, .14},
     {"on the ceiling", {0, 3, 0}, {0, -1, 0}, {1, 1}, 5, 0, .09},
     {"touching a wall", {-2, 1.5F, 0}, {1, 0, 0}, {1, 1}, 5, 0, .125},
     {"half in a wall", {-2, 2, 0}, {0, -1, 0}, {1, 1}, 5, 0, 1},
     {"size 0", {0, 2.5F, .5F}, {0, -1, 0}, {0, 0}, 5, 0, .09},
     {"size 1e-6", {0, 2.5F, .5F}, {0, -1, 0}, {1e-6F, 1e-6F}, 5, 0, .07},
     {"size 1e-6 by 2", {0, 2.5F, .5F}, {0, -1, 0}, {2, 1e-6F}, 5, 0, .19},
-    {"touched by a block", {.2F, 1.0001F, -.4F}, {0, -1, 0}, {2, 2}, 5, 0, 2.25},
-    {"around a block", {.2F, .5F, -.4F}, {0, 1, 0}, {2, 2}, 5, 0, 1.65},
+    {"touched by a block", {.2F, 1.0001F, -.4F}, {0, -1, 0}, {2, 2}, 5, 0, .45},
+    {"around a block", {.2F, .5F, -.4F}, {0, 1, 0}, {2, 2}, 5, 0, .45},
     {"a sun of .0093 rad", {0, 0, 0}, {-.4F, -.6F, -1}, {.0093F, 0}, 3, 0, .4},
     {"of 1104 triangles", {0, 0, 0}, {0, 0, 0}, {0, 0}, 0, 0, .155},
 };

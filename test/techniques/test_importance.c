@@ -88,8 +88,8 @@ static void test_places(void **state) {
     (void)state;
     struct stage stage;
     open_stage(&stage, "scenes/atrium.glb");
-    double alike = spread_of(&stage, "bounces=2 importance=off"),
-           counted = spread_of(&stage, "bounces=2");
+    double alike = spread_of(&stage, "path=maps vpls=1024 bounces=2 importance=off"),
+           counted = spread_of(&stage, "path=maps vpls=1024 bounces=2");
     check_at_most("by importance, over where all count alike", counted / alike, .985);
     stage_free(&stage);
 }
@@ -110,7 +110,7 @@ static void test_one_bounce(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     assert_true(same_frames(&stage, "", "importance=off"));
-    assert_false(same_frames(&stage, "bounces=2", "bounces=2 importance=off"));
+    assert_false(same_frames(&stage, "bounces=2 path=maps", "bounces=2 path=maps importance=off"));
     assert_true(
         same_frames(&stage, "bounces=2 path=traced", "bounces=2 path=traced importance=off"));
     stage_free(&stage);

@@ -99,7 +99,7 @@ static void test_keyboard(void **state) {
     read_setting("lights.vpls", value, sizeof value);
     read_setting("layer", text, sizeof text);
     printf("    by Tab and Space: %s virtual lights, layer %s\n", value, text);
-    assert_string_equal(value, "512");
+    assert_string_equal(value, "256");
     assert_string_equal(text, "full");
     /* Afterwards keys are the picture's again. */
     rest_mouse();

@@ -84,7 +84,7 @@ static bool add_subject(struct report *report, const struct values *values, cons
 
 /* The presets, then the techniques; "fast" is the default technique. */
 static bool add_all_subjects(struct report *report, const struct values *values) {
-    static const char *const presets[] = {"draft", "fast", "high", "traced", "paper"};
+    static const char *const presets[] = {"draft", "fast", "traced", "maps", "paper"};
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof presets / sizeof *presets; i++)
         ok = add_subject(report, values, presets[i]);
