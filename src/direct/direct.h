@@ -15,9 +15,9 @@ struct direct_desc {
     const struct settings *settings;
     int width, height;
     const struct light_layout *lights;
-    bool specular; /* the G-buffer has it */
-    bool medium;   /* frames have one, which takes its share of the light */
-    bool slides;   /* lights may have some */
+    bool specular;               /* the G-buffer has it */
+    bool medium;                 /* frames have one, which takes its share of the light */
+    bool slides;                 /* lights may have some */
     struct caster_pool *casters; /* must outlive the method */
     bool may_trace;              /* the BVH is ready in time */
     /* For environment_direct alone (direct/environment.h): */

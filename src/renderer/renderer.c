@@ -70,21 +70,21 @@ static bool init_antialias(struct renderer *renderer) {
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     renderer->direct = renderer->plan.sky.count > 0 ? &environment_direct : desc->direct;
-    return renderer->direct->init(&renderer->direct_state,
-                                  &(struct direct_desc){
-                                      .settings = &desc->settings,
-                                      .width = desc->width,
-                                      .height = desc->height,
-                                      .lights = &renderer->plan.layout,
-                                      .specular = has_specular(desc),
-                                      .medium = has_medium(renderer),
-                                      .slides = desc->scene->slide_count > 0,
-                                      .casters = renderer->casters,
-                                      .may_trace = many_lights_may_trace(
-                                          desc->scene, renderer_geometry(renderer)),
-                                      .lamps = desc->direct,
-                                      .sky = &renderer->plan.sky,
-                                  });
+    return renderer->direct->init(
+        &renderer->direct_state,
+        &(struct direct_desc){
+            .settings = &desc->settings,
+            .width = desc->width,
+            .height = desc->height,
+            .lights = &renderer->plan.layout,
+            .specular = has_specular(desc),
+            .medium = has_medium(renderer),
+            .slides = desc->scene->slide_count > 0,
+            .casters = renderer->casters,
+            .may_trace = many_lights_may_trace(desc->scene, renderer_geometry(renderer)),
+            .lamps = desc->direct,
+            .sky = &renderer->plan.sky,
+        });
 }
 
 static bool make_technique(const struct renderer *renderer, const struct technique *technique,

@@ -86,8 +86,8 @@ struct material {
         specular_glossiness; /* the metal-roughness texture has, as KHR_materials_pbrSpecularGlossiness
                                  has them, the specular colour in RGB and the glossiness in A */
     int metal_roughness_mapping, emission_mapping, normal_mapping; /* the base colour's is 0 */
-    bool blends;     /* covers what is behind by its alpha; masked, too: leaves */
-    float thickness; /* of a solid that transmits, m */
+    bool blends;                 /* covers what is behind by its alpha; masked, too: leaves */
+    float thickness;             /* of a solid that transmits, m */
     bool is_animated, may_shine; /* a clip changes it, or how it reflects: scene/animated.h */
     float emissive_factor[3], emissive_strength; /* emission is their product */
 };

@@ -1,14 +1,12 @@
 /* glTF files: each form of meshes, materials and nodes that the standard has. */
 #define _XOPEN_SOURCE 700
 #include "gltf_parts.h"
-#include "tiny_png.h"
 
 #include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "scene/material.h"
 #include "scene/mesh/geometry.h"
-#include "scene/mesh/pane_triangles.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -473,65 +471,6 @@ static void test_specular_glossiness(void **state) {
     scene_free(&scene);
 }
 
-/* Sums area times what passes over parts left and right of x = .5, where alpha is .2 and .8. */
-static void check_halves(const struct scene *scene) {
-    struct geometry geometry;
-    double area[2] = {0}, passes[2] = {0};
-    check_ok("geometry", geometry_init(&geometry, scene, 0));
-    struct triangle_parts parts = pane_triangles_of(scene, &geometry);
-    for (uint32_t i = 0; i < parts.count; i++) {
-        const struct bvh_triangle *part = &parts.items[i];
-        vec3s middle = glms_vec3_muladds(part->edges[0], 1.F / 3, part->corner);
-        middle = glms_vec3_muladds(part->edges[1], 1.F / 3, middle);
-        double own = (double)glms_vec3_norm(glms_vec3_cross(part->edges[0], part->edges[1])) / 2;
-        area[middle.x > .5F] += own;
-        passes[middle.x > .5F] += own * (part->opaque[0] & 0xffff) / 65535;
-    }
-    printf("    %u parts\n", parts.count);
-    check_near("area", area[0] + area[1], 1, 1e-5);
-    check_near("left passes", passes[0], .5 * .8, .02);
-    check_near("right passes", passes[1], .5 * .2, .02);
-    free(parts.items);
-    geometry_free(&geometry);
-}
-
-/* What blends is opaque where its alpha is 1, and what shines is a hole below half. Half and half of .2 and .8 is a pane
- * of two shares, of 0 and 1 a mask. */
-static void test_blending(void **state) {
-    (void)state;
-    static const float uvs[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    static const unsigned char alphas[2][2] = {{51, 204}, {0, 255}};
-    for (int t = 0; t < 2; t++) {
-        unsigned char rgba[16 * 16 * 4];
-        memset(rgba, 255, sizeof rgba);
-        for (int i = 0; i < 256; i++)
-            rgba[4 * i + 3] = alphas[t][i % 16 / 8];
-        write_tiny_png(scratch(t ? "leaf.png" : "curtain.png"), rgba, 16, 16);
-    }
-    struct scene scene = load(
-        "blend.glb",
-        (struct gltf_parts){
-            .accessors = texture_accessors,
-            .more = "\"images\": [{\"uri\": \"curtain.png\"}, {\"uri\": \"leaf.png\"}],"
-                    " \"textures\": [{\"source\": 0}, {\"source\": 1}],",
-            .materials = "[{\"alphaMode\": \"BLEND\"}, {\"alphaMode\": \"BLEND\","
-                         " \"emissiveFactor\": [1, 0, 0]}, {\"alphaMode\": \"BLEND\","
-                         " \"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}},"
-                         " {\"alphaMode\": \"BLEND\", \"pbrMetallicRoughness\":"
-                         " {\"baseColorTexture\": {\"index\": 1}}}]",
-            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0, \"TEXCOORD_0\": 2},"
-                      " \"indices\": 1, \"material\": 2}]}]",
-            .extra = uvs,
-            .extra_size = sizeof uvs});
-    const struct material *of = scene.materials;
-    assert_false(of[0].blends || of[0].alpha_mask);
-    assert_true(of[1].alpha_mask && !of[1].blends);
-    assert_true(of[2].blends && !of[2].alpha_mask && material_is_pane(&of[2]));
-    assert_true(of[3].blends && of[3].alpha_mask && !material_is_pane(&of[3]));
-    check_halves(&scene);
-    scene_free(&scene);
-}
-
 /* A matrix and the TRS it is made of place the quad alike; children come after their parents. */
 static void test_nodes(void **state) {
     (void)state;
@@ -639,7 +578,6 @@ int main(void) {
         cmocka_unit_test(test_webp),
         cmocka_unit_test(test_materials),
         cmocka_unit_test(test_lacks),
-        cmocka_unit_test(test_blending),
         cmocka_unit_test(test_specular_glossiness),
         cmocka_unit_test(test_nodes),
         cmocka_unit_test(test_instances),

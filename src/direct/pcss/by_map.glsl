@@ -5,7 +5,7 @@ float free_share(surface at, light l, shape s, place x, casters c, float texel_w
     // What is in front and yet hides nothing, as a thing close to the light, tells nothing of what is behind it.
     // As a count and not a branch: a software rasteriser leaves a loop that no pixel is in after one step.
     for (int i = 0; i < (t > 0.0 ? FILTER_TAPS : 0); i++) {
-        texel found = texel_at(l, on_way(s, x, shape_point(s, i) * widen, t));
+        map_texel found = texel_at(l, on_way(s, x, shape_point(s, i) * widen, t));
         if (!is_blocked(x, found))
             free += 1.0;
         else if (hidden_at(s, x, found) > 0.0)

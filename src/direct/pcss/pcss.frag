@@ -32,7 +32,7 @@ struct place {
 };
 
 // A texel of the light's maps: the surface that it shows, on the line from the light through its middle.
-struct texel {
+struct map_texel {
     bool is_empty;
     vec3 surface, line; // line: unit, from the light
     float depth;        // of the surface along the line
@@ -65,7 +65,7 @@ vec3 on_way(shape s, place x, vec2 p, float t) {
 }
 
 // The texel that shows a place.
-texel texel_at(light l, vec3 at) {
+map_texel texel_at(light l, vec3 at) {
     light_view v = light_view_at(light_view_index(l, at));
     vec2 half_size = vec2(length(v.view.right), length(v.view.up));
     float along = dot(at, v.view.forward);
@@ -75,7 +75,7 @@ texel texel_at(light l, vec3 at) {
     float stored = texelFetch(depth_maps, ivec3(texel_index, v.layer), 0).r;
     vec2 center = (vec2(texel_index) + 0.5) / vec2(size) * 2.0 - 1.0;
     vec3 aside = center.x * v.view.right + center.y * v.view.up;
-    texel found;
+    map_texel found;
     found.is_empty = stored <= 0.0;
     float depth = found.is_empty ? 1e30 : view_linear_depth(v.view, stored);
     vec3 ray = IS_SUN ? v.view.forward : v.view.forward + aside;
@@ -89,7 +89,7 @@ texel texel_at(light l, vec3 at) {
 // Where the receiver's plane, met on the texel's line, is nearer than the receiver, that is compared: it does
 // not shadow itself however it is tilted. Where it is farther, the receiver is: in a corner the plane goes on
 // behind the other wall.
-bool is_blocked(place x, texel found) {
+bool is_blocked(place x, map_texel found) {
     if (found.is_empty)
         return false;
     float facing = dot(x.normal, found.line);
@@ -100,7 +100,7 @@ bool is_blocked(place x, texel found) {
 }
 
 // Whether a way past the texel's surface comes from the light, given a texel's doubt.
-bool hides(shape s, place x, texel found, float t) {
+bool hides(shape s, place x, map_texel found, float t) {
     vec3 from = (found.surface - x.position) / t + x.toward;
     vec2 p = vec2(dot(from, s.right) / dot(s.right, s.right), dot(from, s.up) / dot(s.up, s.up));
     vec2 doubt = found.width / (t * vec2(length(s.right), length(s.up)));
@@ -109,7 +109,7 @@ bool hides(shape s, place x, texel found, float t) {
 }
 
 // How far along a way from the light the surface of a texel that is blocked lies; 0 where no way does.
-float hidden_at(shape s, place x, texel found) {
+float hidden_at(shape s, place x, map_texel found) {
     float t = dot(x.position - found.surface, s.front) / x.distance;
     return t > 0.0 && hides(s, x, found, t) ? t : 0.0;
 }
@@ -124,7 +124,7 @@ casters search(light l, shape s, place x, float reach) {
     bool any = false;
     for (int i = 0; i < SEARCH_TAPS; i++) {
         float t = reach * (float(i) + 0.5) / float(SEARCH_TAPS);
-        texel found = texel_at(l, on_way(s, x, shape_point(s, i), t));
+        map_texel found = texel_at(l, on_way(s, x, shape_point(s, i), t));
         bool blocked = is_blocked(x, found);
         t = blocked ? hidden_at(s, x, found) : 0.0;
         sum += t;
