@@ -8,13 +8,9 @@ const float SEEN_COSINE = 0.5;
 const float SEEN_F0_MAX = 0.25;
 
 bool camera_sees(vec3 position, vec3 normal, out ivec2 pixel) {
-    vec4 clip = camera.world_to_clip * vec4(position, 1.0);
-    vec2 ndc = clip.xy / clip.w;
-    ivec2 size = gbuffer_size();
-    bool inside = clip.w > 0.0 && all(lessThan(abs(ndc), vec2(1.0)));
-    pixel = min(ivec2(((inside ? ndc : vec2(0.0)) * 0.5 + 0.5) * vec2(size)), size - 1);
+    bool inside = view_shows(camera, position, gbuffer_size(), pixel);
     surface seen = gbuffer_surface(pixel);
-    float wide = view_height(camera, gbuffer_depth(pixel)) / float(size.y);
+    float wide = view_height(camera, gbuffer_depth(pixel)) / float(gbuffer_size().y);
     vec3 f0 = specular_decode(texelFetch(gbuffer_speculars, ivec3(pixel, 0), 0)).rgb;
     return inside && seen.present && dot(seen.normal, normal) > SEEN_COSINE &&
            distance(seen.position, position) < SEEN_PIXELS * wide &&

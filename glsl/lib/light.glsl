@@ -90,6 +90,17 @@ float light_in_range(light l, float distance2) {
     return max(1.0 - part2 * part2, 0.0);
 }
 
+// What a light sends towards a place, W/sr; a directional light across its direction, W/m2. direction: unit, from the light;
+// distance2: 1 of a directional light.
+vec3 light_towards(light l, vec3 place, out vec3 direction, out float distance2) {
+    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
+    vec3 from = place - l.position;
+    float away = length(from);
+    direction = directional ? l.direction : from / away;
+    distance2 = directional ? 1.0 : away * away;
+    return directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
+}
+
 // Which view of the light sees in this direction: +x -x +y -y +z -z of six.
 int light_view_index(light l, vec3 direction) {
 #if defined(LIGHTS) && LIGHTS == 1 && defined(MAP_KINDS) && MAP_KINDS == 1

@@ -17,6 +17,15 @@ vec3 view_position(view v, vec2 ndc, float depth) {
     return view_position_at(v, ndc, view_linear_depth(v, depth));
 }
 
+// Whether the view shows a position; the texel of a picture of that size that does, else a middle one.
+bool view_shows(view v, vec3 position, ivec2 size, out ivec2 texel) {
+    vec4 clip = v.world_to_clip * vec4(position, 1.0);
+    vec2 ndc = clip.xy / clip.w;
+    bool shows = clip.w > 0.0 && all(lessThan(abs(ndc), vec2(1.0)));
+    texel = min(ivec2(((shows ? ndc : vec2(0.0)) * 0.5 + 0.5) * vec2(size)), size - 1);
+    return shows;
+}
+
 // How much the picture shows from its bottom to its top at that depth, metres.
 float view_height(view v, float depth) {
     return 2.0 * length(v.up) * (v.orthographic ? 1.0 : view_linear_depth(v, depth));

@@ -39,11 +39,7 @@ struct chosen_light {
 
 // Luminance of the irradiance from all of a light.
 float most_from(light l, bool is_sky, surface end, out float cosine, out float distance2) {
-    bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
-    vec3 from_light = end.position - l.position;
-    distance2 = directional ? 1.0 : dot(from_light, from_light);
-    vec3 incoming = directional ? l.direction : from_light * inversesqrt(distance2);
-    vec3 power = directional ? l.intensity : light_intensity(l, incoming) * light_in_range(l, distance2);
+    vec3 incoming, power = light_towards(l, end.position, incoming, distance2);
     cosine = max(-dot(end.normal, incoming), is_sky ? SKY_COSINE_MIN : 0.0);
     return dot(power, vec3(1.0)) * cosine / distance2;
 }
@@ -67,11 +63,8 @@ chosen_light choose_light(surface end, float random) {
 // Takes texture, normal and lobe of the surface from the light's map where that has it.
 void take_from_map(light l, inout surface end, inout vec3 albedo, inout vec4 code) {
     light_view v = light_view_at(light_view_index(l, end.position - l.position));
-    vec4 clip = v.view.world_to_clip * vec4(end.position, 1.0);
-    vec2 ndc = clip.xy / clip.w;
-    bool inside = clip.w > 0.0 && all(lessThan(abs(ndc), vec2(1.0)));
-    ndc = inside ? ndc : vec2(0.0);
-    ivec2 size = rsm_size(v.kind), texel = min(ivec2((ndc * 0.5 + 0.5) * vec2(size)), size - 1);
+    ivec2 size = rsm_size(v.kind), texel;
+    bool inside = view_shows(v.view, end.position, size, texel);
     surface seen = rsm_surface(v, texel);
     float depth = v.view.orthographic ? 1.0 : dot(end.position - v.view.origin, v.view.forward);
     float wide = 2.0 * length(v.view.right) * depth / float(size.x);
@@ -104,8 +97,8 @@ vec3 end_reflects(surface end, vec3 albedo, vec4 code, vec3 to_light, vec3 to_re
 vec3 hit_radiance(surface end, vec3 albedo, chosen_light chosen, vec3 to_receiver, float receiver_alpha, float random) {
     light l = light_at(chosen.index);
     bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
-    vec3 incoming = directional ? l.direction : normalize(end.position - l.position), normal = end.normal;
-    vec3 power = directional ? l.intensity : light_intensity(l, incoming) * light_in_range(l, chosen.distance2);
+    float distance2;
+    vec3 incoming, power = light_towards(l, end.position, incoming, distance2), normal = end.normal;
     vec4 code = vec4(0.0);
     if (IS_SKY(chosen.index))
         take_sky_direction(chosen.index, random, incoming, power);
@@ -115,6 +108,6 @@ vec3 hit_radiance(surface end, vec3 albedo, chosen_light chosen, vec3 to_receive
     vec3 light_place = directional ? end.position - params.farthest * incoming : l.position;
     bool asks = reflects != vec3(0.0);
     bool hidden = is_blocked(end.position, normal, asks ? light_place : end.position); // no way, no ray
-    power *= medium_passes_light(end.position, incoming, !directional, chosen.distance2);
-    return hidden ? vec3(0.0) : reflects * power / (chosen.distance2 * chosen.share);
+    power *= medium_passes_light(end.position, incoming, !directional, distance2);
+    return hidden ? vec3(0.0) : reflects * power / (distance2 * chosen.share);
 }

@@ -39,7 +39,7 @@ struct gather_params {
     int specular_rays; /* of a pixel */
     int together;   /* VPLs side by side, of which two test the visibility of all */
     float unseen_rays; /* specular rays for each light, where the camera does not see what they meet */
-    int unused1, unused2;
+    int unused0, unused1;
 };
 STD140_SIZE(gather_params, 64)
 

@@ -5,11 +5,9 @@
 
 vec3 arriving_unshadowed(light l, vec3 place, out vec3 direction, out float away) {
     bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
-    vec3 from = place - l.position;
-    away = directional ? BVH_FAR : length(from);
-    direction = directional ? l.direction : from / away;
-    float distance2 = directional ? 1.0 : away * away;
-    vec3 power = directional ? l.intensity : light_intensity(l, direction) * light_in_range(l, distance2);
+    float distance2;
+    vec3 power = light_towards(l, place, direction, distance2);
+    away = directional ? BVH_FAR : sqrt(distance2);
     return power / distance2 * medium_passes_light(place, direction, !directional, distance2);
 }
 

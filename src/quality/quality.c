@@ -11,9 +11,7 @@
 
 const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 
-/* Each is on the front of error against CPU time in some of forty scenes, and behind it in none of them by much
- * (bench/PARSIMONY.md): drafts by maps, then rays. What is by maps above them is for techniques that have no rays, too.
- * Cheapest first. */
+/* Cheapest first (bench/PARSIMONY.md). Choices without a preset are for techniques that have no rays, too. */
 static const struct quality_choice frames[] = {
     QUALITY_FRAME("path=draft"),
     QUALITY_FRAME("gather.adaptive=0"),

@@ -45,11 +45,10 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
     struct gather_inputs all = *inputs;
     all.lists = &lights->adaptive.lists;
     all.kept = inputs->later ? &lights->bounce.kept : NULL;
+    all.visibility.tree = lights->tree;
     gather_pass_render(&lights->gather, frame, gbuffer, &all);
     if (lights->adaptive.program)
         gather_pass_render(&lights->adaptive_gather, frame, gbuffer, &all);
-    if (lights->specular_rays.tree)
-        all.visibility.tree = lights->specular_rays.tree;
     if (lights->specular_gather.program && !(inputs->later && lights->specular_rays.program))
         gather_pass_render(&lights->specular_gather, frame, gbuffer, &all);
 }
@@ -80,6 +79,7 @@ static void blur_irradiance(const struct many_lights *lights, const struct frame
 static void finish_specular(const struct many_lights *lights, const struct frame *frame,
                             const struct gbuffer *gbuffer) {
     const struct specular_rays_inputs inputs = {
+        .tree = lights->tree,
         .rsm = lights->rsm,
         .shares = &lights->vpl.shares,
         .importance = &lights->importance.map,
@@ -105,8 +105,7 @@ void many_lights_finish(const struct many_lights *lights, const struct frame *fr
 
 void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,
                              const struct gbuffer *gbuffer) {
-    struct gather_inputs inputs = {.vpls = &lights->vpls,
-                                   .visibility.tree = lights->visibility.tree};
+    struct gather_inputs inputs = {.vpls = &lights->vpls};
     many_lights_begin(lights, frame, gbuffer);
     many_lights_gather(lights, frame, gbuffer, &inputs);
     inputs.vpls = &lights->bounce.vpls;

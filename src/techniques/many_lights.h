@@ -104,16 +104,17 @@ struct many_lights_visibility {
     int map_size;     /* 0: as the settings have it */
     int block;        /* pixels a side of a block that shares its visibility; 0: none does */
     bool together;    /* pixels that are not on lists test it for several VPLs, too */
-    const struct caster_bvh *tree; /* of ..._TRACED */
 };
 
 /* A pass without a program is one that the settings or the scene's materials leave out. */
 struct many_lights {
     struct settings settings; /* that it was made for */
     struct many_lights_visibility visibility;
-    int specular; /* SPECULAR_... */
-    bool medium;  /* frames have one */
-    bool slides;  /* lights may have some */
+    struct caster_pool *casters;
+    const struct caster_bvh *tree; /* where VPLs or specular rays ask by it */
+    int specular;                  /* SPECULAR_... */
+    bool medium;                   /* frames have one */
+    bool slides;                   /* lights may have some */
     struct gbuffer rsm[LIGHT_MAP_KINDS];
     struct geometry_pass geometry;
     struct importance_map_pass importance; /* where VPLs are placed by it */
@@ -172,7 +173,7 @@ void many_lights_gather(const struct many_lights *lights, const struct frame *fr
 void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer);
 
-/* All of it, where nothing is drawn between: of all bounces, with the tree or without visibility. */
+/* All of it, where nothing is drawn between: of all bounces, by rays or without visibility. */
 void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,
                              const struct gbuffer *gbuffer);
 

@@ -154,7 +154,6 @@ static bool init_specular_rays(struct many_lights *lights, const struct techniqu
            specular_rays_pass_init(&lights->specular_rays,
                                    &(struct specular_rays_desc){
                                        .rays = SPECULAR_RAY_COUNT,
-                                       .casters = desc->casters,
                                        .later = lights->bounces > 1,
                                        .by_importance = many_lights_follow_camera(lights),
                                        .medium = lights->medium,
@@ -283,6 +282,12 @@ static int specular_of(const struct technique_desc *desc) {
     return wanted == SPECULAR_RAYS && !can_trace ? SPECULAR_SPHERE : wanted;
 }
 
+static bool init_tree(struct many_lights *lights) {
+    bool asks =
+        lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED || lights->specular == SPECULAR_RAYS;
+    return !asks || caster_pool_acquire_tree(lights->casters, &lights->tree);
+}
+
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
     const struct light_layout *layout = desc->lights;
     bool ok = true, has_specular = lights->specular == SPECULAR_RAYS;
@@ -365,10 +370,11 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
     const float reach = own->facets ? near_reach_of_facets : near_reach;
     *lights = (struct many_lights){.settings = *desc->settings,
                                    .visibility = *visibility,
+                                   .casters = desc->casters,
                                    .specular = specular_of(desc),
                                    .medium = desc->medium,
                                    .slides = desc->scene->slide_count > 0};
-    if (init_rsm(lights, desc, rsm_size(desc)) &&
+    if (init_tree(lights) && init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
             &lights->geometry,
             &(struct geometry_desc){.has_specular = desc->specular,
@@ -412,6 +418,7 @@ void many_lights_free(struct many_lights *lights) {
     path_starts_free(&lights->path_starts);
     near_field_pass_free(&lights->near_field);
     specular_rays_pass_free(&lights->specular_rays);
+    caster_pool_release_tree(lights->casters, &lights->tree);
     free_sized(lights);
 }
 

@@ -151,12 +151,11 @@ bool vals_by_rays(const struct settings *settings, const struct scene *scene,
                                       many_lights_may_trace(scene, geometry));
 }
 
-/* A ray ends at a VPL: a VAL as a whole has none. */
 static bool init_set(struct val_set *set, const struct technique_desc *desc,
                      const struct set_desc *of) {
     const struct vals_settings *own = settings_of(struct vals_settings, desc->settings, &vals_part);
     enum visibility_lookup lookup = vals_lookup(desc->settings);
-    if (lookup == VISIBILITY_LOOKUP_RAY)
+    if (lookup == VISIBILITY_LOOKUP_RAY) /* it ends at a VPL: a VAL as a whole has none */
         lookup = VISIBILITY_LOOKUP_PCSS;
     set->convolve = lookup == VISIBILITY_LOOKUP_CSSM;
     set->block = own->visibility_block;

@@ -175,8 +175,10 @@ static size_t take_arrays(const struct scene *scene, struct manylight_mesh meshe
     return count;
 }
 
-/* Camera and light of the file by text, and those of the arrays, differ in last bits alone. No shadow rays: a last bit
- * moves some past an edge. */
+static const struct manylight_renderer_desc by_maps = {.settings = "path=maps"};
+
+/* Camera and light of the file by text, and those of the arrays, differ in last bits alone. By maps: a last bit moves
+ * some shadow rays past an edge. */
 static void test_scene_from_arrays(void **state) {
     (void)state;
     struct manylight_device *device = open_device();
@@ -208,9 +210,8 @@ static void test_scene_from_arrays(void **state) {
                                               .camera_count = 1};
     assert_int_equal(scene.light_count, 1);
     check_call("arrays", manylight_scene_open(&desc, &arrays));
-    const struct manylight_renderer_desc bare = {.technique = "unshadowed"};
-    struct manylight_image *a = draw_once(device, file, &bare, NULL),
-                           *b = draw_once(device, arrays, &bare, NULL);
+    struct manylight_image *a = draw_once(device, file, &by_maps, NULL),
+                           *b = draw_once(device, arrays, &by_maps, NULL);
     double error;
     check_call("compare", manylight_compare(b, a, NULL, &error, NULL));
     check_at_most("relative RMSE", error, 1e-4);
@@ -435,7 +436,6 @@ static void test_reference_cancelled(void **state) {
 
 static void test_layers(void **state) {
     (void)state;
-    const struct manylight_renderer_desc by_maps = {.settings = "path=maps"};
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_renderer *renderer = open_drawing(device, scene, &by_maps);

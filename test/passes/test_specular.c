@@ -450,29 +450,25 @@ static void check_mirror(const struct stage *stage, double cosine) {
 static void test_mirror(void **state) {
     (void)state;
     struct stage stage;
+    struct camera camera = {.eye = {.5F, .5F, 1},
+                            .right = {1, 0, 0},
+                            .up = {0, 1, 0},
+                            .forward = {0, 0, -1},
+                            .fov_y = .6F};
     /* A mirror fills the picture; the wall lies behind the camera. */
     open_mirror(&stage,
                 "[{\"mesh\": 0, \"translation\": [-4, -4, 3], \"scale\": [9, 9, 1]},"
                 " {\"mesh\": 1}]",
-                &(struct camera){.eye = {.5F, .5F, 1},
-                                 .right = {1, 0, 0},
-                                 .up = {0, 1, 0},
-                                 .forward = {0, 0, -1},
-                                 .fov_y = .6F},
-                (float[]){0, -.6F, .8F});
+                &camera, (float[]){0, -.6F, .8F});
     check_mirror(&stage, .8);
     stage_free(&stage);
     /* The floor is a mirror, and the camera sees the wall as well. */
+    camera.fov_y = .8F;
     open_mirror(&stage,
                 "[{\"mesh\": 0, \"translation\": [-4, 0, -1], \"scale\": [9, 9, 1]},"
                 " {\"mesh\": 1, \"translation\": [-4, 0, 1], \"scale\": [9, 2, 1],"
                 " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}]",
-                &(struct camera){.eye = {.5F, .5F, 1},
-                                 .right = {1, 0, 0},
-                                 .up = {0, 1, 0},
-                                 .forward = {0, 0, -1},
-                                 .fov_y = .8F},
-                (float[]){0, 0, -1});
+                &camera, (float[]){0, 0, -1});
     check_mirror(&stage, 1);
     stage_free(&stage);
 }

@@ -46,12 +46,7 @@ static void test_blending(void **state) {
     }
     struct scene scene;
     const struct gltf_parts parts = {
-        .accessors =
-            "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-            " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
-            " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": "
-            "5126,"
-            " \"count\": 4, \"type\": \"VEC2\"}]",
+        .accessors = PARTS_TEXTURED,
         .more = "\"images\": [{\"uri\": \"curtain.png\"}, {\"uri\": \"leaf.png\"}],"
                 " \"textures\": [{\"source\": 0}, {\"source\": 1}],",
         .materials = "[{\"alphaMode\": \"BLEND\"}, {\"alphaMode\": \"BLEND\","

@@ -270,11 +270,7 @@ static void test_emission_map(void **state) {
         const char *path = write_parts(
             "map.glb",
             &(struct gltf_parts){
-                .accessors =
-                    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\":"
-                    " \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123,"
-                    " \"count\": 6, \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64,"
-                    " \"componentType\": 5126, \"count\": 4, \"type\": \"VEC2\"}]",
+                .accessors = PARTS_TEXTURED,
                 .materials =
                     "[{\"emissiveTexture\": {\"index\": 0}, \"emissiveFactor\": [1, 1, 1]}]",
                 .meshes =

@@ -219,12 +219,6 @@ static size_t make_png(unsigned char *bytes, size_t size) {
     return got;
 }
 
-static const char *const texture_accessors =
-    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6, \"type\":"
-    " \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126, \"count\": 4,"
-    " \"type\": \"VEC2\"}]";
-
 static void test_texture(void **state) {
     (void)state;
     static const float uvs[4][2] = {{0, 0}, {1, 0}, {1, 1}, {.25F, .5F}};
@@ -233,7 +227,7 @@ static void test_texture(void **state) {
     struct scene scene = load(
         "textured.glb",
         (struct gltf_parts){
-            .accessors = texture_accessors,
+            .accessors = PARTS_TEXTURED,
             .more = "\"images\": [{\"uri\": \"texture%2Epng\"}], \"samplers\": [{\"wrapS\": 33071,"
                     " \"wrapT\": 33648, \"magFilter\": 9728}], \"textures\": [{\"source\": 0,"
                     " \"sampler\": 0}], \"extensionsRequired\": [\"KHR_texture_transform\"],",
@@ -283,7 +277,7 @@ static void test_embedded_texture(void **state) {
         "embedded.glb",
         (struct gltf_parts){
             .views = views,
-            .accessors = texture_accessors,
+            .accessors = PARTS_TEXTURED,
             .more = "\"images\": [{\"bufferView\": 1, \"mimeType\": \"image/png\"}],"
                     " \"textures\": [{\"source\": 0}],",
             .materials = "[{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": 0}}}]",

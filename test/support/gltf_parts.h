@@ -27,6 +27,13 @@ struct gltf_parts {
     size_t extra_size; /* at most 256 */
 };
 
+/* Accessors of a quad with texture coordinates, which are in `extra`. */
+#define PARTS_TEXTURED                                                                             \
+    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"             \
+    " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6, \"type\":"    \
+    " \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"               \
+    " \"count\": 4, \"type\": \"VEC2\"}]"
+
 static inline const char *parts_or(const char *part, const char *quad) {
     return part ? part : quad;
 }

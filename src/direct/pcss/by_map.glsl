@@ -1,4 +1,6 @@
 // The share of a light that is free, by its map at one distance, that of what hides it on the mean.
+const float KERNEL_MIN = 0.75; // of a texel's width, from the middle: a smaller one would show steps
+
 float free_share(surface at, light l, shape s, place x, casters c, float texel_width) {
     float t = c.mean, width = texel_width * (IS_SUN ? 1.0 : 1.0 - t), blocked = 0.0, free = 0.0;
     vec2 widen = max(vec2(1.0), KERNEL_MIN * width / (max(t, 1e-6) * vec2(length(s.right), length(s.up))));

@@ -2,7 +2,7 @@
 #include "visibility/bvh.glsl"
 
 // First of all go to the light's rim, where shadows begin and end, and halfway to it: where they agree there are no more.
-const int FIRST_RAYS = WAYS < 16 ? WAYS : 16;
+const int FIRST_RAYS = SHADOW_RAYS < 16 ? SHADOW_RAYS : 16;
 
 vec2 first_point(shape s, int i) {
     float turn = 6.28318531 * float(i) / float(FIRST_RAYS);
@@ -14,10 +14,8 @@ vec2 first_point(shape s, int i) {
 // pixel's centre may lie that far past an edge, behind the wall beside, where all light would be hidden.
 vec3 before_surface(surface at) {
     const float ROUNDED = 1.0 / 128.0; // of a pixel
-    vec3 way = camera.orthographic ? camera.forward : at.position - camera.origin;
-    float z = camera.orthographic ? 1.0 : dot(way, camera.forward) / dot(camera.forward, camera.forward);
-    float pixel = 2.0 * length(camera.up) * z / float(gbuffer_size().y);
-    vec3 direction = normalize(way);
+    float pixel = view_height(camera, gbuffer_depth(ivec2(gl_FragCoord.xy))) / float(gbuffer_size().y);
+    vec3 direction = normalize(camera.orthographic ? camera.forward : at.position - camera.origin);
     return at.position - direction * (ROUNDED * pixel / max(-dot(direction, at.normal), 0.1));
 }
 
@@ -42,7 +40,7 @@ float free_share(surface at, light l, shape s, place x, casters c, float texel_w
     for (int i = 0; i < (c.any ? first_count : 0); i++)
         ask(l, origin, s, x, first_point(s, i), first);
     bool differ = first.x > 0.0 && first.x < first.y;
-    for (int i = 0; i < (differ ? WAYS : 0); i++)
+    for (int i = 0; i < (differ ? SHADOW_RAYS : 0); i++)
         ask(l, origin, s, x, shape_point(s, i), all);
     first = differ ? all : first;
     return c.any ? (first.y > 0.0 ? first.x / first.y : 0.0) : 1.0;

@@ -34,7 +34,7 @@ enum { SEARCH_TAPS = 48 }; /* texels of the blocker search per pixel */
 struct pcss {
     struct shadow shadow; /* first: shadow_render_lights and others take the state for it */
     struct caster_pool *casters;
-    const struct caster_bvh *tree; /* NULL: rays go through the maps */
+    const struct caster_bvh *tree; /* NULL: the maps answer alone */
 };
 
 static void free_state(void *state) {
@@ -50,9 +50,10 @@ static bool init(void **state, const struct direct_desc *desc) {
     const struct pcss_settings *own = settings_of(struct pcss_settings, desc->settings, &own_part);
     struct pcss *pcss = *state = mem_alloc(1, sizeof *pcss);
     bool by_rays = desc->may_trace && own->shadow_rays > 0;
-    char *defines = mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;WAYS %d;NEAREST %.6f;FREE_SHARE %s;",
-                               own->light_taps, SEARCH_TAPS, own->shadow_rays, nearest,
-                               by_rays ? "direct/pcss/by_rays.glsl" : "direct/pcss/by_map.glsl");
+    char *defines =
+        mem_printf("FILTER_TAPS %d;SEARCH_TAPS %d;SHADOW_RAYS %d;NEAREST %.6f;FREE_SHARE %s;",
+                   own->light_taps, SEARCH_TAPS, own->shadow_rays, nearest,
+                   by_rays ? "direct/pcss/by_rays.glsl" : "direct/pcss/by_map.glsl");
     pcss->casters = desc->casters;
     bool ok = (!by_rays || caster_pool_acquire_tree(desc->casters, &pcss->tree)) &&
               shadow_begin(&pcss->shadow, desc,

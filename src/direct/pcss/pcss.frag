@@ -15,7 +15,6 @@ layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depth_maps;
 
 const bool IS_SUN = PROJECTION == PROJECTION_ORTHOGRAPHIC;
-const float KERNEL_MIN = 0.75; // of a texel's width, from the middle: a smaller one would show steps
 const float OFFSET = 1.0 / 6.0; // of what a receiver is lifted by where no plane is compared
 
 // As a receiver sees the light.

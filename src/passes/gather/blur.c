@@ -8,14 +8,14 @@
 #include "shared/blur.h"
 
 #include <math.h>
+#include <stdio.h>
 
 /* Packed, a result is what the next axis takes. */
 static bool init_axis(struct blur_axis *axis, bool pack, bool specular) {
-    return program_init(&axis->program,
-                        &(struct program_desc){.screen = {"gather/blur.frag"},
-                                               .defines = pack       ? "PACK 1;SPECULAR_BLUR 0"
-                                                          : specular ? "PACK 0;SPECULAR_BLUR 1"
-                                                                     : "PACK 0;SPECULAR_BLUR 0"}) &&
+    char defines[40];
+    snprintf(defines, sizeof defines, "PACK %d;SPECULAR_BLUR %d", pack, specular);
+    return program_init(&axis->program, &(struct program_desc){.screen = {"gather/blur.frag"},
+                                                               .defines = defines}) &&
            buffer_init(&axis->params, "blur parameters", sizeof(struct blur_params), NULL);
 }
 
@@ -109,10 +109,12 @@ static void write_params(const struct blur_pass *pass, const struct frame *frame
         buffer_write(&pass->along_x.params, 0, sizeof x, &x);
 }
 
-static void add_reflectance(struct pass_state *state, const struct frame *frame,
-                            const struct gbuffer *gbuffer) {
+static void add_surfaces(struct pass_state *state, const struct frame *frame,
+                         const struct gbuffer *gbuffer, bool specular) {
     pass_add_texture(state, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
     pass_add_texture(state, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
+    if (!specular)
+        return;
     pass_add_texture(state, UNIT_GBUFFER_SPECULAR, gbuffer->specular.id);
     pass_add_texture(state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
 }
@@ -128,12 +130,7 @@ static void pack(const struct blur_pass *pass, const struct frame *frame,
         .textures = {{UNIT_IRRADIANCE, inputs->source->texture.id}},
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->along_y.params}},
     };
-    if (pass->desc.specular)
-        add_reflectance(&state, frame, gbuffer);
-    else {
-        pass_add_texture(&state, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
-        pass_add_texture(&state, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
-    }
+    add_surfaces(&state, frame, gbuffer, pass->desc.specular);
     if (inputs->lists) {
         pass_add_texture(&state, UNIT_LIST_TEXELS, inputs->lists->texels.id);
         pass_add_texture(&state, UNIT_ADAPTIVE_IRRADIANCE, inputs->adaptive->texture.id);
@@ -155,7 +152,7 @@ static void blur_along(const struct blur_pass *pass, const struct frame *frame,
         .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &axis->params}},
     };
     if (pass->desc.specular && axis == &pass->along_y)
-        add_reflectance(&state, frame, gbuffer);
+        add_surfaces(&state, frame, gbuffer, true);
     pass_set_state(&state);
     pass_draw_fullscreen(1);
 }

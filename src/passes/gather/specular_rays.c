@@ -29,7 +29,7 @@ static bool init_program(struct specular_rays_pass *pass) {
 bool specular_rays_pass_init(struct specular_rays_pass *pass,
                              const struct specular_rays_desc *desc) {
     *pass = (struct specular_rays_pass){.desc = *desc};
-    if (caster_pool_acquire_tree(desc->casters, &pass->tree) && init_program(pass) &&
+    if (init_program(pass) &&
         buffer_init(&pass->params, "parameters of rays", sizeof(struct specular_rays_params), NULL))
         return true;
     specular_rays_pass_free(pass);
@@ -37,7 +37,6 @@ bool specular_rays_pass_init(struct specular_rays_pass *pass,
 }
 
 void specular_rays_pass_free(struct specular_rays_pass *pass) {
-    caster_pool_release_tree(pass->desc.casters, &pass->tree);
     program_free(&pass->program);
     buffer_free(&pass->params);
     *pass = (struct specular_rays_pass){0};
@@ -67,7 +66,7 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
                                const struct specular_rays_inputs *inputs) {
     const struct irradiance *radiance = inputs->radiance;
     const struct light_rays rays = {
-        .tree = pass->tree->buffer.texels,
+        .tree = inputs->tree->buffer.texels,
         .albedos = inputs->albedos,
         .sky_pieces = pass->desc.lights.sky ? frame->sky_pieces->id : 0,
     };

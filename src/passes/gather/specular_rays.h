@@ -11,14 +11,13 @@
 #include "lights/view.h"
 #include "passes/targets.h"
 #include "passes/vpls.h"
-#include "scene/gpu/caster_pool.h"
 
+struct caster_bvh;
 struct frame;
 
 struct specular_rays_desc {
     int rays;                           /* of a pixel */
     bool later;                         /* surfaces send indirect light, too */
-    struct caster_pool *casters;        /* must outlive the pass */
     bool by_importance, medium, slides; /* as in struct near_field_desc */
     struct light_layout lights;
 };
@@ -27,15 +26,14 @@ struct specular_rays_pass {
     struct specular_rays_desc desc;
     GLuint program;
     struct buffer params;
-    const struct caster_bvh *tree;
 };
 
-/* Error: driver, memory, or more triangles than OpenGL has room for. */
 bool specular_rays_pass_init(struct specular_rays_pass *pass,
                              const struct specular_rays_desc *desc);
 void specular_rays_pass_free(struct specular_rays_pass *pass);
 
 struct specular_rays_inputs {
+    const struct caster_bvh *tree;
     const struct gbuffer *rsm;               /* LIGHT_MAP_KINDS of them, with specular targets */
     const struct buffer *shares;             /* passes/lights/vpl.h's */
     const struct importance_map *importance; /* where by_importance */

@@ -8,8 +8,7 @@
 
 struct clustered {
     struct many_lights lights;
-    struct caster_pool *casters;
-    const struct caster_bvh *tree; /* by rays; else: */
+    bool by_rays; /* else: */
     struct vals vals;
 };
 
@@ -17,18 +16,15 @@ static void free_state(void *state) {
     struct clustered *technique = state;
     if (technique) {
         many_lights_free(&technique->lights);
-        caster_pool_release_tree(technique->casters, &technique->tree);
         vals_free(&technique->vals);
     }
     free(technique);
 }
 
 static bool init_rays(struct clustered *technique, const struct technique_desc *desc) {
-    return caster_pool_acquire_tree(desc->casters, &technique->tree) &&
-           many_lights_init(&technique->lights, desc,
-                            &(struct many_lights_visibility){.lookup = VISIBILITY_LOOKUP_TRACED,
-                                                             .map_count = 1,
-                                                             .tree = technique->tree});
+    return many_lights_init(
+        &technique->lights, desc,
+        &(struct many_lights_visibility){.lookup = VISIBILITY_LOOKUP_TRACED, .map_count = 1});
 }
 
 static bool init_maps(struct clustered *technique, const struct technique_desc *desc) {
@@ -44,21 +40,20 @@ static bool init_maps(struct clustered *technique, const struct technique_desc *
 
 static bool init(void **state, const struct technique_desc *desc) {
     struct clustered *technique = *state = mem_alloc(1, sizeof *technique);
-    technique->casters = desc->casters;
-    bool by_rays = vals_by_rays(desc->settings, desc->scene, desc->geometry);
-    return (by_rays ? init_rays : init_maps)(technique, desc);
+    technique->by_rays = vals_by_rays(desc->settings, desc->scene, desc->geometry);
+    return (technique->by_rays ? init_rays : init_maps)(technique, desc);
 }
 
 static bool resize(void *state, int width, int height) {
     struct clustered *technique = state;
-    return technique->tree ? many_lights_resize(&technique->lights, width, height)
-                           : vals_resize(&technique->vals, &technique->lights, width, height);
+    return technique->by_rays ? many_lights_resize(&technique->lights, width, height)
+                              : vals_resize(&technique->vals, &technique->lights, width, height);
 }
 
 static void render_lights(void *state, const struct frame *frame) {
     struct clustered *technique = state;
     many_lights_render_vpls(&technique->lights, frame);
-    if (!technique->tree && !technique->vals.by_importance)
+    if (!technique->by_rays && !technique->vals.by_importance)
         vals_render(&technique->vals, &technique->lights, frame, NULL);
 }
 
@@ -71,7 +66,7 @@ static void gather(const struct clustered *technique, const struct val_set *vals
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct clustered *technique = state;
-    if (technique->tree) {
+    if (technique->by_rays) {
         many_lights_render_view(&technique->lights, frame, gbuffer);
         return;
     }
@@ -88,8 +83,8 @@ static void outputs(const void *state, struct output_list *outputs) {
     const struct clustered *technique = state;
     const struct many_lights *lights = &technique->lights;
     many_lights_outputs(
-        lights, technique->tree ? &lights->vpls : &technique->vals.first.cluster.vpls, outputs);
-    if (!technique->tree)
+        lights, technique->by_rays ? &lights->vpls : &technique->vals.first.cluster.vpls, outputs);
+    if (!technique->by_rays)
         vals_outputs(&technique->vals, outputs);
 }
 

@@ -26,8 +26,7 @@ static const struct settings_part own_part = {"instant-radiosity", "a map per VP
 
 struct instant_radiosity {
     struct many_lights lights;
-    struct caster_pool *casters;
-    const struct caster_bvh *tree; /* traced; else: */
+    bool traced; /* else: */
     struct paraboloid_pass paraboloid;
     struct vpl_maps maps;
 };
@@ -36,7 +35,6 @@ static void free_state(void *state) {
     struct instant_radiosity *technique = state;
     if (technique) {
         many_lights_free(&technique->lights);
-        caster_pool_release_tree(technique->casters, &technique->tree);
         paraboloid_pass_free(&technique->paraboloid);
         vpl_maps_free(&technique->maps);
     }
@@ -44,11 +42,10 @@ static void free_state(void *state) {
 }
 
 static bool init_traced(struct instant_radiosity *technique, const struct technique_desc *desc) {
-    return caster_pool_acquire_tree(desc->casters, &technique->tree) &&
-           many_lights_init(&technique->lights, desc,
-                            &(struct many_lights_visibility){
-                                VISIBILITY_LOOKUP_TRACED, .map_per_vpl = true, .map_count = 1,
-                                .together = true, .tree = technique->tree});
+    return many_lights_init(&technique->lights, desc,
+                            &(struct many_lights_visibility){VISIBILITY_LOOKUP_TRACED,
+                                                             .map_per_vpl = true, .map_count = 1,
+                                                             .together = true});
 }
 
 static bool init_maps(struct instant_radiosity *technique, const struct technique_desc *desc) {
@@ -66,13 +63,13 @@ static bool init(void **state, const struct technique_desc *desc) {
     const struct instant_radiosity_settings *own =
         settings_of(struct instant_radiosity_settings, desc->settings, &own_part);
     struct instant_radiosity *technique = *state = mem_alloc(1, sizeof *technique);
-    technique->casters = desc->casters;
+    technique->traced = own->traced;
     return own->traced ? init_traced(technique, desc) : init_maps(technique, desc);
 }
 
 static void render_lights(void *state, const struct frame *frame) {
     struct instant_radiosity *technique = state;
-    if (technique->tree)
+    if (technique->traced)
         many_lights_render_vpls(&technique->lights, frame);
     else
         vpl_maps_render_lights(&technique->maps, &technique->lights, frame);
@@ -80,7 +77,7 @@ static void render_lights(void *state, const struct frame *frame) {
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct instant_radiosity *technique = state;
-    if (technique->tree)
+    if (technique->traced)
         many_lights_render_view(&technique->lights, frame, gbuffer);
     else
         vpl_maps_render_view(&technique->maps, &technique->lights, frame, gbuffer);
@@ -89,7 +86,7 @@ static void render_view(void *state, const struct frame *frame, const struct gbu
 static void outputs(const void *state, struct output_list *outputs) {
     const struct instant_radiosity *technique = state;
     many_lights_outputs(&technique->lights, &technique->lights.vpls, outputs);
-    if (technique->tree)
+    if (technique->traced)
         return;
     output_add(outputs, &(struct output){"vpl-depth", "paraboloid depth maps of the last VPLs",
                                          OUTPUT_MAP_DEPTH, &technique->paraboloid.maps});
