@@ -56,13 +56,17 @@ bool mem_is_scarce(void) {
            left_of_limit(RLIMIT_DATA, "VmData:") < enough;
 }
 
+static bool check_left(uint64_t left, const char *option, const char *what, double least_gib) {
+    return (double)left >= least_gib * gib ||
+           error_set_memory("too little memory: ulimit %s leaves %.2f GiB of %s, and an OpenGL "
+                            "driver takes about %g GiB",
+                            option, (double)left / gib, what, least_gib);
+}
+
+/* Drivers that lack memory end the process in ways of their own. */
 bool mem_check_driver(void) {
-    const double least_gib = .9;
-    double left = (double)left_of_limit(RLIMIT_AS, "VmSize:") / gib;
-    return left >= least_gib ||
-           error_set_memory("too little memory: ulimit -v leaves %.2f GiB of address space, and an "
-                            "OpenGL driver takes about %g GiB",
-                            left, least_gib);
+    return check_left(left_of_limit(RLIMIT_AS, "VmSize:"), "-v", "address space", .9) &&
+           check_left(left_of_limit(RLIMIT_DATA, "VmData:"), "-d", "data", .2);
 }
 
 uint64_t mem_free_bytes(void) {

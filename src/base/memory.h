@@ -14,7 +14,7 @@ bool mem_is_limited(void);
 /* Whether `ulimit -v` or `-d` is so low that a graphics driver may fail by it. */
 bool mem_is_scarce(void);
 
-/* Checks that `ulimit -v` leaves the address space an OpenGL driver takes. Drivers crash without it. */
+/* Checks that `ulimit -v` and `-d` leave the memory that an OpenGL driver takes. Drivers crash without it. */
 bool mem_check_driver(void);
 
 /* How many bytes are free, by the machine and by the limits of this process. */

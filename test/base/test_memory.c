@@ -131,7 +131,9 @@ static void test_low_limits(void **state) {
         {"ulimit -v 1000000", "render scenes/sphere.glb -o @/low.exr --size 16x16",
          "render: too little memory: ulimit -v leaves "},
         {"ulimit -d 100000", "render scenes/sphere.glb -o @/low.exr --size 16x16",
-         "manylight: too little memory for the work and the OpenGL driver, by ulimit"},
+         "render: too little memory: ulimit -d leaves "},
+        {"ulimit -d 150000", "bench times scenes/sphere.glb --size 16x16",
+         "bench times: too little memory: ulimit -d leaves "},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char command[1024], arguments[512];
