@@ -58,6 +58,8 @@ static struct reflected from_light_vertex(const struct light_vertices *lights, u
     }
     vec3s to_y = vec3s_unit(glms_vec3_sub(lights->items[i].position, x->position));
     float cosine = glms_vec3_dot(x->normal, to_y);
+    if (cosine <= 0) /* p_cosine is rounded otherwise: in its plane */
+        return (struct reflected){0};
     struct brdf_value value = brdf_eval(&x->brdf, x->normal, x->towards, to_y);
     p_ray *= hit_density(x, to_y, cosine) / (cosine * GLM_1_PIf);
     vec3s light =

@@ -2,7 +2,7 @@
  * rays. */
 #include "hand_made.h"
 
-#include "reference/scene/emission.h"
+#include "reference/path.h"
 #include "scene/lights/environment.h"
 
 #include <stdio.h>
@@ -399,13 +399,61 @@ static void test_unlit(void **state) {
     world_free(&world);
 }
 
+/* --- rounding --------------------------------------------------------------------------------- */
+
+/* A place above the horizon, as long as the way there is not scaled to length 1. */
+static vec3s place_on_horizon(vec3s normal) {
+    for (float x = 1; x < 2; x += 1e-3F) {
+        vec3s place = at(x, -normal.x * x / normal.y, .3F);
+        if (glms_vec3_dot(normal, place) > 0 && glms_vec3_dot(normal, vec3s_unit(place)) <= 0)
+            return place;
+    }
+    fail_msg("no such place");
+    return normal;
+}
+
+/* A light vertex there sends nothing: a facet of a gem had a pixel that was not a number. */
+static void test_light_on_horizon(void **state) {
+    (void)state;
+    struct world world;
+    make_floor(&world, 0);
+    struct path_tracer_desc desc = describe(&world, 1, 1);
+    struct hit_table table;
+    struct ray_scene rays;
+    struct emission emission;
+    hit_table_init(&table, &world.scene, &world.geometry, MATERIALS_FULL);
+    check_ok("rays", ray_scene_init(&rays, &table));
+    emission_init(&emission, &desc.emitters, &world.geometry, &table, 0);
+    struct hit x;
+    assert_true(ray_scene_hit(&rays, at(.1F, 1, .2F), at(0, -1, 0), &x));
+    x.normal = x.geometric_normal = x.towards = vec3s_unit(at(-.3F, .9F, 0));
+    struct light_vertices lights = {.items = mem_alloc(LIGHT_VERTEX_COUNT, sizeof *lights.items)};
+    for (int i = 0; i < LIGHT_VERTEX_COUNT; i++)
+        lights.items[i] = (struct light_vertex){
+            .position = glms_vec3_add(x.position, place_on_horizon(x.normal)),
+            .normal = glms_vec3_negate(x.normal),
+            .radiance = glms_vec3_one(),
+            .density = 1,
+            .diffuse = true,
+        };
+    struct path_scene scene = {&rays, &emission, 1};
+    struct sampler sampler = {0};
+    struct reflected light = path_indirect(&scene, &lights, &x, &sampler);
+    check_near("specular", light.specular.x, 0, 1e-6);
+    mem_free(lights.items);
+    emission_free(&emission);
+    ray_scene_free(&rays);
+    hit_table_free(&table);
+    world_free(&world);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_sky_of_one),  cmocka_unit_test(test_lamps_in_mirror),
         cmocka_unit_test(test_point_light), cmocka_unit_test(test_normal_map),
         cmocka_unit_test(test_under_sky),   cmocka_unit_test(test_under_lamp),
         cmocka_unit_test(test_noise),       cmocka_unit_test(test_diffuse),
-        cmocka_unit_test(test_unlit),
+        cmocka_unit_test(test_unlit),       cmocka_unit_test(test_light_on_horizon),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
