@@ -1,4 +1,5 @@
 // What a surface receives of a light: irradiance times pi.
+#include "gather/emission.glsl"
 #include "gather/geometry_term.glsl"
 #include "lib/medium.glsl"
 
@@ -28,7 +29,7 @@ vec3 unshadowed(int i, vpl light, surface s, out vec3 back) {
     bool is_behind = TERM_OF_POINT && is_behind_horizon(receiver_facet, to_light);
     back = vec3(0.0);
     vec3 flux = light.flux * medium_passes_between(s.position, light.position);
-    return flux * (is_behind ? 0.0 : light_term(i, to_light, s.normal, light));
+    return flux * (is_behind ? 0.0 : light_term(i, to_light, s.normal, light) * emission_towards(light, to_light));
 }
 
 vec3 arriving(vec3 own, vec3 back, float visible) {

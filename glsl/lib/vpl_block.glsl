@@ -7,5 +7,5 @@ layout(std140, binding = BLOCK_VPLS) uniform vpl_uniforms {
 
 vpl vpl_in_block(int i) {
     int row = i * VPL_ROWS;
-    return vpl_of_rows(vpl_rows[row], vpl_rows[row + 1], vpl_rows[row + 2]);
+    return vpl_of_rows(vpl_rows[row], vpl_rows[row + 1], vpl_rows[row + 2], vpl_rows[row + 3]);
 }

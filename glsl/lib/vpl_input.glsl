@@ -1,4 +1,4 @@
-// A VPL as a vertex.
+// A VPL as a vertex, without its lobe.
 #include "lib/vpl_rows.glsl"
 
 layout(location = ATTRIBUTE_VPL_POSITION) in vec4 position_and_val;
@@ -6,5 +6,5 @@ layout(location = ATTRIBUTE_VPL_NORMAL) in vec4 normal_and_area;
 layout(location = ATTRIBUTE_VPL_FLUX) in vec4 flux_and_reach;
 
 vpl vpl_input() {
-    return vpl_of_rows(position_and_val, normal_and_area, flux_and_reach);
+    return vpl_of_rows(position_and_val, normal_and_area, flux_and_reach, vec4(0.0));
 }

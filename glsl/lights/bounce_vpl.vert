@@ -13,5 +13,5 @@ void main() {
     // A surface that reflects no red sends none, whatever those near it do.
     vec3 own = path_flux(ivec2(i, 0));
     flux = mix(vec3(0.0), flux, greaterThan(own, vec3(0.0)));
-    vpl_output(vpl(path_position(i), 0.0, path_normal(i), path_area(i), flux, path_power(i) > 0.0 ? 1.0 : 0.0));
+    vpl_output(vpl_even(path_position(i), path_normal(i), path_area(i), flux, path_power(i) > 0.0 ? 1.0 : 0.0));
 }

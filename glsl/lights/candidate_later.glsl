@@ -17,5 +17,5 @@ vpl walked(vpl v, int i) {
     walk_end end = WALK_BEGIN;
     float pick = random_of(uvec3(0, walk_chance)).x;
     walk_on(w, params.bounces, false, walk_chance, pick, end);
-    return vpl(end.position, 0.0, end.normal, params.area, walk_flux(end), 0.0);
+    return vpl_even(end.position, end.normal, params.area, walk_flux(end), 0.0);
 }

@@ -46,6 +46,6 @@ void main() {
     float area = FORM == LIGHT_FORM_DISK ? squares.w : 4.0 * length(right) * length(up);
     // Near fields reach so far on average, squared, over the area.
     float reach = sqrt(products.w / (weight * max(area, 1e-30)));
-    vpl_output(vpl(position.xyz, 0.0, normal, lit ? area : 0.0, lit ? flux : vec3(0.0), lit ? reach : 0.0));
+    vpl_output(vpl_even(position.xyz, normal, lit ? area : 0.0, lit ? flux : vec3(0.0), lit ? reach : 0.0));
 #endif
 }

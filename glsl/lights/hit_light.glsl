@@ -1,11 +1,8 @@
 // The radiance of a surface that a ray has met, by one light chosen by what it gives there.
 #include "lib/lobe_albedo.glsl"
 #include "lib/medium.glsl"
-#include "lib/rsm.glsl"
-#include "lib/specular.glsl"
+#include "lib/rsm_specular.glsl"
 #include "visibility/bvh.glsl"
-
-layout(binding = UNIT_RSM_SPECULAR) uniform sampler2DArray rsm_speculars[LIGHT_MAP_KINDS];
 
 #ifdef HAS_SKY
 #include "lights/sky_pieces.glsl"
@@ -71,11 +68,9 @@ void take_from_map(light l, inout surface end, inout vec3 albedo, inout vec4 cod
     if (!inside || !seen.present || dot(seen.normal, end.normal) < MAP_COSINE ||
         abs(dot(seen.position - end.position, end.normal)) > MAP_TEXELS * wide)
         return;
-    ivec3 place = ivec3(texel, v.layer);
     end.normal = seen.normal;
     albedo = rsm_albedo(v, texel);
-    code = v.kind == LIGHT_MAP_FACE ? texelFetch(rsm_speculars[LIGHT_MAP_FACE], place, 0)
-                                    : texelFetch(rsm_speculars[LIGHT_MAP_SINGLE], place, 0);
+    code = rsm_specular(v, texel);
 }
 
 // What of the light's irradiance the surface sends to the receiver, 1/sr times the light's cosine there. Few rays would

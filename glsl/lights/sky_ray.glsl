@@ -6,7 +6,7 @@
 #include "lib/lattice.glsl"
 #include "lib/light.glsl"
 #include "lib/medium.glsl"
-#include "shared/vpl.h"
+#include "lib/vpl_rows.glsl"
 
 // Multiples of the golden ratio are even however few there are, and unlike the numbers of places.
 int sky_piece_of(int number) {
@@ -25,8 +25,8 @@ vpl vpl_by_sky_ray(int index, int number, float measure, vec2 place) {
     vec3 albedo = reflected(hit);
     vec3 arrives = medium_sends(from, direction, true, floatBitsToUint(place) + uint(number), s, albedo);
     if (!s.present)
-        return vpl(from, 0.0, -direction, 0.0, vec3(0.0), 0.0);
+        return vpl_even(from, -direction, 0.0, vec3(0.0), 0.0);
     float area = origin.w * measure, cosine = dot(s.normal, -direction);
     vec3 power = sky_piece_row(index, piece, 3).xyz * area * arrives;
-    return vpl(s.position, 0.0, s.normal, area / max(cosine, VPL_COSINE_MIN), albedo * power, 0.0);
+    return vpl_even(s.position, s.normal, area / max(cosine, VPL_COSINE_MIN), albedo * power, 0.0);
 }

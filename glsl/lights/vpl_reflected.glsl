@@ -1,21 +1,28 @@
 // The VPL of a place of a light's domain: where the light meets a surface there, and the flux reflected [Dong 2009 §4, §6].
 #include "lib/light_domain.glsl"
 #include "lights/rsm_light.glsl"
-#include "shared/vpl.h"
+#include "lib/vpl_rows.glsl"
 #ifdef SKY_RAYS
 #include "lights/sky_ray.glsl"
+#endif
+#ifdef VPL_LOBES
+#include "lights/vpl_lobe.glsl"
 #endif
 
 // The VPL where the light meets that texel's surface; one without flux where it meets nothing.
 vpl vpl_of_texel(light l, float measure, light_view view, ivec2 texel, uvec2 seed) {
     rsm_light lit = rsm_light_at(l, view, texel, seed);
     if (!lit.s.present)
-        return vpl(l.position, 0.0, -l.direction, 0.0, vec3(0.0), 0.0);
-    vpl v = vpl(lit.s.position, 0.0, lit.s.normal, 0.0, vec3(0.0), 0.0);
+        return vpl_even(l.position, -l.direction, 0.0, vec3(0.0), 0.0);
+    vpl v = vpl_even(lit.s.position, lit.s.normal, 0.0, vec3(0.0), 0.0);
     if (lit.cosine <= 0.0)
         return v;
     v.flux = lit.power * measure;
     v.area = measure * lit.distance2 / max(lit.cosine, VPL_COSINE_MIN);
+#ifdef VPL_LOBES
+    if (!lit.at_pane)
+        take_lobe(v, l, view, texel, lit.cosine);
+#endif
     return v;
 }
 

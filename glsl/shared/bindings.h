@@ -89,6 +89,7 @@
 #define UNIT_TRIANGLE_ALBEDOS 50
 #define UNIT_PANES 51
 #define UNIT_SKY_PIECES 52 /* shared/sky_piece.h */
+#define UNIT_RSM_SPECULAR 53 /* as UNIT_RSM_DEPTH */
 #define UNIT_OWN 64
 
 /* Attributes of the scene's vertices. UV is of a material's first mapping, the others of the further ones. */

@@ -4,7 +4,6 @@
 
 #include "shared/interleaving.h"
 
-#define UNIT_RSM_SPECULAR (UNIT_OWN + 0) /* LIGHT_MAP_KINDS of them: shared/light.h */
 
 /* From one ray's place in the lobe's square to the next one's. */
 #define SPECULAR_STEP_X 0.7548776662

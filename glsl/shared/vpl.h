@@ -6,7 +6,7 @@
 
 #include "shared/types.h"
 
-#define VPL_ROWS 3
+#define VPL_ROWS 4
 
 struct vpl {
     vec3 position; /* metres */
@@ -15,13 +15,16 @@ struct vpl {
     float area;    /* that it stands for, m2 */
     vec3 flux;     /* reflected, W */
     float reach;   /* of its near field, in spacings of its light's VPLs; 0 for a sample that met nothing */
+    vec2 to_light; /* where its light came from, octahedral */
+    float alpha;   /* of the lobe by which it mirrors its light */
+    float lobe;    /* the share of the flux that this lobe has, and the lobe's albedo: packHalf2x16; 0: none */
 };
 STD140_SIZE(vpl, 16 * VPL_ROWS)
 
 /* Where light grazes a surface, a VPL's area is that of this cosine. */
 #define VPL_COSINE_MIN 0.25
 
-/* VPLs per uniform block: 48 KiB, within the 64 KiB that all drivers seen allow (gl/context/needs.h). */
+/* VPLs per uniform block: the 64 KiB that all drivers seen allow (gl/context/needs.h). */
 #define VPLS_PER_BLOCK 1024
 #define VPLS_MAX 65536
 

@@ -94,6 +94,7 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
         .clamp = own->clamp,
         .clamp_value = many_lights_clamp_value,
         .sphere = sphere_radius,
+        .lobes = lights->specular == SPECULAR_RAYS,
         .medium = lights->medium,
         .later = lights->bounces > 1,
     };
@@ -387,6 +388,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                          .reach = reach,
                                          .by_importance = many_lights_follow_camera(lights),
                                          .sky_rays = has_sky_rays(lights, desc),
+                                         .lobes = lights->specular == SPECULAR_RAYS,
                                          .medium = lights->medium,
                                          .slides = lights->slides}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&

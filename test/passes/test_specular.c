@@ -473,6 +473,41 @@ static void test_mirror(void **state) {
     stage_free(&stage);
 }
 
+/* A floor of rough metal throws a spot's light onto the wall ahead. */
+static void test_metal_floor(void **state) {
+    (void)state;
+    static const float of_floor[] = {.45F, .6F, .8F};
+    const struct camera camera = {.eye = {.5F, 1.5F, 3},
+                                  .right = {1, 0, 0},
+                                  .up = {0, 1, 0},
+                                  .forward = {0, 0, -1},
+                                  .fov_y = .7F};
+    struct stage stage;
+    open_mirror(&stage,
+                "[{\"mesh\": 0, \"translation\": [-4, 0, -1], \"scale\": [9, 9, 1]},"
+                " {\"mesh\": 1, \"translation\": [-4, 0, 5], \"scale\": [9, 6, 1],"
+                " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}]",
+                &camera, (float[]){0, -.5F, -.86602540F});
+    struct emitter *spot = &stage.emitters.items[0];
+    *spot = emitter_new(EMITTER_SPOT);
+    glm_vec3_copy((vec3){.5F, 2, 5.4641016F}, spot->position);
+    emitter_aim(spot, (float[]){0, -.5F, -.86602540F});
+    spot->cos_inner = spot->cos_outer = cosf(.1F);
+    glm_vec3_broadcast(100, spot->intensity);
+    for (int i = 0; i < 3; i++) {
+        enum { SIZE = 48 };
+        stage.scene.materials[1].roughness = of_floor[i];
+        struct image reference = trace(&stage, SIZE);
+        struct image drawn = render_stage(&stage, "clustered", "", SIZE);
+        printf("    roughness %.2f:", (double)of_floor[i]);
+        check_near("indirect over the reference's",
+                   layer_mean(&drawn, "indirect") / layer_mean(&reference, "indirect"), 1, .03);
+        check_at_most("error", relative_rmse(&drawn, &reference, "indirect"), .1);
+        images_free(&reference, &drawn);
+    }
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_same_as_traced),
@@ -483,6 +518,7 @@ int main(void) {
         cmocka_unit_test(test_picture),
         cmocka_unit_test(test_mirror_of_bounces),
         cmocka_unit_test(test_mirror),
+        cmocka_unit_test(test_metal_floor),
     };
     return cmocka_run_group_tests_name("specular", tests, open_group_context, close_group_context);
 }

@@ -37,9 +37,9 @@ static char *parts(const struct gather_desc *desc, int clamp, int specular) {
 
 static bool init_program(GLuint *program, const struct gather_desc *desc, int clamp, int specular) {
     char *lookup = visibility_defines(&desc->visibility), *files = parts(desc, clamp, specular);
-    char *defines = mem_printf("%s%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d",
-                               desc->medium ? "HAS_MEDIUM;" : "", lookup, files, clamp,
-                               desc->map_per_vpl, desc->receivers, specular);
+    char *defines = mem_printf("%s%s%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d",
+                               desc->medium ? "HAS_MEDIUM;" : "", desc->lobes ? "VPL_LOBES;" : "",
+                               lookup, files, clamp, desc->map_per_vpl, desc->receivers, specular);
     bool ok = program_init(
         program,
         &(struct program_desc){

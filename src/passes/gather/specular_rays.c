@@ -81,8 +81,7 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                      {UNIT_GBUFFER_ALBEDO, gbuffer->albedo.id},
                      {UNIT_GBUFFER_SPECULAR, gbuffer->specular.id},
-                     {UNIT_DIRECT, frame->direct->id},
-                     {UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id}},
+                     {UNIT_DIRECT, frame->direct->id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_VPL_SHARES, inputs->shares},
@@ -92,9 +91,7 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
     frame_add_light(frame, &state);
     light_rays_add(&state, &rays);
     rsm_add(&state, inputs->rsm);
-    for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
-        pass_add_texture(&state, UNIT_RSM_SPECULAR + kind,
-                         inputs->rsm[inputs->rsm[kind].layers ? kind : !kind].specular.id);
+    frame_add_rsm_lobes(frame, &state, inputs->rsm);
     if (pass->desc.later)
         pass_add_texture(&state, UNIT_IRRADIANCE, inputs->irradiance->texture.id);
     if (pass->desc.by_importance)

@@ -27,9 +27,10 @@ static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
     char *vpl_defines = mem_printf(
-        "%s%s%sVPL_CHOICE lights/vpl_by_%s.glsl",
+        "%s%s%s%sVPL_CHOICE lights/vpl_by_%s.glsl",
         light_defines(pass->desc.medium, pass->desc.slides), pass->desc.of_paths ? "LATER;" : "",
-        pass->desc.sky_rays ? "SKY_RAYS;" : "", pass->desc.by_importance ? "importance" : "flux");
+        pass->desc.sky_rays ? "SKY_RAYS;" : "", pass->desc.lobes ? "VPL_LOBES;" : "",
+        pass->desc.by_importance ? "importance" : "flux");
     const struct program_desc vpl = {.vertex = "lights/vpl.vert", .defines = vpl_defines};
     bool ok =
         program_init(&pass->program, &vpl) &&
@@ -203,6 +204,8 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
     }
     frame_add_light(frame, &state);
     add_maps(pass, &state, rsm);
+    if (pass->desc.lobes)
+        frame_add_rsm_lobes(frame, &state, rsm);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
     vpl_pass_sum_up(pass, vpls);

@@ -30,6 +30,7 @@ struct vpl_desc {
     bool by_importance;
     bool sky_rays; /* by rays from the sky, where light is its; by importance */
     bool of_paths; /* places where paths of light start; by importance of later bounces */
+    bool lobes;    /* reflective shadow maps tell how surfaces mirror light */
     bool medium;   /* frames have one */
     bool slides;   /* lights may have some */
 };

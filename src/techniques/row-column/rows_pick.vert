@@ -9,5 +9,5 @@ void main() {
     surface s = gbuffer_surface(min(ivec2(place * vec2(gbuffer_size())), gbuffer_size() - 1));
     vec3 normal = s.present ? s.normal : vec3(0.0);
     // Any area: what is too near for a map is then told by the spread of the VPLs alone.
-    vpl_output(vpl(s.present ? s.position : vec3(0.0), 0.0, normal, 1e30, vec3(0.0), 0.0));
+    vpl_output(vpl_even(s.present ? s.position : vec3(0.0), normal, 1e30, vec3(0.0), 0.0));
 }
