@@ -168,7 +168,8 @@ static void test_terms(void **state) {
  * both. The camera looks down through the backs of ceiling and blocker. A convolution soft shadow
  * map is exact here but for the terms that its series lacks [Dong 2011 §5.2]. */
 static const struct gltf_parts blocker_parts = {
-    .materials = "[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.8, 0.8, 0.8, 1]}}]",
+    .materials = "[{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.8, 0.8, 0.8, 1], "
+                 "\"metallicFactor\": 0}}]",
     .more = "\"extensionsUsed\": [\"KHR_lights_punctual\"],"
             "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\","
             " \"intensity\": 10, \"spot\": {\"innerConeAngle\": 0.46,"
