@@ -102,24 +102,20 @@ void main() {
     lobe o = lobe_of(wide);
     o.albedo *= widened_scale(seen, wide);
 #endif
-    // A mask and a loop over its bits, no branch in the loop over lights: a software rasteriser runs what a branch
+    // Masks and loops over their bits, no branch in the loop over lights: a software rasteriser runs what a branch
     // leaves out for all pixels.
-    uint asked = 0u;
+    uint asked = 0u, shown = 0u;
     for (int layer = layers.x; layer < min(layers.x + layers.y, count); layer++) {
         vec4 shares = sky_shares(s.normal, layer), apart;
         vec4 visible = visibility_of_blocks(b, layer, apart);
         for (int k = 0; k < SKY_LAYER_LIGHTS; k++) {
             int i = SKY_LAYER_LIGHTS * layer + k;
             vec4 radiance = sky_radiance(i);
+            uint bit = 1u << (i - SKY_LAYER_LIGHTS * layers.x);
             bool ask = shares[k] * radiance.a * apart[k] > limit;
-            visible[k] = ask ? 0.0 : visible[k];
-            asked |= ask ? 1u << (i - SKY_LAYER_LIGHTS * layers.x) : 0u;
-            radiance.rgb = through_medium(radiance.rgb, i, s.position);
-            sum += radiance.rgb * (shares[k] * visible[k]);
-#ifdef HAS_SPECULAR
-            if (i < params.count)
-                shining += radiance.rgb * (sky_specular(o, i) * visible[k]);
-#endif
+            asked |= ask ? bit : 0u;
+            shown |= !ask && shares[k] * visible[k] > 0.0 ? bit : 0u;
+            sum += ask ? vec3(0.0) : through_medium(radiance.rgb, i, s.position) * (shares[k] * visible[k]);
         }
     }
     for (; asked != 0u; asked &= asked - 1u) {
@@ -131,6 +127,14 @@ void main() {
         shining += seen * sky_specular(o, i);
 #endif
     }
+#ifdef HAS_SPECULAR
+    for (; shown != 0u; shown &= shown - 1u) {
+        int i = SKY_LAYER_LIGHTS * layers.x + findLSB(shown);
+        vec4 apart, visible = visibility_of_blocks(b, i / SKY_LAYER_LIGHTS, apart);
+        vec3 seen = sky_radiance(i).rgb * visible[i % SKY_LAYER_LIGHTS];
+        shining += through_medium(seen, i, s.position) * sky_specular(o, i);
+    }
+#endif
     lit.rgb += sum / PI;
 #ifdef HAS_SPECULAR
     specular.rgb += o.albedo * shining;
