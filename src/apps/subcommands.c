@@ -26,7 +26,6 @@ const struct subcommand subcommands[] = {
     {"info", "describes a scene, or the renderer of this machine", app_info},
     {"manual", "writes man pages, and completions for bash", app_manual},
     {"render", "renders pictures without a window", app_render},
-    {"report", "writes a page on a scene: each technique's time, error and picture", app_report},
     {"score", "scores a folder of pictures against references, and names their faults", app_score},
     {"view", "shows a scene in a window", VIEW},
     {"reference", "path-traces a scene on the CPU", app_reference},

@@ -181,7 +181,7 @@ static void test_mandoc(void **state) {
 static const struct completion {
     const char *line, *has, *lacks;
 } completions[] = {
-    {"manylight re", "report", "bench"},
+    {"manylight re", "reference", "bench"},
     {"manylight bench t", "temporal", "sweep"},
     {"manylight render --tech", "--technique", "--time"},
     {"manylight render --technique imp", "imperfect-volume", "clustered"},
