@@ -22,7 +22,7 @@ const struct subcommand subcommands[] = {
     {"average", "joins pictures of different passes", app_average},
     {"bench", "measures times, errors and memory", app_bench},
     {"compare", "measures the error between two pictures", app_compare},
-    {"export", "writes a scene for other renderers: a pack, Mitsuba 3, pbrt-v4", app_export},
+    {"export", "writes a scene for other renderers: a pack, Mitsuba 3", app_export},
     {"info", "describes a scene, or the renderer of this machine", app_info},
     {"manual", "writes man pages, and completions for bash", app_manual},
     {"render", "renders pictures without a window", app_render},

@@ -57,8 +57,7 @@ static double linear_end(double full, double flux) {
     return low;
 }
 
-/* The flux of ours: two thirds of the falloff's width are lost. Of a smoothstep, half of it is. */
-struct spot_cone export_cone(const struct emitter *emitter, enum spot_curve curve) {
+struct spot_cone export_cone(const struct emitter *emitter) {
     double outer = (double)emitter->cos_outer;
     double width = fmax(.001, (double)emitter->cos_inner - outer);
     double inner = fmin(outer + width, 1);
@@ -66,9 +65,7 @@ struct spot_cone export_cone(const struct emitter *emitter, enum spot_curve curv
     struct emitter one = *emitter;
     one.intensity[0] = one.intensity[1] = one.intensity[2] = 1;
     double flux = emitter_flux(&one, 1) / (2 * GLM_PI);
-    double end = curve == SPOT_LINEAR ? linear_end(full, flux)
-                                      : acos(fmin(fmax(2 * (1 - flux) - inner, -1), inner));
-    return (struct spot_cone){full * 180 / GLM_PI, end * 180 / GLM_PI};
+    return (struct spot_cone){full * 180 / GLM_PI, linear_end(full, flux) * 180 / GLM_PI};
 }
 
 void export_place(const struct emitter *emitter, float matrix[16]) {

@@ -183,12 +183,11 @@ static bool print_emission(struct export_target *target, struct text *xml, int n
 }
 
 static bool print_shape(struct export_target *target, struct text *xml, int n, bool back) {
-    const struct ply_desc desc = {.back = back};
     text_print(xml, "<shape type=\"ply\">\n<string name=\"filename\" value=\"mesh-%d%s.ply\"/>\n",
                n, back ? "-back" : "");
     bool ok = print_bsdf(target, xml, n) &&
               (!target->meshes[n].shines || print_emission(target, xml, n)) &&
-              export_ply(target, n, &desc);
+              export_ply(target, n, back);
     text_print(xml, "</shape>\n");
     return ok;
 }
@@ -232,7 +231,7 @@ static void print_light_shape(struct text *xml, const struct emitter *emitter) {
 }
 
 static void print_spot(struct text *xml, const struct emitter *emitter) {
-    struct spot_cone cone = export_cone(emitter, SPOT_LINEAR);
+    struct spot_cone cone = export_cone(emitter);
     text_print(xml, "<emitter type=\"spot\">\n");
     print_target(xml, "lookat", emitter->position, emitter->direction, emitter->up);
     print_rgb(xml, "intensity", emitter->intensity);
@@ -257,7 +256,7 @@ static bool print_projector(struct export_target *target, struct text *xml,
                export_projector_angle(emitter), (double)export_projector_peak(emitter) / GLM_PI,
                file);
     free(file);
-    return export_projector_picture(target, emitter, 3);
+    return export_projector_picture(target, emitter);
 }
 
 static bool print_light(struct export_target *target, struct text *xml,

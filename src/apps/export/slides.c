@@ -34,7 +34,7 @@ static int size_of(const struct slide *slide) {
 }
 
 /* x and y from -1 to 1, to the right and up as the light sees them. */
-static void write_texel(const struct emitter *emitter, float x, float y, int cosines, float to[3]) {
+static void write_texel(const struct emitter *emitter, float x, float y, float to[3]) {
     float scale = emitter_slide_scale(emitter), peak = export_projector_peak(emitter);
     vec3 direction;
     glm_vec3_scale((float *)emitter->direction, scale, direction);
@@ -44,20 +44,18 @@ static void write_texel(const struct emitter *emitter, float x, float y, int cos
     float cosine = glm_vec3_dot(direction, (float *)emitter->direction);
     emitter_slide(emitter, direction, to);
     glm_vec3_mul(to, (float *)emitter->intensity, to);
-    glm_vec3_scale(to, emitter_cone(emitter, cosine) * powf(cosine, (float)cosines), to);
+    glm_vec3_scale(to, emitter_cone(emitter, cosine) * powf(cosine, 3), to);
     glm_vec3_scale(to, peak > 0 ? 1 / peak : 0, to);
 }
 
-bool export_projector_picture(struct export_target *target, const struct emitter *emitter,
-                              int cosines) {
+bool export_projector_picture(struct export_target *target, const struct emitter *emitter) {
     int n = size_of(emitter->slide);
     struct image image;
     image_init(&image, n, n, "R G B");
     for (int row = 0; row < n; row++)
         for (int column = 0; column < n; column++)
             write_texel(emitter, (2 * (float)column + 1) / (float)n - 1,
-                        1 - (2 * (float)row + 1) / (float)n, cosines,
-                        image_at(&image, column, row));
+                        1 - (2 * (float)row + 1) / (float)n, image_at(&image, column, row));
     export_note(target, "light %d: its slide and its cone are %d x %d texels", emitter->number, n,
                 n);
     char *name = export_projector_name(emitter), *path = export_path(target, name);

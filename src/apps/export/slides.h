@@ -1,6 +1,5 @@
-/* Spots with slides as the projectors of other renderers: a square picture of all their light, the cone's falloff
- * included. Directions of a picture's texels are those of a perspective camera in place of the light: Mitsuba's `projector`
- * and pbrt-v4's `projection` take the same square, and pbrt-v4 reads the nearest texel. */
+/* Spots with slides as projectors of Mitsuba: a square picture of all their light, the cone's falloff included. Directions
+ * of a picture's texels are those of a perspective camera in place of the light. */
 #ifndef APPS_EXPORT_SLIDES_H
 #define APPS_EXPORT_SLIDES_H
 
@@ -18,8 +17,7 @@ float export_projector_peak(const struct emitter *emitter);
 /* To be freed. */
 char *export_projector_name(const struct emitter *emitter);
 
-/* Writes the picture: intensity over the peak, times a power of the cosine to the axis. Tells its size by a note. */
-bool export_projector_picture(struct export_target *target, const struct emitter *emitter,
-                              int cosines);
+/* Writes the picture: intensity over the peak, times the cube of the cosine to the axis. Tells its size by a note. */
+bool export_projector_picture(struct export_target *target, const struct emitter *emitter);
 
 #endif
