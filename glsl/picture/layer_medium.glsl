@@ -1,6 +1,17 @@
 // What lies behind all surfaces, and between them and the camera.
 #ifdef HAS_SKY
-#include "picture/sky.glsl"
+#include "lib/panorama.glsl"
+#include "shared/composite.h"
+
+layout(binding = UNIT_SKY) uniform sampler2D sky;
+
+vec3 sky_radiance(ivec2 pixel) {
+    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(gbuffer_size()) - 1.0;
+    vec3 along = camera.forward;
+    if (!camera.orthographic)
+        along += ndc.x * camera.right + ndc.y * camera.up;
+    return params.sky_strength * panorama_texel(sky, along, params.sky_turn);
+}
 
 vec3 background(ivec2 pixel) {
     return params.sky_strength > 0.0 ? sky_radiance(pixel) : vec3(0.0);

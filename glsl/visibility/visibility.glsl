@@ -11,7 +11,18 @@
 #if FILTER == FILTER_RAY
 #include "visibility/ray.glsl"
 #elif FILTER == FILTER_TRACED
-#include "visibility/traced.glsl"
+// Which light reaches a point, by a ray through the scene's triangles.
+#include "visibility/bvh.glsl"
+
+// Of one VPL, whatever its map.
+float visibility_from(int map, vec3 position, vec3 normal, vec3 light) {
+    return is_blocked(position, normal, light) ? 0.0 : 1.0;
+}
+
+// Of a VAL's middle.
+float visibility(int map, vec3 position, vec3 normal) {
+    return visibility_from(map, position, normal, map_view_at(map).center);
+}
 #else
 
 // A cluster fills its bounding rectangle thinly towards the rim: over its side, the least error of taps.
