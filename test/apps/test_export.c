@@ -4,7 +4,6 @@
 
 #include "base/file/image_file.h"
 #include "renderer/stage.h"
-#include "scene/lights/slide.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -156,118 +155,16 @@ static void test_notes_are_in_the_files(void **state) {
     expect_text("the medium is left out");
 }
 
-/* --- slides ----------------------------------------------------------------------------------- */
-
-/* Four colours, on a picture that is wider than high. */
-static void write_chart(const char *path) {
-    enum { WIDTH = 32, HEIGHT = 8 };
-    static const unsigned char colors[4][3] = {{255, 40, 0}, {0, 255, 90}, {70, 0, 255}, {9, 9, 9}};
-    unsigned char rgba[4 * WIDTH * HEIGHT];
-    struct bitmap bitmap = {.width = WIDTH, .height = HEIGHT, .rgba = rgba};
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        memcpy(rgba + 4 * i, colors[i / WIDTH / (HEIGHT / 2) * 2 + i % WIDTH / (WIDTH / 2)], 3);
-        rgba[4 * i + 3] = 255;
-    }
-    check_ok("chart", bitmap_write(&bitmap, path));
-}
-
-/* A projector as a file tells it: the picture's sides and its middle in space. */
-struct projector {
-    vec3 right, up, forward;
-    float tangent, scale; /* of half the angle; of the texels */
-    int cosines;          /* intensity is the texel over that power of the cosine */
-    struct image image;
-};
-
-static bool projector_sends(const struct projector *projector, vec3 direction, float rgb[3]) {
-    float ahead = glm_vec3_dot(direction, (float *)projector->forward);
-    float width = ahead * projector->tangent;
-    float x = glm_vec3_dot(direction, (float *)projector->right) / width;
-    float y = glm_vec3_dot(direction, (float *)projector->up) / width;
-    if (ahead <= 0 || fabsf(x) >= 1 || fabsf(y) >= 1)
-        return false;
-    const struct image *image = &projector->image;
-    glm_vec3_scale(image_at(image, (int)((.5F + .5F * x) * (float)image->width),
-                            (int)((.5F - .5F * y) * (float)image->height)),
-                   projector->scale / powf(ahead, (float)projector->cosines), rgb);
-    return true;
-}
-
-/* Mitsuba's camera has x to the left; a plane before its projector gets pi times the texel. */
-static void read_mitsuba_projector(struct projector *projector) {
-    vec3 origin, target, up, left;
-    float angle;
-    expect(0, "grep -A3 'type=\"projector' @/slide-mitsuba/scene.xml");
-    const char *look = strstr(output, "origin="), *fov = strstr(output, "name=\"fov\"");
-    assert_true(look && fov);
-    assert_int_equal(sscanf(look, "origin=\"%f %f %f\" target=\"%f %f %f\" up=\"%f %f %f",
-                            &origin[0], &origin[1], &origin[2], &target[0], &target[1], &target[2],
-                            &up[0], &up[1], &up[2]),
-                     9);
-    assert_int_equal(sscanf(fov, "name=\"fov\" value=\"%f\"/>\n<float name=\"scale\" value=\"%f",
-                            &angle, &projector->scale),
-                     2);
-    glm_vec3_sub(target, origin, projector->forward);
-    vec3_unit(projector->forward);
-    vec3_unit_cross(up, projector->forward, left);
-    glm_vec3_cross(projector->forward, left, projector->up);
-    glm_vec3_negate_to(left, projector->right);
-    projector->tangent = tanf(angle * GLM_PIf / 360);
-    projector->scale *= GLM_PIf;
-    projector->cosines = 3;
-}
-
-/* The share of directions in the cone whose intensity is the light's, and others have none. */
-static void check_projector(const struct projector *projector, const struct emitter *light) {
-    enum { DIRECTIONS = 20000 };
-    uint32_t state = 1;
-    int same = 0, lit = 0;
-    float near = .02F * glm_vec3_max((float *)light->intensity);
-    for (int i = 0; i < DIRECTIONS; i++) {
-        vec3 direction, right, expected, sent = {0};
-        random_direction(&state, direction);
-        emitter_slide(light, direction, expected);
-        glm_vec3_mul(expected, (float *)light->intensity, right);
-        glm_vec3_scale(
-            right, emitter_cone(light, glm_vec3_dot(direction, (float *)light->direction)), right);
-        projector_sends(projector, direction, sent);
-        lit += glm_vec3_max(right) > 0;
-        same += glm_vec3_distance(right, sent) < near;
-    }
-    printf("    %d of %d directions, %d of them lit\n", same, DIRECTIONS, lit);
-    assert_true(lit > DIRECTIONS / 50);
-    check_at_most("others, of the lit ones", (double)(DIRECTIONS - same) / lit, .02);
-}
-
-/* A spot of a file whose picture colours its light: its intensity in all directions is that of the projector. */
-static void test_slide_is_a_projector(void **state) {
-    (void)state;
-    struct stage stage;
-    need_command("python3 -c 1");
-    write_chart(scratch("chart.png"));
-    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb @/chart.png");
-    struct projector projector = {0};
-    check_ok("stage", stage_init(&stage, &(struct stage_desc){.path = scratch("slide.glb")}));
-    expect(0, "% export @/slide.glb -o @/slide-mitsuba --format mitsuba");
-    expect_text("light 0: its slide and its cone are 1024 x 1024 texels");
-    check_ok("picture", image_read(&projector.image, scratch("slide-mitsuba/slide-0.exr")));
-    read_mitsuba_projector(&projector);
-    check_projector(&projector, &stage.emitters.items[0]);
-    image_free(&projector.image);
-    stage_free(&stage);
-}
-
-/* A pack's lights have no slides, and no projector is as wide as this cone. */
+/* No format has slides. */
 static void test_slide_is_noted(void **state) {
     (void)state;
     need_command("python3 -c 1");
-    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/pixel.glb &&"
-              " % export @/pixel.glb -o @/slide-pack");
-    assert_int_equal(count_text(output, "light 0: its slide is left out"), 1);
-    expect(0, "% export @/pixel.glb -o @/slide-wide --format mitsuba --light '0 cone=.5,.1'");
-    assert_int_equal(
-        count_text(output, "light 0: its slide is left out: its cone is wider than 80 degrees"), 1);
-    expect(1, "grep projector @/slide-wide/scene.xml");
+    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb");
+    for (int i = 0; i < 2; i++) {
+        expect(0, i ? "% export @/slide.glb -o @/slide-pack"
+                    : "% export @/slide.glb -o @/slide-mitsuba --format mitsuba");
+        assert_int_equal(count_text(output, "light 0: its slide is left out"), 1);
+    }
 }
 
 /* All XML is well-formed, and all files that it names are there. */
@@ -427,7 +324,6 @@ int main(void) {
         cmocka_unit_test(test_checker_sees_changes),
         cmocka_unit_test(test_environment_lies_right),
         cmocka_unit_test(test_notes_are_in_the_files),
-        cmocka_unit_test(test_slide_is_a_projector),
         cmocka_unit_test(test_slide_is_noted),
         cmocka_unit_test(test_xml_is_well_formed),
         cmocka_unit_test(test_odd_names),

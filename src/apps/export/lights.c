@@ -1,7 +1,5 @@
 #include "apps/export/lights.h"
 
-#include "apps/export/slides.h"
-
 #include <cglm/cglm.h>
 #include <math.h>
 
@@ -22,10 +20,9 @@ void export_note_light(struct export_target *target, const struct emitter *emitt
         {emitter->range > 0 && emitter->type != EMITTER_DIRECTIONAL, "its range is left out"},
         {emitter->size[0] > 0 && !export_is_shape(emitter), "its size is left out"},
         {export_is_shape(emitter), "its shape blocks light"},
-        {emitter->type == EMITTER_SPOT && !export_is_projector(emitter),
+        {emitter->type == EMITTER_SPOT,
          "another falloff at the edge of its cone, of the same flux"},
-        {emitter->type == EMITTER_SPOT && emitter->slide && !export_is_projector(emitter),
-         "its slide is left out: its cone is wider than 80 degrees"},
+        {emitter->type == EMITTER_SPOT && emitter->slide, "its slide is left out"},
     };
     for (size_t i = 0; i < sizeof notes / sizeof *notes; i++)
         if (notes[i].is_so && emitter->number >= 0)
