@@ -16,8 +16,7 @@
 
 const struct bench_mode *const bench_modes[] = {
     &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves,   &bench_passes,
-    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, &bench_chart,
-    NULL,
+    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, NULL,
 };
 
 const char *const bench_variants[] = {"paper", "fast", NULL};

@@ -40,7 +40,7 @@ struct bench {
     const char **arguments; /* scenes, or what the mode takes instead */
     int argument_count;
     char *own_scenes[BENCH_OWN_MAX]; /* those of the arguments that nobody gave */
-    struct context *context;         /* current; NULL where the mode needs none */
+    struct context *context;         /* current */
     struct stage *stage;             /* the present scene; NULL while arguments are tried */
     struct results results;          /* go to --csv as they are measured */
     struct bench_work work;
@@ -66,8 +66,7 @@ struct bench_mode {
 };
 
 extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_budget, bench_curves,
-    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics,
-    bench_chart;
+    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics;
 
 /* Ends with NULL. */
 extern const struct bench_mode *const bench_modes[];

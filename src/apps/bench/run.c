@@ -113,12 +113,12 @@ bool bench_run(struct bench *bench, const struct bench_mode *mode) {
         return false;
     struct context_desc desc = bench->values.context;
     desc.debug = desc.debug || mode == &bench_failures; /* it counts messages */
-    bool ok = !strstr(mode->options, BENCH_CONTEXT) || (bench->context = context_create(&desc));
+    bench->context = context_create(&desc);
     bench->mode = mode;
     if (bench->context)
         result_rows_print_machine();
-    ok = ok && measure_all(bench) && (!csv || write_csv(bench)) &&
-         (!mode->judge || mode->judge(bench));
+    bool ok = bench->context && measure_all(bench) && (!csv || write_csv(bench)) &&
+              (!mode->judge || mode->judge(bench));
     context_free(bench->context);
     return ok;
 }
