@@ -39,9 +39,6 @@ blocked cells_blocked(cells c) {
     float area = pooled + c.compared, depth = pooled * c.plane / max(c.pooled, 1e-30) - c.above + c.depth;
     return blocked(area / max(c.area, 1e-30), depth / max(area, 1e-30));
 }
-
-#include "visibility/filter_cells.glsl"
-#include "visibility/filter_window.glsl"
 #elif FILTER == FILTER_MSM
 // Moment soft shadow maps [Peters and Klein 2015; Peters et al. 2017]: of all distributions with the four moments of what
 // lies in a window, the least part that is nearer than the receiver. Exact where that is two depths.
@@ -91,9 +88,6 @@ blocked cells_blocked(cells c) {
     vec2 above = above_plane(b / vec4(scale, scale * scale, scale * scale * scale, scale * scale * scale * scale));
     return blocked(above.x, c.plane / max(c.area, 1e-20) - above.y * scale);
 }
-
-#include "visibility/filter_cells.glsl"
-#include "visibility/filter_window.glsl"
 #else
 // Convolution soft shadow maps by windows [Dong 2011 ch. 5]: MIP levels that are as wide, or boxes of summed area tables.
 #include "visibility/cssm.glsl"
@@ -124,5 +118,75 @@ float lit(int map, receiver r, float extent) {
     float share = clamp(1.0 - blocked * lookup.gain, 0.0, 1.0);
     float close = contact_blocked(map, r, contact);
     return contact ? 1.0 - close : hidden ? share : 1.0;
+}
+#endif
+
+#if FILTER == FILTER_VSSM || FILTER == FILTER_MSM
+// Whether what stands before the receiver in a cell lies beside all ways to the light: of what is behind it the map
+// knows nothing. One depth in front and the receiver's own are told by two moments.
+bool hides_nothing(receiver r, float extent, cell k, vec4 box) {
+    float above = k.plane - k.mean.x, above2 = k.mean.y + k.plane * (k.plane - 2.0 * k.mean.x);
+    vec4 ways = window(r, extent, max(k.plane - above2 / max(above, 1e-6), NEAREST * k.plane));
+    return above > 0.0 && (any(lessThan(box.zw, ways.xy)) || any(greaterThan(box.xy, ways.zw)));
+}
+
+// The cells of a window, one after another, from a summed area table: each corner of the grid is fetched once.
+cells window_cells(int map, receiver r, float extent, vec4 window, int parts, bool seeks, bool wanted) {
+    vec2 high = min(window.zw * lookup.map_size, lookup.map_size - 0.01);
+    vec2 low = min(window.xy * lookup.map_size, high - 1.0);
+    cells c = cells_none();
+    uvec4 below[PARTS_MAX + 3];
+    vec2 before, edge;
+    // As a count and not a branch: a software rasteriser leaves a loop that no pixel is in after one step.
+    int corners = wanted ? parts + 3 : 0;
+    edge.y = 0.0;
+    for (int j = 0; j < corners; j++) {
+        before.y = edge.y;
+        edge.y = cell_edge(low.y, high.y, j, parts);
+        uvec4 left = uvec4(0u), below_left = uvec4(0u);
+        edge.x = 0.0;
+        for (int i = 0; i < corners; i++) {
+            before.x = edge.x;
+            edge.x = cell_edge(low.x, high.x, i, parts);
+            uvec4 corner = texelFetch(sums, ivec3(edge, map), 0), under = j > 0 ? below[i] : uvec4(0u);
+            vec2 texels = edge - before;
+            if (i > 0 && j > 0 && texels.x * texels.y > 0.0) {
+                cell k;
+                vec2 middle = 0.5 * (before + edge);
+                k.area = cell_width(low.x, high.x, before.x, edge.x) * cell_width(low.y, high.y, before.y, edge.y);
+                vec4 box = vec4(before, edge) / lookup.map_size;
+                // A search rather finds the receiver itself, which the window that follows tells, than misses casters.
+                k.plane = plane_nearest(r, seeks ? clamp(r.uv, box.xy, box.zw).xyxy : box);
+                k.mean = vec4(corner - left - under + below_left) / (texels.x * texels.y * SUM_ONE);
+                k.texel = ivec3(middle, map);
+                if (!hides_nothing(r, extent, k, box))
+                    cells_add(c, k);
+            }
+            below[i] = corner;
+            left = corner;
+            below_left = under;
+        }
+    }
+    return c;
+}
+
+// Soft shadows from windows: how deep what blocks lies, sought where ways to the light may pass it, then its share
+// where they do [Fernando 2005; Dong 2011 §7.3].
+
+const float LIT = 1e-3;     // so little blocked is nothing
+
+float lit(int map, receiver r, float extent) {
+    float d = r.distance / r.unit, compared = d * (1.0 - lookup.map_bias);
+    float nearest;
+    vec4 search = search_window(map, r, extent, nearest);
+    blocked found = cells_blocked(window_cells(map, r, extent, search, SEARCH_PARTS, true, nearest < compared));
+    bool hidden = found.share > LIT;
+    float z = clamp(found.depth, nearest, d);
+    bool contact = hidden && d - z < lookup.contact * d;
+    vec4 penumbra = window_within(window(r, extent, z), r.uv, SHADOW_PARTS);
+    bool dark = hidden && !contact && window_bounds(map, penumbra).y < plane_nearest(r, penumbra);
+    bool partly = hidden && !contact && !dark;
+    float share = cells_blocked(window_cells(map, r, extent, penumbra, SHADOW_PARTS, false, partly)).share;
+    return 1.0 - (contact ? contact_blocked(map, r, contact) : partly ? share : dark ? 1.0 : 0.0);
 }
 #endif
