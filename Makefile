@@ -70,7 +70,7 @@ PICTURE_LIBS := -lOpenEXRCore -lpng16 -ljpeg -lwebp
 EMBREE := -lembree$(shell $(CC) -E -include embree4/rtcore.h -x c /dev/null >/dev/null 2>&1 && echo 4 || echo 3)
 LIBS := $(if $(VIEWER),$(shell pkg-config --libs imgui glfw3 2>/dev/null)) $(PICTURE_LIBS) $(EMBREE) -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
-EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/chart_embedded.o $(BUILD)/bounds_embedded.o
+EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/bounds_embedded.o
 BOUNDS := $(sort $(wildcard src/techniques/*/bounds.csv))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
 GUESTS := $(BUILD)/test/guests
@@ -162,11 +162,6 @@ $(BUILD)/glsl_embedded.c $(GUESTS)/glsl_embedded.c: $(BUILD)/shaders.list Makefi
 	       echo '},'; \
 	   done; \
 	   echo '{0, 0}};'; } > $@
-
-$(BUILD)/chart_embedded.c: bench/chart.gp Makefile
-	@mkdir -p $(@D)
-	@{ echo 'extern const char chart_script[];'; echo 'const char chart_script[] ='; \
-	   $(quote) $<; echo ';'; } > $@
 
 # The rows of all techniques, each behind the technique's name.
 $(BUILD)/bounds_embedded.c: $(BOUNDS) Makefile

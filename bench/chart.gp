@@ -4,7 +4,7 @@
 #
 # A sweep against a reference: DIR/SCENE, time against error; of direct light: DIR/SCENE-direct, of the share that is seen. Curves: DIR/SCENE-SETTING. Passes:
 # DIR/SCENE-passes. A clip: DIR/SCENE-flicker and DIR/SCENE-vals-in-use. Each as .svg and .png; of two scenes of one name the
-# second tells its faces too. `manylight bench chart` runs this script.
+# second tells its faces too.
 
 set datafile separator comma
 set datafile columnheaders

@@ -6,10 +6,53 @@
 #include "shared/caustics.h"
 #include "visibility/bvh.glsl"
 #include "caustics/chain.glsl"
-#include "caustics/ray_start.glsl"
+
+// Where the ray of a texel begins: texels of a light's view have equal solid angles, or areas.
+struct light_ray {
+    vec3 origin, direction;
+    vec3 flux; // W
+};
+
+// Of a place from 0 to 1; beyond the cap or disk there is no light. Lambert's azimuthal projection keeps areas.
+light_ray light_ray_at(light l, vec2 place) {
+    vec2 disk = 2.0 * place - 1.0;
+    float measure = dot(disk, disk) <= 1.0 ? params.measure : 0.0;
+    vec3 aside = disk.x * params.right + disk.y * params.up;
+    if (params.is_disk)
+        return light_ray(params.start + params.spread * aside, params.axis, l.intensity * measure);
+    float below = dot(disk, disk) * params.spread; // one less the cosine
+    vec3 across = sqrt(params.spread * max(2.0 - below, 0.0)) * aside;
+    vec3 direction = normalize((1.0 - below) * params.axis + across);
+    return light_ray(l.position, direction, light_intensity(l, direction) * measure);
+}
+
 #ifdef HAS_LINES
 #include "caustics/range.glsl"
-#include "caustics/between.glsl"
+// Light between two smooth surfaces outside glass. A ray keeps one of these segments, chosen by chance in proportion to
+// its light times its length, and it stands for all of them (reservoir sampling).
+vec3 between_from = vec3(0.0), between_to = vec3(0.0);
+vec3 between_flux = vec3(0.0); // over the segment's weight
+float between_weights = 0.0;   // of all segments
+
+void between_add(walk w, float metres, float number) {
+    float weight = dot(w.flux, vec3(1.0)) * max(metres, 0.0);
+    between_weights += weight;
+    if (number * between_weights < weight) {
+        between_from = w.place;
+        between_to = w.origin + metres * w.direction;
+        between_flux = w.flux / weight;
+    }
+}
+
+// Red and green, over the sum of three channels, as one whole number. Chance rounds, so that each channel is right on
+// average, however small its share.
+void between_pack(float number, out vec4 leave, out vec4 end) {
+    float red_green = between_flux.r + between_flux.g, sum = red_green + between_flux.b;
+    vec2 shares = sum > 0.0 ? vec2(between_flux.r, red_green) / sum : vec2(0.0);
+    vec2 levels = min(floor(shares * BETWEEN_LEVELS + number), BETWEEN_LEVELS);
+    leave = vec4(between_from, sum * between_weights);
+    end = vec4(between_to, levels.x * (BETWEEN_LEVELS + 1.0) + levels.y - levels.x);
+}
 #endif
 
 layout(location = LOCATION_LIGHT) uniform int light_index;

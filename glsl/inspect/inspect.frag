@@ -3,7 +3,7 @@
 #include "inspect/inspect.glsl"
 #include "lib/light.glsl"
 #include "lib/octahedral.glsl"
-#include "picture/srgb.glsl"
+#include "picture/display.glsl"
 
 layout(binding = UNIT_INSPECTED_LAYERS) uniform sampler2DArray layers;
 layout(binding = UNIT_INSPECTED_PLANE) uniform sampler2D plane;

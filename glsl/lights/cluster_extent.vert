@@ -6,7 +6,7 @@
 #include "lights/val_distance.glsl"
 #include "lib/vpl_input.glsl"
 
-flat out vec4 place;
+flat out vec4 value;
 
 void main() {
     vpl v = vpl_input();
@@ -15,6 +15,6 @@ void main() {
     vec3 bitangent = cross(texelFetch(val_normals, ivec2(k, 0), 0).xyz, tangent);
     vec3 from_center = v.position - texelFetch(val_positions, ivec2(k, 0), 0).xyz;
     vec2 st = vec2(dot(from_center, tangent), dot(from_center, bitangent));
-    place = vec4(st, -st);
+    value = vec4(st, -st); // max s, max t, -min s, -min t
     gl_Position = v.reach > 0.0 ? val_pixel(k) : vec4(0.0, 0.0, 2.0, 1.0);
 }

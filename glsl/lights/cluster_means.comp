@@ -25,9 +25,54 @@ vec3 val_flux(int k) {
 }
 
 #include "lights/val_distance.glsl"
-#include "lights/val_seed.glsl"
+
+// VAL k starts as VPL k N / M, the same every frame [Dong 2009 §6]; of many as VPL k: Halton's first points are even,
+// and those N / M apart are not where that is a power of two. Where that one met nothing, as the next one that did.
+// With SEEDED as a VPL that is told, or nowhere.
+#include "lib/vpl_texels.glsl"
+
+#if SEEDED
+layout(binding = UNIT_SEEDS) uniform sampler2D seeds; // numbers; -1: none
+#endif
+
+bool has_seed(int k) {
+#if SEEDED
+    return texelFetch(seeds, ivec2(k, 0), 0).r > VAL_SEED_NOWHERE;
+#else
+    return true;
+#endif
+}
+
+vpl seed_vpl(int k) {
+#if METRIC == CLUSTER_METRIC_SQUARES
+    int i = k % params.vpl_count;
+#else
+    int i = k * params.vpl_count / params.val_count;
+#endif
+#if SEEDED
+    int told = int(texelFetch(seeds, ivec2(k, 0), 0).r);
+    i = told < 0 ? i : told;
+#endif
+    for (int step = 0; step < params.vpl_count && vpl_at(i).reach == 0.0; step++)
+        i = (i + 1) % params.vpl_count;
+    return vpl_at(i);
+}
+
 #if WEIGHTED
-#include "lights/vpl_weight.glsl"
+// How much VPL i counts where VPLs are clustered: by what it would give to the picture, and a little for all, as what is
+// between is not asked and what is hardly seen needs a cluster, too.
+#include "lib/vpl_rows.glsl"
+
+layout(binding = UNIT_VPL_VALUES) uniform sampler2D vpl_values;
+layout(binding = UNIT_VPL_VALUE_SUM) uniform sampler2D vpl_value_sum; // and how many VPLs have light
+
+float vpl_weight(int i, vpl v) {
+    const float FOR_ALL = 0.1, LEAST = 1e-30; // of the mean; where the picture shows nothing
+    vec2 sum = texelFetch(vpl_value_sum, ivec2(0), 0).rg;
+    float mean = sum.r / max(sum.g, 1.0);
+    float weight = mix(texelFetch(vpl_values, ivec2(i, 0), 0).r, mean, FOR_ALL) + LEAST;
+    return v.reach > 0.0 ? weight : 0.0;
+}
 #endif
 
 const int NO_VAL = -1;

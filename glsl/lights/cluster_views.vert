@@ -5,7 +5,6 @@
 // them is: the map looks from the VPL that is nearest to the mean, as high above it as the mean lies. The mean of
 // VPLs on a ball lies within, and a place on the ball would see but a side of it: such a mean is moved onto the
 // tangent plane.
-#include "visibility/map_range.glsl"
 #include "visibility/map_view_output.glsl"
 #include "lib/tangent.glsl"
 #include "shared/cluster.h"

@@ -11,7 +11,7 @@
 
 layout(binding = UNIT_CANDIDATES) uniform sampler2D candidates;
 
-flat out float value;
+flat out vec4 value; // and count
 
 void main() {
     vec4 candidate = texelFetch(candidates, ivec2(gl_VertexID % params.side, gl_VertexID / params.side), 0);
@@ -23,7 +23,7 @@ void main() {
 #if ROUND > 0
     density += vpl_density(index, candidate.xy);
 #endif
-    value = candidate.w / density;
+    value = vec4(candidate.w / density, 1.0, 0.0, 0.0);
     vec2 ndc = (vec2(importance_texel(index, candidate.xy)) + 0.5) / vec2(params.tiles * VPL_DENSITY_SIDE) * 2.0 - 1.0;
-    gl_Position = value > 0.0 ? vec4(ndc, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
+    gl_Position = value.x > 0.0 ? vec4(ndc, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }

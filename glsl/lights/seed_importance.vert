@@ -9,7 +9,7 @@
 
 layout(location = ATTRIBUTE_VPL_POINT) in vec3 place_and_light;
 
-flat out float value;
+flat out vec4 value;
 
 #if NUMBERS
 float value_of(vpl v) {
@@ -36,6 +36,6 @@ float value_of(vpl v) {
 void main() {
     vpl v = vpl_at(gl_VertexID);
     vec2 cell = floor(place_and_light.xy * float(SEED_IMPORTANCE_SIDE)) + 0.5;
-    value = v.reach > 0.0 ? value_of(v) : 0.0;
+    value = vec4(v.reach > 0.0 ? value_of(v) : 0.0);
     gl_Position = v.reach > 0.0 ? vec4(cell * (2.0 / float(SEED_IMPORTANCE_SIDE)) - 1.0, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }

@@ -3,13 +3,11 @@
 #include "lib/vpl_block.glsl"
 #include "lib/vpl_input.glsl"
 
-flat out vec2 pairs; // sum of the logarithms of their distances, and how many
-flat out vec2 hue; // red and green light
+flat out vec4 value; // sum of the logarithms of their distances, and how many; red and green light
 
 void main() {
     vpl v = vpl_input();
-    pairs = vec2(0.0);
-    hue = v.flux.rg;
+    vec2 pairs = vec2(0.0);
     for (int i = 0; i < PARTNERS; i++) {
         vpl other = vpl_in_block(i);
         vec3 apart = other.position - v.position;
@@ -17,5 +15,6 @@ void main() {
         float distance2 = dot(apart, apart) + v.area;
         pairs += other.reach > 0.0 ? vec2(0.5 * log2(distance2), 1.0) : vec2(0.0);
     }
+    value = vec4(pairs, v.flux.rg);
     gl_Position = v.reach > 0.0 ? vec4(0.0, 0.0, 0.0, 1.0) : vec4(0.0, 0.0, 2.0, 1.0);
 }

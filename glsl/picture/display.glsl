@@ -1,5 +1,7 @@
 // From linear radiance to what a display gets: exposure, tone map, sRGB.
-#include "picture/srgb.glsl"
+vec3 srgb_encode(vec3 x) {
+    return mix(12.92 * x, 1.055 * pow(x, vec3(1.0 / 2.4)) - 0.055, greaterThan(x, vec3(0.0031308)));
+}
 
 // The usual fit to the ACES filmic curve [Narkowicz 2015].
 vec3 filmic(vec3 x) {

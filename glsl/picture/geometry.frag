@@ -1,7 +1,6 @@
 // Writes normal, albedo and what is emitted. Holes of alpha masks are not there; nor, for the camera, is the back of a
 // single-sided surface, which blocks light but reflects none. HAS_SPECULAR: materials are not all plain
 // (scene/material.h).
-// FACETS: what sends light on is each triangle, not the smooth surface that the normals tell of.
 #include "lib/octahedral.glsl"
 #include "picture/base_color.glsl"
 
@@ -14,7 +13,7 @@ const bool OF_LIGHT = false;
 #endif
 
 #ifdef HAS_MAPPINGS
-in vec2 metal_roughness_uv, emission_uv, normal_uv; // picture/mapped_uv.glsl
+in vec2 metal_roughness_uv, emission_uv, normal_uv; // picture/geometry.vert
 #else
 #define metal_roughness_uv surface_uv
 #define emission_uv surface_uv
@@ -24,12 +23,46 @@ in vec2 metal_roughness_uv, emission_uv, normal_uv; // picture/mapped_uv.glsl
 #ifdef HAS_SPECULAR
 #include "picture/surface_detail.glsl"
 #else
-#include "picture/surface_diffuse.glsl"
+// A material that is diffuse, whatever its textures say (picture/surface_detail.glsl).
+vec3 mapped_normal(vec3 normal) {
+    return normal;
+}
+
+bool is_unlit() {
+    return false;
+}
+
+vec3 albedo_of(vec3 base, vec3 normal, vec3 towards, bool of_light, bool is_back) {
+    return base;
+}
 #endif
 #ifdef FACETS
-#include "picture/facet.glsl"
+// FACETS: each triangle sends light on, not the smooth surface of the normals. A triangle as rays meet it: it receives by the shading normal, but how large it is, to the light and to what it lights,
+// is by its own. Along light paths the two trade places [Veach 1997, §5.3].
+// At a facet's horizon the cosines grow apart without a bound.
+const float ALBEDO_MOST = 8.0;
+
+// Takes the triangle's own normal in place of the shading normal; returns what it receives by that, over what meets its
+// plane: cos_s / cos_g.
+float facet_share(inout vec3 normal) {
+    vec3 facet = cross(dFdx(surface_position), dFdy(surface_position));
+    float shading = dot(normal, surface_to_other), geometric = dot(facet, surface_to_other);
+    if (geometric == 0.0)
+        return 1.0;
+    normal = facet * (inversesqrt(dot(facet, facet)) * sign(geometric));
+    return clamp(shading / dot(normal, surface_to_other), 0.0, ALBEDO_MOST);
+}
+
+vec3 sent_by_facet(vec3 color, inout vec3 normal) {
+    return clamp(color, 0.0, 1.0) * facet_share(normal);
+}
 #else
-#include "picture/no_facet.glsl"
+// A surface as its normals tell of it.
+const float ALBEDO_MOST = 1.0;
+
+vec3 sent_by_facet(vec3 color, inout vec3 normal) {
+    return color;
+}
 #endif
 
 #ifdef HAS_EMISSION

@@ -1,11 +1,161 @@
 // The layers of a picture, from the buffers of the frame.
 #include "shared/composite.h"
 #include "lib/gbuffer.glsl"
-#include "picture/layer_irradiance.glsl"
-#include "picture/layer_medium.glsl"
-#include "picture/layer_radiance.glsl"
+#include "gather/list_texel.glsl"
 #include "picture/layer_weight.glsl"
 #include "picture/sample_assignment.glsl"
+
+// What smooth surfaces throw onto this one: radiance of a white surface. A smooth surface itself has there what it shows,
+// radiance, and in A 1 and the part of it that is indirect light (passes/caustics/glass.h).
+#ifdef HAS_CAUSTICS
+layout(binding = UNIT_CAUSTIC) uniform sampler2D caustics;
+
+vec4 smooth_light(ivec2 texel) {
+    return texelFetch(caustics, texel, 0);
+}
+#else
+vec4 smooth_light(ivec2 texel) {
+    return vec4(0.0);
+}
+#endif
+
+struct smooth_seen {
+    vec3 caustic, direct, indirect; // the last two: what it shows
+    float rough;                    // 0: it is smooth, and reflects no other light; else 1
+};
+
+smooth_seen smooth_at(ivec2 texel) {
+    vec4 light = smooth_light(texel);
+    float rough = light.a > 0.0 ? 0.0 : 1.0;
+    vec3 shown = (1.0 - rough) * light.rgb;
+    return smooth_seen(rough * light.rgb, (2.0 - light.a) * shown, (light.a - 1.0) * shown, rough);
+}
+
+// The radiance of a surface beside its diffuse part.
+#ifdef HAS_SPECULAR
+layout(binding = UNIT_DIRECT_SPECULAR) uniform sampler2D direct_speculars;
+
+vec3 direct_specular(ivec2 texel) {
+    return texelFetch(direct_speculars, texel, 0).rgb;
+}
+#else
+vec3 direct_specular(ivec2 texel) {
+    return vec3(0.0);
+}
+#endif
+
+// Not of light that comes straight from a source.
+#ifdef HAS_RADIANCE
+layout(binding = UNIT_RADIANCE) uniform sampler2D radiances;
+
+vec3 indirect_specular(ivec2 texel) {
+    return params.scale * texelFetch(radiances, texel, 0).rgb;
+}
+#else
+vec3 indirect_specular(ivec2 texel) {
+    return vec3(0.0);
+}
+#endif
+
+#ifdef HAS_EMISSION
+layout(binding = UNIT_GBUFFER_EMISSION) uniform sampler2DArray emissions;
+
+vec3 emitted(ivec2 texel) {
+    return params.scale * texelFetch(emissions, ivec3(texel, 0), 0).rgb;
+}
+#else
+vec3 emitted(ivec2 texel) {
+    return vec3(0.0);
+}
+#endif
+
+// What lies behind all surfaces, and between them and the camera.
+#ifdef HAS_SKY
+#include "lib/panorama.glsl"
+
+layout(binding = UNIT_SKY) uniform sampler2D sky;
+
+vec3 sky_radiance(ivec2 pixel) {
+    vec2 ndc = 2.0 * (vec2(pixel) + 0.5) / vec2(gbuffer_size()) - 1.0;
+    vec3 along = camera.forward;
+    if (!camera.orthographic)
+        along += ndc.x * camera.right + ndc.y * camera.up;
+    return params.sky_strength * panorama_texel(sky, along, params.sky_turn);
+}
+
+vec3 background(ivec2 pixel) {
+    return params.sky_strength > 0.0 ? sky_radiance(pixel) : vec3(0.0);
+}
+#else
+vec3 background(ivec2 pixel) {
+    return vec3(0.0);
+}
+#endif
+
+// Of light rays through smooth surfaces, in the medium.
+#ifdef HAS_VOLUME_CAUSTICS
+layout(binding = UNIT_VOLUME_CAUSTIC) uniform sampler2D volume_caustics;
+
+vec3 volume_caustic(ivec2 texel) {
+    return texelFetch(volume_caustics, texel, 0).rgb;
+}
+#else
+vec3 volume_caustic(ivec2 texel) {
+    return vec3(0.0);
+}
+#endif
+
+// A medium on the way from surface to camera.
+#ifdef HAS_MEDIUM
+layout(binding = UNIT_IN_SCATTER) uniform sampler2D in_scatters;
+layout(binding = UNIT_TRANSMITTANCE) uniform sampler2D transmittances;
+
+vec3 airlight(ivec2 texel) {
+    return params.scale * texelFetch(in_scatters, texel, 0).rgb;
+}
+
+vec3 through_medium(vec3 radiance, ivec2 texel) {
+    return radiance * texelFetch(transmittances, texel, 0).rgb + airlight(texel) + volume_caustic(texel);
+}
+#else
+vec3 airlight(ivec2 texel) {
+    return vec3(0.0);
+}
+
+vec3 through_medium(vec3 radiance, ivec2 texel) {
+    return radiance;
+}
+#endif
+
+// The irradiance of a technique that has it.
+#ifdef HAS_IRRADIANCE
+layout(binding = UNIT_IRRADIANCE) uniform sampler2D irradiances;
+
+vec3 irradiance_of_pixel(ivec2 texel) {
+    return texelFetch(irradiances, texel, 0).rgb;
+}
+#else
+vec3 irradiance_of_pixel(ivec2 texel) {
+    return vec3(0.0);
+}
+#endif
+
+// At a sample's pixel, or at the edge sample of the pixel that has the sample.
+#ifdef HAS_EDGE_SAMPLES
+layout(binding = UNIT_EDGE_SAMPLE_TEXELS) uniform usampler2D edge_sample_texels;
+layout(binding = UNIT_EDGE_SAMPLE_IRRADIANCE) uniform sampler2D edge_sample_irradiance;
+
+vec3 irradiance_at(ivec2 texel, bool is_edge_sample, ivec2 pixel) {
+    if (!is_edge_sample)
+        return irradiance_of_pixel(texel);
+    ivec2 place = list_texel_of(texelFetch(edge_sample_texels, pixel, 0).r);
+    return texelFetch(edge_sample_irradiance, place, 0).rgb;
+}
+#else
+vec3 irradiance_at(ivec2 texel, bool is_edge_sample, ivec2 pixel) {
+    return irradiance_of_pixel(texel);
+}
+#endif
 
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray albedos;
 layout(binding = UNIT_DIRECT) uniform sampler2D directs;

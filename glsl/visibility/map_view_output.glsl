@@ -11,3 +11,8 @@ void map_view_output(map_view v) {
     captured_axis_and_extent = vec4(v.axis, v.extent);
     captured_tangent_and_near = vec4(v.tangent, v.near);
 }
+
+// The distance from a point to the farthest corner of a box.
+float farthest_corner(vec3 from, vec3 bounds_min, vec3 bounds_max) {
+    return length(max(abs(from - bounds_min), abs(from - bounds_max)));
+}

@@ -6,9 +6,52 @@
 
 flat in vec2 range; // near, 1 / z_far
 #ifdef LONG
-#include "visibility/paraboloid_long.glsl"
+// Where the pixel's true direction meets a long triangle, of which a polygon around its bent image is drawn.
+flat in vec3 plane;     // 1 / r in a direction is their product
+flat in vec4 limits[3]; // of the edges
+#ifdef MASKED
+flat in vec3 uv_slopes[2];
+#endif
+
+vec3 caster_normal() {
+    return plane;
+}
+
+// 0: beside the triangle, or below the map's plane.
+float caster_steps(vec4 way) {
+    float inside = min(min(dot(limits[0], way), dot(limits[1], way)), dot(limits[2], way));
+    return min(inside, way.z - PARABOLOID_LOWEST * way.w) > 0.0 ? 1.0 / dot(plane, way.xyz) : 0.0;
+}
+
+#ifdef MASKED
+vec2 caster_uv(vec4 way) {
+    return vec2(dot(uv_slopes[0], way.xyz), dot(uv_slopes[1], way.xyz)) / dot(plane, way.xyz);
+}
+#endif
 #else
-#include "visibility/paraboloid_short.glsl"
+// Where the pixel's true direction meets a short triangle. Between its projected corners the rasteriser draws it
+// straight, which it is not in this projection; but what it interpolates linearly, the local position, stays in the
+// triangle's plane.
+in vec3 local; // a point of the triangle's plane, in the map's frame
+#ifdef MASKED
+in vec2 surface_uv;
+#endif
+
+vec3 caster_normal() {
+    return cross(dFdx(local), dFdy(local));
+}
+
+// 0: below the map's plane.
+float caster_steps(vec4 way) {
+    vec3 normal = caster_normal();
+    return way.z > 0.0 ? dot(normal, local) / dot(normal, way.xyz) : 0.0;
+}
+
+#ifdef MASKED
+vec2 caster_uv(vec4 way) {
+    return surface_uv;
+}
+#endif
 #endif
 
 #ifdef MASKED

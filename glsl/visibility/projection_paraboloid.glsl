@@ -9,7 +9,7 @@ struct receiver {
     float distance, unit;
 };
 
-// Where a ray begins the slope within the texel is known (visibility/ray.glsl). Lifted as far as all others, what is
+// Where a ray begins the slope within the texel is known (visibility/visibility.glsl). Lifted as far as all others, what is
 // round is lit behind its horizon, and leaves and rails of a texel lose the shade that they cast beside them.
 #if FILTER == FILTER_RAY
 const float LIFTED = 0.4;

@@ -1,7 +1,6 @@
 // Vertex i becomes the paraboloid view from VPL first + i: a light without extent. What is nearer than the
 // next VPL may be left out, but no more. A VPL lies on a facet whose normal is not its own: on a round surface
 // it needs twice the near clip of a VAL to be clear of the facets around.
-#include "visibility/map_range.glsl"
 #include "visibility/map_view_output.glsl"
 #include "lib/tangent.glsl"
 #include "lib/vpl_input.glsl"

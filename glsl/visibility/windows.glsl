@@ -5,7 +5,7 @@
 //     cells cells_none()
 //     void cells_add(inout cells c, cell k)
 //     blocked cells_blocked(cells c)
-// before it includes filter_window.glsl.
+// before filter_light_map.glsl uses them.
 #include "shared/depth_bounds.h"
 #include "visibility/depth_maps.glsl"
 #include "visibility/sums.glsl"

@@ -16,7 +16,7 @@ struct vpl_buffer {
     GLuint sums_framebuffer;
 };
 
-/* How much VPLs count where they are clustered (lights/vpl_weight.glsl): what each would give to the picture, R32F, a texel
+/* How much VPLs count where they are clustered (lights/cluster_means.comp): what each would give to the picture, R32F, a texel
  * a VPL; and a pixel of what all would, and of how many there are, RGBA32F. */
 struct vpl_weights {
     struct texture values, sum;

@@ -111,9 +111,3 @@ bool renderer_read_display(const struct renderer *renderer, struct bitmap *bitma
     bitmap_free(bitmap);
     return false;
 }
-
-void renderer_read_element(const struct renderer *renderer, const float position[3],
-                           const float normal[3], struct element_view *view) {
-    if (renderer->technique->read_element)
-        renderer->technique->read_element(renderer->technique_state, position, normal, view);
-}

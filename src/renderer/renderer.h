@@ -183,8 +183,4 @@ float renderer_exposure(const struct renderer *renderer);
 /* What there is to look at: the G-buffer, the technique's, the irradiance, ambient occlusion. */
 void renderer_outputs(const struct renderer *renderer, struct output_list *outputs);
 
-/* The surface element at a place of the last frame into a zeroed view, which stays so where the technique has none. */
-void renderer_read_element(const struct renderer *renderer, const float position[3],
-                           const float normal[3], struct element_view *view);
-
 #endif

@@ -8,7 +8,6 @@
 #include "lights/view.h"
 #include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
-#include "techniques/element_view.h"
 #include "techniques/output.h"
 
 struct frame;
@@ -68,9 +67,6 @@ struct technique {
     struct contribution (*contribution)(const void *state);
     /* Adds intermediate results to look at, beside those of the renderer; NULL: none. */
     void (*outputs)(const void *state, struct output_list *outputs);
-    /* Fills a zeroed view with the surface element at a place of the last frame, for the viewer; NULL: there are none. */
-    void (*read_element)(const void *state, const float position[3], const float normal[3],
-                         struct element_view *view);
 };
 
 /* All techniques, in any order. Null-terminated. registry.c lists them. */

@@ -7,12 +7,10 @@
 #include "gl/context/context.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
-#include "inspect/voxel_light.h"
 #include "inspect/screen.h"
 #include "quality/time_budget.h"
 #include "renderer/renderer.h"
 #include "scene/lights/environment.h"
-#include "techniques/element_view.h"
 #include "viewer/files/file_dialog.h"
 #include "viewer/files/gallery.h"
 #include "viewer/files/loader.h"
@@ -106,8 +104,6 @@ struct shown {
     struct probe probe;
     struct pick pick;
     bool has_pick;
-    struct voxel_light voxel_light;     /* before what was picked */
-    struct element_view element;        /* at what was picked */
     double pick_motion;                 /* pace.last_motion when it was read */
     int fixed_width, fixed_height;      /* of the picture; 0 = as large as the window lets it */
     struct rectangle area;              /* of the window that pictures may take */

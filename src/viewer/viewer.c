@@ -292,7 +292,6 @@ static void close_window(struct viewer *viewer) {
         screen_free(&viewer->host.screen);
         inspect_free(&viewer->shown.inspect);
         probe_free(&viewer->shown.probe);
-        element_view_free(&viewer->shown.element);
         ui_free();
     }
     context_free(viewer->host.context);

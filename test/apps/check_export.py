@@ -1,6 +1,6 @@
 """Reads what manylight export wrote with readers of its own, and compares it with the GLB.
 
-    check_export.py mitsuba|pbrt|pack FOLDER SCENE.glb
+    check_export.py mitsuba|pack FOLDER SCENE.glb
 
 Triangles with their colours and emission, the camera by where it projects points, and the lights. Of GLBs it knows what
 the project's own have: plain float accessors, one picture each, no animation.
@@ -301,102 +301,6 @@ def check_mitsuba(folder, glb):
     compare_lights(glb, [mitsuba_light(e) for e in scene.findall("emitter") if e.get("type") != "envmap"])
 
 
-# --- pbrt -------------------------------------------------------------------------------------------
-
-
-def pbrt_statements(text):
-    """(directive, texts, parameters) of each: parameters by "type name"."""
-    tokens = re.findall(r'"[^"]*"|\[|\]|[^\s\[\]"]+', re.sub(r"#.*", "", text))
-    statements, i = [], 0
-    while i < len(tokens):
-        directive, texts, parameters = tokens[i], [], {}
-        i += 1
-        while i < len(tokens) and not re.match(r"[A-Z]", tokens[i]):
-            token = tokens[i]
-            if token[0] == '"' and " " in token:
-                end = tokens.index("]", i)
-                parameters[token.strip('"')] = [t.strip('"') for t in tokens[i + 2 : end]]
-                i = end + 1
-            elif token in "[]":
-                i += 1
-            else:
-                texts.append(token.strip('"'))
-                i += 1
-        statements.append((directive, texts, parameters))
-    return statements
-
-
-def floats(parameters, name):
-    return [float(x) for x in parameters[name]]
-
-
-def pbrt_camera(statements):
-    """Of pbrt: matrices are multiplied in their order; the camera looks along +z, x to the right."""
-    matrix = [[float(i == j) for j in range(4)] for i in range(4)]
-    for directive, texts, parameters in statements:
-        if directive == "Scale":
-            scales = [float(x) for x in texts] + [1]
-            matrix = multiply(matrix, [[scales[i] * (i == j) for j in range(4)] for i in range(4)])
-        elif directive == "LookAt":
-            eye, look, up = ([float(x) for x in texts[i : i + 3]] for i in (0, 3, 6))
-            forward = unit(sub(look, eye))
-            right = unit(cross(unit(up), forward))
-            rows = [right, cross(forward, right), forward]
-            matrix = multiply(matrix, [row + [-dot(row, eye)] for row in rows] + [[0, 0, 0, 1]])
-        elif directive == "Camera":
-            half = math.tan(math.radians(floats(parameters, "float fov")[0]) / 2)
-        elif directive == "Film":
-            width, height = (int(parameters[f"integer {axis}resolution"][0]) for axis in "xy")
-        elif directive == "WorldBegin":
-            break
-    across, above = half * max(1, width / height), half * max(1, height / width)
-
-    def place(point):
-        x, y, z = apply(matrix, point)
-        return [x / z / across, y / z / above]
-
-    return place, width / height
-
-
-def check_pbrt(folder, glb):
-    statements = pbrt_statements(open(f"{folder}/scene.pbrt").read())
-    place, aspect = pbrt_camera(statements)
-    compare_places(glb, place, aspect)
-    meshes, lights, emission, color, double = [], [], [0, 0, 0], None, None
-    for directive, texts, parameters in statements:
-        if directive == "AttributeBegin":
-            emission, color, double = [0, 0, 0], None, None
-        elif directive == "Material":
-            assert texts == ["diffuse"]
-            color = floats(parameters, "rgb reflectance") if "rgb reflectance" in parameters else None
-        elif directive == "AreaLightSource":
-            emission = floats(parameters, "rgb L")
-            double = parameters["bool twosided"] == ["true"]
-        elif directive == "Shape":
-            meshes.append((read_ply(f"{folder}/{parameters['string filename'][0]}"), color, emission, double))
-        elif directive == "LightSource" and texts[0] != "infinite":
-            lights.append(pbrt_light(texts[0], parameters))
-    compare_triangles(glb, meshes)
-    compare_lights(glb, lights)
-
-
-def pbrt_light(kind, parameters):
-    origin = floats(parameters, "point3 from")
-    if kind == "distant":
-        return ("directional", None, sub(floats(parameters, "point3 to"), origin), floats(parameters, "rgb L"), None)
-    if kind == "point":
-        return ("point", origin, None, floats(parameters, "rgb I"), None)
-    end = floats(parameters, "float coneangle")[0]
-    full = math.cos(math.radians(end - floats(parameters, "float conedeltaangle")[0]))
-    end = math.cos(math.radians(end))
-
-    def falloff(a):
-        t = min(1, max(0, (math.cos(a) - end) / (full - end)))
-        return t * t * (3 - 2 * t)
-
-    return ("spot", origin, sub(floats(parameters, "point3 to"), origin), floats(parameters, "rgb I"), falloff)
-
-
 # --- pack -------------------------------------------------------------------------------------------
 
 
@@ -431,5 +335,5 @@ def pack_light(light):
 
 
 kind, folder, scene = sys.argv[1:]
-{"mitsuba": check_mitsuba, "pbrt": check_pbrt, "pack": check_pack}[kind](folder, Glb(scene))
+{"mitsuba": check_mitsuba, "pack": check_pack}[kind](folder, Glb(scene))
 print(f"{kind}: {checks} values agree with {scene}")

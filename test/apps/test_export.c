@@ -4,7 +4,6 @@
 
 #include "base/file/image_file.h"
 #include "renderer/stage.h"
-#include "scene/lights/slide.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -21,7 +20,7 @@ static void test_formats_are_the_scene(void **state) {
     (void)state;
     static const char *const scenes[] = {"cornell-box", "three-lights", "table", "courtyard",
                                          "plant"};
-    static const char *const formats[] = {"pack", "mitsuba", "pbrt"};
+    static const char *const formats[] = {"pack", "mitsuba"};
     need_command("python3 -c 1");
     for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++)
         for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
@@ -51,27 +50,27 @@ static void test_schema(void **state) {
 static void test_high_picture(void **state) {
     (void)state;
     need_command("python3 -c 1");
-    expect(0, "% export scenes/cornell-box.glb -o @/high --format pbrt --size 100x200 -q &&"
-              " python3 test/apps/check_export.py pbrt @/high scenes/cornell-box.glb");
+    expect(0, "% export scenes/cornell-box.glb -o @/high --format mitsuba --size 100x200 -q &&"
+              " python3 test/apps/check_export.py mitsuba @/high scenes/cornell-box.glb");
 }
 
 /* A checker that misses a change would pass anything. */
 static void test_checker_sees_changes(void **state) {
     (void)state;
-    static const char *const changes[] = {"s/Scale -1 1 1/Scale 1 1 1/",
-                                          "s/rgb I. . 500/rgb I\" [ 501/",
-                                          "s/fov. . 39/fov\" [ 38/",
+    static const char *const changes[] = {"s/up=.0 1 0/up=\"0 -1 0/",
+                                          "s/intensity. value=.500/intensity\" value=\"501/",
+                                          "s/fov. value=.39/fov\" value=\"38/",
                                           "s/0.0649999976/0.066/",
-                                          "s/coneangle. . 28.9/coneangle\" [ 29.3/",
-                                          "s/maxdepth/maxdepth/"};
+                                          "s/angle. value=.28.9/angle\" value=\"29.3/",
+                                          "s/max_depth/max_depth/"};
     need_command("python3 -c 1");
-    expect(0, "% export scenes/cornell-box.glb -o @/seen --format pbrt -q");
+    expect(0, "% export scenes/cornell-box.glb -o @/seen --format mitsuba -q");
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
         char line[512];
         bool is_last = i + 1 == sizeof changes / sizeof *changes;
         snprintf(line, sizeof line,
-                 "rm -rf @/changed; cp -r @/seen @/changed && sed -i '%s' @/changed/scene.pbrt &&"
-                 " python3 test/apps/check_export.py pbrt @/changed scenes/cornell-box.glb",
+                 "rm -rf @/changed; cp -r @/seen @/changed && sed -i '%s' @/changed/scene.xml &&"
+                 " python3 test/apps/check_export.py mitsuba @/changed scenes/cornell-box.glb",
                  changes[i]);
         expect(is_last ? 0 : 1, line);
     }
@@ -90,22 +89,7 @@ static void random_direction(uint32_t *state, float direction[3]) {
     glm_vec3_copy((vec3){across * cosf(turn), across * sinf(turn), z}, direction);
 }
 
-/* Where pbrt-v4 looks a direction up: the angle by atan2, the inverse of what export does. */
-static void pbrt_texel(const struct image *image, const float d[3], const float **texel) {
-    float radius = sqrtf(fmaxf(0, 1 - fabsf(d[2])));
-    float phi = atan2f(fabsf(d[1]), fabsf(d[0])) * 2 / GLM_PIf, v = phi * radius, u = radius - v;
-    if (d[2] < 0) {
-        float swap = u;
-        u = 1 - v;
-        v = 1 - swap;
-    }
-    int x = (int)((copysignf(u, d[0]) + 1) / 2 * (float)image->width);
-    int y = (int)((copysignf(v, d[1]) + 1) / 2 * (float)image->height);
-    *texel = image_at(image, x < image->width ? x : image->width - 1,
-                      y < image->height ? y : image->height - 1);
-}
-
-/* Where Mitsuba does, its panorama turned about +Y by so many degrees. */
+/* Where Mitsuba looks a direction up, its panorama turned about +Y by that many degrees. */
 static void mitsuba_texel(const struct image *image, const float d[3], float turn,
                           const float **texel) {
     float a = turn * GLM_PIf / 180;
@@ -118,8 +102,8 @@ static void mitsuba_texel(const struct image *image, const float d[3], float tur
 }
 
 /* The share of directions in which the file has what the scene has. */
-static double share_of_same(const struct environment *sky, const struct image *image,
-                            const float *turn, float strength) {
+static double share_of_same(const struct environment *sky, const struct image *image, float turn,
+                            float strength) {
     uint32_t state = 1;
     int same = 0;
     enum { DIRECTIONS = 20000 };
@@ -128,10 +112,7 @@ static double share_of_same(const struct environment *sky, const struct image *i
         const float *texel;
         random_direction(&state, direction);
         environment_radiance(sky, direction, radiance);
-        if (turn)
-            mitsuba_texel(image, direction, *turn, &texel);
-        else
-            pbrt_texel(image, direction, &texel);
+        mitsuba_texel(image, direction, turn, &texel);
         same += fabsf(strength * texel[1] - radiance[1]) < .002F * radiance[1];
     }
     return (double)same / DIRECTIONS;
@@ -145,20 +126,13 @@ static void test_environment_lies_right(void **state) {
     const struct stage_desc desc = {.path = "scenes/courtyard.glb",
                                     .environment = {.turn = 70, .strength = 3}};
     check_ok("stage", stage_init(&stage, &desc));
-    expect(0, "% export scenes/courtyard.glb -o @/sky-pbrt --format pbrt -q --environment-turn 70"
-              " --environment-strength 3");
-    check_ok("square", image_read(&image, scratch("sky-pbrt/environment.exr")));
-    double share = share_of_same(stage.emitters.sky, &image, NULL, 1);
-    image_free(&image);
-    printf("    pbrt: %.3f of the directions\n", share);
-    assert_true(share > .8); /* texels at the borders of others are means */
     expect(0, "% export scenes/courtyard.glb -o @/sky-mitsuba --format mitsuba -q"
               " --environment-turn 70 --environment-strength 3 &&"
               " grep -o 'angle=\"[0-9.]*' @/sky-mitsuba/scene.xml | tr -d 'a-z=\"' &&"
               " grep -o 'scale\" value=\"[0-9.]*' @/sky-mitsuba/scene.xml | tr -d 'a-z=\" '");
     assert_int_equal(sscanf(output, "%f %f", &angle, &scale), 2);
     check_ok("panorama", image_read(&image, scratch("sky-mitsuba/environment.exr")));
-    share = share_of_same(stage.emitters.sky, &image, &angle, scale);
+    double share = share_of_same(stage.emitters.sky, &image, angle, scale);
     image_free(&image);
     printf("    Mitsuba: %.3f of the directions\n", share);
     assert_true(share > .99);
@@ -177,157 +151,20 @@ static void test_notes_are_in_the_files(void **state) {
     expect(0, "% export scenes/materials.glb -o @/textured --format mitsuba");
     expect_text("its alpha mask is not interpolated");
     expect(0, "ls @/textured/color-*.exr @/textured/mask-*.png");
-    expect(0, "% export scenes/materials.glb -o @/textured-pbrt --format pbrt");
-    expect(0, "grep -c 'texture alpha' @/textured-pbrt/scene.pbrt");
-    expect(0, "% export scenes/hall.glb -o @/hall --format pbrt");
+    expect(0, "% export scenes/hall.glb -o @/hall --format mitsuba");
     expect_text("the medium is left out");
 }
 
-/* --- slides ----------------------------------------------------------------------------------- */
-
-/* Four colours, on a picture that is wider than high. */
-static void write_chart(const char *path) {
-    enum { WIDTH = 32, HEIGHT = 8 };
-    static const unsigned char colors[4][3] = {{255, 40, 0}, {0, 255, 90}, {70, 0, 255}, {9, 9, 9}};
-    unsigned char rgba[4 * WIDTH * HEIGHT];
-    struct bitmap bitmap = {.width = WIDTH, .height = HEIGHT, .rgba = rgba};
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        memcpy(rgba + 4 * i, colors[i / WIDTH / (HEIGHT / 2) * 2 + i % WIDTH / (WIDTH / 2)], 3);
-        rgba[4 * i + 3] = 255;
-    }
-    check_ok("chart", bitmap_write(&bitmap, path));
-}
-
-/* A projector as a file tells it: the picture's sides and its middle in space. */
-struct projector {
-    vec3 right, up, forward;
-    float tangent, scale; /* of half the angle; of the texels */
-    int cosines;          /* intensity is the texel over that power of the cosine */
-    struct image image;
-};
-
-static bool projector_sends(const struct projector *projector, vec3 direction, float rgb[3]) {
-    float ahead = glm_vec3_dot(direction, (float *)projector->forward);
-    float width = ahead * projector->tangent;
-    float x = glm_vec3_dot(direction, (float *)projector->right) / width;
-    float y = glm_vec3_dot(direction, (float *)projector->up) / width;
-    if (ahead <= 0 || fabsf(x) >= 1 || fabsf(y) >= 1)
-        return false;
-    const struct image *image = &projector->image;
-    glm_vec3_scale(image_at(image, (int)((.5F + .5F * x) * (float)image->width),
-                            (int)((.5F - .5F * y) * (float)image->height)),
-                   projector->scale / powf(ahead, (float)projector->cosines), rgb);
-    return true;
-}
-
-/* pbrt-v4 flips y, so that the first row is towards +y; x and y come by columns of the transform. */
-static void read_pbrt_projector(struct projector *projector) {
-    float m[16], angle = 0;
-    expect(0, "grep -B1 projection @/slide-pbrt/scene.pbrt | tr -dc '0-9. e\\n-' | tr '\\n' ' ' |"
-              " tr -s ' ' | sed 's/[a-z]* [a-z]* / /g'");
-    int got = 0, used = 0;
-    const char *text = output;
-    for (; got < 18 && *text; text += used ? used : 1) {
-        float value;
-        used = 0;
-        if (sscanf(text, " %f%n", &value, &used) != 1)
-            continue;
-        *(got < 16 ? &m[got] : got == 16 ? &angle : &projector->scale) = value;
-        got++;
-    }
-    assert_int_equal(got, 18);
-    glm_vec3_copy(m, projector->right);
-    glm_vec3_copy(m + 4, projector->up);
-    glm_vec3_copy(m + 8, projector->forward);
-    projector->tangent = tanf(angle * GLM_PIf / 360);
-}
-
-/* Mitsuba's camera has x to the left; a plane before its projector gets pi times the texel. */
-static void read_mitsuba_projector(struct projector *projector) {
-    vec3 origin, target, up, left;
-    float angle;
-    expect(0, "grep -A3 'type=\"projector' @/slide-mitsuba/scene.xml");
-    const char *look = strstr(output, "origin="), *fov = strstr(output, "name=\"fov\"");
-    assert_true(look && fov);
-    assert_int_equal(sscanf(look, "origin=\"%f %f %f\" target=\"%f %f %f\" up=\"%f %f %f",
-                            &origin[0], &origin[1], &origin[2], &target[0], &target[1], &target[2],
-                            &up[0], &up[1], &up[2]),
-                     9);
-    assert_int_equal(sscanf(fov, "name=\"fov\" value=\"%f\"/>\n<float name=\"scale\" value=\"%f",
-                            &angle, &projector->scale),
-                     2);
-    glm_vec3_sub(target, origin, projector->forward);
-    vec3_unit(projector->forward);
-    vec3_unit_cross(up, projector->forward, left);
-    glm_vec3_cross(projector->forward, left, projector->up);
-    glm_vec3_negate_to(left, projector->right);
-    projector->tangent = tanf(angle * GLM_PIf / 360);
-    projector->scale *= GLM_PIf;
-    projector->cosines = 3;
-}
-
-/* The share of directions in the cone whose intensity is the light's, and others have none. */
-static void check_projector(const char *format, const struct projector *projector,
-                            const struct emitter *light) {
-    enum { DIRECTIONS = 20000 };
-    uint32_t state = 1;
-    int same = 0, lit = 0;
-    float near = .02F * glm_vec3_max((float *)light->intensity);
-    for (int i = 0; i < DIRECTIONS; i++) {
-        vec3 direction, right, expected, sent = {0};
-        random_direction(&state, direction);
-        emitter_slide(light, direction, expected);
-        glm_vec3_mul(expected, (float *)light->intensity, right);
-        glm_vec3_scale(
-            right, emitter_cone(light, glm_vec3_dot(direction, (float *)light->direction)), right);
-        projector_sends(projector, direction, sent);
-        lit += glm_vec3_max(right) > 0;
-        same += glm_vec3_distance(right, sent) < near;
-    }
-    printf("    %s: %d of %d directions, %d of them lit\n", format, same, DIRECTIONS, lit);
-    assert_true(lit > DIRECTIONS / 50);
-    check_at_most("others, of the lit ones", (double)(DIRECTIONS - same) / lit, .02);
-}
-
-/* A spot of a file whose picture colours its light: its intensity in all directions is that of the projector. */
-static void test_slide_is_a_projector(void **state) {
-    (void)state;
-    static void (*const readers[])(struct projector *) = {read_mitsuba_projector,
-                                                          read_pbrt_projector};
-    static const char *const formats[] = {"mitsuba", "pbrt"};
-    struct stage stage;
-    need_command("python3 -c 1");
-    write_chart(scratch("chart.png"));
-    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb @/chart.png");
-    char path[256], line[256];
-    snprintf(path, sizeof path, "%s", scratch("slide.glb"));
-    check_ok("stage", stage_init(&stage, &(struct stage_desc){.path = path}));
-    for (int f = 0; f < 2; f++) {
-        struct projector projector = {0};
-        snprintf(line, sizeof line, "%% export @/slide.glb -o @/slide-%s --format %s", formats[f],
-                 formats[f]);
-        expect(0, line);
-        expect_text("light 0: its slide and its cone are 1024 x 1024 texels");
-        snprintf(line, sizeof line, "slide-%s/slide-0.exr", formats[f]);
-        check_ok("picture", image_read(&projector.image, scratch(line)));
-        readers[f](&projector);
-        check_projector(formats[f], &projector, &stage.emitters.items[0]);
-        image_free(&projector.image);
-    }
-    stage_free(&stage);
-}
-
-/* A pack's lights have no slides, and no projector is as wide as this cone. */
+/* No format has slides. */
 static void test_slide_is_noted(void **state) {
     (void)state;
     need_command("python3 -c 1");
-    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/pixel.glb &&"
-              " % export @/pixel.glb -o @/slide-pack");
-    assert_int_equal(count_text(output, "light 0: its slide is left out"), 1);
-    expect(0, "% export @/pixel.glb -o @/slide-wide --format pbrt --light '0 cone=.5,.1'");
-    assert_int_equal(
-        count_text(output, "light 0: its slide is left out: its cone is wider than 80 degrees"), 1);
-    expect(1, "grep projection @/slide-wide/scene.pbrt");
+    expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb");
+    for (int i = 0; i < 2; i++) {
+        expect(0, i ? "% export @/slide.glb -o @/slide-pack"
+                    : "% export @/slide.glb -o @/slide-mitsuba --format mitsuba");
+        assert_int_equal(count_text(output, "light 0: its slide is left out"), 1);
+    }
 }
 
 /* All XML is well-formed, and all files that it names are there. */
@@ -363,10 +200,8 @@ static void test_dots(void **state) {
  * is changed to be mirrored in one direction, which its coordinates never leave. */
 static void test_wrap_modes(void **state) {
     (void)state;
-    expect(0,
-           "for f in mitsuba pbrt; do % export scenes/materials.glb -o @/wrap-$f --format $f 2>&1"
-           " | grep wraps || exit 1; done");
-    assert_int_equal(count_text(output, "note: texture 4: wraps down as it does across"), 2);
+    expect(0, "% export scenes/materials.glb -o @/wrap --format mitsuba 2>&1 | grep wraps");
+    assert_int_equal(count_text(output, "note: texture 4: wraps down as it does across"), 1);
     for (int down = 0; down < 2; down++) {
         expect(0,
                down ? "sed 's/\"wrapS\":33071,\"wrapT\":33071}]/\"wrapS\":33071,\"wrapT\":33648}]/'"
@@ -384,7 +219,7 @@ static void test_wrap_modes(void **state) {
 /* A signal while files are written leaves none of them. */
 static void test_interrupted(void **state) {
     (void)state;
-    expect(143, "% export scenes/courtyard.glb -o @/ended --format pbrt & p=$!; until"
+    expect(143, "% export scenes/courtyard.glb -o @/ended --format mitsuba & p=$!; until"
                 " ls -d @/ended.part-* || ! kill -0 $p; do :; done > @/log.txt 2>&1; kill -TERM $p;"
                 " wait $p");
     expect(2, "ls -d @/ended @/ended.part-*");
@@ -489,7 +324,6 @@ int main(void) {
         cmocka_unit_test(test_checker_sees_changes),
         cmocka_unit_test(test_environment_lies_right),
         cmocka_unit_test(test_notes_are_in_the_files),
-        cmocka_unit_test(test_slide_is_a_projector),
         cmocka_unit_test(test_slide_is_noted),
         cmocka_unit_test(test_xml_is_well_formed),
         cmocka_unit_test(test_odd_names),

@@ -129,11 +129,10 @@ static int output_count(const struct victim *victim) {
     return count;
 }
 
-/* bench's files tell times, which differ; beside one lie the rows of a run that was broken off. */
+/* bench's files tell times, which differ. */
 static bool files_are_good(const struct trial *trial, bool failed) {
     int count = output_count(trial->victim);
-    int parts = trial->victim == &bench ? count : 0;
-    bool good = count_files(trial->folder) <= count + parts;
+    bool good = count_files(trial->folder) <= count;
     for (int i = 0; good && trial->victim != &bench && i < count; i++)
         good = output_is_good(trial, i, failed);
     return good;

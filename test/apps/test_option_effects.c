@@ -21,7 +21,7 @@ static const struct place {
     {"compare", "@/a.exr @/b.exr -o @/out/o.exr -m rmse", false},
     {"compare", "@/a.png --json @/b.png", false},
     {"export", SCENE "-o @/out/o --environment @/sky.exr", false},
-    {"export", SCENE "-o @/out/o --environment @/sky.exr --format pbrt", false},
+    {"export", SCENE "-o @/out/o --environment @/sky.exr --format mitsuba", false},
     {"info", SCENE, false},
     {"info", "", true},
     {"reference", SMALL "--spp 1 -o @/out/o.exr", true},

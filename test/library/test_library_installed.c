@@ -112,18 +112,6 @@ static void test_process_stays(void **state) {
     expect(1, "grep -xE 'exit|signal|setlocale|putenv|chdir|system|popen|atexit' @/needed");
 }
 
-/* Compiled against the first header of ABI 0, kept beside the test. */
-static void test_old_binary(void **state) {
-    (void)state;
-    need_default_build();
-    expect(
-        0,
-        "cc -std=c99 -Wall -Werror -Itest/library/abi-0 test/library/abi-0/old.c -o @/old -L" PREFIX
-        "/lib -lmanylight");
-    expect(0, ENVIRONMENT " @/old " BOX);
-    expect_text("16x12, 4 channels");
-}
-
 static void test_window(void **state) {
     (void)state;
     need_default_build();
@@ -151,8 +139,7 @@ int main(void) {
         cmocka_unit_test(test_pkg_config),       cmocka_unit_test(test_cmake),
         cmocka_unit_test(test_cxx_reads_header), cmocka_unit_test(test_other_header),
         cmocka_unit_test(test_symbols),          cmocka_unit_test(test_process_stays),
-        cmocka_unit_test(test_old_binary),       cmocka_unit_test(test_window),
-        cmocka_unit_test(test_uninstall),
+        cmocka_unit_test(test_window),           cmocka_unit_test(test_uninstall),
     };
     return cmocka_run_group_tests(tests, install_library, NULL);
 }

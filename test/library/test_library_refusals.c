@@ -3,6 +3,7 @@
 #include "library_support.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -144,6 +145,10 @@ static void test_scene_descriptors(void **state) {
                  "it is of a newer header");
     newer.more = 0;
     check_call("a newer header, not used", manylight_scene_open(&newer.desc, &scene));
+    manylight_scene_free(scene);
+    newer.desc.size = offsetof(struct manylight_scene_desc, root);
+    newer.desc.root = "no-folder";
+    check_call("an older header, without root", manylight_scene_open(&newer.desc, &scene));
     manylight_scene_free(scene);
     check_failed(manylight_scene_open(SCENE(.path = NULL), &scene), MANYLIGHT_BAD_ARGUMENT,
                  "no path, memory");

@@ -149,8 +149,32 @@ def check_images(device):
     refuse("layer a: ", lambda: manylight.write(os.path.join(FOLDER, "a.exr"), {"a": [["x"]]}))
 
 
+def check_errors(device):
+    """Each kind of error has its class; files that do not exist are Python's own error, too."""
+    box = "scenes/cornell-box.glb"
+    for kind, call in ((manylight.SceneError, lambda: Scene(box, variant="nothing")),
+                       (manylight.SettingError, lambda: device.render(box, (16, 16), technique="magic")),
+                       (manylight.ArgumentError, lambda: device.render(box, (16, 16), layers=["magic"])),
+                       (manylight.ArgumentError, lambda: Scene("a\0b"))):
+        try:
+            call()
+            raise AssertionError(f"no {kind}")
+        except kind as error:
+            print(f"    {kind.__name__}: {error}")
+    for call in (Scene, manylight.read, manylight.reference):
+        try:
+            call(os.path.join(FOLDER, "missing.exr"))
+            raise AssertionError("not missed")
+        except FileNotFoundError as error:
+            assert isinstance(error, manylight.Error) and "missing.exr" in str(error), error
+    closed = manylight.Device(allow_software=True)
+    closed.close()
+    refuse("the device is closed", lambda: closed.render(box))
+
+
 def main():
     with manylight.Device(allow_software=True) as device:
+        check_errors(device)
         check_area_lights(device)
         check_colors(device)
         check_vectors(device)

@@ -56,11 +56,6 @@ static void test_bits(void **state) {
     run_script("check_bits.py % @");
 }
 
-static void test_refusals(void **state) {
-    (void)state;
-    run_script("check_refusals.py % @");
-}
-
 static void test_arguments(void **state) {
     (void)state;
     run_script("check_arguments.py % @");
@@ -93,9 +88,9 @@ static void test_wheel(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bits),      cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_arguments), cmocka_unit_test(test_life),
-        cmocka_unit_test(test_notebook),  cmocka_unit_test(test_wheel),
+        cmocka_unit_test(test_bits),  cmocka_unit_test(test_arguments),
+        cmocka_unit_test(test_life),  cmocka_unit_test(test_notebook),
+        cmocka_unit_test(test_wheel),
     };
-    return run_some_tests(tests, 4, build_module, NULL);
+    return run_some_tests(tests, 3, build_module, NULL);
 }

@@ -62,7 +62,7 @@ static void test_cancelled_frames(void **state) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     for (size_t i = 0; techniques[i]; i++)
-        if (is_tried_here(i, 5) || techniques[i]->read_element)
+        if (is_tried_here(i, 5) || strcmp(techniques[i]->name, "implicit-visibility") == 0)
             check_technique(&stage, techniques[i]->name, i % 2);
     stage_free(&stage);
 }

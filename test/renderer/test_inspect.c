@@ -6,7 +6,6 @@
 #include "gl/glsl.h"
 #include "inspect/inspect.h"
 #include "inspect/probe.h"
-#include "inspect/voxel_light.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -172,148 +171,12 @@ static void test_pick(void **state) {
     close_frame(&stage, &renderer);
 }
 
-/* --- light at a voxel ------------------------------------------------------------------------- */
-
-/* Its coefficients are by the integrals of harmonics over the sphere. */
-static double polynomial(const float d[3]) {
-    double x = (double)d[0], y = (double)d[1], z = (double)d[2];
-    return 1 + 2 * y - z + 3 * x + x * y - 2 * y * z + z * z - x * z + x * x - y * y;
-}
-
-/* The ball shows the sum of coefficients times harmonics. */
-static void test_ball(void **state) {
-    (void)state;
-    const double first = sqrt(4 * GLM_PI), second = sqrt(4 * GLM_PI / 3),
-                 mixed = sqrt(4 * GLM_PI / 15), third = sqrt(16 * GLM_PI / 45);
-    const double exact[] = {4 * first / 3, 2 * second, -second, 3 * second, mixed,
-                            -2 * mixed,    third,      -mixed,  2 * mixed};
-    struct voxel_light light = {.order = 3};
-    double worst = 0;
-    for (int i = 0; i < VOXEL_LIGHT_COEFFICIENTS; i++)
-        for (int c = 0; c < 3; c++)
-            light.coefficients[i][c] = (float)((c + 1) * exact[i]);
-    for (int i = 0; i < 200; i++) {
-        double z = 1 - (2 * i + 1) / 200., r = sqrt(1 - z * z), turn = 2.4 * i;
-        float d[3] = {(float)(r * cos(turn)), (float)(r * sin(turn)), (float)z}, rgb[3];
-        voxel_light_radiance(&light, d, rgb);
-        for (int c = 0; c < 3; c++)
-            worst = fmax(worst, fabs((double)rgb[c] / (c + 1) - polynomial(d)));
-    }
-    check_at_most("radiance, less the polynomial's", worst, 1e-5);
-}
-
-/* Over pi: what a white surface of that normal has of the ball's radiance. */
-static void light_white(const struct voxel_light *light, const float normal[3], double rgb[3]) {
-    enum { COUNT = 20000 };
-    memset(rgb, 0, 3 * sizeof *rgb);
-    for (int i = 0; i < COUNT; i++) {
-        double z = 1 - (2 * i + 1) / (double)COUNT, r = sqrt(1 - z * z), turn = 2.39996323 * i;
-        float d[3] = {(float)(r * cos(turn)), (float)(r * sin(turn)), (float)z}, one[3];
-        float cosine = fmaxf(glm_vec3_dot(d, (float *)normal), 0);
-        voxel_light_radiance(light, d, one);
-        for (int c = 0; c < 3; c++)
-            rgb[c] += 4. / COUNT * (double)(cosine * one[c]);
-    }
-}
-
-/* Beside flat walls all eight voxels that light a pixel have nearly the light of one. */
-static void test_voxel_light(void **state) {
-    (void)state;
-    static const char *const orders[] = {"volume.order=2", "volume.order=3"};
-    for (int order = 2; order <= 3; order++) {
-        struct stage stage;
-        struct renderer renderer;
-        struct probe probe = {0};
-        struct pick pick;
-        struct voxel_light light;
-        double rgb[3];
-        open_frame(&stage, &renderer, "imperfect-volume", orders[order - 2]);
-        check_ok("pick", probe_pick(&probe, &renderer, .5F, .2F, &pick));
-        assert_true(pick.present);
-        voxel_light_read(&light, &renderer, pick.position, pick.normal);
-        assert_int_equal(light.order, order);
-        light_white(&light, pick.normal, rgb);
-        for (int c = 0; c < 3; c++)
-            check_near(orders[order - 2], rgb[c] / (double)pick.indirect[c], 1, .1);
-        voxel_light_read(&light, &renderer, (const float[3]){1e6F, 0, 0}, pick.normal);
-        assert_int_equal(light.order, 0);
-        probe_free(&probe);
-        close_frame(&stage, &renderer);
-    }
-}
-
-/* The bin's place is where its partner lies: faces of the cross lead along x and z, and up. */
-static int count_misplaced(const struct element_view *view) {
-    static const int axes[ELEMENT_FACES][2] = {
-        [ELEMENT_LEFT] = {0, -1}, [ELEMENT_FRONT] = {2, 1}, [ELEMENT_RIGHT] = {0, 1},
-        [ELEMENT_REAR] = {2, -1}, [ELEMENT_ABOVE] = {1, 1}, [ELEMENT_BELOW] = {1, -1}};
-    int misplaced = 0;
-    for (int i = 0; i < ELEMENT_FACES * view->side * view->side; i++) {
-        const struct element_bin *bin = &view->bins[i];
-        const int *axis = axes[i / (view->side * view->side)];
-        const int row = i / view->side % view->side, column = i % view->side;
-        float path[3];
-        if (bin->kind != ELEMENT_BIN_LINKED)
-            continue;
-        glm_vec3_sub((float *)bin->partner, (float *)view->position, path);
-        bool along = (float)axis[1] * path[axis[0]] >= .999F * glm_vec3_max(path) &&
-                     (float)axis[1] * path[axis[0]] >= -.999F * glm_vec3_min(path);
-        bool right = (path[0] > 0) == (2 * column >= view->side);
-        bool rear = (path[2] < 0) == (2 * row < view->side);
-        int face = i / (view->side * view->side);
-        misplaced += !along || ((face == ELEMENT_FRONT || face == ELEMENT_ABOVE) && !right) ||
-                     (face == ELEMENT_ABOVE && !rear);
-    }
-    return misplaced;
-}
-
-/* The light of an element's bins is its irradiance, by each way to make links. */
-static void test_element(void **state) {
-    (void)state;
-    static const char *const settings[] = {
-        "elements=800 radiosity.bins=8 bounces=2 radiosity.cover=center radiosity.turned=off",
-        "elements=800 radiosity.bins=8 bounces=2 radiosity.links=pairs",
-        "elements=800 radiosity.bins=8 bounces=2"};
-    for (int way = 0; way < 3; way++) {
-        struct stage stage;
-        struct renderer renderer;
-        struct probe probe = {0};
-        struct pick pick;
-        struct element_view view = {0};
-        double cosines = 0, sum = 0;
-        int levels = 0;
-        open_frame(&stage, &renderer, "implicit-visibility", settings[way]);
-        check_ok("pick", probe_pick(&probe, &renderer, .5F, .93F, &pick));
-        assert_true(pick.present && pick.normal[1] > .99F);
-        renderer_read_element(&renderer, pick.position, pick.normal, &view);
-        assert_int_equal(view.side, 8);
-        for (int i = 0; i < ELEMENT_FACES * 8 * 8; i++) {
-            cosines += (double)view.bins[i].cosine;
-            sum += (double)(view.bins[i].cosine * view.bins[i].radiance[0]);
-            levels = view.bins[i].level > levels ? view.bins[i].level : levels;
-        }
-        check_near("light of bins over irradiance",
-                   sum * GLM_PI / cosines / (double)view.irradiance[0], 1, 1e-4);
-        check_at_most("a partner's level, at least", 1, levels);
-        check_at_most("distance from the click, m",
-                      (double)glm_vec3_distance(view.position, pick.position),
-                      .15 * (double)stage.geometry.radius);
-        if (way == 0) /* bins of the world, of the partners' middles */
-            assert_int_equal(count_misplaced(&view), 0);
-        element_view_free(&view);
-        renderer_read_element(&renderer, pick.position, (const float[3]){0, 0, 0}, &view);
-        assert_int_equal(view.side, 0);
-        probe_free(&probe);
-        close_frame(&stage, &renderer);
-    }
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures),     cmocka_unit_test(test_missing),
-        cmocka_unit_test(test_shaders_kept), cmocka_unit_test(test_pick),
-        cmocka_unit_test(test_ball),         cmocka_unit_test(test_voxel_light),
-        cmocka_unit_test(test_element),
+        cmocka_unit_test(test_pictures),
+        cmocka_unit_test(test_missing),
+        cmocka_unit_test(test_shaders_kept),
+        cmocka_unit_test(test_pick),
     };
     return cmocka_run_group_tests_name("inspect", tests, open_group_context, close_group_context);
 }

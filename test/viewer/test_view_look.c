@@ -216,71 +216,6 @@ static void test_pick(void **state) {
     end_viewer();
 }
 
-/* A click on voxels shows the light before them as a ball, whose halves have colours of their own. */
-static void test_light_ball(void **state) {
-    (void)state;
-    char text[200];
-    if (!stage.server)
-        skip();
-    start_viewer(BOX, "--technique imperfect-volume --set volume.size=24");
-    sync_viewer();
-    press("output");
-    press("voxels");
-    open_surface();
-    find_text("light at the voxel", text, sizeof text);
-    assert_string_equal(text, "");
-    xdo("mousemove 150 640 click 1");
-    sync_viewer();
-    find_text("light at the voxel", text, sizeof text);
-    printf("    %s\n", text);
-    assert_true(*text);
-    int x, y, colours = 0;
-    find_place("light ball", &x, &y);
-    struct bitmap screen = read_screen();
-    for (int i = 1; i < 60; i++)
-        colours +=
-            memcmp(pixel(&screen, x - 75, y - 40 + i), pixel(&screen, x - 75, y - 41 + i), 3) != 0;
-    bitmap_free(&screen);
-    printf("    %-48s %d\n", "changes of colour in 60 pixels", colours);
-    assert_true(colours > 5);
-    end_viewer();
-}
-
-/* A click with radiosity shows the element's cube, and lines to its partners over the picture. */
-static void test_element_cube(void **state) {
-    (void)state;
-    char text[200];
-    if (!stage.server)
-        skip();
-    start_viewer(BOX, "--technique implicit-visibility --set elements=500 --set radiosity.bins=6");
-    sync_viewer();
-    open_surface();
-    struct bitmap before = read_screen();
-    find_text("surface element", text, sizeof text);
-    assert_string_equal(text, "");
-    xdo("mousemove 150 640 click 1");
-    sync_viewer();
-    find_text("surface element", text, sizeof text);
-    printf("    %s\n", text);
-    assert_true(*text);
-    int x, y, colours = 0, changed = 0;
-    find_place("element cube", &x, &y);
-    struct bitmap screen = read_screen();
-    for (int i = 1; i < 90; i++)
-        colours +=
-            memcmp(pixel(&screen, x - 60, y - 50 + i), pixel(&screen, x - 60, y - 51 + i), 3) != 0;
-    for (int i = 0; i < 300; i++)
-        for (int k = 20; k < 24; k++)
-            changed +=
-                memcmp(pixel(&screen, 20 + i, 20 * k), pixel(&before, 20 + i, 20 * k), 3) != 0;
-    bitmaps_free(&screen, &before);
-    printf("    %-48s %d\n", "changes of colour in 90 pixels", colours);
-    printf("    %-48s %d\n", "pixels of the picture that lines change", changed);
-    assert_true(colours > 5);
-    assert_true(changed > 20);
-    end_viewer();
-}
-
 /* Where no surface is there is no normal. */
 static void test_normals(void **state) {
     (void)state;
@@ -336,10 +271,9 @@ static void test_sheet(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_enlarged),     cmocka_unit_test(test_layouts),
-        cmocka_unit_test(test_inspector),    cmocka_unit_test(test_view),
-        cmocka_unit_test(test_pick),         cmocka_unit_test(test_light_ball),
-        cmocka_unit_test(test_element_cube), cmocka_unit_test(test_normals),
+        cmocka_unit_test(test_enlarged),  cmocka_unit_test(test_layouts),
+        cmocka_unit_test(test_inspector), cmocka_unit_test(test_view),
+        cmocka_unit_test(test_pick),      cmocka_unit_test(test_normals),
         cmocka_unit_test(test_sheet),
     };
     return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);

@@ -16,8 +16,7 @@
 
 const struct bench_mode *const bench_modes[] = {
     &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves,   &bench_passes,
-    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, &bench_chart,
-    NULL,
+    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, NULL,
 };
 
 const char *const bench_variants[] = {"paper", "fast", NULL};
@@ -122,11 +121,7 @@ static const struct option options[] = {
      .help = "file of a reference for the scene in this size, in place of the cache"},
     {"output", 'o', OPTION_TEXT, VALUE(output), .value_name = "DIR", .help = "folder for pictures"},
     {"csv", 0, OPTION_TEXT, VALUE(csv), .value_name = "FILE",
-     .help = "file for all results, one row each; unfinished runs keep\n"
-             "rows in FILE.part, and the same command continues from there"},
-    {"restart", 0, OPTION_FLAG, VALUE(restart),
-     .help = "drop the rows of FILE.part; without it a run with other\n"
-             "settings, on another machine or of another commit is refused"},
+     .help = "file for all results, one row each, written after each measurement"},
     CONTEXT_OPTIONS(struct bench_values, context),
 };
 
@@ -198,7 +193,7 @@ static int run_mode(const struct bench_mode *mode, int argc, char **argv) {
         if (!check(&bench, mode))
             status = arguments_misuse(name);
         else
-            status = bench_run(&bench, mode, table) ? STATUS_OK : arguments_fail(name);
+            status = bench_run(&bench, mode) ? STATUS_OK : arguments_fail(name);
     }
     results_free(&bench.results);
     for (int i = 0; i < BENCH_OWN_MAX; i++)

@@ -17,7 +17,7 @@ struct bench_values {
     const char *csv, *cache, *output, *reference_file, *picture;
     int size[2], frames, warm_up, passes, reference;
     float noise;
-    bool tracer, tables, estimates, restart, whole_frames;
+    bool tracer, tables, estimates, whole_frames;
     struct stage_desc stage; /* without a path */
 };
 
@@ -26,12 +26,11 @@ enum { BENCH_OWN_MAX = 8 };
 /* How far a run is. */
 struct bench_work {
     struct progress progress;
-    int part;       /* of the arguments */
-    int first;      /* its first subject */
-    int expected;   /* its subjects; 0 = nobody knows yet */
-    double resumed; /* the share of all work that was there */
-    int printed;    /* subjects that the first table has had */
-    int last;       /* that results_print printed last */
+    int part;     /* of the arguments */
+    int first;    /* its first subject */
+    int expected; /* its subjects; 0 = nobody knows yet */
+    int printed;  /* subjects that the first table has had */
+    int last;     /* that results_print printed last */
 };
 
 /* A run of a mode. */
@@ -41,9 +40,9 @@ struct bench {
     const char **arguments; /* scenes, or what the mode takes instead */
     int argument_count;
     char *own_scenes[BENCH_OWN_MAX]; /* those of the arguments that nobody gave */
-    struct context *context;         /* current; NULL where the mode needs none */
+    struct context *context;         /* current */
     struct stage *stage;             /* the present scene; NULL while arguments are tried */
-    struct results results;          /* go to the journal, and to --csv at the end */
+    struct results results;          /* go to --csv as they are measured */
     struct bench_work work;
 };
 
@@ -67,14 +66,13 @@ struct bench_mode {
 };
 
 extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_budget, bench_curves,
-    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics,
-    bench_chart;
+    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics;
 
 /* Ends with NULL. */
 extern const struct bench_mode *const bench_modes[];
 
 /* The options of modes that use OpenGL. */
-#define BENCH_CONTEXT " csv restart context device screen-passes gl-debug"
+#define BENCH_CONTEXT " csv context device screen-passes gl-debug"
 
 /* paper and fast. */
 extern const char *const bench_variants[];

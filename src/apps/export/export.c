@@ -7,7 +7,6 @@
 #include "apps/export/meshes.h"
 #include "apps/export/mitsuba.h"
 #include "apps/export/pack.h"
-#include "apps/export/pbrt.h"
 #include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
@@ -16,11 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum export_format { FORMAT_PACK, FORMAT_MITSUBA, FORMAT_PBRT };
+enum export_format { FORMAT_PACK, FORMAT_MITSUBA };
 
-static const char *const format_names[] = {"pack", "mitsuba", "pbrt", NULL};
-static bool (*const exporters[])(struct export_target *) = {export_pack, export_mitsuba,
-                                                            export_pbrt};
+static const char *const format_names[] = {"pack", "mitsuba", NULL};
+static bool (*const exporters[])(struct export_target *) = {export_pack, export_mitsuba};
 
 struct values {
     struct common_values common;
@@ -33,13 +31,12 @@ static const struct option options[] = {
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FOLDER",
      .help = "folder to make; an error if it exists"},
     {"format", 0, OPTION_CHOICE, offsetof(struct values, format), .choices = format_names,
-     .help = "pack: GLB, and camera and lights as JSON; mitsuba: XML of Mitsuba 3;\n"
-             "pbrt: pbrt-v4"},
+     .help = "pack: GLB, and camera and lights as JSON; mitsuba: XML of Mitsuba 3"},
     {"size", 0, OPTION_SIZE, offsetof(struct values, size), 0, 1, 16384, .help = SIZE_HELP},
     {"bounces", 0, OPTION_INT, offsetof(struct values, bounces), 1, 0, 1000,
      .help = "number of indirect bounces; 0: direct light only"},
     {"spp", 0, OPTION_INT, offsetof(struct values, samples), 256, 1, 1e6,
-     .help = "samples per pixel that mitsuba and pbrt are asked for"},
+     .help = "samples per pixel of the file for Mitsuba"},
     {"materials", 0, OPTION_CHOICE, offsetof(struct values, materials), .choices = materials_names,
      .help = "materials of surfaces: as near to glTF's as the\n"
              "format has them, or diffuse in their base colour"},
@@ -114,8 +111,8 @@ int app_export(int argc, char **argv) {
     int count, status;
     if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))
         return status;
-    const struct option_use uses[] = {
-        {"spp", values.format != FORMAT_PACK, "--format mitsuba and pbrt"}, {NULL}};
+    const struct option_use uses[] = {{"spp", values.format != FORMAT_PACK, "--format mitsuba"},
+                                      {NULL}};
     if (!values.output)
         error_set("-o FOLDER is missing");
     if (!values.output || !arguments_check_use(&values.common, uses))

@@ -1,7 +1,5 @@
 #include "apps/export/lights.h"
 
-#include "apps/export/slides.h"
-
 #include <cglm/cglm.h>
 #include <math.h>
 
@@ -22,10 +20,9 @@ void export_note_light(struct export_target *target, const struct emitter *emitt
         {emitter->range > 0 && emitter->type != EMITTER_DIRECTIONAL, "its range is left out"},
         {emitter->size[0] > 0 && !export_is_shape(emitter), "its size is left out"},
         {export_is_shape(emitter), "its shape blocks light"},
-        {emitter->type == EMITTER_SPOT && !export_is_projector(emitter),
+        {emitter->type == EMITTER_SPOT,
          "another falloff at the edge of its cone, of the same flux"},
-        {emitter->type == EMITTER_SPOT && emitter->slide && !export_is_projector(emitter),
-         "its slide is left out: its cone is wider than 80 degrees"},
+        {emitter->type == EMITTER_SPOT && emitter->slide, "its slide is left out"},
     };
     for (size_t i = 0; i < sizeof notes / sizeof *notes; i++)
         if (notes[i].is_so && emitter->number >= 0)
@@ -57,8 +54,7 @@ static double linear_end(double full, double flux) {
     return low;
 }
 
-/* The flux of ours: two thirds of the falloff's width are lost. Of a smoothstep, half of it is. */
-struct spot_cone export_cone(const struct emitter *emitter, enum spot_curve curve) {
+struct spot_cone export_cone(const struct emitter *emitter) {
     double outer = (double)emitter->cos_outer;
     double width = fmax(.001, (double)emitter->cos_inner - outer);
     double inner = fmin(outer + width, 1);
@@ -66,9 +62,7 @@ struct spot_cone export_cone(const struct emitter *emitter, enum spot_curve curv
     struct emitter one = *emitter;
     one.intensity[0] = one.intensity[1] = one.intensity[2] = 1;
     double flux = emitter_flux(&one, 1) / (2 * GLM_PI);
-    double end = curve == SPOT_LINEAR ? linear_end(full, flux)
-                                      : acos(fmin(fmax(2 * (1 - flux) - inner, -1), inner));
-    return (struct spot_cone){full * 180 / GLM_PI, end * 180 / GLM_PI};
+    return (struct spot_cone){full * 180 / GLM_PI, linear_end(full, flux) * 180 / GLM_PI};
 }
 
 void export_place(const struct emitter *emitter, float matrix[16]) {

@@ -112,7 +112,7 @@ enum texture_wrap export_wrap(struct export_target *target, int n, int texture) 
 struct ply {
     const struct export_target *target;
     const struct export_mesh *mesh;
-    const struct ply_desc *desc;
+    bool back;
     int mapping;
     uint32_t *number_of; /* in the file, + 1, of each of the geometry's vertices; 0 = none */
     struct text vertices, faces;
@@ -121,8 +121,8 @@ struct ply {
 
 static void put_vertex(struct ply *ply, uint32_t vertex) {
     const struct geometry *geometry = &ply->target->stage->geometry;
-    float row[8], side = ply->desc->back ? -1 : 1;
-    float behind = ply->desc->back ? geometry_clearance(geometry) : 0;
+    float row[8], side = ply->back ? -1 : 1;
+    float behind = ply->back ? geometry_clearance(geometry) : 0;
     int count = 6;
     for (int c = 0; c < 3; c++) {
         row[c] = geometry->position[vertex][c] - behind * geometry->normal[vertex][c];
@@ -131,7 +131,7 @@ static void put_vertex(struct ply *ply, uint32_t vertex) {
     if (ply->mapping >= 0) {
         const float *uv = geometry->uv[ply->mapping][vertex];
         row[6] = uv[0];
-        row[7] = ply->desc->flips_v ? 1 - uv[1] : uv[1];
+        row[7] = uv[1];
         count = 8;
     }
     text_append(&ply->vertices, row, (size_t)count * sizeof *row);
@@ -143,7 +143,7 @@ static void put_triangle(struct ply *ply, uint32_t triangle) {
     const unsigned char corners = 3;
     text_append(&ply->faces, &corners, 1);
     for (int k = 0; k < 3; k++) {
-        uint32_t vertex = index[ply->desc->back ? 2 - k : k];
+        uint32_t vertex = index[ply->back ? 2 - k : k];
         if (!ply->number_of[vertex])
             put_vertex(ply, vertex);
         uint32_t number = ply->number_of[vertex] - 1;
@@ -162,8 +162,8 @@ static void put_head(const struct ply *ply, struct text *file) {
                ply->mesh->count);
 }
 
-bool export_ply(const struct export_target *target, int n, const struct ply_desc *desc) {
-    struct ply ply = {.target = target, .mesh = &target->meshes[n], .desc = desc};
+bool export_ply(const struct export_target *target, int n, bool back) {
+    struct ply ply = {.target = target, .mesh = &target->meshes[n], .back = back};
     struct text file = {0};
     char name[64];
     ply.mapping = export_mapping(target, ply.mesh);
@@ -173,7 +173,7 @@ bool export_ply(const struct export_target *target, int n, const struct ply_desc
     put_head(&ply, &file);
     text_append(&file, ply.vertices.data, ply.vertices.length);
     text_append(&file, ply.faces.data, ply.faces.length);
-    snprintf(name, sizeof name, desc->back ? "mesh-%d-back.ply" : "mesh-%d.ply", n);
+    snprintf(name, sizeof name, back ? "mesh-%d-back.ply" : "mesh-%d.ply", n);
     char *path = export_path(target, name);
     bool ok = output_file_write(path, file.data, file.length);
     mem_free(path, file.data, ply.vertices.data, ply.faces.data, ply.number_of);

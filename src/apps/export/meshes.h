@@ -18,13 +18,8 @@ int export_mapping(const struct export_target *target, const struct export_mesh 
  * all lie from 0 to 1 follows the other; else v follows u, with a note. */
 enum texture_wrap export_wrap(struct export_target *target, int n, int texture);
 
-struct ply_desc {
-    bool flips_v; /* v counts from the bottom of a picture */
-    bool back;    /* the other side, a little behind: all turned round */
-};
-
-/* Writes mesh-N.ply, of a back mesh-N-back.ply. */
-bool export_ply(const struct export_target *target, int n, const struct ply_desc *desc);
+/* Writes mesh-N.ply; or mesh-N-back.ply, the other side: a little behind, with all turned round. */
+bool export_ply(const struct export_target *target, int n, bool back);
 
 /* Means over the mesh, by area: of the vertices' colours, and of what it emits, W/(sr m2). */
 vec3s export_vertex_color(const struct export_target *target, const struct export_mesh *mesh);

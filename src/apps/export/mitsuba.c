@@ -2,7 +2,6 @@
 
 #include "apps/export/lights.h"
 #include "apps/export/meshes.h"
-#include "apps/export/slides.h"
 #include "apps/export/textures.h"
 #include "apps/interrupt.h"
 
@@ -183,12 +182,11 @@ static bool print_emission(struct export_target *target, struct text *xml, int n
 }
 
 static bool print_shape(struct export_target *target, struct text *xml, int n, bool back) {
-    const struct ply_desc desc = {.back = back};
     text_print(xml, "<shape type=\"ply\">\n<string name=\"filename\" value=\"mesh-%d%s.ply\"/>\n",
                n, back ? "-back" : "");
     bool ok = print_bsdf(target, xml, n) &&
               (!target->meshes[n].shines || print_emission(target, xml, n)) &&
-              export_ply(target, n, &desc);
+              export_ply(target, n, back);
     text_print(xml, "</shape>\n");
     return ok;
 }
@@ -232,7 +230,7 @@ static void print_light_shape(struct text *xml, const struct emitter *emitter) {
 }
 
 static void print_spot(struct text *xml, const struct emitter *emitter) {
-    struct spot_cone cone = export_cone(emitter, SPOT_LINEAR);
+    struct spot_cone cone = export_cone(emitter);
     text_print(xml, "<emitter type=\"spot\">\n");
     print_target(xml, "lookat", emitter->position, emitter->direction, emitter->up);
     print_rgb(xml, "intensity", emitter->intensity);
@@ -242,29 +240,9 @@ static void print_spot(struct text *xml, const struct emitter *emitter) {
                cone.full, cone.end);
 }
 
-/* Mitsuba's texture is pi times less than the intensity, times the third power of the cosine: a plane before the light gets
- * what the texture has. */
-static bool print_projector(struct export_target *target, struct text *xml,
-                            const struct emitter *emitter) {
-    char *file = export_projector_name(emitter);
-    text_print(xml, "<emitter type=\"projector\">\n");
-    print_target(xml, "lookat", emitter->position, emitter->direction, emitter->up);
-    text_print(xml,
-               "<float name=\"fov\" value=\"%.9g\"/>\n<float name=\"scale\" value=\"%.9g\"/>\n"
-               "<texture type=\"bitmap\" name=\"irradiance\">\n"
-               "<string name=\"filename\" value=\"%s\"/>\n"
-               "<string name=\"wrap_mode\" value=\"clamp\"/>\n</texture>\n</emitter>\n",
-               export_projector_angle(emitter), (double)export_projector_peak(emitter) / GLM_PI,
-               file);
-    free(file);
-    return export_projector_picture(target, emitter, 3);
-}
-
-static bool print_light(struct export_target *target, struct text *xml,
+static void print_light(struct export_target *target, struct text *xml,
                         const struct emitter *emitter) {
     export_note_light(target, emitter);
-    if (export_is_projector(emitter))
-        return print_projector(target, xml, emitter);
     if (export_is_shape(emitter))
         print_light_shape(xml, emitter);
     else if (emitter->type == EMITTER_SPOT)
@@ -280,7 +258,6 @@ static bool print_light(struct export_target *target, struct text *xml,
         print_rgb(xml, "irradiance", emitter->intensity);
         text_print(xml, "</emitter>\n");
     }
-    return true;
 }
 
 /* Mitsuba's panorama begins at -Z and goes to +X: a quarter turn before ours. */
@@ -309,9 +286,9 @@ static bool print_scene(struct export_target *target, struct text *xml) {
     print_camera(xml, target);
     for (int i = 0; ok && i < target->mesh_count; i++)
         ok = print_mesh(target, xml, i) && !interrupt_came();
-    for (int i = 0; ok && i < emitters->count; i++)
+    for (int i = 0; i < emitters->count; i++)
         if (export_is_light(&emitters->items[i]))
-            ok = print_light(target, xml, &emitters->items[i]);
+            print_light(target, xml, &emitters->items[i]);
     ok = ok && (!emitters->sky || print_environment(target, xml));
     text_print(xml, "</scene>\n");
     return ok;

@@ -111,10 +111,8 @@ static bool copy_scene(const struct export_target *target, char sum[SHA256_DIGIT
     if (!piped_file_read(&bytes, from))
         return false;
     char *path = export_path(target, "scene.glb");
-    bool ok =
-        (bytes.size > 4 && memcmp(bytes.data, "glTF", 4) == 0) ||
-        error_set("%s: a pack holds a GLB, which it is not; --format mitsuba and pbrt take it",
-                  from);
+    bool ok = (bytes.size > 4 && memcmp(bytes.data, "glTF", 4) == 0) ||
+              error_set("%s: a pack holds a GLB, which it is not; --format mitsuba takes it", from);
     ok = ok && output_file_write(path, bytes.data, bytes.size);
     if (ok)
         sha256(bytes.data, bytes.size, sum);
@@ -155,7 +153,7 @@ static bool find_shining(const struct export_target *target, bool *shines) {
     *shines = shining > 0;
     return !shining || !dark ||
            error_set("a pack's emissive surfaces shine all or none: --light leaves some dark, or "
-                     "they deform; --format mitsuba and pbrt take them");
+                     "they deform; --format mitsuba takes them");
 }
 
 static void print_scene(struct json *json, const struct stage *stage, const char *sum) {

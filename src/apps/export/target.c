@@ -55,11 +55,6 @@ void export_note(struct export_target *target, const char *format, ...) {
     log_note("%.*s", (int)strcspn(line, "\n"), line);
 }
 
-void export_numbers(struct text *text, const float *numbers, int count) {
-    for (int i = 0; i < count; i++)
-        text_print(text, " %.9g", (double)numbers[i] + 0.0); /* no "-0" */
-}
-
 bool export_is_diffuse(const struct export_target *target, const struct material *material) {
     return target->materials == MATERIALS_DIFFUSE || material_is_diffuse(material);
 }

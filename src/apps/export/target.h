@@ -36,9 +36,6 @@ bool export_write(const struct export_target *target, const char *name, const ch
 void export_note(struct export_target *target, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Numbers with a space before each, with the digits that tell a float from its neighbours. */
-void export_numbers(struct text *text, const float *numbers, int count);
-
 /* Whether the material reflects as a Lambertian surface. */
 bool export_is_diffuse(const struct export_target *target, const struct material *material);
 

@@ -20,8 +20,4 @@ bool export_panorama(const struct export_target *target, const char *name);
 int export_panorama_repeats(const struct environment *environment);
 bool export_repeated_panorama(const struct export_target *target, const char *name);
 
-/* Writes NAME, n x n texels that all have the same solid angle, in world space, turned and of its strength: what
- * pbrt-v4 takes [Clarberg 2008]. */
-bool export_equal_area(const struct export_target *target, const char *name, int n);
-
 #endif

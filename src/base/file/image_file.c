@@ -493,10 +493,6 @@ static bool write_bitmap(const struct bitmap *bitmap, const char *path, int chan
                                                                       format->name)));
 }
 
-bool bitmap_encode(const struct bitmap *bitmap, struct text *file) {
-    return encode_png(file, bitmap, 3);
-}
-
 bool bitmap_write(const struct bitmap *bitmap, const char *path) {
     return write_bitmap(bitmap, path, 3);
 }

@@ -39,9 +39,6 @@ bool image_write_layer(const struct image *image, const char *path, const char *
 /* Writes an 8-bit picture (PNG, JPEG, ...) without its alpha. */
 bool bitmap_write(const struct bitmap *bitmap, const char *path);
 
-/* Appends the same as a PNG. */
-bool bitmap_encode(const struct bitmap *bitmap, struct text *file);
-
 /* Writes an 8-bit picture with alpha, by which colours are not multiplied. Error: also of a
  * format that is written without alpha. */
 bool bitmap_write_alpha(const struct bitmap *bitmap, const char *path);

@@ -11,7 +11,6 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -323,80 +322,6 @@ bool output_part_end(struct output_part *part, bool ok) {
     free(part->path);
     *part = (struct output_part){0};
     return done;
-}
-
-/* --- journals --------------------------------------------------------------------------------- */
-
-/* File systems without locks do without. A file without a name is one that its last user has removed meanwhile. */
-static bool lock(int file, const char *path) {
-    struct stat status;
-    bool mine = flock(file, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
-    if (fstat(file, &status) != 0)
-        return fail(path);
-    if (!S_ISREG(status.st_mode))
-        return error_set("cannot write %s: it is no regular file", path);
-    return (mine && status.st_nlink > 0) ||
-           error_set("cannot write %s: another process is writing it", path);
-}
-
-static bool read_journal(struct output_journal *journal) {
-    struct stat status;
-    if (fstat(journal->file, &status) != 0)
-        return false;
-    size_t size = (size_t)status.st_size;
-    journal->text = mem_alloc(size + 1, 1);
-    for (ssize_t got; journal->size < size; journal->size += (size_t)got) {
-        got = pread(journal->file, journal->text + journal->size, size - journal->size,
-                    (off_t)journal->size);
-        if (got <= 0)
-            return false;
-    }
-    journal->text[size] = '\0';
-    return true;
-}
-
-bool output_journal_open(struct output_journal *journal, const char *path) {
-    int file = open(path, O_RDWR | O_CREAT | O_APPEND | O_NONBLOCK | O_CLOEXEC, 0666);
-    *journal = (struct output_journal){.file = file};
-    if (file < 0)
-        return fail(path);
-    journal->path = mem_strdup(path);
-    if (lock(file, path) && (read_journal(journal) || fail(path)))
-        return true;
-    output_journal_close(journal);
-    return false;
-}
-
-bool output_journal_cut(struct output_journal *journal, size_t size) {
-    if (ftruncate(journal->file, (off_t)size) != 0 || !sync_all(journal->file))
-        return fail(journal->path);
-    journal->size = size;
-    return true;
-}
-
-bool output_journal_append(struct output_journal *journal, const void *bytes, size_t size) {
-    size_t before = journal->size;
-    if (output_file_put(journal->file, bytes, size) && sync_all(journal->file)) {
-        journal->size += size;
-        return true;
-    }
-    fail(journal->path);
-    if (ftruncate(journal->file, (off_t)before) != 0)
-        error_set("%s, and its end is not whole", error_get());
-    return false;
-}
-
-void output_journal_close(struct output_journal *journal) {
-    if (journal->path)
-        close(journal->file);
-    mem_free(journal->path, journal->text);
-    *journal = (struct output_journal){0};
-}
-
-bool output_journal_remove(struct output_journal *journal) {
-    bool ok = !journal->path || unlink(journal->path) == 0 || fail(journal->path);
-    output_journal_close(journal);
-    return ok;
 }
 
 /* --- text ------------------------------------------------------------------------------------- */

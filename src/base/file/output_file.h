@@ -1,4 +1,4 @@
-/* Files that are written whole or not at all, and journals that grow: the only ways to write one.
+/* Files that are written whole or not at all: the only way to write one.
  *
  * The content is made in memory. Its bytes go into a file without a name (or with a name of its own
  * beside the target, where the file system knows no other), are synced and read back, and only then
@@ -45,29 +45,6 @@ bool output_part_begin(struct output_part *part, const char *path);
 
 /* The file takes the path, as output_file_write has it, or goes where ok is false. */
 bool output_part_end(struct output_part *part, bool ok);
-
-/* A file that grows by blocks, for long work that may end at any time. One process has it open. A crash may leave a
- * part of the last block, which the reader drops. Zeroed: none. */
-struct output_journal {
-    char *path;
-    char *text; /* what was there when it was opened, with a zero behind it */
-    size_t size;
-    int file;
-};
-
-/* Makes the file where it is missing. Error: names the path and the reason; it is no regular file, or another process
- * has it open. */
-bool output_journal_open(struct output_journal *journal, const char *path);
-
-/* Drops all that follows so many bytes. */
-bool output_journal_cut(struct output_journal *journal, size_t size);
-
-/* The block is on disk when it returns; where it fails, none of it is. Error: names the path. */
-bool output_journal_append(struct output_journal *journal, const void *bytes, size_t size);
-
-/* Accepts a zeroed one. */
-void output_journal_close(struct output_journal *journal);
-bool output_journal_remove(struct output_journal *journal); /* closes it, too */
 
 /* Shows what was printed to stdout so far. Where it cannot be, output_file_close_stdout tells why. */
 void output_file_flush_stdout(void);

@@ -41,7 +41,7 @@ static bool init_programs(struct cluster_pass *pass) {
         {&pass->map_program, {.vertex = "lights/cluster_map.vert"}},
         /* Of views: */
         {&pass->extent_program,
-         {.vertex = "lights/cluster_extent.vert", .fragment = "lights/cluster_extent.frag"}},
+         {.vertex = "lights/cluster_extent.vert", .fragment = "lights/point.frag"}},
         {&pass->views_program, {.vertex = "lights/cluster_views.vert"}},
     };
     size_t count = sizeof rows / sizeof *rows;

@@ -30,7 +30,7 @@ static bool init_round(struct importance_map_pass *pass, int round) {
                                                   .defines = defines}) &&
               program_init(&pass->add_programs[round],
                            &(struct program_desc){.vertex = "lights/importance_add.vert",
-                                                  .fragment = "lights/importance_add.frag",
+                                                  .fragment = "lights/point.frag",
                                                   .defines = defines});
     free(defines);
     return ok;

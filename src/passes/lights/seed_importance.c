@@ -11,7 +11,7 @@ static_assert(SEED_IMPORTANCE_SIDE == 1 << (SEED_IMPORTANCE_LEVELS - 1), "levels
 
 static bool init_programs(struct seed_importance_pass *pass) {
     struct program_desc value = {.vertex = "lights/seed_importance.vert",
-                                 .fragment = "lights/seed_importance.frag",
+                                 .fragment = "lights/point.frag",
                                  .defines = "NUMBERS 0"};
     struct program_desc number = value;
     number.defines = "NUMBERS 1";

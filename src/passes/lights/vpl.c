@@ -35,7 +35,7 @@ static bool init_programs(struct vpl_pass *pass) {
     bool ok =
         program_init(&pass->program, &vpl) &&
         program_init(&pass->sums_program, &(struct program_desc){.vertex = "lights/vpl_sums.vert",
-                                                                 .fragment = "lights/vpl_sums.frag",
+                                                                 .fragment = "lights/point.frag",
                                                                  .defines = defines});
     mem_free(defines, vpl_defines);
     return ok;

@@ -7,7 +7,6 @@
 #include "passes/frame.h"
 #include "scene/caustics.h"
 #include "techniques/implicit-visibility/interpolate.h"
-#include "techniques/implicit-visibility/show.h"
 #include "techniques/implicit-visibility/specular.h"
 #include "techniques/many_lights.h"
 
@@ -359,14 +358,6 @@ static struct contribution contribution(const void *state) {
     };
 }
 
-static void read_element(const void *state, const float position[3], const float normal[3],
-                         struct element_view *view) {
-    const struct implicit_visibility *technique = state;
-    if (technique->linked)
-        show_element(view, &technique->elements, &technique->tree, &technique->links,
-                     &technique->light, position, normal);
-}
-
 /* Lamps and skies by rays do not come through bins. */
 static bool check(const struct settings *settings) {
     const struct radiosity_settings *own =
@@ -399,5 +390,4 @@ const struct technique implicit_visibility_technique = {
     .render_lights = render_lights,
     .render_view = render_view,
     .contribution = contribution,
-    .read_element = read_element,
 };

@@ -302,24 +302,6 @@ void links_make(struct links *links, const struct tree *tree, const float (*sky)
     pairs_free(&pairs);
 }
 
-vec3s links_partners(const struct links *links, const struct tree *tree, int leaf,
-                     uint32_t *partners) {
-    struct walk *walk = mem_alloc(1, sizeof *walk);
-    struct pairs pairs = {0};
-    start_walk(walk, links, tree, leaf);
-    if (links->desc.pairs)
-        pairs_make(&pairs, tree, &links->bins);
-    find_partners(walk, links->desc.pairs ? &pairs : NULL);
-    for (int b = 0; b < links->bins.count; b++) {
-        bool leak = walk->nodes[b] == PARTNER_NONE && !links->desc.leaky;
-        partners[b] = leak ? close_leak(walk, b) : walk->nodes[b];
-    }
-    vec3s normal = normal_of(walk);
-    pairs_free(&pairs);
-    free(walk);
-    return normal;
-}
-
 /* Half of all bins, and those that the horizon cuts. */
 int links_stride(int side) {
     return 3 * side * side + 6 * side + 8;

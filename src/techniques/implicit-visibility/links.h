@@ -56,11 +56,6 @@ void links_free(struct links *links);
 /* Links all leaves. sky: radiance of each bin; NULL: none. */
 void links_make(struct links *links, const struct tree *tree, const float (*sky)[3]);
 
-/* The partner of each bin of one leaf as links_make found it, as partner.h has them, leaks closed. Returns the leaf's
- * normal in its bins. */
-vec3s links_partners(const struct links *links, const struct tree *tree, int leaf,
-                     uint32_t *partners);
-
 /* Puts links to nodes that emit before all others of each leaf [Dong 2011 §4.3.3]. Radiance of nodes; NULL: none emits. */
 void links_sort_lamps(struct links *links, const float (*emission)[4]);
 

@@ -7,7 +7,6 @@
 #include "passes/vpls.h"
 #include "viewer/files/start.h"
 #include "viewer/panel/controls.h"
-#include "viewer/panel/element_cube.h"
 #include "viewer/panel/timeline.h"
 #include "viewer/picture/legend.h"
 #include "viewer/picture/look.h"
@@ -291,7 +290,6 @@ static void draw_pick(const struct viewer *viewer) {
         return;
     float x = (float)picture->x + place[0] * (float)picture->width;
     float y = (float)picture->y + place[1] * (float)picture->height;
-    element_cube_draw_links(viewer);
     /* Dark beside light: it is seen on walls of any colour. */
     ui_draw_ring(x, y, 9, UI_RGBA(0, 0, 0, 230), 7);
     ui_draw_ring(x, y, 9, UI_RGBA(255, 255, 255, 255), 2.5F);

@@ -5,8 +5,6 @@
 #include "base/memory.h"
 #include "shared/composite.h"
 #include "viewer/files/kept.h"
-#include "viewer/panel/element_cube.h"
-#include "viewer/panel/light_ball.h"
 #include "viewer/picture/look.h"
 #include "viewer/picture/picture.h"
 #include "viewer/scene/sessions.h"
@@ -150,8 +148,6 @@ static void draw_surface(struct viewer *viewer) {
     ui_numbers("radiance", pick->radiance);
     ui_numbers("direct, on white", pick->direct);
     ui_numbers("indirect, on white", pick->indirect);
-    light_ball_draw(viewer);
-    element_cube_draw(viewer);
     ui_space();
     draw_vals(viewer, pick);
 }

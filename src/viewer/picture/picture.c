@@ -443,12 +443,6 @@ void viewer_pick_surface(struct viewer *viewer, float x, float y) {
         return;
     }
     shown->pick = pick;
-    shown->voxel_light = (struct voxel_light){0};
-    element_view_free(&shown->element);
-    if (pick.present) {
-        voxel_light_read(&shown->voxel_light, &shown->renderer, pick.position, pick.normal);
-        renderer_read_element(&shown->renderer, pick.position, pick.normal, &shown->element);
-    }
     shown->has_pick = pick.present;
     shown->pick_motion = shown->pace.last_motion;
 }

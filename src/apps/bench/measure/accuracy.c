@@ -85,9 +85,6 @@ struct run {
     const struct measure_desc *desc;
     const struct reference_desc *reference;
     struct image standards[STANDARDS]; /* those made so far */
-    /* The picture before, which is drawn again where it was resumed. NULL: there is none. */
-    const struct step *before_step;
-    struct measure_desc before;
 };
 
 static bool trace_centers(const struct run *run, const struct measure_desc *desc,
@@ -108,18 +105,16 @@ static bool draw(const struct run *run, const struct step *step, const struct me
 static bool need(struct run *run, int standard) {
     struct image *image = &run->standards[standard];
     struct measure_desc exact = *run->desc;
-    return image->pixels ||
-           (standard == BEFORE      ? draw(run, run->before_step, &run->before, image)
-            : standard == REFERENCE ? reference_get(run->reference, run->desc, image)
-            : standard == CENTERS
-                ? trace_centers(run, run->desc, image)
-                : measure_assign(&exact, HARD) && picture_trace(&exact, NULL, image));
+    return image->pixels || (standard == REFERENCE ? reference_get(run->reference, run->desc, image)
+                             : standard == CENTERS ? trace_centers(run, run->desc, image)
+                                                   : measure_assign(&exact, HARD) &&
+                                                         picture_trace(&exact, NULL, image));
 }
 
 static bool add_errors(struct run *run, unsigned against, const struct image *picture) {
     bool ok = true;
     for (int i = 0; ok && i < STANDARDS; i++) {
-        int standard = i == BEFORE && !run->before_step ? REFERENCE : i;
+        int standard = i == BEFORE && !run->standards[BEFORE].pixels ? REFERENCE : i;
         if (against >> i & 1)
             ok = need(run, standard) &&
                  errors_add(run->results, picture, &run->standards[standard], standard_names[i]);
@@ -130,22 +125,14 @@ static bool add_errors(struct run *run, unsigned against, const struct image *pi
 static bool measure_picture(struct run *run, const struct step *step,
                             const struct measure_desc *desc) {
     struct image picture = {0};
-    bool resumed;
-    if (!results_resume(run->results, desc, &resumed))
-        return false;
-    bool ok = true;
-    if (!resumed) {
-        results_tell_work(run->results, desc, 0);
-        ok = draw(run, step, desc, &picture);
-        if (ok) {
-            results_begin(run->results, desc);
-            ok = add_errors(run, step->against, &picture) && results_commit(run->results);
-        }
+    results_tell_work(run->results, desc, 0);
+    bool ok = draw(run, step, desc, &picture);
+    if (ok) {
+        results_begin(run->results, desc);
+        ok = add_errors(run, step->against, &picture) && results_commit(run->results);
     }
     image_free(&run->standards[BEFORE]);
     run->standards[BEFORE] = picture;
-    run->before_step = step;
-    run->before = *desc;
     return ok;
 }
 
@@ -182,19 +169,12 @@ bool budget_measure(struct results *results, const struct measure_desc *desc,
                     const struct reference_desc *reference) {
     struct run run = {.results = results, .desc = desc, .reference = reference};
     struct measure_desc exact = *desc;
-    bool resumed;
     snprintf(exact.variant, sizeof exact.variant, "the reference");
-    if (!results_resume(results, &exact, &resumed))
+    if (!need(&run, REFERENCE))
         return false;
-    if (!resumed) {
-        if (!need(&run, REFERENCE))
-            return false;
-        results_begin(results, &exact);
-        results_add(results, "noise", "", "%", 100 * reference_noise(&run.standards[REFERENCE]));
-        if (!results_commit(results))
-            return false;
-    }
-    return measure_steps(&run, budget);
+    results_begin(results, &exact);
+    results_add(results, "noise", "", "%", 100 * reference_noise(&run.standards[REFERENCE]));
+    return results_commit(results) && measure_steps(&run, budget);
 }
 
 int budget_subjects(void) {

@@ -28,9 +28,6 @@ static bool trace(struct results *results, struct measure_desc *desc, int bounce
         .centers = reference->kind == REFERENCE_CENTERS,
         .denoise = true};
     snprintf(desc->point, sizeof desc->point, "spp=%d", samples);
-    bool resumed;
-    if (!results_resume(results, desc, &resumed) || resumed)
-        return resumed;
     results_tell_work(results, desc, 0);
     double clock = clock_ms(), cpu = clock_cpu_ms();
     if (!picture_trace_paths(desc->stage, &tracer, &image, NULL))

@@ -243,26 +243,6 @@ static void add_track(struct run *run, const struct track *track) {
         results_add(run->results, "travel", "", "m/m", sums[VAL_TRAVEL] / sums[VPL_TRAVEL]);
 }
 
-static bool resume_one(struct run *run, const struct measure_desc desc, bool *resumed) {
-    return results_resume(run->results, &desc, resumed);
-}
-
-/* All, in the order in which they are added, or none. */
-static bool resume(struct run *run, bool *resumed) {
-    const struct measure_list *subjects = run->clip->subjects;
-    bool ok = true;
-    *resumed = true;
-    for (int i = 0; ok && *resumed && i < LOOKS; i++)
-        ok = resume_one(run, memory_desc(run, i), resumed);
-    for (int t = 0; ok && *resumed && t < subjects->count; t++) {
-        const struct measure_desc *desc = &subjects->items[t];
-        for (int i = 0; ok && *resumed && i < run->clip->frames; i++)
-            ok = resume_one(run, frame_desc(run, desc, i), resumed);
-        ok = ok && (!*resumed || resume_one(run, *desc, resumed));
-    }
-    return ok;
-}
-
 static bool check(const struct clip_desc *clip) {
     return (clip->frames >= 2 || error_set("flicker needs two frames")) &&
            (scene_duration(&clip->stage->scene) > 0 ||
@@ -271,11 +251,8 @@ static bool check(const struct clip_desc *clip) {
 
 bool clip_measure(struct results *results, const struct clip_desc *clip) {
     struct run run = {.clip = clip, .results = results};
-    bool resumed;
-    if (!check(clip) || !resume(&run, &resumed))
+    if (!check(clip))
         return false;
-    if (resumed)
-        return true;
     run.tracks = mem_alloc((size_t)clip->subjects->count, sizeof *run.tracks);
     bool ok = is_traced(clip) || track_start(&run.reference, &clip->all_vpls, clip->frames);
     for (int t = 0; ok && t < clip->subjects->count; t++)

@@ -105,7 +105,7 @@ static void add_bound(struct results *results, const struct bound *bound, bool s
 
 static bool measure(struct results *results, struct run *run, int column) {
     struct measure_desc subject;
-    struct bound bound;
+    struct bound bound = {0};
     struct image picture = {0};
     int messages = context_message_count(run->desc->context);
     if (!prepare(run, failure_columns[column], &subject, &bound))
@@ -138,20 +138,6 @@ static bool is_asked(const struct run *run, int column) {
     return !run->desc->columns || run->desc->columns >> column & 1;
 }
 
-/* All columns, or none. */
-static bool resume(struct results *results, const struct run *run, bool *resumed) {
-    struct bound bound;
-    bool ok = true;
-    *resumed = true;
-    for (int i = 0; ok && *resumed && i < FAILURE_COLUMNS; i++) {
-        struct measure_desc subject;
-        if (is_asked(run, i))
-            ok = prepare(run, failure_columns[i], &subject, &bound) &&
-                 results_resume(results, &subject, resumed);
-    }
-    return ok;
-}
-
 static bool measure_all(struct results *results, struct run *run) {
     bool ok = true;
     for (int i = 0; ok && i < FAILURE_COLUMNS; i++)
@@ -164,12 +150,9 @@ bool failure_measure(struct results *results, const struct failure_row *row,
                      const struct failure_desc *desc) {
     struct run run = {.row = row, .desc = desc};
     char *scene = folder_find_own(row->scene);
-    bool resumed,
-        ok = stage_init(&run.stage, &(struct stage_desc){.path = scene, .camera = row->camera});
+    bool ok = stage_init(&run.stage, &(struct stage_desc){.path = scene, .camera = row->camera});
     free(scene);
-    if (ok)
-        results_set_stage(results, &run.stage);
-    ok = ok && resume(results, &run, &resumed) && (resumed || measure_all(results, &run));
+    ok = ok && measure_all(results, &run);
     for (int i = 0; i < FAILURE_COLUMNS; i++)
         image_free(&run.tests[i]);
     images_free(&run.reference, &run.picture);

@@ -35,25 +35,9 @@ int passes_subjects(int count) {
     return subjects;
 }
 
-/* The first number of passes that is not resumed. */
-static bool resume(struct results *results, const struct measure_desc *desc, int count,
-                   int *passes) {
-    bool resumed = true;
-    for (*passes = 1; *passes <= count; *passes *= 2) {
-        struct measure_desc point = point_of(desc, *passes);
-        if (!results_resume(results, &point, &resumed))
-            return false;
-        if (!resumed)
-            break;
-    }
-    return true;
-}
-
-/* All passes are drawn; those before the first number of them make no row. */
 static bool add_means(struct results *results, const struct measure_desc *desc,
-                      struct renderer *renderer, const struct image *reference, int first,
-                      int count) {
-    int next = first, subjects = passes_subjects(count), added = passes_subjects(first - 1);
+                      struct renderer *renderer, const struct image *reference, int count) {
+    int next = 1, subjects = passes_subjects(count), added = 0;
     for (int pass = 1; next <= count; pass++) {
         struct measure_desc point = point_of(desc, next);
         renderer_add_pass(renderer, pass - 1);
@@ -73,16 +57,11 @@ bool passes_measure(struct results *results, const struct measure_desc *desc,
                     const struct reference_desc *reference, int count) {
     struct renderer renderer;
     struct image exact;
-    int first;
-    if (!resume(results, desc, count, &first))
-        return false;
-    if (first > count)
-        return true;
     if (!reference_get(reference, desc, &exact))
         return false;
     bool ok = measure_start_mean(&renderer, desc);
     if (ok) {
-        ok = add_means(results, desc, &renderer, &exact, first, count);
+        ok = add_means(results, desc, &renderer, &exact, count);
         renderer_free(&renderer);
     }
     image_free(&exact);

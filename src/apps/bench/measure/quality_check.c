@@ -41,7 +41,6 @@ struct tried {
     struct quality_choice choice;
     const struct technique *technique;
     struct image picture; /* of the ladder's */
-    bool resumed;         /* with its times */
     double error, ms, cpu;
 };
 
@@ -109,7 +108,7 @@ static bool try_frame(struct check *check, struct tried *tried) {
     if (!start(check, tried, measure_start, &renderer))
         return false;
     renderer_render(&renderer); /* compiles */
-    if (!check->desc->estimates && !tried->resumed)
+    if (!check->desc->estimates)
         time_frames(&renderer, tried);
     bool ok = renderer_read_layers(&renderer, &tried->picture) && measure_error(check, tried);
     renderer_free(&renderer);
@@ -135,8 +134,8 @@ static bool try_means(struct check *check, struct tried *tried, int count) {
             renderer_add_pass(&renderer, done++);
         gl.Finish();
         ms += clock_ms(), cpu += clock_cpu_ms();
-        tried[i].ms = tried[i].resumed ? tried[i].ms : ms;
-        tried[i].cpu = tried[i].resumed ? tried[i].cpu : cpu;
+        tried[i].ms = ms;
+        tried[i].cpu = cpu;
         ok = renderer_read_layers(&renderer, &tried[i].picture) && measure_error(check, &tried[i]);
     }
     renderer_free(&renderer);
@@ -227,14 +226,11 @@ static bool add_asked(struct check *check, double error, const struct quality_fo
 static bool ask(struct check *check, double error) {
     struct quality_found found;
     char point[32];
-    bool resumed;
     check->asked = error;
     if (!quality_climb(error, check->desc->most_passes, tell_of_picture, check, &found))
         return false;
     snprintf(point, sizeof point, "error=%g%%", 100 * error);
     struct measure_desc measure = describe(check, find(check, &found.choice), "automatic", point);
-    if (!results_resume(check->results, &measure, &resumed) || resumed)
-        return resumed;
     return add_asked(check, error, &found, &measure);
 }
 
@@ -252,8 +248,6 @@ static bool add_tried(struct check *check, int i) {
     if (i < check->ladder &&
         !estimate_picture_error(&check->estimate, &tried->picture, INFINITY, &estimated))
         return false;
-    if (tried->resumed)
-        return true;
     begin(check, tried, &measure);
     if (i < check->ladder)
         results_add(check->results, "told", "", "%", 100 * estimated);
@@ -261,25 +255,6 @@ static bool add_tried(struct check *check, int i) {
 }
 
 /* --- all --- */
-
-/* Choices that were timed before. The ladder's are drawn again, for what is asked of their pictures. */
-static bool resume(struct check *check) {
-    bool resumed = true;
-    for (int i = 0; resumed && i < check->count; i++) {
-        struct measure_desc measure = describe_tried(check, i);
-        struct tried *tried = &check->tried[i];
-        int subject = check->results->subject_count;
-        if (!results_resume(check->results, &measure, &resumed))
-            return false;
-        tried->resumed = resumed;
-        if (resumed) {
-            tried->ms = results_value(check->results, subject, "clock", NULL);
-            tried->cpu = results_value(check->results, subject, "cpu", NULL);
-            tried->error = results_value(check->results, subject, "error", NULL) / 100;
-        }
-    }
-    return true;
-}
 
 /* How many choices are drawn at once: means of the ladder are one. */
 static int count_at(const struct check *check, int i) {
@@ -290,8 +265,6 @@ static int count_at(const struct check *check, int i) {
 static bool try_at(struct check *check, int i, int count) {
     struct tried *tried = &check->tried[i];
     struct measure_desc measure = describe_tried(check, i);
-    if (i >= check->ladder && tried->resumed)
-        return true;
     results_tell_work(check->results, &measure, 0);
     bool ok = count > 1 || tried->choice.passes > 1 ? try_means(check, tried, count)
                                                     : try_frame(check, tried);
@@ -324,7 +297,6 @@ bool quality_check(struct results *results, const struct quality_check_desc *des
         .desc = desc, .results = results, .noise = reference_noise_covered(desc->reference)};
     list_choices(&check);
     bool ok =
-        resume(&check) &&
         layer_extract_covered(&check.reference, desc->reference, "indirect", desc->reference) &&
         estimate_init(&check.estimate, desc->measure) && try_all(&check);
     for (int i = 0; i < check.count; i++)

@@ -3,6 +3,7 @@
 #include "base/file/output_file.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/text.h"
 
 #include "version.h"
 
@@ -12,7 +13,7 @@
 
 #define MACHINE_HEADING "gl_vendor,gl_renderer,gl_version,software,cpu,cores,commit,date"
 
-const char result_rows_heading[] =
+static const char heading[] =
     "mode,scene,faces,width,height,technique,variant,point,settings,what,against,unit,"
     "value,p5,p95,min,max,count,frame_ms,ns_per_pixel,ns_per_pixel_vpl," MACHINE_HEADING "\n";
 
@@ -39,32 +40,18 @@ static char *cpu_name(void) {
     return model ? model : mem_strdup("unknown");
 }
 
-void machine_cells_init(struct machine_cell cells[MACHINE_CELLS + 1]) {
-    const struct machine_cell all[] = {
-        {"gl_vendor", mem_strdup((const char *)gl.GetString(GL_VENDOR))},
-        {"gl_renderer", mem_strdup((const char *)gl.GetString(GL_RENDERER))},
-        {"gl_version", mem_strdup((const char *)gl.GetString(GL_VERSION))},
-        {"software", mem_strdup(gl.software ? "yes" : "no")},
-        {"cpu", cpu_name()},
-        {"cores", mem_printf("%d", parallel_core_count())},
-        {"commit", mem_strdup(MANYLIGHT_COMMIT)},
-        {NULL, NULL},
-    };
-    memcpy(cells, all, sizeof all);
-}
-
-void machine_cells_free(struct machine_cell cells[MACHINE_CELLS + 1]) {
-    for (int i = 0; i < MACHINE_CELLS; i++)
-        free(cells[i].value);
-}
-
+/* Of the current context, but for the date. */
 static char *machine_text(void) {
-    struct machine_cell cells[MACHINE_CELLS + 1];
+    char *cpu = cpu_name();
     struct text text = {0};
-    machine_cells_init(cells);
-    for (int i = 0; i < MACHINE_CELLS; i++)
-        add_cell(&text, cells[i].value);
-    machine_cells_free(cells);
+    add_cell(&text, (const char *)gl.GetString(GL_VENDOR));
+    add_cell(&text, (const char *)gl.GetString(GL_RENDERER));
+    add_cell(&text, (const char *)gl.GetString(GL_VERSION));
+    add_cell(&text, gl.software ? "yes" : "no");
+    add_cell(&text, cpu);
+    text_print(&text, ",%d", parallel_core_count());
+    add_cell(&text, MANYLIGHT_COMMIT);
+    free(cpu);
     return text.data;
 }
 
@@ -78,7 +65,8 @@ void result_rows_print_machine(void) {
 
 /* --- rows ------------------------------------------------------------------------------------- */
 
-char *result_rows_subject(const char *mode, const struct subject *subject) {
+/* The first cells, of mode and subject, without a comma behind them. */
+static char *subject_cells(const char *mode, const struct subject *subject) {
     const struct measure_desc *desc = &subject->desc;
     char *settings = measure_settings(desc);
     struct text cells = {0};
@@ -98,8 +86,7 @@ static void add_share(struct text *line, double value, double by) {
     text_print(line, value > 0 && by > 0 ? ",%.4g" : ",", value / by);
 }
 
-static void add_figure(struct text *out, const struct results *results, const struct result *row,
-                       int digits) {
+static void add_figure(struct text *out, const struct results *results, const struct result *row) {
     const struct subject *subject = &results->subjects[row->subject];
     const struct summary *f = &row->figure;
     const double values[] = {f->value, f->p5, f->p95, f->minimum, f->maximum};
@@ -108,35 +95,27 @@ static void add_figure(struct text *out, const struct results *results, const st
     add_cell(out, row->against);
     add_cell(out, row->unit);
     for (size_t i = 0; i < sizeof values / sizeof *values; i++)
-        text_print(out, ",%.*g", digits, values[i]);
+        text_print(out, ",%.6g", values[i]);
     text_print(out, ",%d", f->count);
     add_share(out, results_value(results, row->subject, "clock", NULL), 1);
     add_share(out, nanoseconds, measure_pixels(&subject->desc));
     add_share(out, nanoseconds, measure_pixel_vpls(&subject->desc));
 }
 
-void result_rows_add(struct text *out, const struct results *results, const char *mode, int first,
-                     int digits) {
+bool result_rows_write(const struct results *results, const char *mode, const char *path) {
     char *machine = machine_text();
+    struct text out = {0};
+    text_print(&out, "%s", heading);
     for (int i = 0; i < results->row_count; i++) {
         const struct result *row = &results->rows[i];
         const struct subject *subject = &results->subjects[row->subject];
-        if (row->subject < first)
-            continue;
-        char *cells = result_rows_subject(mode, subject);
-        text_print(out, "%s", cells);
-        add_figure(out, results, row, digits);
-        text_print(out, "%s,%s\n", machine, subject->date);
+        char *cells = subject_cells(mode, subject);
+        text_print(&out, "%s", cells);
+        add_figure(&out, results, row);
+        text_print(&out, "%s,%s\n", machine, subject->date);
         free(cells);
     }
-    free(machine);
-}
-
-bool result_rows_write(const struct results *results, const char *mode, const char *path) {
-    struct text out = {0};
-    text_print(&out, "%s", result_rows_heading);
-    result_rows_add(&out, results, mode, 0, RESULT_FIGURE_DIGITS);
     bool ok = output_file_write(path, out.data, out.length);
-    free(out.data);
+    mem_free(machine, out.data);
     return ok;
 }

@@ -13,34 +13,11 @@
 #define APPS_BENCH_MEASURE_RESULT_ROWS_H
 
 #include "apps/bench/measure/results.h"
-#include "base/text.h"
-
-/* The names of the columns, a line. */
-extern const char result_rows_heading[];
-
-enum { RESULT_CELLS = 29, RESULT_SUBJECT_CELLS = 9, RESULT_FIGURE_DIGITS = 6 };
-
-/* The first cells, of mode and subject, without a comma behind them; the caller frees them. */
-char *result_rows_subject(const char *mode, const struct subject *subject);
-
-/* Rows of all subjects from the first on; figures have so many digits. */
-void result_rows_add(struct text *out, const struct results *results, const char *mode, int first,
-                     int digits);
 
 /* Error: of the file. */
 bool result_rows_write(const struct results *results, const char *mode, const char *path);
 
-/* The cells that tell the machine, of the current context, but for the date: a name and a value each, until one has no
- * name; the caller frees the values. */
-struct machine_cell {
-    const char *name;
-    char *value;
-};
-enum { MACHINE_CELLS = 7 };
-void machine_cells_init(struct machine_cell cells[MACHINE_CELLS + 1]);
-void machine_cells_free(struct machine_cell cells[MACHINE_CELLS + 1]);
-
-/* On stdout. */
+/* The machine of the current context, on stdout. */
 void result_rows_print_machine(void);
 
 #endif

@@ -1,8 +1,6 @@
 #include "apps/bench/measure/results.h"
 
-#include "apps/bench/measure/journal.h"
 #include "base/memory.h"
-#include "scene/hash.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -29,15 +27,10 @@ static struct subject subject_of(const struct measure_desc *desc) {
     return subject;
 }
 
-static void begin(struct results *results, const struct subject *subject) {
+void results_begin(struct results *results, const struct measure_desc *desc) {
     size_t count = (size_t)results->subject_count++;
     results->subjects = mem_resize(results->subjects, count + 1, sizeof *results->subjects);
-    results->subjects[count] = *subject;
-}
-
-void results_begin(struct results *results, const struct measure_desc *desc) {
-    struct subject subject = subject_of(desc);
-    begin(results, &subject);
+    results->subjects[count] = subject_of(desc);
 }
 
 void results_add_summary(struct results *results, const char *what, const char *against,
@@ -56,45 +49,9 @@ void results_add(struct results *results, const char *what, const char *against,
                         &(struct summary){value, value, value, value, value, 1});
 }
 
-/* --- runs that are taken up --------------------------------------------------------------------- */
-
-void results_set_stage(struct results *results, const struct stage *stage) {
-    if (results->journal)
-        results->scene =
-            scene_hash(&stage->scene, &stage->geometry, &stage->camera, &stage->emitters);
-}
-
-static void tell(const struct results *results, bool resumed) {
-    if (results->listener)
-        results->listener(results->user, resumed);
-}
-
-bool results_resume(struct results *results, const struct measure_desc *desc, bool *resumed) {
-    int rows;
-    *resumed = false;
-    if (!results->journal)
-        return true;
-    struct subject subject = subject_of(desc);
-    const struct result *first = journal_next(results->journal, &subject, results->scene, &rows);
-    if (!first)
-        return rows == 0;
-    begin(results, &subject);
-    for (int i = 0; i < rows; i++)
-        results_add_summary(results, first[i].what, first[i].against, first[i].unit,
-                            &first[i].figure);
-    results->committed = results->subject_count;
-    *resumed = true;
-    tell(results, true);
-    return true;
-}
-
 bool results_commit(struct results *results) {
-    int first = results->committed;
     results->committed = results->subject_count;
-    if (results->journal && !journal_append(results->journal, results, first, results->scene))
-        return false;
-    tell(results, false);
-    return true;
+    return !results->listener || results->listener(results->user);
 }
 
 void results_tell_work(const struct results *results, const struct measure_desc *desc,

@@ -28,11 +28,9 @@ struct results {
     struct subject *subjects;
     struct result *rows;
     int subject_count, row_count;
-    struct journal *journal; /* journal.h; must live on; NULL = rows are in memory alone */
-    uint64_t scene;          /* results_set_stage's */
-    int committed;           /* subjects */
-    /* Hear of what was committed or resumed, and of the work at hand. NULL: nobody. */
-    void (*listener)(void *user, bool resumed);
+    int committed; /* subjects */
+    /* Hear of what was committed, and of the work at hand. NULL: nobody. */
+    bool (*listener)(void *user);
     void (*work_listener)(void *user, const struct measure_desc *desc, double subjects);
     void *user;
 };
@@ -49,25 +47,7 @@ void results_add(struct results *results, const char *what, const char *against,
 void results_add_summary(struct results *results, const char *what, const char *against,
                          const char *unit, const struct summary *figure);
 
-/* --- runs that are taken up ---
- *
- *     if (!results_resume(results, desc, &resumed) || resumed)
- *         return ...;                       an error; or the subject and its rows are there
- *     results_begin(results, desc);
- *     ... results_add ...
- *     return results_commit(results);       they are on disk
- *
- * Subjects must come in the same order in each run of the same settings.
- */
-
-/* What is measured from now on is of this scene, as it is posed. */
-void results_set_stage(struct results *results, const struct stage *stage);
-
-/* Takes the subject's rows from the journal, where it has them. Error: it has another subject's there. */
-bool results_resume(struct results *results, const struct measure_desc *desc, bool *resumed);
-
-/* All that was begun after the last call goes to the journal as one block: it is resumed whole or not at all. Error: of
- * the file. */
+/* All subjects begun so far are complete. Error: of the listener. */
 bool results_commit(struct results *results);
 
 /* The subject is at work, of which and of whose neighbours so many are measured. */

@@ -220,12 +220,8 @@ static int measure_group(struct results *results, int first, const struct measur
 bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing) {
     int base = results->subject_count;
-    bool resumed;
-    for (int i = 0, count = 1; i < subjects->count; i += count) {
-        const struct measure_desc *desc = &subjects->items[i];
-        if (!results_resume(results, desc, &resumed))
-            return false;
-        count = resumed ? 1 : measure_group(results, base, desc, subjects->count - i, timing);
+    for (int i = 0, count; i < subjects->count; i += count) {
+        count = measure_group(results, base, &subjects->items[i], subjects->count - i, timing);
         if (count == 0)
             return false;
     }
