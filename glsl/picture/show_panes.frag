@@ -58,7 +58,7 @@ vec3 own_light(pane p, vec3 place, vec3 direction, ivec2 pixel, inout bool neare
     float covers = 1.0 - p.base;
     vec3 albedo = pane_albedo(p, direction), sum = vec3(0.0);
     if (albedo != vec3(0.0)) {
-        sum = albedo * arriving(place, normal, pixel, nearest);
+        sum = albedo * arriving(place + panes_clearance() * normal, normal, pixel, nearest);
         nearest = false;
     }
     float reflects = p.glass > 0.0 ? covers * (1.0 - plate_passes(p, direction)) : 0.0;
