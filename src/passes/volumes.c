@@ -131,8 +131,9 @@ char *volume_defines(const struct volume *volume) {
     return mem_printf(
         "%sCHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d;BOTH_SIDES %d;PUBLISHED %d;"
         "SPLIT %d",
-        light_defines(desc->medium, false), desc->channels, desc->order, volume->coefficient_count, light && desc->both_sides,
-        light && desc->bounces, desc->both_sides, desc->published, volume_is_split(desc));
+        light_defines(desc->medium, false), desc->channels, desc->order, volume->coefficient_count,
+        light && desc->both_sides, light && desc->bounces, desc->both_sides, desc->published,
+        volume_is_split(desc));
 }
 
 struct volume_params volume_params_of(const struct volume *volume) {

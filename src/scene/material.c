@@ -83,8 +83,7 @@ struct pane_color material_pane_color(const struct material *material, vec4s bas
 
 struct passing material_passing(const struct material *material, vec4s base_color, float cosine) {
     struct pane_color pane = material_pane_color(material, base_color);
-    float plate =
-        material_plate_passes(material->thin_walled ? pane.index : -pane.index, cosine);
+    float plate = material_plate_passes(material->thin_walled ? pane.index : -pane.index, cosine);
     return (struct passing){glms_vec3_muladds(pane.glass, plate, glms_vec3_fill(pane.base)),
                             1 - pane.base};
 }

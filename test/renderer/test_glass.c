@@ -229,7 +229,7 @@ static void test_techniques(void **state) {
 /* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if opaque. */
 static void test_panes_before_sky(void **state) {
     (void)state;
-    static const char *const names[] = {"clustered", "unshadowed"};
+    static const char *const names[] = {"clustered", "imperfect-volume"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         for (int up = 0; up < 2; up++) {
             double of_opaque = 0;
@@ -297,8 +297,7 @@ static void test_fog_behind_colours(void **state) {
     struct image drawn = draw(&stage, CHEAP), traced;
     check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
     for (int c = 1; c < 3; c++) {
-        check_near("drawn",
-                   channel_mean(&drawn, channels[c]) / channel_mean(&drawn, channels[0]),
+        check_near("drawn", channel_mean(&drawn, channels[c]) / channel_mean(&drawn, channels[0]),
                    1. / (1 << c), .002);
         check_near("traced",
                    channel_mean(&traced, channels[c]) / channel_mean(&traced, channels[0]),

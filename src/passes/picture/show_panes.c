@@ -16,12 +16,12 @@ static bool init_targets(struct show_panes_pass *pass) {
                                       .width = pass->desc.width,
                                       .height = pass->desc.height};
     return (!pass->desc.reflects ||
-            gbuffer_init(&pass->surfaces, &(struct gbuffer_desc){.label = "pane surfaces",
-                                                                 .width = desc.width,
-                                                                 .height = desc.height,
-                                                                 .layers = 1,
-                                                                 .has_specular =
-                                                                     pass->desc.specular})) &&
+            gbuffer_init(&pass->surfaces,
+                         &(struct gbuffer_desc){.label = "pane surfaces",
+                                                .width = desc.width,
+                                                .height = desc.height,
+                                                .layers = 1,
+                                                .has_specular = pass->desc.specular})) &&
            texture_init(&pass->own, &desc) && texture_init(&pass->transmittance, &desc) &&
            framebuffer_init(&pass->framebuffer,
                             &(struct framebuffer_desc){

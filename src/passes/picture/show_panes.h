@@ -26,8 +26,8 @@ struct show_panes_pass {
     struct show_panes_desc desc;
     GLuint program, surfaces_program; /* the second where some reflect */
     GLuint framebuffer;               /* of the next two */
-    struct texture own;           /* RGBA16F, radiance times irradiance_scale */
-    struct texture transmittance; /* RGBA16F */
+    struct texture own;               /* RGBA16F, radiance times irradiance_scale */
+    struct texture transmittance;     /* RGBA16F */
     struct gbuffer surfaces;
     struct buffer params;
     const struct caster_bvh *tree;

@@ -193,7 +193,8 @@ static vec3s panes_pass(const struct walk *walk, vec3s direction, float distance
 /* Of a link, the mean over the colours. */
 static float link_passes(const struct walk *walk, int b, uint32_t node) {
     vec3s direction = direction_of(walk, b), path;
-    glm_vec3_sub((float *)walk->tree->nodes[node].position, (float *)walk->leaf->position, path.raw);
+    glm_vec3_sub((float *)walk->tree->nodes[node].position, (float *)walk->leaf->position,
+                 path.raw);
     return glms_vec3_hadd(panes_pass(walk, direction, glms_vec3_dot(path, direction))) / 3;
 }
 
@@ -238,11 +239,11 @@ static void take_links(const struct walk *walk, struct links *links, const float
         if (node & PARTNER_BACK)
             buried += weight;
         if (!(node & PARTNER_BACK) && count + open_count < links->stride)
-            items[count++] = (struct link){
-                node, (uint32_t)b,
-                link_passes(walk, b, node) *
-                    (links->desc.weight == LINKS_WEIGHT_ELEMENT ? element_weight(walk, node)
-                                                                : weight)};
+            items[count++] = (struct link){node, (uint32_t)b,
+                                           link_passes(walk, b, node) *
+                                               (links->desc.weight == LINKS_WEIGHT_ELEMENT
+                                                    ? element_weight(walk, node)
+                                                    : weight)};
     }
     /* The quarters' sum is pi but for their width. */
     float scale = all > 0 ? GLM_PIf / all : 0;
