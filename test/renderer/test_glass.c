@@ -188,13 +188,19 @@ static void make_black_pane(struct stage *stage, float alpha) {
     lay_out(stage);
 }
 
+/* A small floor and a square above, which faces down, of that material; room for more nodes. */
+static int print_storeys(char *text, size_t size, int material, double z) {
+    return snprintf(text, size,
+                    "[{\"mesh\": 0, \"translation\": [-2, -2, 0], \"scale\": [4, 4, 1]},"
+                    " {\"mesh\": %d, \"translation\": [-2, 2, %g], \"rotation\": [1, 0, 0, 0],"
+                    " \"scale\": [4, 4, 1]}",
+                    material, z);
+}
+
 /* A floor and a ceiling, and between them perhaps a black pane of alpha .6. */
 static void open_storeys(struct stage *stage, bool pane, float light) {
     char nodes[512];
-    int used = snprintf(nodes, sizeof nodes,
-                        "[{\"mesh\": 0, \"translation\": [-2, -2, 0], \"scale\": [4, 4, 1]},"
-                        " {\"mesh\": 0, \"translation\": [-2, 2, 2], \"rotation\": [1, 0, 0, 0],"
-                        " \"scale\": [4, 4, 1]}");
+    int used = print_storeys(nodes, sizeof nodes, FLOOR, 2);
     if (pane) {
         used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
         used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 4);
@@ -226,16 +232,21 @@ static void test_techniques(void **state) {
         }
 }
 
-/* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if opaque. */
+/* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if opaque. Voxels that an
+ * opaque surface crosses have no light of their own: there its light is of others, a voxel away. */
 static void test_panes_before_sky(void **state) {
     (void)state;
     static const char *const names[] = {"clustered", "imperfect-volume"};
+    static const double tolerances[] = {.01, .04};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         for (int up = 0; up < 2; up++) {
             double of_opaque = 0;
             for (int blends = 0; blends < 2; blends++) {
                 struct stage stage;
-                open_squares(&stage, &(struct square){DOWN_NODE, 1, 3}, 1, .2F);
+                char nodes[512];
+                int used = print_storeys(nodes, sizeof nodes, SMOOTH, 1);
+                snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+                open_nodes(&stage, nodes, .2F);
                 stage.scene.materials[SMOOTH].blends = blends;
                 stage.scene.materials[SMOOTH].base_color[3] = .6F;
                 lay_out(&stage);
@@ -248,7 +259,7 @@ static void test_panes_before_sky(void **state) {
                 of_opaque = blends ? of_opaque : seen;
                 if (blends)
                     check_near(up ? "direct over opaque" : "indirect over opaque", seen / of_opaque,
-                               .6, .01);
+                               .6, tolerances[i]);
                 image_free(&drawn);
                 stage_free(&stage);
             }
