@@ -28,7 +28,7 @@ void main() {
         int away = volume_distance(ivec3(place));
         // The camera may be as near to a surface as to lie in its voxel.
         if (away == 0 && ivec3(place) != ivec3(floor(eye))) {
-            result = vec4(ray_end(ivec3(place), true, direction) * 3.1415927, 1.0);
+            result = vec4(leaving(ivec3(place), direction) * 3.1415927, 1.0);
             return;
         }
         float side = least((floor(place) + mix(vec3(0.0), vec3(1.0), rises) - place) / direction);

@@ -124,6 +124,10 @@ bool panes_stop(vec3 origin, vec3 direction, float chance, inout float end, out 
     return false;
 }
 
+bool panes_none() {
+    return int(texelFetch(panes, 0).w) <= STACKLESS_HEADER;
+}
+
 float panes_clearance() {
     return uintBitsToFloat(texelFetch(panes, 1).w);
 }

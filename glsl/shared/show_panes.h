@@ -4,6 +4,7 @@
 
 #include "shared/types.h"
 
+#define PANE_LAYERS 8 /* that a pixel sees at most */
 #define UNIT_BEHIND_IN_SCATTER (UNIT_OWN + 0) /* of a medium, with the next one */
 #define UNIT_BEHIND_TRANSMITTANCE (UNIT_OWN + 1)
 #define UNIT_PANES_SKY (UNIT_OWN + 2)

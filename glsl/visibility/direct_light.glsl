@@ -1,6 +1,6 @@
 // Direct light of one light, at the G-buffer. Who includes it says which share of the light arrives:
 #include "gather/receiver_facet.glsl"
-#include "lib/medium.glsl"
+#include "visibility/lamp_panes.glsl"
 
 float arriving(surface s, light l, vec3 direction);
 
@@ -62,7 +62,7 @@ void main() {
 #else
     direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
 #endif
-    vec3 passes = medium_passes_light(s.position, direction, l.type != LIGHT_TYPE_DIRECTIONAL, distance2);
+    vec3 passes = lamp_passes(l, s, direction, distance2);
 #ifdef HAS_SLIDES
     passes *= light_slide(l, direction);
 #endif

@@ -1,6 +1,8 @@
 // Distance of each voxel to the nearest occupied one, by the greatest difference along an axis, an axis at a time: each
 // step takes the lesser of what its neighbours along AXIS have, but at least how far off they are. The last one marks
-// holes of surfaces, and what lies behind all surfaces, unless some are seen from both sides.
+// holes of surfaces, and what lies behind all surfaces, unless some are seen from both sides. Voxels near panes, which are in
+// no voxel, have rays as those near surfaces have.
+#include "lib/medium.glsl"
 #include "lib/volume.glsl"
 
 #if AXIS == 0
@@ -55,6 +57,26 @@ bool is_in_front(ivec3 voxel) {
     return false;
 }
 
+#ifdef HAS_MEDIUM
+const float PANE_REACH = float(VOLUME_SHELL) + 1.5; // voxels
+
+bool is_near_pane(ivec3 voxel) {
+    vec3 middle = params.corner + params.voxel * (vec3(voxel) + 0.5);
+    float reach = PANE_REACH * params.voxel;
+    bool near = false;
+    for (int axis = 0; axis < 3; axis++) {
+        vec3 along = vec3(0.0);
+        along[axis] = 1.0;
+        near = near || panes_meet(middle - reach * along, along, 0.0, 2.0 * reach).nearest < 2.0 * reach;
+    }
+    return near;
+}
+#else
+bool is_near_pane(ivec3 voxel) {
+    return false;
+}
+#endif
+
 // Near a surface, but not to be read.
 bool is_idle(ivec3 voxel) {
     return PUBLISHED == 0 && (is_hole(voxel) || (BOTH_SIDES == 0 && !is_in_front(voxel)));
@@ -77,6 +99,8 @@ void main() {
 #if AXIS == 2
     if (least > 0 && least <= VOLUME_SHELL && is_idle(voxel))
         least += VOLUME_IDLE;
+    if (least > VOLUME_SHELL && least < VOLUME_IDLE && is_near_pane(voxel))
+        least = VOLUME_SHELL;
 #endif
     result = float(least) / 255.0;
 }

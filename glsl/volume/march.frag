@@ -62,7 +62,8 @@ void main() {
                 break;
             t += float(away);
         }
-        gathered light = ray_end(at, away == 0, direction);
+        vec3 origin = params.corner + params.voxel * start;
+        gathered light = ray_end(at, away == 0, origin, direction, min(t, end) * params.voxel);
         vec4 low = sh_low(direction);
         for (int c = 0; c < CHANNELS; c++)
             coefficients[c] += light[c] * low;

@@ -1,5 +1,6 @@
 // Direct light of a point, of all lights: each through its shadow map.
 #define POINTS_ONLY
+#include "lib/medium.glsl"
 #include "lib/unshadowed.glsl"
 
 layout(binding = UNIT_VOLUME_SHADOWS) uniform sampler2DArray shadow_maps[LIGHT_MAP_KINDS];
@@ -33,6 +34,7 @@ vec3 point_irradiance_at(vec3 position, vec3 normal) {
         float share = point_irradiance(l, normal, direction, distance2) * light_in_range(l, distance2);
         if (share > 0.0)
             sum += l.radiance * light_slide(l, direction) *
+                   medium_passes_light(position, direction, l.type != LIGHT_TYPE_DIRECTIONAL, distance2) *
                    (share * point_seen(light_view_at(light_view_index(l, direction)), position, normal));
     }
     return sum * (3.1415927 * params.irradiance_scale);

@@ -1,4 +1,5 @@
 // Rays of indirect light: the radiance that leaves the surfaces of the voxel that is met, to the side where it is met.
+#include "lib/medium.glsl"
 #include "volume/sides.glsl"
 
 #define gathered vec3
@@ -17,9 +18,7 @@ vec4 side_light(vec4 side, vec3 radiosity, vec3 direction) {
 }
 #endif
 
-gathered ray_end(ivec3 voxel, bool met, vec3 direction) {
-    if (!met)
-        return vec3(0.0);
+vec3 leaving(ivec3 voxel, vec3 direction) {
     ivec2 texel = volume_texel(voxel);
     vec4 surface = texelFetch(surfaces, texel, 0), back = vec4(0.0);
     vec3 front = texelFetch(radiosities, texel, 0).rgb;
@@ -38,4 +37,8 @@ gathered ray_end(ivec3 voxel, bool met, vec3 direction) {
     // As published: spherical harmonics of order 2 of a half space that shines.
     return max(front * (0.31830989 / surface.a * (0.5 - 0.75 * dot(surface.xyz / surface.a, direction))), 0.0);
 #endif
+}
+
+gathered ray_end(ivec3 voxel, bool met, vec3 origin, vec3 direction, float metres) {
+    return met ? leaving(voxel, direction) * medium_passes_along(origin, direction, metres) : vec3(0.0);
 }

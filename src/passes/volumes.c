@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "gl/framebuffer.h"
+#include "passes/frame.h"
 
 #include <math.h>
 #include <string.h>
@@ -128,10 +129,11 @@ char *volume_defines(const struct volume *volume) {
     const struct volume_desc *desc = &volume->desc;
     bool light = desc->channels == VOLUME_RADIANCE;
     return mem_printf(
-        "CHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d;BOTH_SIDES %d;PUBLISHED %d;"
+        "%sCHANNELS %d;ORDER %d;COEFFICIENTS %d;BACKS %d;BOUNCES %d;BOTH_SIDES %d;PUBLISHED %d;"
         "SPLIT %d",
-        desc->channels, desc->order, volume->coefficient_count, light && desc->both_sides,
-        light && desc->bounces, desc->both_sides, desc->published, volume_is_split(desc));
+        light_defines(desc->medium, false), desc->channels, desc->order, volume->coefficient_count,
+        light && desc->both_sides, light && desc->bounces, desc->both_sides, desc->published,
+        volume_is_split(desc));
 }
 
 struct volume_params volume_params_of(const struct volume *volume) {

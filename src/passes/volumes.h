@@ -19,6 +19,7 @@ struct volume_desc {
     bool both_sides;       /* some surfaces are seen, and reflect, from both sides */
     bool published;        /* emission, rays and reconstruction are the paper's */
     bool bounces;          /* light is reflected again: albedos are kept */
+    bool medium;           /* frames have one, or panes */
 };
 
 /* Where voxels lie. */

@@ -72,7 +72,8 @@ static vec3s from_piece(const struct emission *emission, const struct ray_scene 
     vec3s passes = glms_vec3_mul(medium_passes(medium, point.along - ray->segment[0]),
                                  medium_transmittance(medium, x, to_light, distance));
     vec3s scattered = glms_vec3_mul(medium->scattering, vector_of(piece->intensity));
-    scattered = glms_vec3_mul(scattered, open);
+    scattered =
+        glms_vec3_mul(scattered, glms_vec3_mul(open, ray_scene_share(rays, ray->origin, x)));
     scattered = glms_vec3_mul(scattered, emission_slide(piece, glms_vec3_negate(to_light)));
     return glms_vec3_scale(glms_vec3_mul(scattered, passes), share);
 }

@@ -29,6 +29,8 @@ static bool init_panes(struct airlight *airlight, const struct airlight_part_des
                                                           .slides = desc->slides,
                                                           .sky = desc->sky,
                                                           .irradiance = desc->irradiance,
+                                                          .reflects = desc->reflects,
+                                                          .specular = desc->specular,
                                                           .casters = desc->panes});
 }
 

@@ -12,6 +12,7 @@ struct airlight_part_desc {
     int width, height, steps;   /* steps 0: nothing scatters, as of panes alone */
     bool slides;                /* lights may have some */
     bool sky, irradiance;       /* there is one; the technique has some */
+    bool reflects, specular;    /* as in struct show_panes_desc */
     struct caster_pool *panes;  /* NULL: there are none */
     struct light_layout lights; /* light samples */
 };

@@ -166,34 +166,57 @@ static void render_lights(struct renderer *renderer, const struct frame *frame) 
 }
 
 /* Lights that follow the camera are drawn for its G-buffer. */
-static void render_indirect(struct renderer *renderer, const struct frame *frame) {
+static void render_lights_seen(struct renderer *renderer, const struct frame *frame) {
     void *state;
     const struct technique *technique = current_technique(renderer, &state);
     struct frame seen = *frame;
     seen.gbuffer = &renderer->gbuffer;
     if (follows_camera(technique, state))
         technique->render_lights(state, &seen);
-    technique->render_view(state, frame, &renderer->gbuffer);
+}
+
+/* Direct and indirect light of a G-buffer. */
+static void render_light(struct renderer *renderer, const struct frame *frame,
+                         const struct gbuffer *gbuffer) {
+    void *state;
+    const struct technique *technique = current_technique(renderer, &state);
+    struct frame direct = frame_of_direct(renderer, frame);
+    renderer->direct->render_view(renderer->direct_state, &direct, gbuffer);
+    technique->render_view(state, frame, gbuffer);
+}
+
+/* Before all other surfaces, whose light then stays. */
+static void render_panes(struct renderer *renderer, const struct frame *frame) {
+    const struct show_panes_pass *panes = &renderer->airlight.panes;
+    struct timers untimed = {0};
+    struct frame of_panes = *frame;
+    of_panes.timers = &untimed;
+    if (panes->surfaces_program) {
+        timer_begin(frame->timers, "light of panes");
+        show_panes_pass_render_surfaces(panes, &of_panes, &renderer->gbuffer);
+        render_light(renderer, &of_panes, &panes->surfaces);
+        timer_end(frame->timers);
+    }
+    struct contribution contribution = contribution_behind(renderer);
+    show_panes_pass_render(panes, frame, &renderer->gbuffer, &contribution,
+                           renderer->direct->light(renderer->direct_state),
+                           renderer->desc.emitters.sky);
 }
 
 /* All but what makes a picture of it. */
 static void render_frame(struct renderer *renderer, const struct frame *frame) {
-    struct frame direct = frame_of_direct(renderer, frame);
     renderer->frame_count++;
     render_lights(renderer, frame);
     geometry_pass_render_camera(&renderer->geometry, frame, &renderer->gbuffer);
     if (renderer->pass == 0)
         antialias_pass_render(&renderer->antialias, frame, &renderer->gbuffer);
-    renderer->direct->render_view(renderer->direct_state, &direct, &renderer->gbuffer);
-    render_indirect(renderer, frame);
+    render_lights_seen(renderer, frame);
     if (renderer->airlight.pass.in_scatter.id)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
                              renderer->airlight.maps.maps, &renderer->desc.emitters);
-    if (renderer->airlight.panes.program) {
-        struct contribution behind = contribution_behind(renderer);
-        show_panes_pass_render(&renderer->airlight.panes, frame, &renderer->gbuffer, &behind,
-                               renderer->desc.emitters.sky);
-    }
+    if (renderer->airlight.panes.program)
+        render_panes(renderer, frame);
+    render_light(renderer, frame, &renderer->gbuffer);
     renderer_render_caustics(renderer, frame);
 }
 

@@ -162,6 +162,18 @@ static bool init_composite(struct renderer *renderer) {
                                                         .has_specular = has_specular(desc)});
 }
 
+/* Diffusely. */
+static bool panes_reflect(const struct renderer *renderer) {
+    const struct geometry *geometry = renderer_geometry(renderer);
+    bool some = false;
+    for (int b = geometry->blocking_batch_count; b < geometry->batch_count; b++) {
+        const struct material *material =
+            &renderer->desc.scene->materials[geometry->batches[b].material];
+        some |= material_transmits(material) < 1;
+    }
+    return some;
+}
+
 static bool init_airlight(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     const struct medium_settings *own =
@@ -175,6 +187,8 @@ static bool init_airlight(struct renderer *renderer) {
                              .slides = desc->scene->slide_count > 0,
                              .sky = desc->scene->environment != NULL,
                              .irradiance = renderer->composite.desc.contributes & HAS_IRRADIANCE,
+                             .reflects = panes_reflect(renderer),
+                             .specular = has_specular(desc),
                              .panes = geometry_has_panes(renderer_geometry(renderer))
                                           ? renderer->casters
                                           : NULL,

@@ -56,8 +56,11 @@ bool material_is_pane(const struct material *material) {
     return material_lets_pass(material) && !(material->blends && material->alpha_mask);
 }
 
-/* Of a plate between parallel faces, with all reflections within: the mean of both polarisations. */
-static float plate_passes(float index, float cosine) {
+/* The mean of both polarisations; two faces of a solid are one plate. */
+float material_plate_passes(float index, float cosine) {
+    bool is_face = index < 0;
+    index = fabsf(index);
+    cosine = fmaxf(cosine, 1e-3F);
     float within = sqrtf(fmaxf(1 - (1 - cosine * cosine) / (index * index), 0)), sum = 0;
     const float amplitudes[2] = {(cosine - index * within) / (cosine + index * within),
                                  (index * cosine - within) / (index * cosine + within)};
@@ -65,7 +68,7 @@ static float plate_passes(float index, float cosine) {
         float reflected = amplitudes[i] * amplitudes[i];
         sum += (1 - reflected) / (1 + reflected) / 2;
     }
-    return sum;
+    return is_face ? sqrtf(sum) : sum;
 }
 
 struct pane_color material_pane_color(const struct material *material, vec4s base_color) {
@@ -80,9 +83,7 @@ struct pane_color material_pane_color(const struct material *material, vec4s bas
 
 struct passing material_passing(const struct material *material, vec4s base_color, float cosine) {
     struct pane_color pane = material_pane_color(material, base_color);
-    float plate = plate_passes(pane.index, fmaxf(cosine, 1e-3F));
-    /* Two faces of a solid are one plate. */
-    plate = material->thin_walled ? plate : sqrtf(plate);
+    float plate = material_plate_passes(material->thin_walled ? pane.index : -pane.index, cosine);
     return (struct passing){glms_vec3_muladds(pane.glass, plate, glms_vec3_fill(pane.base)),
                             1 - pane.base};
 }

@@ -53,6 +53,9 @@ struct pane_color {
     vec3s glass;
     float base, index;
 };
+/* Of a plate between parallel faces, with all reflections within; of a negative index one face of a solid. */
+float material_plate_passes(float index, float cosine);
+
 struct pane_color material_pane_color(const struct material *material, vec4s base_color);
 
 /* What a surface that lets light pass does to it, by its base colour there and the cosine of the angle. */

@@ -85,6 +85,7 @@ static struct volume_desc volume_of(const struct volume_light_desc *desc,
         .channels = desc->channels,
         .order = own->order,
         .bounces = desc->bounces > 1,
+        .medium = desc->medium,
         .published = own->published,
     };
     set_box(&volume, desc->geometry, box);
@@ -299,7 +300,8 @@ static struct volume_light_desc visibility_of(const struct ambient_occlusion_des
                                       .width = desc->width,
                                       .height = desc->height,
                                       .channels = VOLUME_VISIBILITY,
-                                      .bounces = 1};
+                                      .bounces = 1,
+                                      .medium = geometry_has_panes(desc->geometry)};
 }
 
 bool ambient_occlusion_check(const struct ambient_occlusion_desc *desc) {

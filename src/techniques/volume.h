@@ -45,6 +45,7 @@ struct volume_light_desc {
     const struct scene *scene; /* must outlive the light */
     int channels;              /* VOLUME_RADIANCE or VOLUME_VISIBILITY */
     int bounces;               /* of radiance */
+    bool medium;               /* frames have one, or panes */
 };
 
 struct volume_light {

@@ -180,6 +180,144 @@ static void test_panes_reflect(void **state) {
     }
 }
 
+static void make_black_pane(struct stage *stage, float alpha) {
+    struct material *pane = &stage->scene.materials[SMOOTH];
+    pane->blends = pane->double_sided = true;
+    memset(pane->base_color, 0, sizeof pane->base_color);
+    pane->base_color[3] = alpha;
+    lay_out(stage);
+}
+
+/* A small floor and a square above, which faces down, of that material; room for more nodes. */
+static int print_storeys(char *text, size_t size, int material, double z) {
+    return snprintf(text, size,
+                    "[{\"mesh\": 0, \"translation\": [-2, -2, 0], \"scale\": [4, 4, 1]},"
+                    " {\"mesh\": %d, \"translation\": [-2, 2, %g], \"rotation\": [1, 0, 0, 0],"
+                    " \"scale\": [4, 4, 1]}",
+                    material, z);
+}
+
+/* A floor and a ceiling, and between them perhaps a black pane of alpha .6. */
+static void open_storeys(struct stage *stage, bool pane, float light) {
+    char nodes[512];
+    int used = print_storeys(nodes, sizeof nodes, FLOOR, 2);
+    if (pane) {
+        used += snprintf(nodes + used, sizeof nodes - (size_t)used, ", ");
+        used += print_square(nodes + used, sizeof nodes - (size_t)used, UP_NODE, 1, 4);
+    }
+    snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+    open_nodes(stage, nodes, 1.5F);
+    make_black_pane(stage, .6F);
+    place_light(stage, light);
+    look_up(stage);
+    stage->camera.fov_y = .5F;
+}
+
+/* The ceiling by the floor's light through a black pane of alpha .6, for all techniques; the light is below the pane, and
+ * above. */
+static void test_techniques(void **state) {
+    (void)state;
+    for (int above = 0; above < 2; above++)
+        for (const struct technique *const *t = techniques; *t; t++) {
+            double indirect[2];
+            for (int pane = 0; pane < 2; pane++) {
+                struct stage stage;
+                open_storeys(&stage, pane, above ? 1.6F : .4F);
+                struct image drawn = render_stage(&stage, (*t)->name, "", SIZE);
+                indirect[pane] = mean_of(&drawn, "indirect");
+                image_free(&drawn);
+                stage_free(&stage);
+            }
+            check_near((*t)->name, indirect[1] / indirect[0], above ? .16 : .4, .01);
+        }
+}
+
+/* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if opaque. Voxels that an
+ * opaque surface crosses have no light of their own: there its light is of others, a voxel away. */
+static void test_panes_before_sky(void **state) {
+    (void)state;
+    static const char *const names[] = {"clustered", "imperfect-volume"};
+    static const double tolerances[] = {.01, .04};
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        for (int up = 0; up < 2; up++) {
+            double of_opaque = 0;
+            for (int blends = 0; blends < 2; blends++) {
+                struct stage stage;
+                char nodes[512];
+                int used = print_storeys(nodes, sizeof nodes, SMOOTH, 1);
+                snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
+                open_nodes(&stage, nodes, .2F);
+                stage.scene.materials[SMOOTH].blends = blends;
+                stage.scene.materials[SMOOTH].base_color[3] = .6F;
+                lay_out(&stage);
+                place_light(&stage, .5F);
+                emitter_aim(&stage.emitters.items[0], (float[]){0, 0, up ? 1 : -1});
+                look_up(&stage);
+                stage.camera.fov_y = 1;
+                struct image drawn = render_stage(&stage, names[i], "", SIZE);
+                double seen = channel_mean(&drawn, "R");
+                of_opaque = blends ? of_opaque : seen;
+                if (blends)
+                    check_near(up ? "direct over opaque" : "indirect over opaque", seen / of_opaque,
+                               .6, tolerances[i]);
+                image_free(&drawn);
+                stage_free(&stage);
+            }
+        }
+}
+
+/* Of a square lamp, three fifths lie behind a pane of alpha .5 with an edge. */
+static void test_half_a_lamp(void **state) {
+    (void)state;
+    double direct[2];
+    for (int pane = 0; pane < 2; pane++) {
+        struct stage stage;
+        open_nodes(&stage,
+                   pane ? "[" FLOOR_NODE ", {\"mesh\": 1, \"translation\": [0, -4, 1],"
+                          " \"scale\": [8, 8, 1]}]"
+                        : "[" FLOOR_NODE "]",
+                   .5F);
+        make_black_pane(&stage, .5F);
+        stage.emitters.items[0].type = EMITTER_AREA;
+        stage.emitters.items[0].size[0] = stage.emitters.items[0].size[1] = 1;
+        stage.camera.eye[0] = .1F;
+        struct image drawn = draw(&stage, CHEAP);
+        direct[pane] = mean_of(&drawn, "direct");
+        image_free(&drawn);
+        stage_free(&stage);
+    }
+    check_near("direct light over that without a pane", direct[1] / direct[0], .7, .005);
+}
+
+/* Fog that a coloured pane hides from the camera, lit below it: in the frame and in the path tracer. */
+static void test_fog_behind_colours(void **state) {
+    (void)state;
+    static const char *const channels[] = {"airlight.R", "airlight.G", "airlight.B"};
+    struct stage stage;
+    open_squares(&stage, &(struct square){UP_NODE, 1, 30}, 1, 1.5F);
+    make_glass(&stage, 1);
+    stage.scene.materials[SMOOTH].thin_walled = true;
+    for (int c = 0; c < 3; c++) {
+        stage.scene.materials[SMOOTH].base_color[c] = 1 / (float)(1 << c);
+        stage.scene.medium.scattering[c] = .01F;
+    }
+    lay_out(&stage);
+    place_light(&stage, .8F);
+    struct path_tracer_desc desc = {
+        .width = 8, .height = 8, .samples = 64, .medium = stage.scene.medium};
+    struct image drawn = draw(&stage, CHEAP), traced;
+    check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
+    for (int c = 1; c < 3; c++) {
+        check_near("drawn", channel_mean(&drawn, channels[c]) / channel_mean(&drawn, channels[0]),
+                   1. / (1 << c), .002);
+        check_near("traced",
+                   channel_mean(&traced, channels[c]) / channel_mean(&traced, channels[0]),
+                   1. / (1 << c), .002);
+    }
+    images_free(&drawn, &traced);
+    stage_free(&stage);
+}
+
 /* Of two renderers of one geometry, glass is a pane to one and an occluder, which throws caustics, to the other. */
 static void test_two_renderers(void **state) {
     (void)state;
@@ -382,6 +520,10 @@ int main(void) {
         cmocka_unit_test(test_slab),
         cmocka_unit_test(test_panes),
         cmocka_unit_test(test_panes_reflect),
+        cmocka_unit_test(test_techniques),
+        cmocka_unit_test(test_panes_before_sky),
+        cmocka_unit_test(test_half_a_lamp),
+        cmocka_unit_test(test_fog_behind_colours),
         cmocka_unit_test(test_two_renderers),
         cmocka_unit_test(test_wall_from_behind),
         cmocka_unit_test(test_open_and_nested),

@@ -68,10 +68,10 @@ static void test_emission(void **state) {
 static void test_masks(void **state) {
     (void)state;
     struct stage stage;
-    struct bvh casters;
+    struct bvh casters, panes = {0};
     int holes = 0, hits = 0;
     open_stage(&stage, "scenes/materials.glb");
-    element_light_casters(&casters, &stage.scene, &stage.geometry);
+    element_light_casters(&casters, &panes, &stage.scene, &stage.geometry);
     for (uint32_t t = 0; t < stage.geometry.index_count / 3; t++) {
         vec3s edges[2],
             corner = corners_edges(&stage.geometry, &stage.geometry.indices[3 * t], edges);
@@ -91,6 +91,7 @@ static void test_masks(void **state) {
     printf("  %d of %d places of triangles are holes\n", holes, hits);
     check_at_most("holes", 100, holes);
     check_at_most("holes", holes, hits / 4);
+    bvh_free(&panes);
     bvh_free(&casters);
     stage_free(&stage);
 }

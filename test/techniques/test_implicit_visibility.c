@@ -258,17 +258,17 @@ static void check_bounds(const struct radiosity *radiosity) {
 static void test_furnace(void **state) {
     (void)state;
     struct radiosity radiosity;
-    struct bvh casters;
+    struct bvh casters, panes = {0};
     struct emitter light = emitter_new(EMITTER_POINT);
     const double albedo = .5;
     double direct = 0, indirect = 0, last = 0;
     open_radiosity(&radiosity, sphere(), albedo, 1000, &(struct links_desc){.side = 8}, false);
     const struct geometry *geometry = &radiosity.stage.geometry;
-    element_light_casters(&casters, &radiosity.stage.scene, geometry);
+    element_light_casters(&casters, &panes, &radiosity.stage.scene, geometry);
     links_make(&radiosity.links, &radiosity.tree, NULL);
     element_light_direct(
         &radiosity.light, &radiosity.elements,
-        &(struct direct_lights){&light, 1, false, &casters, geometry_clearance(geometry)},
+        &(struct direct_lights){&light, 1, false, &casters, &panes, geometry_clearance(geometry)},
         &radiosity.links);
     for (int bounces = 1; bounces <= 20; bounces += bounces < 3 ? 1 : 17) {
         element_light_bounce(&radiosity.light, &radiosity.elements, &radiosity.tree,

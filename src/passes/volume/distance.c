@@ -33,9 +33,9 @@ void distance_pass_free(struct distance_pass *pass) {
 }
 
 /* From one of the two textures to the other. */
-static void draw_step(const struct volume *volume, const struct buffer *params, GLuint program,
-                      int target) {
-    pass_set_state(&(struct pass_state){
+static void draw_step(const struct frame *frame, const struct volume *volume,
+                      const struct buffer *params, GLuint program, int target) {
+    struct pass_state state = {
         .name = "distances",
         .program = program,
         .framebuffer = volume->distance_framebuffers[target],
@@ -44,7 +44,10 @@ static void draw_step(const struct volume *volume, const struct buffer *params, 
         .textures = {{UNIT_VOLUME_SURFACES, volume->surfaces.id},
                      {UNIT_VOLUME_DISTANCES, volume->distances[1 - target].id}},
         .blocks = {{BLOCK_PASS, params}},
-    });
+    };
+    if (volume->desc.medium)
+        frame_add_medium(frame, &state);
+    pass_set_state(&state);
     pass_draw_fullscreen(1);
 }
 
@@ -52,7 +55,7 @@ void distance_pass_render(const struct distance_pass *pass, const struct frame *
                           const struct volume *volume, const struct buffer *params) {
     timer_begin(frame->timers, "distances");
     for (int axis = 0; axis < 3; axis++)
-        draw_step(volume, params, pass->programs[axis], axis % 2);
-    draw_step(volume, params, pass->neighbour_program, 1);
+        draw_step(frame, volume, params, pass->programs[axis], axis % 2);
+    draw_step(frame, volume, params, pass->neighbour_program, 1);
     timer_end(frame->timers);
 }

@@ -62,6 +62,8 @@ void march_pass_render(const struct march_pass *pass, const struct frame *frame,
         .textures = {{UNIT_VOLUME_DISTANCES, volume->distances[0].id}},
         .blocks = {{BLOCK_PASS, params}},
     };
+    if (volume->desc.medium)
+        frame_add_medium(frame, &state);
     if (volume->desc.channels == VOLUME_RADIANCE) {
         pass_add_texture(&state, UNIT_VOLUME_SURFACES, volume->surfaces.id);
         pass_add_texture(&state, UNIT_VOLUME_RADIOSITY, inputs->radiosity->id);

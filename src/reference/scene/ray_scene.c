@@ -18,6 +18,7 @@ struct ray_context {
     embree_context embree;
     const struct ray_scene *rays;
     vec3s *passes;               /* of shadow rays, by their ids: what panes let pass */
+    bool over_chance;            /* over the chance that other rays go on past each */
     uint32_t passed[PANES_MOST]; /* panes, of other rays */
     int passed_count;
     float edge_at[4]; /* by ids: where a ray last passed a pane's edge, which two triangles share */
@@ -63,8 +64,11 @@ static bool passes_pane(struct ray_context *context, const struct triangle_point
     context->edge_at[id] = on_edge ? at : context->edge_at[id];
     direction = vec3s_unit(direction);
     struct passing passing = hit_passing(context->rays->table, point, direction);
+    float most = glms_vec3_max(passing.passes);
     context->passes[id] = glms_vec3_mul(context->passes[id], passing.passes);
-    return glms_vec3_max(passing.passes) > 0;
+    if (context->over_chance && most > 0)
+        context->passes[id] = glms_vec3_scale(context->passes[id], 1 / most);
+    return most > 0;
 }
 
 /* The i-th hit of a packet: the members of RTCHit, each an array of as many as there are rays.
@@ -287,6 +291,16 @@ static void set_ray(struct RTCRay4 *packet, int i, const struct RTCRay *ray) {
     packet->tfar[i] = ray->tfar;
     packet->mask[i] = ray->mask;
     packet->id[i] = (unsigned)i;
+}
+
+vec3s ray_scene_share(const struct ray_scene *rays, vec3s from, vec3s to) {
+    struct ray_context context = {.rays = rays, .over_chance = true};
+    struct RTCRay ray = make_ray(from, glms_vec3_sub(to, from), 1);
+    vec3s share = glms_vec3_one();
+    context.passes = &share;
+    if (rays->has_panes)
+        embree_occluded(rays->scene, &context.embree, NULL, &ray);
+    return share;
 }
 
 void ray_scene_passes_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],

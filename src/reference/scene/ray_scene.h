@@ -49,6 +49,9 @@ static inline bool ray_scene_visible(const struct ray_scene *rays, vec3s from, v
 vec3s ray_scene_is_open(const struct ray_scene *rays, vec3s origin, vec3s direction,
                         float distance);
 
+/* What panes between two points let pass, over the chance that a ray of the first two goes on past them. */
+vec3s ray_scene_share(const struct ray_scene *rays, vec3s from, vec3s to);
+
 /* As ray_scene_passes from one point to four, of those that are asked for. */
 void ray_scene_passes_4(const struct ray_scene *rays, vec3s from, const vec3s to[4],
                         const bool asked[4], vec3s passes[4]);

@@ -1,6 +1,7 @@
 #include "scene/mesh/pane_triangles.h"
 
 #include "base/halton.h"
+#include "scene/mesh/bvh_ray.h"
 #include "scene/mesh/corners.h"
 #include "shared/panes.h"
 
@@ -73,4 +74,31 @@ struct triangle_parts pane_triangles_of(const struct scene *scene,
         }
     }
     return list;
+}
+
+static vec3s passes(const struct bvh_triangle *triangle, vec3s direction) {
+    float base = (float)(triangle->opaque[0] & 0xffff) / 65535;
+    float enters = (float)(triangle->opaque[0] >> 16) / 65535, index;
+    vec3s normal = vec3s_unit(glms_vec3_cross(triangle->edges[0], triangle->edges[1])), share;
+    memcpy(&index, &triangle->opaque[1], sizeof index);
+    float plate = enters * material_plate_passes(index, fabsf(glms_vec3_dot(normal, direction)));
+    for (int c = 0; c < 3; c++) {
+        uint32_t color = triangle->number >> PANE_COLOR_BITS * c & PANE_COLOR_MOST;
+        share.raw[c] = base + plate * (float)color / PANE_COLOR_MOST;
+    }
+    return share;
+}
+
+vec3s pane_triangles_pass(const struct bvh *panes, vec3s origin, vec3s direction, float distance) {
+    const float edge = 1e-5F; /* parts of a distance: an edge belongs to both its triangles */
+    vec3s share = glms_vec3_one();
+    for (float from = 0; panes && panes->count > 0 && glms_vec3_max(share) > 0;) {
+        vec3s start = glms_vec3_muladds(direction, from, origin);
+        struct bvh_hit hit = bvh_ray_trace(panes, start, direction);
+        if (!hit.triangle || from + hit.distance > distance)
+            break;
+        share = glms_vec3_mul(share, passes(hit.triangle, direction));
+        from += hit.distance * (1 + edge) + edge * from;
+    }
+    return share;
 }

@@ -8,4 +8,7 @@
 
 struct triangle_parts pane_triangles_of(const struct scene *scene, const struct geometry *geometry);
 
+/* What panes let pass of light along a unit direction, up to a distance: all where there are none. */
+vec3s pane_triangles_pass(const struct bvh *panes, vec3s origin, vec3s direction, float distance);
+
 #endif

@@ -48,6 +48,7 @@ static bool init(void **state, const struct technique_desc *desc) {
                                  .height = desc->height,
                                  .channels = lit ? VOLUME_RADIANCE : VOLUME_VISIBILITY,
                                  .bounces = lit ? lights->bounces : 1,
+                                 .medium = desc->medium,
                              }) &&
            (!lit || shadow_map_pass_init(&technique->shadows,
                                          &(struct shadow_map_desc){SHADOW_SIZE, *desc->lights}));

@@ -83,7 +83,7 @@ struct implicit_visibility {
     struct tree tree;
     struct links links;
     struct element_light light;
-    struct bvh casters;
+    struct bvh casters, panes;
     struct interpolate_pass interpolate;
     int specular_kind; /* SPECULAR_...; off where all surfaces are diffuse */
     struct specular_pass specular;
@@ -105,6 +105,7 @@ static void free_elements(struct implicit_visibility *technique) {
     element_light_free(&technique->light);
     lamps_free(&technique->lamps);
     bvh_free(&technique->casters);
+    bvh_free(&technique->panes);
 }
 
 static void free_state(void *state) {
@@ -153,8 +154,10 @@ static bool place_elements(struct implicit_visibility *technique, const struct g
     technique->linked = false;
     elements_place(&technique->elements, geometry);
     bvh_free(&technique->casters);
+    bvh_free(&technique->panes);
     if (technique->elements.count > 0)
-        element_light_casters(&technique->casters, technique->scene, geometry);
+        element_light_casters(&technique->casters, &technique->panes, technique->scene, geometry);
+    technique->links.panes = &technique->panes;
     return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry) &&
            (technique->specular_kind == SPECULAR_OFF ||
             specular_pass_fit(&technique->specular, technique->elements.count));
@@ -314,6 +317,7 @@ static void light_elements(struct implicit_visibility *technique, const struct f
         .count = frame->emitters->count - sky,
         .lamps_by_links = technique->lamps_by_bins && lamps_shine(frame),
         .casters = &technique->casters,
+        .panes = &technique->panes,
         .clearance = geometry_clearance(frame->geometry),
     };
     link_elements(technique, frame, sky > 0);

@@ -4,6 +4,7 @@
 #include "base/parallel.h"
 #include "scene/mesh/bvh_ray.h"
 #include "scene/mesh/opacity.h"
+#include "scene/mesh/pane_triangles.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -52,11 +53,15 @@ void element_light_dim(struct element_light *light, const struct elements *eleme
     tree_pull_up_values(tree, light->emission);
 }
 
-void element_light_casters(struct bvh *casters, const struct scene *scene,
-                           const struct geometry *geometry) {
-    struct triangle_parts list = opaque_triangles_of(scene, geometry);
+static void plant(struct bvh *tree, struct triangle_parts list) {
     if (list.count > 0)
-        bvh_init(casters, list.items, list.count);
+        bvh_init(tree, list.items, list.count);
+}
+
+void element_light_casters(struct bvh *casters, struct bvh *panes, const struct scene *scene,
+                           const struct geometry *geometry) {
+    plant(casters, opaque_triangles_of(scene, geometry));
+    plant(panes, pane_triangles_of(scene, geometry));
 }
 
 /* --- environment ------------------------------------------------------------------------------ */
@@ -105,7 +110,7 @@ static bool is_hidden(const struct direct_lights *lights, const struct element *
 }
 
 /* Irradiance over intensity. */
-static float arriving(const struct direct_lights *lights, const struct emitter *light,
+static vec3s arriving(const struct direct_lights *lights, const struct emitter *light,
                       const struct element *element) {
     const vec3s axis = {{light->direction[0], light->direction[1], light->direction[2]}};
     vec3s to_light = glms_vec3_negate(axis);
@@ -115,13 +120,16 @@ static float arriving(const struct direct_lights *lights, const struct emitter *
         vec3s path = glms_vec3_sub(at, element->position);
         distance = glms_vec3_norm(path);
         if (!(distance > 0))
-            return 0;
+            return glms_vec3_zero();
         to_light = glms_vec3_scale(path, 1 / distance);
         factor = emitter_cone(light, -glms_vec3_dot(to_light, axis)) *
                  emitter_in_range(light, distance) / (distance * distance);
     }
     factor *= glms_vec3_dot(to_light, element->normal);
-    return factor > 0 && !is_hidden(lights, element, to_light, distance) ? factor : 0;
+    if (!(factor > 0) || is_hidden(lights, element, to_light, distance))
+        return glms_vec3_zero();
+    return glms_vec3_scale(
+        pane_triangles_pass(lights->panes, element->position, to_light, distance), factor);
 }
 
 /* Intensity towards the element, but for the cone. */
@@ -149,8 +157,8 @@ static void light_some(void *context, size_t run) {
             if (lighting->lights->lamps_by_links && light->lamp > 0)
                 continue;
             const struct element *element = &lighting->elements->items[i];
-            float factor = arriving(lighting->lights, light, element);
-            sum = glms_vec3_muladds(intensity_to(light, element), factor, sum);
+            vec3s factor = arriving(lighting->lights, light, element);
+            sum = glms_vec3_muladd(intensity_to(light, element), factor, sum);
         }
         glm_vec3_copy(sum.raw, lighting->light->direct[i]);
     }

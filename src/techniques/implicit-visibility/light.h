@@ -27,8 +27,8 @@ void element_light_emit(struct element_light *light, const struct elements *elem
 void element_light_dim(struct element_light *light, const struct elements *elements,
                        const struct tree *tree, const struct lamps *lamps);
 
-/* A tree of the geometry's triangles for element_light_direct, with their alpha masks; bvh_free it. */
-void element_light_casters(struct bvh *casters, const struct scene *scene,
+/* Trees of the geometry's triangles for element_light_direct: with alpha masks, and panes; bvh_free them. */
+void element_light_casters(struct bvh *casters, struct bvh *panes, const struct scene *scene,
                            const struct geometry *geometry);
 
 /* Mean radiance of the environment in each bin; free() it. */
@@ -38,7 +38,7 @@ struct direct_lights {
     const struct emitter *items; /* as if without a size */
     int count;
     bool lamps_by_links; /* lamps that are surfaces shine by light->emission along the links */
-    const struct bvh *casters;
+    const struct bvh *casters, *panes;
     float clearance; /* geometry_clearance */
 };
 

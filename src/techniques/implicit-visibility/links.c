@@ -4,6 +4,7 @@
 #include "base/halton.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "scene/mesh/pane_triangles.h"
 #include "techniques/implicit-visibility/pairs.h"
 
 #include <assert.h>
@@ -175,18 +176,37 @@ static float element_weight(const struct walk *walk, uint32_t j) {
     return fmaxf(here, 0) * fmaxf(there, 0) * node->area / (distance2 * distance2);
 }
 
+/* Of a bin, in the world. */
+static vec3s direction_of(const struct walk *walk, int b) {
+    vec3s direction = walk->links->bins.directions[b];
+    return walk->links->desc.turned ? glms_mat3_mulv(glms_mat3_transpose(walk->turn), direction)
+                                    : direction;
+}
+
+/* What panes let pass along a bin's direction. */
+static vec3s panes_pass(const struct walk *walk, vec3s direction, float distance) {
+    const float *at = walk->leaf->position;
+    return pane_triangles_pass(walk->links->panes, (vec3s){{at[0], at[1], at[2]}}, direction,
+                               distance);
+}
+
+/* Of a link, the mean over the colours. */
+static float link_passes(const struct walk *walk, int b, uint32_t node) {
+    vec3s direction = direction_of(walk, b), path;
+    glm_vec3_sub((float *)walk->tree->nodes[node].position, (float *)walk->leaf->position,
+                 path.raw);
+    return glms_vec3_hadd(panes_pass(walk, direction, glms_vec3_dot(path, direction))) / 3;
+}
+
 /* The radiance of the bin of the world that the leaf's leads to. */
 static void add_sky(const struct walk *walk, int b, float weight, const float (*sky)[3],
                     float sum[3]) {
-    const struct bins *bins = &walk->links->bins;
     if (!sky)
         return;
-    vec3s direction = bins->directions[b];
-    if (walk->links->desc.turned)
-        direction = glms_mat3_mulv(glms_mat3_transpose(walk->turn), direction);
-    const float *radiance = sky[bins_find(bins, direction.raw)];
+    vec3s direction = direction_of(walk, b), passes = panes_pass(walk, direction, INFINITY);
+    const float *radiance = sky[bins_find(&walk->links->bins, direction.raw)];
     for (int c = 0; c < 3; c++)
-        sum[c] += weight * radiance[c];
+        sum[c] += weight * radiance[c] * passes.raw[c];
 }
 
 /* In the leaf's bins. */
@@ -219,9 +239,11 @@ static void take_links(const struct walk *walk, struct links *links, const float
         if (node & PARTNER_BACK)
             buried += weight;
         if (!(node & PARTNER_BACK) && count + open_count < links->stride)
-            items[count++] = (struct link){
-                node, (uint32_t)b,
-                links->desc.weight == LINKS_WEIGHT_ELEMENT ? element_weight(walk, node) : weight};
+            items[count++] = (struct link){node, (uint32_t)b,
+                                           link_passes(walk, b, node) *
+                                               (links->desc.weight == LINKS_WEIGHT_ELEMENT
+                                                    ? element_weight(walk, node)
+                                                    : weight)};
     }
     /* The quarters' sum is pi but for their width. */
     float scale = all > 0 ? GLM_PIf / all : 0;

@@ -37,6 +37,7 @@ struct link {
 
 struct links {
     struct links_desc desc;
+    const struct bvh *panes; /* they dim what comes along links; NULL: none */
     struct bins bins;
     int leaf_count, stride;
     struct link *items; /* stride of each leaf: its links, and from the end on its empty bins */
