@@ -1,6 +1,7 @@
 /* SIGINT and SIGTERM held back or remembered, so that nothing is left half done.
  *
- * Held back while a sequence is rendered, so that it ends with its last whole frame.
+ * Held back while a sequence is rendered, so that it ends with its last whole frame. A process that has not ended a second
+ * later, or when another signal comes, ends wherever it is: files appear when they are whole (base/file/output_file.h).
  *
  *     interrupts_hold();         before anything starts threads: they inherit it
  *     ... interrupt_came() ...   between two frames, and interrupt_asked within one

@@ -142,7 +142,7 @@ static const struct arguments arguments = {
         "on its time, so processes can share a sequence; --budget is the exception. A file "
         "appears\n"
         "when it is whole, synced and read back, so a killed sequence can be resumed.\n"
-        "Ctrl-C ends after the current frame, Ctrl-\\ at once.\n"
+        "Ctrl-C ends after the current frame or a second, Ctrl-\\ at once.\n"
         "SCENE - is standard input; -o - is standard output, in the format of --format.",
     .options = options,
     .opens_scenes = true,
