@@ -517,11 +517,9 @@ static void test_many(void **state) {
     desc.vpl_count = LIGHTS;
     desc.val_count = MANY;
     for (int i = 0; i < LIGHTS; i++) {
-        lights[i] = (struct vpl){.position = {(float)(i % MANY)},
-                                 .normal = {0, 0, 1},
-                                 .area = 1,
-                                 .flux = {(float)(i + 1)},
-                                 .reach = 1};
+        lights[i] = (struct vpl){.normal = {0, 0, 1}, .area = 1, .reach = 1};
+        lights[i].position[0] = (float)(i % MANY);
+        lights[i].flux[0] = (float)(i + 1);
         expected[i % MANY] += (float)(i + 1);
     }
     check_ok("passes", vpl_buffer_init(&vpls, "points", LIGHTS) && cluster_pass_init(&pass, &desc));
