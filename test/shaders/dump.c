@@ -234,11 +234,15 @@ static void make_with_slides(const char *path) {
     stage_free(&stage);
 }
 
-/* Its glass and fog beside an environment. */
+/* Its glass and fog beside an environment. Glass reflects a part diffusely. */
 static void make_under_sky(const char *path) {
     struct stage stage;
     struct renderer renderer;
-    begin(&renderer, &stage, &(struct stage_desc){.path = path, .environment = {"scenes/day.hdr"}});
+    check(stage_init(&stage, &(struct stage_desc){.path = path, .environment = {"scenes/day.hdr"}}),
+          path);
+    for (int m = 0; m < stage.scene.material_count; m++)
+        stage.scene.materials[m].transmission *= .8F;
+    init(&renderer, &stage);
     make_progressive(&renderer, renderer.desc);
     renderer_free(&renderer);
     stage_free(&stage);
