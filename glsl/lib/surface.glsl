@@ -17,6 +17,12 @@ surface surface_fetch(view v, sampler2DArray depths, sampler2DArray normals, ive
     return s;
 }
 
+// How much a surface bends towards what is seen beside it: the squared difference of normals; 1 where nothing is.
+float surface_bend(vec3 normal, surface beside) {
+    vec3 apart = beside.normal - normal;
+    return beside.present ? dot(apart, apart) : 1.0;
+}
+
 // Albedo is stored as its square root, so that sixteen bits serve dark colours too.
 vec3 albedo_fetch(sampler2DArray albedos, ivec3 texel) {
     vec3 root = texelFetch(albedos, texel, 0).rgb;

@@ -3,11 +3,8 @@
 #include "lib/octahedral.glsl"
 #include "lib/rsm_specular.glsl"
 
-// The squared difference of the VPL's normal to what is seen beside it; 1 where nothing is.
 float bend_towards(vpl v, light_view view, ivec2 texel) {
-    surface beside = rsm_surface(view, clamp(texel, ivec2(0), rsm_size(view.kind) - 1));
-    vec3 apart = beside.normal - v.normal;
-    return beside.present ? dot(apart, apart) : 1.0;
+    return surface_bend(v.normal, rsm_surface(view, clamp(texel, ivec2(0), rsm_size(view.kind) - 1)));
 }
 
 // How much the patch that the VPL stands for bends. Along each axis the side that differs less counts: across an edge
@@ -17,8 +14,9 @@ float patch_bend(vpl v, light_view view, ivec2 texel) {
     float depth = view.view.orthographic ? 1.0 : dot(v.position - view.view.origin, view.view.forward);
     float reach = 0.5 * sqrt(v.area) * float(size) / (2.0 * length(view.view.right) * depth);
     ivec2 right = ivec2(int(clamp(reach, 1.0, 0.125 * float(size))), 0), up = right.yx;
-    return (min(bend_towards(v, view, texel - right), bend_towards(v, view, texel + right)) +
-                  min(bend_towards(v, view, texel - up), bend_towards(v, view, texel + up)));
+    float across = min(bend_towards(v, view, texel - right), bend_towards(v, view, texel + right));
+    float along = min(bend_towards(v, view, texel - up), bend_towards(v, view, texel + up));
+    return across + along;
 }
 
 void take_lobe(inout vpl v, light l, light_view view, ivec2 texel, float cosine) {

@@ -36,9 +36,9 @@ float lit(int map, receiver r, float extent) {
 // Convolution soft shadow maps by angles, as VALs have them [Dong 2009 §4.2].
 #include "visibility/cssm.glsl"
 
-// A filter picks up the plane of a tilted receiver too, half of it nearer than the receiver, and the step is no
-// straight line that would make up for that by the other half: the receiver is taken to be as near as the plane is
-// at this share of the filter's width.
+// A filter picks up the plane of a tilted receiver too, half of it nearer than the receiver. The step is no straight
+// line, so the other half does not make up for that. The receiver is taken to be as near as the plane is at this share
+// of the filter's width.
 const float TILT = 0.125;
 
 // The MIP level whose texel is half a filter of this width (a fraction of the map): a wider one picks

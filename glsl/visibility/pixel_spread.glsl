@@ -5,12 +5,10 @@
 
 const float MOST_SPREAD = 0.18; // of alpha^2, as in the paper
 
-// The squared difference to the normal of a pixel beside; 1 where nothing is.
+// To a pixel beside; 1 outside the picture, too.
 float bend_towards(vec3 normal, ivec2 pixel) {
     ivec2 inside = clamp(pixel, ivec2(0), gbuffer_size() - 1);
-    surface beside = gbuffer_surface(inside);
-    vec3 apart = beside.normal - normal;
-    return beside.present && inside == pixel ? dot(apart, apart) : 1.0;
+    return inside == pixel ? surface_bend(normal, gbuffer_surface(inside)) : 1.0;
 }
 
 // Along each axis the side that differs less counts: across an edge lies another surface. Grazing views bend much along one

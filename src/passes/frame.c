@@ -1,7 +1,5 @@
 #include "passes/frame.h"
 
-#include "passes/targets.h"
-
 #include <math.h>
 
 float frame_turn(const struct frame *frame) {
@@ -19,14 +17,6 @@ void frame_add_medium(const struct frame *frame, struct pass_state *state) {
         return;
     pass_add_block(state, BLOCK_MEDIUM, frame->medium);
     pass_add_texture(state, UNIT_PANES, frame->scene->panes.buffer.texels);
-}
-
-void frame_add_rsm_lobes(const struct frame *frame, struct pass_state *state,
-                         const struct gbuffer *rsm) {
-    for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) /* as rsm_add */
-        pass_add_texture(state, UNIT_RSM_SPECULAR + kind,
-                         rsm[rsm[kind].layers ? kind : !kind].specular.id);
-    pass_add_texture(state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
 }
 
 void frame_add_light(const struct frame *frame, struct pass_state *state) {

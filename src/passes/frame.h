@@ -48,10 +48,6 @@ void frame_add_medium(const struct frame *frame, struct pass_state *state);
 /* Adds what a program that evaluates lights reads of both. */
 void frame_add_light(const struct frame *frame, struct pass_state *state);
 
-/* Adds what lib/rsm_specular.glsl and lib/lobe_albedo.glsl read; rsm: LIGHT_MAP_KINDS of them, with specular targets. */
-void frame_add_rsm_lobes(const struct frame *frame, struct pass_state *state,
-                         const struct gbuffer *rsm);
-
 /* Lets what is drawn by one of the programs end where the camera's range does (picture/camera_range.glsl). */
 void frame_cut_by_range(const struct frame *frame, struct pass_state *state);
 

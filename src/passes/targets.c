@@ -57,6 +57,8 @@ void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]
         pass_add_texture(state, UNIT_RSM_DEPTH + kind, maps->depth.id);
         pass_add_texture(state, UNIT_RSM_NORMAL + kind, maps->normal.id);
         pass_add_texture(state, UNIT_RSM_ALBEDO + kind, maps->albedo.id);
+        if (maps->specular.id)
+            pass_add_texture(state, UNIT_RSM_SPECULAR + kind, maps->specular.id);
     }
 }
 

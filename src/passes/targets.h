@@ -78,7 +78,7 @@ struct gbuffer_desc {
 bool gbuffer_init(struct gbuffer *gbuffer, const struct gbuffer_desc *desc);
 void gbuffer_free(struct gbuffer *gbuffer);
 
-/* Binds what lib/rsm.glsl reads. For a kind that is not there, and is not read, the other stands in:
+/* Binds what lib/rsm.glsl reads, and lib/rsm_specular.glsl where the maps have that target. For a kind that is not there, and is not read, the other stands in:
  * drivers warn of empty units. */
 void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]);
 

@@ -128,7 +128,7 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
     int radius = rays && n > 1 ? n : n / 2;
     gather.interleave = n;
     gather.receivers = RECEIVERS_ALL;
-    gather.cuts = false;
+    gather.cuts = gather.lobes = false;
     gather.specular = lights->specular;
     gather.specular_rays = SPECULAR_RAY_COUNT;
     if (rays)

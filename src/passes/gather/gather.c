@@ -17,29 +17,30 @@
 #include <stdlib.h>
 
 /* The parts of glsl/gather/gather.frag, which it includes by these names. */
-static const char *visibility_part(const struct gather_desc *desc, int clamp) {
+static const char *visibility_part(const struct gather_desc *desc) {
     if (desc->together > 0)
         return "gather/gather_groups.glsl";
     if (!desc->share)
         return "gather/gather_pixel.glsl";
-    if (clamp >= GATHER_CLAMP_RECTANGLE)
+    if (desc->clamp >= GATHER_CLAMP_RECTANGLE)
         return "gather/gather_blocks.glsl";
     return desc->receivers == RECEIVERS_OTHERS ? "gather/gather_given_block.glsl"
                                                : "gather/gather_block.glsl";
 }
 
-static char *parts(const struct gather_desc *desc, int clamp, int specular) {
+static char *parts(const struct gather_desc *desc) {
     return mem_printf("GATHER_LIGHTS gather/lights_%s.glsl;GATHER_LIGHT gather/light_%s.glsl;"
                       "GATHER_VISIBILITY %s",
-                      desc->cuts ? "cut" : "range", specular ? "specular" : "diffuse",
-                      visibility_part(desc, clamp));
+                      desc->cuts ? "cut" : "range", desc->specular ? "specular" : "diffuse",
+                      visibility_part(desc));
 }
 
-static bool init_program(GLuint *program, const struct gather_desc *desc, int clamp, int specular) {
-    char *lookup = visibility_defines(&desc->visibility), *files = parts(desc, clamp, specular);
-    char *defines = mem_printf("%s%s%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d",
-                               desc->medium ? "HAS_MEDIUM;" : "", desc->lobes ? "VPL_LOBES;" : "",
-                               lookup, files, clamp, desc->map_per_vpl, desc->receivers, specular);
+static bool init_program(GLuint *program, const struct gather_desc *desc) {
+    char *lookup = visibility_defines(&desc->visibility), *files = parts(desc);
+    char *defines =
+        mem_printf("%s%s%s;%s;CLAMP %d;MAP_PER_VPL %d;RECEIVERS %d;SPECULAR %d",
+                   desc->medium ? "HAS_MEDIUM;" : "", desc->lobes ? "VPL_LOBES;" : "", lookup,
+                   files, desc->clamp, desc->map_per_vpl, desc->receivers, desc->specular);
     bool ok = program_init(
         program,
         &(struct program_desc){
@@ -51,10 +52,14 @@ static bool init_program(GLuint *program, const struct gather_desc *desc, int cl
     return ok;
 }
 
-/* Near fields are the first bounce's. */
-static int later_clamp(int clamp) {
-    bool rectangles = clamp == GATHER_CLAMP_RECTANGLE || clamp == GATHER_CLAMP_RECTANGLE_NEAR;
-    return rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
+/* Near fields and lobes are the first bounce's. */
+static struct gather_desc later_desc(const struct gather_desc *desc) {
+    struct gather_desc later = *desc;
+    bool rectangles =
+        desc->clamp == GATHER_CLAMP_RECTANGLE || desc->clamp == GATHER_CLAMP_RECTANGLE_NEAR;
+    later.clamp = rectangles ? GATHER_CLAMP_RECTANGLE : GATHER_CLAMP_PATCH;
+    later.lobes = false;
+    return later;
 }
 
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
@@ -62,9 +67,9 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
     if (desc->receivers == RECEIVERS_ADAPTIVE)
         pixel_lists_size(size, desc->interleave);
     *pass = (struct gather_pass){.desc = *desc};
-    if (init_program(&pass->program, desc, desc->clamp, desc->specular) &&
-        (!desc->later ||
-         init_program(&pass->later_program, desc, later_clamp(desc->clamp), desc->specular)) &&
+    const struct gather_desc later = later_desc(desc);
+    if (init_program(&pass->program, desc) &&
+        (!desc->later || init_program(&pass->later_program, &later)) &&
         irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, size[0], size[1],
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&

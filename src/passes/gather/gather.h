@@ -31,7 +31,7 @@ struct gather_desc {
     int clamp;         /* GATHER_CLAMP_... */
     float sphere;      /* radius of balls, over the distance within which ten VPLs lie */
     float clamp_value; /* of the bounded geometry term, times the squared scene radius */
-    bool lobes;        /* VPLs mirror light by their lobes, too */
+    bool lobes;        /* VPLs of the first bounce mirror light by lobes */
     bool medium;       /* frames have one */
     bool later;        /* VPLs of later bounces come too */
     int specular; /* SPECULAR_...: radiance towards the eye in irradiance's place, of a G-buffer

@@ -81,7 +81,8 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
                      {UNIT_GBUFFER_NORMAL, gbuffer->normal.id},
                      {UNIT_GBUFFER_ALBEDO, gbuffer->albedo.id},
                      {UNIT_GBUFFER_SPECULAR, gbuffer->specular.id},
-                     {UNIT_DIRECT, frame->direct->id}},
+                     {UNIT_DIRECT, frame->direct->id},
+                     {UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id}},
         .blocks = {{BLOCK_VIEW, frame->view},
                    {BLOCK_LIGHTS, frame->lights},
                    {BLOCK_VPL_SHARES, inputs->shares},
@@ -91,7 +92,6 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
     frame_add_light(frame, &state);
     light_rays_add(&state, &rays);
     rsm_add(&state, inputs->rsm);
-    frame_add_rsm_lobes(frame, &state, inputs->rsm);
     if (pass->desc.later)
         pass_add_texture(&state, UNIT_IRRADIANCE, inputs->irradiance->texture.id);
     if (pass->desc.by_importance)

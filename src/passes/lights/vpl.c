@@ -176,8 +176,10 @@ void vpl_pass_sum_up(const struct vpl_pass *pass, const struct vpl_buffer *vpls)
 /* A sampler must have a texture, even if no light is there to look it up. */
 static void add_maps(const struct vpl_pass *pass, struct pass_state *state,
                      const struct gbuffer rsm[LIGHT_MAP_KINDS]) {
-    const struct gbuffer none = {
-        .depth = pass->no_maps, .normal = pass->no_maps, .albedo = pass->no_maps};
+    const struct gbuffer none = {.depth = pass->no_maps,
+                                 .normal = pass->no_maps,
+                                 .albedo = pass->no_maps,
+                                 .specular = pass->no_maps};
     const struct gbuffer blank[LIGHT_MAP_KINDS] = {none, none};
     bool lit = rsm[LIGHT_MAP_SINGLE].layers || rsm[LIGHT_MAP_FACE].layers;
     rsm_add(state, lit ? rsm : blank);
@@ -205,7 +207,7 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
     frame_add_light(frame, &state);
     add_maps(pass, &state, rsm);
     if (pass->desc.lobes)
-        frame_add_rsm_lobes(frame, &state, rsm);
+        pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
     pass_begin(frame->timers, &state);
     pass_feedback(vpls->buffer.id, 0, pass->desc.count);
     vpl_pass_sum_up(pass, vpls);
