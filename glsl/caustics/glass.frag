@@ -7,7 +7,10 @@
 #include "lib/random.glsl"
 #include "lib/tangent.glsl"
 #include "picture/sight.glsl"
-#include "shared/glass.h"
+#include "shared/smooth.h"
+
+PASS_BLOCK(glass_params, 32)
+
 #include "visibility/shadow_ray.glsl"
 #include "caustics/chain.glsl"
 

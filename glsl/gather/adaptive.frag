@@ -10,7 +10,10 @@
 #include "gather/list_texel.glsl"
 #include "gather/receiver_facet.glsl"
 #include "picture/sample_assignment.glsl"
-#include "shared/adaptive.h"
+#include "shared/gather.h"
+
+PASS_BLOCK(adaptive_params, 48)
+
 #if SHARE_VISIBILITY
 #include "gather/block.glsl"
 #endif

@@ -3,7 +3,10 @@
 // holds each place of the interleaving pattern equally and is not shifted by half a pixel.
 #include "gather/blur_tap.glsl"
 #include "lib/camera.glsl"
-#include "shared/blur.h"
+#include "shared/gather.h"
+
+PASS_BLOCK(blur_params, 96)
+
 #if SPECULAR_BLUR
 #include "gather/pixel_reflects.glsl"
 #endif

@@ -3,7 +3,9 @@
 #include "gather/list_texel.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/interleaving.glsl"
-#include "shared/blur.h"
+#include "shared/gather.h"
+
+PASS_BLOCK(blur_params, 96)
 
 layout(binding = UNIT_IRRADIANCE) uniform sampler2D source;
 #if ADAPTIVE

@@ -5,7 +5,7 @@
 #include "lib/vpl_texels.glsl"
 #include "lib/vpl_tree_nodes.glsl"
 #include "gather/cut_bound.glsl"
-#include "shared/vpl_cut.h"
+#include "shared/gather.h"
 
 PASS_BLOCK(vpl_cut_params, 32)
 

@@ -1,6 +1,6 @@
 // The rows of a tile that one of its lists fills: of pixels of two levels from the begin and from the end of its first
 // half, of edge samples from the begin of its second.
-#include "shared/interleaving.h"
+#include "shared/gather.h"
 
 layout(std140, binding = BLOCK_LIST_COUNTS) uniform list_counts {
     uvec4 counts[PIXEL_LISTS_MAX / 4];

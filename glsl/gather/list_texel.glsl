@@ -1,7 +1,7 @@
 // Where the lists have a pixel, in one number, whose lowest bit is 0 where they do not: then it has the block that speaks
 // for the pixel's visibility, by how far it is from that which the pixel lies in, and the normal of the triangle that the
 // pixel sees.
-#include "shared/interleaving.h"
+#include "shared/gather.h"
 #include "lib/octahedral.glsl"
 
 uint list_texel_code(ivec2 texel, int level) {

@@ -12,8 +12,10 @@
 #include "gather/representative.glsl"
 #include "lib/medium.glsl"
 #include "lib/vpl_shares.glsl"
-#include "shared/near_field.h"
+#include "shared/gather.h"
 #include "shared/vpl.h"
+
+PASS_BLOCK(near_field_params, 48)
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // samples, in its second; the tile's place in the pattern
 // What the tile's first sample is turned by, cosine and sine; what numbers have more than integers; one over the count.

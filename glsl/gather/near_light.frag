@@ -3,8 +3,11 @@
 #include "gather/near_light.glsl"
 #include "lib/vpl_shares.glsl"
 #include "lights/rsm_light.glsl"
-#include "shared/near_field.h"
+#include "shared/gather.h"
 #include "shared/vpl.h"
+
+PASS_BLOCK(near_field_params, 48)
+
 #include VPL_AREA
 
 layout(location = LOCATION_FIRST_VIEW) uniform int first_view; // of this kind

@@ -1,7 +1,7 @@
 // What the lights' views see, as the near field reads it.
 #include "gather/near_light.glsl"
 #include "lib/light.glsl"
-#include "shared/near_field.h"
+#include "shared/gather.h"
 
 layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights[LIGHT_MAP_KINDS];
 

@@ -2,7 +2,7 @@
 //     bool receiver_pixel(pattern, place, pixel)    false: for nothing
 //     surface receiver_surface(pixel)
 //     vec3 receiver_triangle(s, pixel)              the normal of the triangle that the surface lies on
-#include "shared/interleaving.h"
+#include "shared/gather.h"
 
 #if RECEIVERS == RECEIVERS_ALL
 #include "gather/receiver_all.glsl"

@@ -2,7 +2,6 @@
 #include "gather/near_field.glsl"
 #include "lib/polygon.glsl"
 #include "shared/gather.h"
-#include "shared/light_rectangle.h"
 
 const bool TERM_OF_POINT = false;
 const bool WITHOUT_NEAR_FIELD = CLAMP == GATHER_CLAMP_RECTANGLE_NEAR;

@@ -9,10 +9,13 @@
 #include "gather/receiver_all.glsl"
 #include "gather/specular_weight.glsl"
 #include "lib/vpl_shares.glsl"
-#include "shared/specular_rays.h"
+#include "shared/gather.h"
 #include "lights/hit_light.glsl"
 #include "lights/triangle_albedo.glsl"
 #include "shared/vpl.h"
+
+PASS_BLOCK(specular_rays_params, 48)
+
 #include VPL_AREA
 
 layout(binding = UNIT_GBUFFER_ALBEDO) uniform sampler2DArray gbuffer_albedos;

@@ -1,6 +1,8 @@
 // Where a pixel of an inspected buffer's picture lies: one layer pixel by pixel, or a sheet of many.
 #include "shared/inspect.h"
 
+PASS_BLOCK(inspect_params, 64)
+
 struct inspected {
     bool present;
     int layer;

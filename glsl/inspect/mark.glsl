@@ -1,7 +1,9 @@
 // Marks in the scene: points and lines over its picture.
 #include "lights/cluster_color.glsl"
 #include "lib/camera.glsl"
-#include "shared/marks.h"
+#include "shared/inspect.h"
+
+PASS_BLOCK(mark_params, 32)
 
 // How strongly a VAL is drawn.
 float cluster_strength(int k) {

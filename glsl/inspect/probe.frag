@@ -1,6 +1,8 @@
 // The visibility of each VAL at one point: pixel k is VAL k.
 #include "visibility/visibility.glsl"
-#include "shared/probe.h"
+#include "shared/inspect.h"
+
+PASS_BLOCK(probe_params, 32)
 
 layout(location = TARGET_RESULT) out float visible;
 

@@ -1,6 +1,8 @@
 // Pictures in the window: left of the split one, right of it the other, or their difference. A picture of another size than
 // its place is interpolated; one of the same size is copied bit by bit.
-#include "shared/screen.h"
+#include "shared/inspect.h"
+
+PASS_BLOCK(screen_params, 32)
 
 layout(binding = UNIT_LEFT_PICTURE) uniform sampler2D left_picture;
 layout(binding = UNIT_RIGHT_PICTURE) uniform sampler2D right_picture;

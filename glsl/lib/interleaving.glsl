@@ -1,5 +1,5 @@
 #include "lib/divide.glsl"
-#include "shared/interleaving.h"
+#include "shared/gather.h"
 
 // The pixel of the picture that a texel of a tile stands for; the tile by its place in the pattern.
 ivec2 interleaved_pixel(interleaving pattern, ivec2 texel, ivec2 place) {

@@ -2,7 +2,6 @@
 // (scene/mesh/pane_triangles.h), which scene/mesh/stackless_bvh.h lays out.
 #include "shared/bindings.h"
 #include "shared/bvh.h"
-#include "shared/panes.h"
 
 layout(binding = UNIT_PANES) uniform usamplerBuffer panes;
 

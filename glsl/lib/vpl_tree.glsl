@@ -1,5 +1,5 @@
 // A node of a tree over VPLs.
-#include "shared/vpl_tree.h"
+#include "shared/vpl.h"
 
 // A box of places and a cone of normals.
 struct tree_extent {

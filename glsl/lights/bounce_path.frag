@@ -4,7 +4,7 @@
 #include "lib/vpl_texels.glsl"
 #include "lights/light_walk.glsl"
 #include "shared/bounce.h"
-#include "shared/light_walk.h"
+#include "shared/vpl.h"
 
 layout(binding = UNIT_PATH_NUMBERS) uniform sampler2D path_numbers;
 

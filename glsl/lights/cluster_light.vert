@@ -2,7 +2,7 @@
 // second moments in the plane across the mean normal are the cluster's: half sides of sqrt(3 lambda), which is
 // exact for a rectangle that shines alike everywhere. A cluster of no VPLs is a light of no flux.
 #include "lib/tangent.glsl"
-#include "shared/light_rectangle.h"
+#include "shared/gather.h"
 #if RECTANGLES
 layout(xfb_buffer = 0, xfb_stride = 32) out;
 layout(xfb_offset = 0) out vec4 captured_right;

@@ -1,5 +1,5 @@
 // Where the lights' domains lie in an importance map.
-#include "shared/vpl_density.h"
+#include "shared/vpl.h"
 
 ivec2 importance_tile(int index) {
     return ivec2(index % VPL_DENSITY_ROW, index / VPL_DENSITY_ROW);

@@ -1,5 +1,5 @@
 // Directions of a sky's light samples, and about where their light comes in.
-#include "shared/sky_piece.h"
+#include "shared/sky.h"
 
 layout(binding = UNIT_SKY_PIECES) uniform sampler2D sky_pieces; // a row a light, zeros where it is none of a sky
 

@@ -1,5 +1,5 @@
 // VPLs and empty leaves in the order of the tree: a key of two words to be sorted by, and a number.
-#include "shared/vpl_tree.h"
+#include "shared/vpl.h"
 
 PASS_BLOCK(vpl_tree_params, 32)
 

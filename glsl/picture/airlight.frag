@@ -5,7 +5,9 @@
 #include "lib/light.glsl"
 #include "lib/medium.glsl"
 #include "picture/sight.glsl"
-#include "shared/airlight.h"
+#include "shared/medium.h"
+
+PASS_BLOCK(airlight_params, 16 + 4 * 16 * LIGHTS_MAX)
 
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray maps;
 layout(location = LOCATION_LIGHT) uniform int light_index;

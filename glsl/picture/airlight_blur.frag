@@ -2,7 +2,10 @@
 // in gather/blur.frag. Shadows alone are noisy: where light without them changes from pixel to pixel, as around a light
 // and at the edge of its cone, only its share that arrives is blurred. The last axis also writes what the medium lets pass.
 #include "picture/sight.glsl"
-#include "shared/airlight.h"
+#include "shared/medium.h"
+
+PASS_BLOCK(airlight_params, 16 + 4 * 16 * LIGHTS_MAX)
+
 #ifdef LAST
 #include "lib/medium.glsl"
 #endif

@@ -1,9 +1,10 @@
-/* inspect/inspect.h to its shaders. */
+/* What inspect/ shares with its shaders. */
 #ifndef SHARED_INSPECT_H
 #define SHARED_INSPECT_H
 
 #include "shared/types.h"
 
+/* inspect/inspect.h to its shaders. */
 #define UNIT_INSPECTED_LAYERS (UNIT_OWN + 0)
 #define UNIT_INSPECTED_PLANE (UNIT_OWN + 1)
 
@@ -35,6 +36,39 @@ struct inspect_params {
     float exposure;    /* factor on irradiance */
     float unused0, unused1, unused2;
 };
-PASS_BLOCK(inspect_params, 64)
+STD140_SIZE(inspect_params, 64)
+
+/* inspect/marks.h to its shaders. */
+struct mark_params {
+    vec2 picture;        /* size, pixels */
+    float size;          /* of a point or width of a line, pixels */
+    float flux_scale;    /* of a usual VPL, 1/W */
+    float normal_length; /* metres */
+    BOOL by_cluster;     /* colour: by the VAL, not by the flux */
+    int chosen;          /* VAL that stands out; -1 = none, and then all are as bright */
+    BOOL only_chosen;    /* no other is drawn */
+};
+STD140_SIZE(mark_params, 32)
+
+/* inspect/probe.h to its shader. */
+struct probe_params {
+    vec3 position; /* of a surface */
+    float unused0;
+    vec3 normal;
+    float unused1;
+};
+STD140_SIZE(probe_params, 32)
+
+/* inspect/screen.h to its shader. */
+#define UNIT_LEFT_PICTURE (UNIT_OWN + 0)
+#define UNIT_RIGHT_PICTURE (UNIT_OWN + 1)
+
+struct screen_params {
+    vec2 corner, size; /* of the picture in the window, pixels */
+    float split;       /* where the right picture begins, over the width */
+    float difference;  /* 1: of the two, in place of them */
+    float unused0, unused1;
+};
+STD140_SIZE(screen_params, 32)
 
 #endif

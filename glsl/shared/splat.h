@@ -1,9 +1,10 @@
-/* The points of imperfect shadow maps, and how they are drawn. */
+/* Imperfect shadow maps: points, and how holes between them are closed. */
 #ifndef SHARED_SPLAT_H
 #define SHARED_SPLAT_H
 
 #include "shared/types.h"
 
+/* The points of imperfect shadow maps, and how they are drawn. */
 #define UNIT_CASTER_POINTS (UNIT_OWN + 0)
 
 #define CASTER_POINT_ROWS 2
@@ -28,6 +29,20 @@ struct splat_params {
     float scale;    /* radius of what is drawn, over that of the disk whose area a point stands for */
     float unused0, unused1, unused2;
 };
-PASS_BLOCK(splat_params, 32)
+STD140_SIZE(splat_params, 32)
+
+/* How holes of imperfect shadow maps are closed. */
+#define UNIT_COARSE_DEPTH (UNIT_OWN + 0)
+
+/* Texels twice as wide at each; what is farther from a point than the last one's is a hole for good. */
+#define FILL_LEVELS 3
+
+struct fill_params {
+    int level;      /* of the fine texels, 0 the map's own */
+    float map_size; /* of level 0, texels */
+    float radius;   /* of points, metres */
+    float unused;
+};
+STD140_SIZE(fill_params, 16)
 
 #endif

@@ -1,5 +1,8 @@
 // Fourier bases of maps of depth, for MIP maps.
-#include "shared/basis.h"
+#include "shared/maps.h"
+
+PASS_BLOCK(basis_params, 16)
+
 #include "visibility/series_bases.glsl"
 
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depths;

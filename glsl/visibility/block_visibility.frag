@@ -1,5 +1,8 @@
 // The visibility of map `instance` at the centre of each block.
-#include "shared/block_visibility.h"
+#include "shared/maps.h"
+
+PASS_BLOCK(block_visibility_params, 16)
+
 #include "gather/block.glsl"
 #include "visibility/visibility.glsl"
 

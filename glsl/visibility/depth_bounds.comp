@@ -1,5 +1,5 @@
 // A level of nearest and farthest depths, from the one below or, as FIRST, from the map of depth itself.
-#include "shared/depth_bounds.h"
+#include "shared/maps.h"
 
 PASS_BLOCK(depth_bounds_params, 16)
 

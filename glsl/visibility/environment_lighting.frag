@@ -1,7 +1,7 @@
 // Direct light with that of some layers of environment lights. Visibility is that of the blocks of pixels around, between
 // which it is interpolated. Rays start at a pixel on none of their surfaces, or where blocks disagree about much light.
 #define BLOCK_COSINE 0.9
-#include "shared/environment_lighting.h"
+#include "shared/sky.h"
 #include "gather/block.glsl"
 #include "lib/medium.glsl"
 #include "visibility/sky_visibility.glsl"

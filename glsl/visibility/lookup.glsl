@@ -16,7 +16,7 @@
 //     float plane_depth(r, uv)              where the receiver's plane is met
 // Distances are metres, or all in one other unit. A filter has one function:
 //     float lit(int map, receiver r, float extent)
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
     lookup_params lookup;

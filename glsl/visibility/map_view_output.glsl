@@ -1,5 +1,5 @@
 // A map's view as transform feedback captures it.
-#include "shared/map_view.h"
+#include "shared/maps.h"
 
 layout(xfb_buffer = 0, xfb_stride = 48) out;
 layout(xfb_offset = 0) out vec4 captured_center_and_z_far;

@@ -1,4 +1,4 @@
-#include "shared/map_view.h"
+#include "shared/maps.h"
 
 layout(std140, binding = BLOCK_MAPS) uniform map_uniforms {
     vec4 map_view_rows[MAP_VIEWS_MAX * MAP_VIEW_ROWS];

@@ -1,8 +1,10 @@
 // The exact map depth: where the pixel's true direction meets the caster.
 #include "visibility/paraboloid.glsl"
-#include "shared/paraboloid.h"
+#include "shared/maps.h"
 #include "lib/octahedral.glsl"
 #include "shared/material.h"
+
+PASS_BLOCK(paraboloid_params, 16)
 
 flat in vec2 range; // near, 1 / z_far
 #ifdef LONG

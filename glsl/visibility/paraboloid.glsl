@@ -1,5 +1,5 @@
 // The paraboloid projection of the half space in front of a VAL [Dong 2009 §4.2; Brabec et al. 2002].
-#include "shared/map_view.h"
+#include "shared/maps.h"
 
 // A world vector in the view's own frame: z along the axis.
 vec3 paraboloid_rotate(map_view v, vec3 w) {

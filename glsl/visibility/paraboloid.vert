@@ -2,7 +2,9 @@
 #extension GL_ARB_shader_viewport_layer_array : require
 #include "visibility/map_views.glsl"
 #include "visibility/paraboloid.glsl"
-#include "shared/paraboloid.h"
+#include "shared/maps.h"
+
+PASS_BLOCK(paraboloid_params, 16)
 
 // A corner of a caster, on its way into a paraboloid depth map: places it there.
 out vec3 local;

@@ -3,7 +3,9 @@
 // leaves out what lies beyond its edges.
 #include "visibility/map_views.glsl"
 #include "visibility/paraboloid.glsl"
-#include "shared/paraboloid.h"
+#include "shared/maps.h"
+
+PASS_BLOCK(paraboloid_params, 16)
 
 // An arc that strays from its chord by more than so many texels falls into pieces, no more than so many.
 #define HULL_TEXELS 2.0

@@ -1,6 +1,6 @@
 // What a light sees along one direction. Depth is reversed (shared/view.h). The light has no place, so its
 // extent is the angle that it is seen under, and angles in the map are widths over the receiver's distance.
-#include "shared/view.h"
+#include "shared/light.h"
 
 struct receiver {
     vec3 point;  // lifted off its surface, in the map's frame: x right, y up, z along the axis

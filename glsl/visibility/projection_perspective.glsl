@@ -1,5 +1,5 @@
 // What a light sees through a pyramid: a spot, a face of a cube. Depth is reversed (shared/view.h).
-#include "shared/view.h"
+#include "shared/light.h"
 
 struct receiver {
     vec3 point;  // lifted off its surface, in the map's frame: x right, y up, z along the axis

@@ -3,7 +3,7 @@
 // the end or, in an open map, two steps before it. Between them the argument climbs as
 // x / (x + knee): light falls with the square of the distance, and where a near caster stands before a far wall,
 // the near one's shadow counts.
-#include "shared/series_range.h"
+#include "shared/maps.h"
 
 // From here on, to either side of its middle, the truncated step is 0 or 1, within its ringing of a tenth.
 const float SERIES_EDGE = 0.61 / (2.0 * float(BASIS_TERMS));

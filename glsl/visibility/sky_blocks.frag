@@ -1,5 +1,5 @@
 // The visibility of four lights of a sky at the centre of each block; of what is below the horizon, 1.
-#include "shared/environment_lighting.h"
+#include "shared/sky.h"
 #include "gather/block.glsl"
 #include "visibility/sky_visibility.glsl"
 

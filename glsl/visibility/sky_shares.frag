@@ -2,7 +2,7 @@
 // normal: octahedral, the middles of the outer texels on the edge. The layer after them has the luminance of all lights.
 #include "lib/octahedral.glsl"
 #include "lib/sky.glsl"
-#include "shared/environment_lighting.h"
+#include "shared/sky.h"
 
 flat in int instance;
 

@@ -4,7 +4,7 @@
 #include "lib/medium.glsl"
 #include "lib/random.glsl"
 #include "lib/sky.glsl"
-#include "shared/environment_lighting.h"
+#include "shared/sky.h"
 #include "visibility/bvh.glsl"
 
 layout(binding = UNIT_SKY_SHARES) uniform sampler2DArray sky_share_table; // visibility/sky_shares.frag

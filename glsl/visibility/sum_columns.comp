@@ -1,5 +1,5 @@
 // Summed area tables, second half: each invocation adds up a column, in place.
-#include "shared/sums.h"
+#include "shared/maps.h"
 
 layout(local_size_x = SUM_LINES) in;
 layout(SUM_FORMAT, binding = IMAGE_SUMS) uniform uimage2DArray sums;

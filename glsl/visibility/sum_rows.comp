@@ -1,5 +1,5 @@
 // Summed area tables, first half: each invocation adds up a row of moments, or of Fourier bases.
-#include "shared/sums.h"
+#include "shared/maps.h"
 
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depths;
 

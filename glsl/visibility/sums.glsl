@@ -1,3 +1,3 @@
-#include "shared/sums.h"
+#include "shared/maps.h"
 
 layout(binding = UNIT_SUMS) uniform usampler2DArray sums; // of moments, or of Fourier bases

@@ -5,7 +5,9 @@
 #include "lib/tangent.glsl"
 #include "lib/vpl_input.glsl"
 #include "lib/vpl_sums.glsl"
-#include "shared/vpl_views.h"
+#include "shared/maps.h"
+
+PASS_BLOCK(vpl_views_params, 32)
 
 void main() {
     vpl v = vpl_input();

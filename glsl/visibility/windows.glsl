@@ -6,7 +6,7 @@
 //     void cells_add(inout cells c, cell k)
 //     blocked cells_blocked(cells c)
 // before filter_light_map.glsl uses them.
-#include "shared/depth_bounds.h"
+#include "shared/maps.h"
 #include "visibility/depth_maps.glsl"
 #include "visibility/sums.glsl"
 

@@ -1,7 +1,7 @@
 #include "inspect/lookup.h"
 
 #include "gl/program.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -6,8 +6,8 @@
 #include "passes/maps.h"
 #include "passes/targets.h"
 #include "passes/vpls.h"
-#include "shared/cluster_color.h"
-#include "shared/marks.h"
+#include "shared/vpl.h"
+#include "shared/inspect.h"
 
 #include <math.h>
 

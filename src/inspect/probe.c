@@ -5,7 +5,7 @@
 #include "gl/pass.h"
 #include "inspect/lights.h"
 #include "passes/maps.h"
-#include "shared/probe.h"
+#include "shared/inspect.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>

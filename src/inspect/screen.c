@@ -3,7 +3,7 @@
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/screen.h"
+#include "shared/inspect.h"
 
 #include <math.h>
 

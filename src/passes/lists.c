@@ -1,6 +1,6 @@
 #include "passes/lists.h"
 
-#include "shared/interleaving.h"
+#include "shared/gather.h"
 
 void pixel_lists_size(int size[2], int interleave) {
     int shorter = size[0] < size[1] ? 0 : 1;

@@ -5,7 +5,7 @@
 
 #include "gl/pass.h"
 #include "gl/texture.h"
-#include "shared/interleaving.h"
+#include "shared/gather.h"
 #include "shared/light.h"
 
 #include <string.h>

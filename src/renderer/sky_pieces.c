@@ -2,8 +2,8 @@
 
 #include "base/memory.h"
 #include "base/unit.h"
-#include "shared/sky_piece.h"
-#include "shared/vpl_density.h"
+#include "shared/sky.h"
+#include "shared/vpl.h"
 
 #include <cglm/cglm.h>
 #include <stdlib.h>

@@ -9,7 +9,7 @@
 #include "passes/frame.h"
 #include "passes/lights/cluster.h"
 #include "shared/cluster.h"
-#include "shared/map_view.h"
+#include "shared/maps.h"
 #include "shared/vpl.h"
 
 #include <math.h>

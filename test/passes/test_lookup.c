@@ -7,10 +7,8 @@
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
-#include "shared/lookup.h"
-#include "shared/map_view.h"
-#include "shared/series_range.h"
-#include "shared/view.h"
+#include "shared/maps.h"
+#include "shared/light.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -4,8 +4,7 @@
 
 #include "base/memory.h"
 #include "passes/maps.h"
-#include "shared/map_view.h"
-#include "shared/series_range.h"
+#include "shared/maps.h"
 #include "shared/vpl.h"
 
 #include <cglm/cglm.h>

@@ -9,10 +9,7 @@
 #include "passes/visibility/basis.h"
 #include "passes/visibility/depth_bounds.h"
 #include "passes/visibility/sums.h"
-#include "shared/depth_bounds.h"
-#include "shared/lookup.h"
-#include "shared/series_range.h"
-#include "shared/sums.h"
+#include "shared/maps.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 
 #include "base/unit.h"
 #include "gl/texture.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 #include <math.h>
 #include <stdbool.h>

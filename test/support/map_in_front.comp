@@ -1,6 +1,5 @@
 // For test_lookup.c: which map knows each point that VAL 0 is asked for.
-#include "shared/lookup.h"
-#include "shared/map_view.h"
+#include "shared/maps.h"
 
 layout(local_size_x = 1) in;
 

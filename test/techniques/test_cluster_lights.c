@@ -12,7 +12,7 @@
 #include "passes/lights/cluster.h"
 #include "passes/lights/cluster_light.h"
 #include "shared/cluster.h"
-#include "shared/light_rectangle.h"
+#include "shared/gather.h"
 #include "shared/vpl.h"
 
 #include <math.h>

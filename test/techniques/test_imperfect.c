@@ -7,7 +7,7 @@
 #include "passes/frame.h"
 #include "passes/visibility/vpl_views.h"
 #include "scene/open.h"
-#include "shared/map_view.h"
+#include "shared/maps.h"
 #include "shared/splat.h"
 #include "shared/vpl.h"
 #include "techniques/imperfect-shadow-maps/fill.h"

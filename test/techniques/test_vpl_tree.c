@@ -12,8 +12,8 @@
 #include "passes/lights/vpl_tree.h"
 #include "reference/sampler.h"
 #include "reference/vector.h"
-#include "shared/vpl_cut.h"
-#include "shared/vpl_tree.h"
+#include "shared/gather.h"
+#include "shared/vpl.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #include "direct/prefiltered.h"
 #include "passes/visibility/basis.h"
 #include "passes/visibility/sums.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* Direct light with moment soft shadow maps [Peters and Klein 2015; Peters et al. 2017]. */
 #include "direct/prefiltered.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 static bool init(void **state, const struct direct_desc *desc) {
     return prefiltered_init(

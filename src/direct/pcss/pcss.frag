@@ -5,7 +5,7 @@
 // receiver to the light: a share of it, or of a sun metres.
 #include "lib/gbuffer.glsl"
 #include "lib/unshadowed.glsl"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 #include "visibility/direct_light.glsl"
 
 layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {

@@ -1,6 +1,6 @@
 /* Direct light with variance soft shadow maps [Dong 2011 ch. 7]. */
 #include "direct/prefiltered.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 static bool init(void **state, const struct direct_desc *desc) {
     return prefiltered_init(

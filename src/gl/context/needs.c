@@ -2,7 +2,7 @@
 
 #include "base/error.h"
 #include "shared/light.h"
-#include "shared/map_view.h"
+#include "shared/maps.h"
 #include "shared/vpl.h"
 
 #include <stddef.h>

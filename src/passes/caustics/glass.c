@@ -7,7 +7,7 @@
 #include "passes/targets.h"
 #include "scene/lights/environment.h"
 #include "scene/mesh/triangle_albedos.h"
-#include "shared/glass.h"
+#include "shared/smooth.h"
 
 #include <cglm/util.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
-#include "shared/adaptive.h"
+#include "shared/gather.h"
 
 #include <assert.h>
 

@@ -5,7 +5,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/lists.h"
-#include "shared/blur.h"
+#include "shared/gather.h"
 
 #include <math.h>
 #include <stdio.h>

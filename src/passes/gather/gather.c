@@ -9,7 +9,7 @@
 #include "passes/maps.h"
 #include "passes/vpls.h"
 #include "shared/gather.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 #include <cglm/util.h>
 #include <limits.h>

@@ -17,7 +17,7 @@
 #include "passes/slot_lights.h"
 #include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
-#include "shared/near_field.h"
+#include "shared/gather.h"
 
 struct frame;
 struct pixel_lists;

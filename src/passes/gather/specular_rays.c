@@ -4,7 +4,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "shared/specular_rays.h"
+#include "shared/gather.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -5,7 +5,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
-#include "shared/vpl_cut.h"
+#include "shared/gather.h"
 
 #include <assert.h>
 #include <stdlib.h>

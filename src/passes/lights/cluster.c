@@ -5,7 +5,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "shared/cluster.h"
-#include "shared/map_view.h"
+#include "shared/maps.h"
 
 #include <cglm/util.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include "gl/framebuffer.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "shared/light_rectangle.h"
+#include "shared/gather.h"
 
 #include <stdlib.h>
 

@@ -5,7 +5,7 @@
 #include "passes/frame.h"
 #include "passes/targets.h"
 #include "passes/vpls.h"
-#include "shared/seed_importance.h"
+#include "shared/importance_map.h"
 
 static_assert(SEED_IMPORTANCE_SIDE == 1 << (SEED_IMPORTANCE_LEVELS - 1), "levels down to one cell");
 

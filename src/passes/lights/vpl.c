@@ -11,7 +11,6 @@
 #include "passes/frame.h"
 #include "passes/vpls.h"
 #include "shared/vpl.h"
-#include "shared/vpl_share.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "shared/vpl_tree.h"
+#include "shared/vpl.h"
 
 #include <string.h>
 

@@ -8,7 +8,7 @@
 
 #include "gl/buffer.h"
 #include "gl/texture.h"
-#include "shared/airlight.h"
+#include "shared/medium.h"
 
 struct emitters;
 struct frame;

@@ -5,8 +5,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "shared/basis.h"
-#include "shared/series_range.h"
+#include "shared/maps.h"
 
 #include <cglm/cglm.h>
 

@@ -5,8 +5,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
-#include "shared/block_visibility.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 #include <stdlib.h>
 

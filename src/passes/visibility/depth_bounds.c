@@ -3,7 +3,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "shared/depth_bounds.h"
+#include "shared/maps.h"
 
 static bool init_params(struct depth_bounds_pass *pass) {
     for (int level = 0; level < pass->maps.levels; level++) {

@@ -5,7 +5,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 #include <stdlib.h>
 

@@ -6,7 +6,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/targets.h"
-#include "shared/environment_lighting.h"
+#include "shared/sky.h"
 
 #include <stdlib.h>
 

@@ -5,7 +5,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "shared/paraboloid.h"
+#include "shared/maps.h"
 
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
-#include "shared/sums.h"
+#include "shared/maps.h"
 
 #include <assert.h>
 #include <stdlib.h>

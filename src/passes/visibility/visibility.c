@@ -2,7 +2,7 @@
 
 #include "base/memory.h"
 #include "passes/maps.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 #include <math.h>
 

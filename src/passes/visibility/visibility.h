@@ -4,7 +4,7 @@
 
 #include "gl/pass.h"
 #include "scene/gpu/caster_bvh.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 struct basis_maps;
 struct depth_maps;

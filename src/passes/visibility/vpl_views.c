@@ -4,8 +4,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "passes/vpls.h"
-#include "shared/map_view.h"
-#include "shared/vpl_views.h"
+#include "shared/maps.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
 #include "base/halton.h"
 #include "scene/mesh/bvh_ray.h"
 #include "scene/mesh/corners.h"
-#include "shared/panes.h"
+#include "shared/bvh.h"
 
 #include <math.h>
 #include <string.h>

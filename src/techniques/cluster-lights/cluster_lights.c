@@ -5,8 +5,7 @@
 #include "passes/lights/cluster_light.h"
 #include "passes/lights/seed_importance.h"
 #include "shared/cluster.h"
-#include "shared/light_rectangle.h"
-#include "shared/near_field.h"
+#include "shared/gather.h"
 #include "techniques/vals.h"
 
 #include <stdlib.h>

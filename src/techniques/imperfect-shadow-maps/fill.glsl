@@ -1,7 +1,9 @@
 // What the steps of pull and push have in common. Depths are the map's, and 1 where nothing is.
 #include "visibility/map_views.glsl"
 #include "visibility/paraboloid.glsl"
-#include "shared/fill.h"
+#include "shared/splat.h"
+
+PASS_BLOCK(fill_params, 16)
 
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray fine_depths;
 

@@ -4,7 +4,7 @@
 #define TECHNIQUES_FILL_H
 
 #include "passes/maps.h"
-#include "shared/fill.h"
+#include "shared/splat.h"
 
 struct frame;
 

@@ -2,7 +2,7 @@
  * points of surfaces, of which each map has others: its faults are averaged over all VPLs. The peer of
  * clustered visibility, which has a few good maps. */
 #include "base/memory.h"
-#include "shared/map_view.h"
+#include "shared/maps.h"
 #include "shared/splat.h"
 #include "techniques/imperfect-shadow-maps/fill.h"
 #include "techniques/imperfect-shadow-maps/splat.h"

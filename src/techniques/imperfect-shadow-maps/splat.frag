@@ -3,6 +3,8 @@
 #include "visibility/paraboloid.glsl"
 #include "shared/splat.h"
 
+PASS_BLOCK(splat_params, 32)
+
 flat in vec3 center, normal;
 flat in float map_depth;
 flat in vec2 radius_and_unit;

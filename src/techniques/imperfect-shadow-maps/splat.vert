@@ -4,6 +4,8 @@
 #include "visibility/paraboloid.glsl"
 #include "shared/splat.h"
 
+PASS_BLOCK(splat_params, 32)
+
 layout(binding = UNIT_CASTER_POINTS) uniform samplerBuffer caster_points; // their rows
 
 flat out vec3 center, normal;  // in the map's frame, metres

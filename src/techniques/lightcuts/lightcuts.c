@@ -3,7 +3,7 @@
 #include "base/memory.h"
 #include "passes/gather/vpl_cut.h"
 #include "passes/lights/vpl_tree.h"
-#include "shared/vpl_cut.h"
+#include "shared/gather.h"
 #include "techniques/vals.h"
 
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include "gl/vertex_array.h"
 #include "passes/frame.h"
 #include "passes/maps.h"
-#include "shared/lookup.h"
+#include "shared/maps.h"
 
 #include <math.h>
 #include <stdlib.h>
