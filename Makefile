@@ -37,7 +37,7 @@ LEFT_OUT := src/base/file/openimageio/% \
     $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
 
 # Floors are folders of src/, rooms folders of theirs, to any depth; src/main.c is no floor's. Shaders
-# that belong to one technique or direct method lie in its folder, all others in glsl/.
+# lie beside the C that draws with them; what many of them include lies in glsl/.
 SOURCES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.c')))
 BRIDGES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.cpp')))
 SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \

@@ -1,12 +1,12 @@
 // A point that a pixel sees beside its centre, of a surface that no pixel near has: what one texel of 128 bits says.
-// Only texels of pixels that have one are ever written (picture/sample_assignment.glsl).
+// Only texels of pixels that have one are ever written (passes/picture/sample_assignment.glsl).
 #include "lib/octahedral.glsl"
 
 struct edge_sample {
     float depth; // as the G-buffer's
     vec3 normal;
     vec2 place;  // pixels from the pixel's centre
-    uint assigned; // picture/sample_assignment.glsl: whose direct light and albedo it takes
+    uint assigned; // passes/picture/sample_assignment.glsl: whose direct light and albedo it takes
 };
 
 uvec4 edge_sample_pack(edge_sample p) {

@@ -1,4 +1,4 @@
-#include "shared/light.h"
+#include "shared/view.h"
 
 // The distance along the view's axis of a reversed depth, metres.
 float view_linear_depth(view v, float depth) {

@@ -1,4 +1,4 @@
-// How far the nearest occupied voxel is (volume/distance.frag).
+// How far the nearest occupied voxel is (passes/volume/distance.frag).
 #include "lib/volume.glsl"
 
 layout(binding = UNIT_VOLUME_DISTANCES) uniform sampler2D volume_distances;

@@ -1,4 +1,4 @@
-#include "shared/vpl.h"
+#include "shared/vpl_share.h"
 
 layout(std140, binding = BLOCK_VPL_SHARES) uniform vpl_share_uniforms {
     vec4 vpl_share_rows[LIGHTS_MAX];

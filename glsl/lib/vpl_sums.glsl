@@ -1,5 +1,5 @@
 // What all VPLs together are like, of those that light reaches.
-layout(binding = UNIT_VPL_SUMS) uniform sampler2D vpl_sums; // lights/vpl_sums.vert
+layout(binding = UNIT_VPL_SUMS) uniform sampler2D vpl_sums; // passes/lights/vpl_sums.vert
 
 // How far apart they are: the geometric mean of the distances of pairs, metres. A few far off hardly count, however far,
 // and it moves smoothly with the lights.

@@ -6,7 +6,7 @@
 
 #define UNIT_SEEDS (UNIT_OWN + 0)
 
-/* Images of lights/cluster_means.comp, which has no others. */
+/* Images of passes/lights/cluster_means.comp, which has no others. */
 #define IMAGE_VAL_POSITION 0
 #define IMAGE_VAL_NORMAL 1
 #define IMAGE_VAL_FLUX 2

@@ -33,7 +33,7 @@ STD140_SIZE(interleaving, 16)
 
 /* How cos cos / d^2 is bounded near a VPL, CLAMP. The disk form factor is that of a disk of the VPL's area. The near
  * field leaves what is near to passes/gather/near_field.h. Spheres spread the VPL's light over a ball [Hašan et al.
- * 2009]. No choices of a user: patches are of later bounces (gather/patch.glsl); rectangles need no bound, and
+ * 2009]. No choices of a user: patches are of later bounces (passes/gather/patch.glsl); rectangles need no bound, and
  * those from RECTANGLE on are rectangles. */
 #define GATHER_CLAMP_NONE 0
 #define GATHER_CLAMP_VALUE 1
@@ -161,7 +161,7 @@ struct vpl_cut_params {
 STD140_SIZE(vpl_cut_params, 32)
 
 /* The rectangle of an area light that stands for a cluster of VPLs (passes/lights/cluster_light.h). Transform
- * feedback writes it (lights/cluster_light.vert); the gather reads it in a block. All else of the light is a
+ * feedback writes it (passes/lights/cluster_light.vert); the gather reads it in a block. All else of the light is a
  * VPL's: position, normal, area, flux. */
 #define UNIT_SUM_SQUARES (UNIT_OWN + 0)
 #define UNIT_SUM_PRODUCTS (UNIT_OWN + 1)

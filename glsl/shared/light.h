@@ -1,30 +1,11 @@
-/* Views and lights. */
-#ifndef SHARED_LIGHT_H
-#define SHARED_LIGHT_H
-
-#include "shared/types.h"
-
-/* A camera's or light's view: how world points become texels and back.
- *
- * Depth is reversed: near / z for a perspective view, 1 - z / far for an orthographic one; 0 is far,
- * where nothing was drawn. With float depth the relative error of z is then 1e-7 everywhere.
- */
-struct view {
-    mat4 world_to_clip;
-    vec3 origin;
-    float near; /* metres */
-    vec3 right; /* from the axis to the right edge at z = 1 (orthographic: at any z) */
-    BOOL orthographic;
-    vec3 up; /* from the axis to the top edge */
-    float unused;
-    vec3 forward; /* to the middle of the picture, at z = 1 */
-    float far;    /* where depth is 1 if linear, metres: 1 m but for an orthographic view */
-};
-STD140_SIZE(view, 128)
-
 /* The scene's lights, and the views from them: one of a spot or a directional light, six of a point
  * light. What the views see lies in arrays of maps, a layer each: one array of single views and one
  * of faces, which are half as large. */
+#ifndef SHARED_LIGHT_H
+#define SHARED_LIGHT_H
+
+#include "shared/view.h"
+
 #define LIGHTS_MAX 64
 #define LIGHT_VIEWS_MAX 384 /* six of each light: the block then has 63 KiB */
 

@@ -5,7 +5,7 @@
 #include "shared/types.h"
 
 /* The paraboloid view from a VAL (or a VPL): what its shadow map sees [Dong 2009 §4.2]. Transform
- * feedback writes it (visibility/map_view_output.glsl). */
+ * feedback writes it (passes/visibility/map_view_output.glsl). */
 #define MAP_VIEW_ROWS 3
 
 struct map_view {
@@ -25,11 +25,11 @@ STD140_SIZE(map_view, 16 * MAP_VIEW_ROWS)
 #define MAP_VIEWS_MAX 1024
 
 /* How a point looks itself up in a map of depth: a projection, which says where the map has it, and a
- * filter, which says which part of the light reaches it (visibility/lookup.glsl). */
+ * filter, which says which part of the light reaches it (passes/visibility/lookup.glsl). */
 #define PROJECTION_PARABOLOID 0   /* struct map_view */
 #define PROJECTION_PERSPECTIVE 1  /* struct view */
 #define PROJECTION_ORTHOGRAPHIC 2 /* struct view */
-#define PROJECTION_LIGHT_MAP 3    /* struct light_map of visibility/light_map.glsl */
+#define PROJECTION_LIGHT_MAP 3    /* struct light_map of passes/visibility/light_map.glsl */
 #define FILTER_NONE 0        /* all is lit */
 #define FILTER_HARD 1        /* one texel */
 #define FILTER_CSSM 2        /* convolution soft shadow maps */
@@ -79,8 +79,8 @@ struct basis_params {
 };
 STD140_SIZE(basis_params, 16)
 
-/* The depths that a map's casters take, to which its Fourier series is fitted (visibility/series.glsl). A
- * compute shader writes them (visibility/series_range.comp). */
+/* The depths that a map's casters take, to which its Fourier series is fitted (passes/visibility/series.glsl). A
+ * compute shader writes them (passes/visibility/series_range.comp). */
 struct series_range { /* map depths */
     float nearest, farthest;
     float knee;  /* beyond the nearest: there a step takes four times as many metres */

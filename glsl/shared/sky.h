@@ -72,7 +72,7 @@ struct environment_lighting_params {
     float disagree;    /* of all light: where blocks do by more, rays start at the pixel */
     int pass;          /* of several: each has other points of the lights */
 };
-PASS_BLOCK(environment_lighting_params, 16)
+STD140_SIZE(environment_lighting_params, 16)
 
 /* Lights of one layer of an array, and layers of one draw. */
 #define SKY_LAYER_LIGHTS 4

@@ -1,8 +1,8 @@
-/* VPLs: what they are, how they are shared among lights, and their tree. */
+/* VPLs, their tree, and what tells them apart. */
 #ifndef SHARED_VPL_H
 #define SHARED_VPL_H
 
-#include "shared/light.h"
+#include "shared/types.h"
 
 /* A virtual point light [Dong 2009 §4]. Transform feedback writes it (lib/vpl_output.glsl); it is
  * read as a vertex (lib/vpl_input.glsl), as texels (lib/vpl_texels.glsl) and in a block
@@ -28,21 +28,6 @@ STD140_SIZE(vpl, 16 * VPL_ROWS)
 /* VPLs per uniform block: the 64 KiB that all drivers seen allow (gl/context/needs.h). */
 #define VPLS_PER_BLOCK 1024
 #define VPLS_MAX 65536
-
-/* How the VPLs are shared among the lights; passes/lights/vpl.h fills it. */
-struct vpl_share {
-    float measure; /* what one VPL of the light stands for: solid angle, sr; of a directional light's,
-                      area, m2 */
-    float reach;   /* of the near field, in spacings of VPLs */
-    float unused0, unused1;
-};
-STD140_SIZE(vpl_share, 16)
-
-/* At BLOCK_VPL_SHARES. */
-struct vpl_share_block {
-    STRUCT(vpl_share) of[LIGHTS_MAX];
-};
-STD140_SIZE(vpl_share_block, LIGHTS_MAX * 16)
 
 /* The density of VPLs over each light's domain (lib/light_domain.glsl), as an importance map has it
  * (passes/lights/importance_map.h). */
@@ -90,7 +75,7 @@ SHARED_FUNCTION float cluster_color(int k, int channel) {
     return (pure + (1.0f - pure) * pale) * (k % 3 == 0 ? 0.8f : 1.0f);
 }
 
-/* What light that walks from surface to surface reads (lights/light_walk.glsl). */
+/* What light that walks from surface to surface reads (passes/lights/light_walk.glsl). */
 
 /* Up to so many bounces chance ends no walk. */
 #define WALK_SURE 8

@@ -66,7 +66,7 @@ bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,
                                                        .contact = contact,
                                                        .shift = method->shift,
                                                        .gain = method->gain,
-                                                       .fragment = "visibility/direct_map.frag",
+                                                       .fragment = "passes/visibility/direct_map.frag",
                                                        .defines = defines}) &&
               init_maps(own, size_of(desc), desc->lights, method->moments);
     free(defines);

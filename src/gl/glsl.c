@@ -17,10 +17,11 @@ void glsl_set_folder(const char *folder) {
     source_folder = folder;
 }
 
-/* What belongs to one technique or direct method lies in its folder of src/. */
+/* Shaders lie beside the C that draws with them, in src/; what many include lies in glsl/. */
 static char *path_of(const char *name) {
-    bool owned = strncmp(name, "techniques/", 11) == 0 || strncmp(name, "direct/", 7) == 0;
-    return mem_printf("%s%s/%s", source_folder, owned ? "/../src" : "", name);
+    bool common = strncmp(name, "shared/", 7) == 0 || strncmp(name, "lib/", 4) == 0;
+    bool rooted = strchr(name, '/') == NULL;
+    return mem_printf("%s%s/%s", source_folder, common || rooted ? "" : "/../src", name);
 }
 
 static char *read_file(const char *name) {

@@ -31,7 +31,7 @@ void marks_free(struct marks *marks);
 void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
                 const struct marks_desc *desc);
 
-/* The colour of VAL k: glsl/inspect/mark.glsl's. */
+/* The colour of VAL k: src/inspect/mark.glsl's. */
 void marks_cluster_color(int k, unsigned char rgb[3]);
 
 #endif

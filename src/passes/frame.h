@@ -48,7 +48,7 @@ void frame_add_medium(const struct frame *frame, struct pass_state *state);
 /* Adds what a program that evaluates lights reads of both. */
 void frame_add_light(const struct frame *frame, struct pass_state *state);
 
-/* Lets what is drawn by one of the programs end where the camera's range does (picture/camera_range.glsl). */
+/* Lets what is drawn by one of the programs end where the camera's range does (passes/picture/camera_range.glsl). */
 void frame_cut_by_range(const struct frame *frame, struct pass_state *state);
 
 /* The camera's view, of that many layers; the margin is draw_views'. */

@@ -13,7 +13,7 @@ struct pixel_lists {
                               row by row: of one level from its begin, of the other from the end of its first
                               half, of points from there on */
     struct texture texels;             /* R32UI, of each pixel of the picture its texel in the lists
-                              (gather/list_texel.glsl); 0 where no list has it */
+                              (passes/gather/list_texel.glsl); 0 where no list has it */
     struct texture edge_sample_texels; /* likewise of its edge sample */
     struct buffer counts;              /* of the lists: uint */
     int interleave, tile_width, tile_height;
@@ -23,7 +23,7 @@ struct pixel_lists {
  * textures have a limit. */
 void pixel_lists_size(int size[2], int interleave);
 
-/* What a pass over such RECEIVERS_ binds, for gather/receiver.glsl; lists are not read for all. And the draw
+/* What a pass over such RECEIVERS_ binds, for passes/gather/receiver.glsl; lists are not read for all. And the draw
  * of one place's list of a kind, after LOCATION_SLOT is set. */
 void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers);
 void pixel_lists_draw(const struct pixel_lists *lists, int list);

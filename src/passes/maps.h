@@ -20,7 +20,7 @@ struct depth_maps {
 };
 
 /* What lights see along their own axes: linear depth over the light's map_unit, 1 where nothing is
- * (visibility/light_map.glsl). R32F, one layer a map. */
+ * (passes/visibility/light_map.glsl). R32F, one layer a map. */
 struct light_maps {
     struct texture depth;
     int size, count;
@@ -43,7 +43,7 @@ struct depth_bounds {
 };
 
 /* Fourier bases of the depth maps with MIP maps; layer g x count + k is group g (four terms) of map
- * k, whose depths its range makes the argument of (visibility/series.glsl). */
+ * k, whose depths its range makes the argument of (passes/visibility/series.glsl). */
 struct basis_maps {
     struct texture cos, sin;     /* RGBA8, (b + 1) / 2 */
     struct texture z_cos, z_sin; /* RGBA16F */

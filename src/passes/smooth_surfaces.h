@@ -1,4 +1,4 @@
-/* Smooth surfaces of a geometry for shaders that trace rays (glsl/caustics/chain.glsl), and a light's view of them. */
+/* Smooth surfaces of a geometry for shaders that trace rays (src/passes/caustics/chain.glsl), and a light's view of them. */
 #ifndef PASSES_SMOOTH_SURFACES_H
 #define PASSES_SMOOTH_SURFACES_H
 

@@ -49,7 +49,7 @@ struct irradiance {
  * are of the picture's size; radiance and in_scatter times irradiance_scale. */
 struct contribution {
     const struct irradiance *irradiance;
-    /* Of edge samples, and at each pixel the texel of its own (gather/list_texel.glsl); both or none. */
+    /* Of edge samples, and at each pixel the texel of its own (passes/gather/list_texel.glsl); both or none. */
     const struct irradiance *edge_sample_irradiance;
     const struct texture *edge_sample_texels;
     const struct texture *radiance;

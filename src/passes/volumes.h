@@ -36,7 +36,7 @@ struct volume {
     /* Sums over a voxel's points: normal and count; radiosity of the front, and of the back with how many have one,
      * times irradiance_scale; albedo. Radiosity's alpha: how far planes are from the voxel's middle. */
     struct texture surfaces, radiosity, back, albedo;
-    /* Surfaces and radiosity of the points alone that are turned away from a direction (glsl/volume/point_sums.glsl): in
+    /* Surfaces and radiosity of the points alone that are turned away from a direction (src/passes/volume/point_sums.glsl): in
      * voxels whose surfaces face several ways they are one side. Where volume_is_split. */
     struct texture turned_surfaces, turned_radiosity;
     GLuint points_framebuffer;

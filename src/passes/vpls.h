@@ -16,7 +16,7 @@ struct vpl_buffer {
     GLuint sums_framebuffer;
 };
 
-/* How much VPLs count where they are clustered (lights/cluster_means.comp): what each would give to the picture, R32F, a texel
+/* How much VPLs count where they are clustered (passes/lights/cluster_means.comp): what each would give to the picture, R32F, a texel
  * a VPL; and a pixel of what all would, and of how many there are, RGBA32F. */
 struct vpl_weights {
     struct texture values, sum;
@@ -61,7 +61,7 @@ struct val_targets {
 /* The file of the define VPL_AREA, which tells the area of a VPL at a point: by an importance map, or by flux alone. */
 const char *vpl_area_file(bool by_importance);
 
-/* Binds what lights/vpl_by_importance.glsl reads. */
+/* Binds what passes/lights/vpl_by_importance.glsl reads. */
 void importance_map_add(struct pass_state *state, const struct importance_map *map);
 
 bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count);

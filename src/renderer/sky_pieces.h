@@ -1,4 +1,4 @@
-/* Directions of a sky's light samples, of which each VPL takes one, and follows a ray (glsl/lights/sky_ray.glsl).
+/* Directions of a sky's light samples, of which each VPL takes one, and follows a ray (src/passes/lights/sky_ray.glsl).
  *
  * Were a group one direction, its light in a room would be luck: by day a hall under a skylight had 16 to 36 % too much with
  * one of three seeds. Rays of a group lie so that all that pass its door have the same place in the light's domain:

@@ -341,7 +341,7 @@ static void test_strips(void **state) {
 static void test_shader_folder(void **state) {
     (void)state;
     const char *embedded = scratch("embedded.exr"), *folder = scratch("folder.exr");
-    if (access("glsl/gather/gather.frag", R_OK) != 0)
+    if (access("src/passes/gather/gather.frag", R_OK) != 0)
         skip();
     expect_box(0, "-o %s", embedded);
     expect_box(0, "--glsl glsl -o %s", folder);

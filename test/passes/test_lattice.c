@@ -15,11 +15,11 @@
 enum { SIDE = 64, APART = 127 }; /* pixels of a picture of 8K, one in APART along each side */
 
 static const char *const libraries[] = {"lib/lattice.glsl", "lib/weighted_pick.glsl",
-                                        "gather/representative.glsl", "shared/types.h",
+                                        "passes/gather/representative.glsl", "shared/types.h",
                                         "shared/bindings.h"};
 
 static const char body[] =
-    "#include \"gather/representative.glsl\"\n"
+    "#include \"passes/gather/representative.glsl\"\n"
     "layout(local_size_x = 8, local_size_y = 8) in;\n"
     "layout(std430, binding = 0) writeonly buffer numbers { float number[]; };\n"
     "void main() {\n"

@@ -8,7 +8,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "shared/maps.h"
-#include "shared/light.h"
+#include "shared/view.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -222,13 +222,13 @@ static void test_failures(void **state) {
     const char *tree = scratch("tree");
     snprintf(
         command, sizeof command,
-        "rm -rf %s && mkdir -p %s/src && cp -r glsl %s && cp -r src/techniques src/direct %s/src",
+        "rm -rf %s && mkdir -p %s/src && cp -r glsl %s && cp -r src/passes src/techniques src/direct src/inspect %s/src",
         tree, tree, tree, tree);
     run_command(command, output, sizeof output);
-    write_text(scratch("tree/glsl/gather/gather.frag"), "void main() { nonsense }\n");
+    write_text(scratch("tree/src/passes/gather/gather.frag"), "void main() { nonsense }\n");
     glsl_set_folder(scratch("tree/glsl"));
     assert_false(renderer_reload_shaders(&renderer));
-    assert_non_null(strstr(error_get(), "gather/gather.frag"));
+    assert_non_null(strstr(error_get(), "passes/gather/gather.frag"));
     glsl_set_folder(NULL);
     check_still_works(&renderer, &before);
 

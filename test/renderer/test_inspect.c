@@ -69,7 +69,7 @@ static void check_pictures(const char *technique, const char *settings) {
         if (count_shades(&inspect.canvas) < least)
             fail_msg("output '%s' of %s is drawn in too few shades: has its kind a row in mode_of "
                      "and a case in texture_of (src/inspect/inspect.c), and one in "
-                     "glsl/inspect/inspect.frag?",
+                     "src/inspect/inspect.frag?",
                      name, technique);
         choice.layer = layers - 1;
         check_ok(name, inspect_draw(&inspect, &renderer, &choice));

@@ -1,7 +1,7 @@
 // For test_prefilter.c: what a filter makes of one cell with given moments.
-#include "visibility/lookup.glsl"
-#include "visibility/projection_light_map.glsl"
-#include "visibility/filter_light_map.glsl"
+#include "passes/visibility/lookup.glsl"
+#include "passes/visibility/projection_light_map.glsl"
+#include "passes/visibility/filter_light_map.glsl"
 
 layout(local_size_x = 1) in;
 

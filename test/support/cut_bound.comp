@@ -1,5 +1,5 @@
 // For test_vpl_tree.c: the bound of a node's geometry term for a receiver.
-#include "gather/cut_bound.glsl"
+#include "passes/gather/cut_bound.glsl"
 
 layout(local_size_x = 1) in;
 

@@ -1,16 +1,16 @@
 // For test_lookup.c: what the projection says of each point, and the filter's answer.
-#include "visibility/lookup.glsl"
+#include "passes/visibility/lookup.glsl"
 #if PROJECTION == PROJECTION_PARABOLOID
-#include "visibility/projection_paraboloid.glsl"
+#include "passes/visibility/projection_paraboloid.glsl"
 #elif PROJECTION == PROJECTION_ORTHOGRAPHIC
-#include "visibility/projection_orthographic.glsl"
+#include "passes/visibility/projection_orthographic.glsl"
 #else
-#include "visibility/projection_perspective.glsl"
+#include "passes/visibility/projection_perspective.glsl"
 #endif
 #if FILTER == FILTER_PCF
-#include "visibility/filter_pcf.glsl"
+#include "passes/visibility/filter_pcf.glsl"
 #else
-#include "visibility/filter_val.glsl"
+#include "passes/visibility/filter_val.glsl"
 #endif
 
 layout(local_size_x = 64) in;

@@ -1,5 +1,5 @@
 /* Lookups in maps of depth straight from their definitions, in doubles: projections and filters. A
- * second implementation to hold visibility/lookup.glsl against. */
+ * second implementation to hold passes/visibility/lookup.glsl against. */
 #ifndef TEST_LOOKUP_DIRECT_H
 #define TEST_LOOKUP_DIRECT_H
 

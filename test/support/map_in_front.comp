@@ -7,7 +7,7 @@ layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
     lookup_params lookup;
 };
 
-#include "visibility/map_in_front.glsl"
+#include "passes/visibility/map_in_front.glsl"
 
 layout(std430, binding = 0) readonly buffer point_storage {
     vec4 points[];

@@ -1,7 +1,7 @@
 // For test_cluster_lights.c: what rectangle i, of unit flux, gives to the point in the origin that looks along n.
 #define CLAMP GATHER_CLAMP_RECTANGLE
 #include "lib/vpl_block.glsl"
-#include "gather/rectangle.glsl"
+#include "passes/gather/rectangle.glsl"
 
 layout(local_size_x = 64) in;
 

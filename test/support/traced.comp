@@ -1,5 +1,5 @@
 // For test_traced.c: which of the points a ray reaches.
-#include "visibility/bvh.glsl"
+#include "passes/visibility/bvh.glsl"
 
 layout(local_size_x = 64) in;
 

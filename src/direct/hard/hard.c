@@ -1,6 +1,6 @@
 /* Direct light with hard shadow maps [Dong 2009 §6].
  *
- * The lookup is that of other maps of depth (visibility/lookup.glsl), filtered over the four nearest
+ * The lookup is that of other maps of depth (passes/visibility/lookup.glsl), filtered over the four nearest
  * texels, so that the shadow's edge is a texel wide and not stepped. */
 #include "base/memory.h"
 #include "direct/shadow.h"
@@ -9,7 +9,7 @@ static bool init(void **state, const struct direct_desc *desc) {
     struct shadow *shadow = *state = mem_alloc(1, sizeof *shadow);
     const char *defines = desc->lights->sized ? "" : "POINTS_ONLY;";
     return shadow_begin(shadow, desc,
-                        &(struct direct_light_desc){.fragment = "visibility/direct_point.frag",
+                        &(struct direct_light_desc){.fragment = "passes/visibility/direct_point.frag",
                                                     .defines = defines});
 }
 

@@ -1,5 +1,5 @@
 // The share of a light that is free, by shadow rays to points of it wherever its map has something in front.
-#include "visibility/bvh.glsl"
+#include "passes/visibility/bvh.glsl"
 
 // First of all go to the light's rim, where shadows begin and end, and halfway to it: where they agree there are no more.
 const int FIRST_RAYS = SHADOW_RAYS < 16 ? SHADOW_RAYS : 16;

@@ -6,7 +6,7 @@
 #include "lib/gbuffer.glsl"
 #include "lib/unshadowed.glsl"
 #include "shared/maps.h"
-#include "visibility/direct_light.glsl"
+#include "passes/visibility/direct_light.glsl"
 
 layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
     lookup_params lookup;

@@ -19,8 +19,8 @@ static const float reach = .01F;
 
 /* Those of segments to a surface that scatters, and between two smooth surfaces. */
 static bool init_line_programs(struct caustics_pass *pass) {
-    struct program_desc desc = {.vertex = "caustics/light_lines.vert",
-                                .fragment = "caustics/light_lines.frag"};
+    struct program_desc desc = {.vertex = "passes/caustics/light_lines.vert",
+                                .fragment = "passes/caustics/light_lines.frag"};
     bool published = pass->desc.published;
     desc.defines = published ? "HAS_MEDIUM;PUBLISHED" : "HAS_MEDIUM";
     if (!program_init(&pass->line_program, &desc))
@@ -35,24 +35,24 @@ static bool init_ray_program(struct caustics_pass *pass) {
                    pass->desc.volume ? "HAS_LINES;" : "");
     bool ok = program_init(
         &pass->ray_program,
-        &(struct program_desc){.screen = {"caustics/light_rays.frag"}, .defines = defines});
+        &(struct program_desc){.screen = {"passes/caustics/light_rays.frag"}, .defines = defines});
     free(defines);
     return ok;
 }
 
 static bool init_programs(struct caustics_pass *pass) {
     const char *medium = pass->desc.medium ? "HAS_MEDIUM" : NULL;
-    const struct program_desc patch = {.vertex = "caustics/patch.vert",
-                                       .fragment = "caustics/patch.frag"};
+    const struct program_desc patch = {.vertex = "passes/caustics/patch.vert",
+                                       .fragment = "passes/caustics/patch.frag"};
     const struct program_desc splat = {
-        .vertex = "caustics/splat.vert", .fragment = "caustics/patch.frag", .defines = "SPLATS"};
+        .vertex = "passes/caustics/splat.vert", .fragment = "passes/caustics/patch.frag", .defines = "SPLATS"};
     bool ok = init_ray_program(pass);
     if (ok && pass->desc.surface)
         ok = program_init(&pass->cell_program,
-                          &(struct program_desc){.screen = {"caustics/ray_cells.frag"},
+                          &(struct program_desc){.screen = {"passes/caustics/ray_cells.frag"},
                                                  .defines = medium}) &&
              program_init(&pass->splat_list_program,
-                          &(struct program_desc){.screen = {"caustics/ray_splats.frag"},
+                          &(struct program_desc){.screen = {"passes/caustics/ray_splats.frag"},
                                                  .defines = medium}) &&
              program_init(&pass->patch_program, &patch) &&
              program_init(&pass->splat_program, &splat);

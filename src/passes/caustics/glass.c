@@ -94,7 +94,7 @@ static bool init_program(struct glass_pass *pass) {
              light_defines(desc->medium, desc->scene->slide_count > 0),
              desc->sky ? "HAS_SKY;" : "");
     return program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                               .fragment = "caustics/glass.frag",
+                                                               .fragment = "passes/caustics/glass.frag",
                                                                .defines = defines});
 }
 

@@ -36,7 +36,7 @@ bool adaptive_pass_init(struct adaptive_pass *pass, const struct adaptive_desc *
     *pass = (struct adaptive_pass){.desc = *desc};
     if (program_init(&pass->program,
                      &(struct program_desc){
-                         .screen = {"gather/adaptive.frag"},
+                         .screen = {"passes/gather/adaptive.frag"},
                          .defines = desc->block ? "SHARE_VISIBILITY 1" : "SHARE_VISIBILITY 0",
                      }) &&
         init_lists(&pass->lists, desc) &&

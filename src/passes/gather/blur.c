@@ -14,7 +14,7 @@
 static bool init_axis(struct blur_axis *axis, bool pack, bool specular) {
     char defines[40];
     snprintf(defines, sizeof defines, "PACK %d;SPECULAR_BLUR %d", pack, specular);
-    return program_init(&axis->program, &(struct program_desc){.screen = {"gather/blur.frag"},
+    return program_init(&axis->program, &(struct program_desc){.screen = {"passes/gather/blur.frag"},
                                                                .defines = defines}) &&
            buffer_init(&axis->params, "blur parameters", sizeof(struct blur_params), NULL);
 }
@@ -22,7 +22,7 @@ static bool init_axis(struct blur_axis *axis, bool pack, bool specular) {
 static bool init_pack(struct blur_pass *pass) {
     return program_init(&pass->pack_program,
                         &(struct program_desc){
-                            .screen = {"gather/blur_pack.frag"},
+                            .screen = {"passes/gather/blur_pack.frag"},
                             .defines = pass->desc.specular   ? "ADAPTIVE 0;SPECULAR_BLUR 1"
                                        : pass->desc.adaptive ? "ADAPTIVE 1;SPECULAR_BLUR 0"
                                                              : "ADAPTIVE 0;SPECULAR_BLUR 0",

@@ -16,20 +16,20 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The parts of glsl/gather/gather.frag, which it includes by these names. */
+/* The parts of src/passes/gather/gather.frag, which it includes by these names. */
 static const char *visibility_part(const struct gather_desc *desc) {
     if (desc->together > 0)
-        return "gather/gather_groups.glsl";
+        return "passes/gather/gather_groups.glsl";
     if (!desc->share)
-        return "gather/gather_pixel.glsl";
+        return "passes/gather/gather_pixel.glsl";
     if (desc->clamp >= GATHER_CLAMP_RECTANGLE)
-        return "gather/gather_blocks.glsl";
-    return desc->receivers == RECEIVERS_OTHERS ? "gather/gather_given_block.glsl"
-                                               : "gather/gather_block.glsl";
+        return "passes/gather/gather_blocks.glsl";
+    return desc->receivers == RECEIVERS_OTHERS ? "passes/gather/gather_given_block.glsl"
+                                               : "passes/gather/gather_block.glsl";
 }
 
 static char *parts(const struct gather_desc *desc) {
-    return mem_printf("GATHER_LIGHTS gather/lights_%s.glsl;GATHER_LIGHT gather/light_%s.glsl;"
+    return mem_printf("GATHER_LIGHTS passes/gather/lights_%s.glsl;GATHER_LIGHT passes/gather/light_%s.glsl;"
                       "GATHER_VISIBILITY %s",
                       desc->cuts ? "cut" : "range", desc->specular ? "specular" : "diffuse",
                       visibility_part(desc));
@@ -44,8 +44,8 @@ static bool init_program(GLuint *program, const struct gather_desc *desc) {
     bool ok = program_init(
         program,
         &(struct program_desc){
-            .vertex = desc->receivers == RECEIVERS_ADAPTIVE ? "gather/list_rows.vert" : NULL,
-            .screen = {"gather/gather.frag", .blended = true, .tiled = true},
+            .vertex = desc->receivers == RECEIVERS_ADAPTIVE ? "passes/gather/list_rows.vert" : NULL,
+            .screen = {"passes/gather/gather.frag", .blended = true, .tiled = true},
             .defines = defines,
         });
     mem_free(lookup, files, defines);

@@ -67,7 +67,7 @@ struct gather_inputs {
     const struct pixel_lists *lists;         /* unless desc.receivers is RECEIVERS_ALL */
 };
 
-/* Fills pass->params, for others who take light as it does (gather/geometry_term.glsl). */
+/* Fills pass->params, for others who take light as it does (passes/gather/geometry_term.glsl). */
 void gather_pass_write_params(const struct gather_pass *pass, const struct frame *frame,
                               const struct gather_inputs *inputs);
 

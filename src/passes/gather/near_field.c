@@ -43,24 +43,24 @@ static bool init_programs(struct near_field_pass *pass) {
     char *of_light = mem_printf("%sLIGHTS %d;MAP_KINDS %d;FACETS %d;VPL_AREA %s",
                                 light_defines(pass->desc.medium, pass->desc.slides), room, kinds,
                                 pass->desc.facets, vpl_area_file(pass->desc.by_importance));
-    static const char format[] = "NEAR_VISIBILITY gather/%s.glsl;RECEIVERS %d;%s";
+    static const char format[] = "NEAR_VISIBILITY passes/gather/%s.glsl;RECEIVERS %d;%s";
     bool by_rays = pass->desc.occlusion == NEAR_BY_RAYS;
     char *defines = mem_printf(format, tests[by_rays ? NEAR_BY_RAYS : NEAR_UNOCCLUDED],
                                pass->desc.adaptive ? RECEIVERS_OTHERS : RECEIVERS_ALL, of_light);
     char *adaptive = mem_printf(format, tests[pass->desc.occlusion], RECEIVERS_ADAPTIVE, of_light);
     bool ok = program_init(&pass->light_program,
                            &(struct program_desc){
-                               .screen = {"gather/near_light.frag", .layers = true},
+                               .screen = {"passes/gather/near_light.frag", .layers = true},
                                .defines = of_light,
                            }) &&
               program_init(&pass->program,
                            &(struct program_desc){
-                               .screen = {"gather/near_field.frag", .blended = true, .tiled = true},
+                               .screen = {"passes/gather/near_field.frag", .blended = true, .tiled = true},
                                .defines = defines}) &&
               (!pass->desc.adaptive ||
                program_init(&pass->adaptive_program,
-                            &(struct program_desc){.vertex = "gather/list_rows.vert",
-                                                   .screen = {"gather/near_field.frag",
+                            &(struct program_desc){.vertex = "passes/gather/list_rows.vert",
+                                                   .screen = {"passes/gather/near_field.frag",
                                                               .blended = true, .tiled = true},
                                                    .defines = adaptive}));
     mem_free(of_light, defines, adaptive);

@@ -6,7 +6,7 @@
  * near, from the texels of the reflective shadow map around the receiver [Dachsbacher and
  * Stamminger 2005]. It takes the place of clamping and compensation [Kollig and Keller 2004]. One of
  * some samples, taken by its light, asks by a ray for all: unbiased. Without rays what is near counts as unoccluded, but
- * where there is detail (glsl/gather/near_by_views.glsl); VPLs that are few and far apart then shine through walls.
+ * where there is detail (src/passes/gather/near_by_views.glsl); VPLs that are few and far apart then shine through walls.
  * Cost: pixels x samples x groups of lights, for pixels in reach of a light alone: the tiles of a pattern
  * share the lights of a group out by their flux; what is on a list takes all of them, and divides its samples.
  */
@@ -44,7 +44,7 @@ struct near_field_pass {
     const struct caster_bvh *tree; /* of desc.casters */
     GLuint light_program, program, adaptive_program;
     struct texture lights[LIGHT_MAP_KINDS]; /* RGBA32UI, maps as the shadow map's,
-                                               glsl/gather/near_light.glsl */
+                                               src/passes/gather/near_light.glsl */
     GLuint lights_framebuffers[LIGHT_MAP_KINDS];
     struct buffer params;
     struct slot_lights slot_lights;

@@ -19,7 +19,7 @@ static bool init_program(struct specular_rays_pass *pass) {
                                kinds, vpl_area_file(pass->desc.by_importance));
     bool ok = program_init(
         &pass->program, &(struct program_desc){
-                            .screen = {"gather/specular_rays.frag", .blended = true, .tiled = true},
+                            .screen = {"passes/gather/specular_rays.frag", .blended = true, .tiled = true},
                             .defines = defines,
                         });
     free(defines);

@@ -13,7 +13,7 @@
 static bool init_program(GLuint *program, int clamp) {
     char *defines = mem_printf("CLAMP %d", clamp);
     bool ok = program_init(
-        program, &(struct program_desc){.compute = "gather/cut.comp", .defines = defines});
+        program, &(struct program_desc){.compute = "passes/gather/cut.comp", .defines = defines});
     free(defines);
     return ok;
 }

@@ -18,9 +18,9 @@
 
 static bool init_path_program(struct bounce_pass *pass) {
     char *defines =
-        mem_printf("%sPATH_WEIGHT lights/path_weight_%s.glsl",
+        mem_printf("%sPATH_WEIGHT passes/lights/path_weight_%s.glsl",
                    light_defines(pass->desc.medium, false), pass->desc.seen ? "seen" : "even");
-    const struct program_desc desc = {.screen = {"lights/bounce_path.frag"}, .defines = defines};
+    const struct program_desc desc = {.screen = {"passes/lights/bounce_path.frag"}, .defines = defines};
     bool ok = program_init(&pass->path_program, &desc);
     free(defines);
     return ok;
@@ -30,17 +30,17 @@ static bool init_programs(struct bounce_pass *pass) {
     const struct {
         GLuint *program;
         const char *fragment;
-    } drawn[] = {{&pass->area_program, "lights/bounce_area.frag"},
-                 {&pass->share_program, "lights/bounce_shares.frag"},
-                 {&pass->flux_program, "lights/bounce_flux.frag"},
-                 {&pass->seen_program, "lights/bounce_seen.frag"},
-                 {&pass->kept_program, "lights/bounce_kept.frag"}};
+    } drawn[] = {{&pass->area_program, "passes/lights/bounce_area.frag"},
+                 {&pass->share_program, "passes/lights/bounce_shares.frag"},
+                 {&pass->flux_program, "passes/lights/bounce_flux.frag"},
+                 {&pass->seen_program, "passes/lights/bounce_seen.frag"},
+                 {&pass->kept_program, "passes/lights/bounce_kept.frag"}};
     for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
         if (!program_init(drawn[i].program, &(struct program_desc){.screen = {drawn[i].fragment}}))
             return false;
     return init_path_program(pass) &&
            program_init(&pass->vpl_program,
-                        &(struct program_desc){.vertex = "lights/bounce_vpl.vert"});
+                        &(struct program_desc){.vertex = "passes/lights/bounce_vpl.vert"});
 }
 
 static bool init_rows(struct texture *texture, int count, int rows, GLenum format) {

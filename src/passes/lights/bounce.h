@@ -1,7 +1,7 @@
 /* Light of later bounces: paths of light leave VPLs where they meet surfaces [Keller 1997, Instant Radiosity].
  *
  * Each of 4 P paths takes an even share of the first bounce's VPLs, or of starts of its light.
- * It follows the light from surface to surface by rays through the scene's triangles (glsl/lights/light_walk.glsl). It
+ * It follows the light from surface to surface by rays through the scene's triangles (src/passes/lights/light_walk.glsl). It
  * leaves the light of all its bounces at one of its surfaces, picked by light: one gather of the picture serves all bounces.
  * What there is of light is right on the mean, whatever the scene is made of: nothing leaks, and nothing is lost between
  * what is near. There may be any number of bounces: past the eighth, chance ends paths as often as surfaces absorb light.
@@ -9,9 +9,9 @@
  * Where every fourth has left its light there is a VPL, and VPLs share out the light of the others: a pixel looks at P
  * places, and what they send is known of 4 P paths, so that the picture is steadier and errs less (bench/STABILITY.md). Pools
  * of 512 VPLs share out the light of their own paths, by nearness along their surface and like normals [Shepard 1968], not
- * beyond a quarter of the scene's radius; what is lost so where VPLs are few is given back to those that are alone (glsl/lights/bounce_share.glsl).
+ * beyond a quarter of the scene's radius; what is lost so where VPLs are few is given back to those that are alone (src/passes/lights/bounce_share.glsl).
  *
- * Pixels take the VPLs as patches (glsl/gather/patch.glsl), which lose light where surfaces are small or crooked. What
+ * Pixels take the VPLs as patches (src/passes/gather/patch.glsl), which lose light where surfaces are small or crooked. What
  * they keep of it is told by how far the light of a VPL's own path goes from there, of those whose light goes to what the camera
  * sees, and what is lost is given back to all pixels alike.
  *

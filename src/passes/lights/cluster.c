@@ -37,12 +37,12 @@ static bool init_programs(struct cluster_pass *pass) {
         GLuint *program;
         struct program_desc desc;
     } rows[] = {
-        {&pass->means_program, {.compute = "lights/cluster_means.comp"}},
-        {&pass->map_program, {.vertex = "lights/cluster_map.vert"}},
+        {&pass->means_program, {.compute = "passes/lights/cluster_means.comp"}},
+        {&pass->map_program, {.vertex = "passes/lights/cluster_map.vert"}},
         /* Of views: */
         {&pass->extent_program,
-         {.vertex = "lights/cluster_extent.vert", .fragment = "lights/point.frag"}},
-        {&pass->views_program, {.vertex = "lights/cluster_views.vert"}},
+         {.vertex = "passes/lights/cluster_extent.vert", .fragment = "passes/lights/point.frag"}},
+        {&pass->views_program, {.vertex = "passes/lights/cluster_views.vert"}},
     };
     size_t count = sizeof rows / sizeof *rows;
     for (size_t i = 0; i < (pass->desc.has_views ? count : count - 2); i++) {

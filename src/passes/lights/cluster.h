@@ -41,7 +41,7 @@ struct cluster_pass {
     GLuint means_program, map_program;
     GLuint extent_program, views_program;
     struct val_targets vals;
-    struct texture sums; /* of VPLs by VAL: lights/cluster_means.comp */
+    struct texture sums; /* of VPLs by VAL: passes/lights/cluster_means.comp */
     bool started;        /* the VALs are there */
     struct texture extremes;
     GLuint extremes_framebuffer;

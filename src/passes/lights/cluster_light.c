@@ -11,15 +11,15 @@
 static bool init_light_program(GLuint *program, int form, bool rectangles) {
     char *defines = mem_printf("FORM %d;RECTANGLES %d", form, rectangles);
     bool ok = program_init(
-        program, &(struct program_desc){.vertex = "lights/cluster_light.vert", .defines = defines});
+        program, &(struct program_desc){.vertex = "passes/lights/cluster_light.vert", .defines = defines});
     free(defines);
     return ok;
 }
 
 static bool init_programs(struct cluster_light_pass *pass) {
     return program_init(&pass->moment_program,
-                        &(struct program_desc){.vertex = "lights/cluster_moments.vert",
-                                               .fragment = "lights/cluster_moments.frag"}) &&
+                        &(struct program_desc){.vertex = "passes/lights/cluster_moments.vert",
+                                               .fragment = "passes/lights/cluster_moments.frag"}) &&
            init_light_program(&pass->light_program, pass->desc.form, false) &&
            init_light_program(&pass->rectangle_program, pass->desc.form, true);
 }

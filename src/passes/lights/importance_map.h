@@ -2,7 +2,7 @@
  * they are placed [Georgiev and Slusallek 2010; Ritschel et al. 2011].
  *
  * Two rounds draw 4096 candidates each, the second round by the map of the first. The value of a candidate is the irradiance
- * that a VPL there gives to 64 pixels of the picture, with one ray for visibility (glsl/lights/importance_candidate.frag).
+ * that a VPL there gives to 64 pixels of the picture, with one ray for visibility (src/passes/lights/importance_candidate.frag).
  * Values add up in cells of the lights' domains. VPLs are Halton points warped by the map, a quarter of them as by flux alone,
  * and divide their flux by their density: their light is right on the mean, whatever the map holds. A map of later bounces
  * counts each candidate where its light walks to, and leaves half of the starts to flux alone.

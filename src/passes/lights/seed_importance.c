@@ -10,15 +10,15 @@
 static_assert(SEED_IMPORTANCE_SIDE == 1 << (SEED_IMPORTANCE_LEVELS - 1), "levels down to one cell");
 
 static bool init_programs(struct seed_importance_pass *pass) {
-    struct program_desc value = {.vertex = "lights/seed_importance.vert",
-                                 .fragment = "lights/point.frag",
+    struct program_desc value = {.vertex = "passes/lights/seed_importance.vert",
+                                 .fragment = "passes/lights/point.frag",
                                  .defines = "NUMBERS 0"};
     struct program_desc number = value;
     number.defines = "NUMBERS 1";
     return program_init(&pass->value_program, &value) &&
            program_init(&pass->number_program, &number) &&
            program_init(&pass->seed_program,
-                        &(struct program_desc){.screen = {"lights/seed_importance_warp.frag"}});
+                        &(struct program_desc){.screen = {"passes/lights/seed_importance_warp.frag"}});
 }
 
 static bool init_targets(struct seed_importance_pass *pass) {

@@ -11,6 +11,7 @@
 #include "passes/frame.h"
 #include "passes/vpls.h"
 #include "shared/vpl.h"
+#include "shared/vpl_share.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -26,15 +27,15 @@ static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
     char *vpl_defines = mem_printf(
-        "%s%s%s%sVPL_CHOICE lights/vpl_by_%s.glsl",
+        "%s%s%s%sVPL_CHOICE passes/lights/vpl_by_%s.glsl",
         light_defines(pass->desc.medium, pass->desc.slides), pass->desc.of_paths ? "LATER;" : "",
         pass->desc.sky_rays ? "SKY_RAYS;" : "", pass->desc.lobes ? "VPL_LOBES;" : "",
         pass->desc.by_importance ? "importance" : "flux");
-    const struct program_desc vpl = {.vertex = "lights/vpl.vert", .defines = vpl_defines};
+    const struct program_desc vpl = {.vertex = "passes/lights/vpl.vert", .defines = vpl_defines};
     bool ok =
         program_init(&pass->program, &vpl) &&
-        program_init(&pass->sums_program, &(struct program_desc){.vertex = "lights/vpl_sums.vert",
-                                                                 .fragment = "lights/point.frag",
+        program_init(&pass->sums_program, &(struct program_desc){.vertex = "passes/lights/vpl_sums.vert",
+                                                                 .fragment = "passes/lights/point.frag",
                                                                  .defines = defines});
     mem_free(defines, vpl_defines);
     return ok;

@@ -13,12 +13,12 @@ static bool init_programs(struct vpl_tree_pass *pass) {
         GLuint *program;
         struct program_desc desc;
     } rows[] = {
-        {&pass->keys_program, {.compute = "lights/tree_keys.comp"}},
-        {&pass->sort_program, {.compute = "lights/tree_sort.comp"}},
-        {&pass->leaves_program, {.compute = "lights/tree_nodes.comp", .defines = "LEAVES"}},
-        {&pass->nodes_program, {.compute = "lights/tree_nodes.comp"}},
+        {&pass->keys_program, {.compute = "passes/lights/tree_keys.comp"}},
+        {&pass->sort_program, {.compute = "passes/lights/tree_sort.comp"}},
+        {&pass->leaves_program, {.compute = "passes/lights/tree_nodes.comp", .defines = "LEAVES"}},
+        {&pass->nodes_program, {.compute = "passes/lights/tree_nodes.comp"}},
         {&pass->representatives_program,
-         {.screen = {"lights/tree_representatives.frag", .layers = true}}},
+         {.screen = {"passes/lights/tree_representatives.frag", .layers = true}}},
     };
     bool ok = true;
     for (size_t i = 0; ok && i < sizeof rows / sizeof *rows; i++)

@@ -9,8 +9,8 @@ static bool init_programs(struct vpl_weight_pass *pass) {
     const struct {
         GLuint *program;
         const char *fragment;
-    } drawn[] = {{&pass->program, "lights/vpl_weight.frag"},
-                 {&pass->sum_program, "lights/vpl_weight_sum.frag"}};
+    } drawn[] = {{&pass->program, "passes/lights/vpl_weight.frag"},
+                 {&pass->sum_program, "passes/lights/vpl_weight_sum.frag"}};
     for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
         if (!program_init(drawn[i].program, &(struct program_desc){.screen = {drawn[i].fragment}}))
             return false;

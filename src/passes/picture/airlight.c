@@ -20,12 +20,12 @@ static bool init_programs(struct airlight_pass *pass) {
                  light_defines(true, pass->desc.slides), pass->desc.panes, kind);
         ok = program_init(
             &pass->programs[kind],
-            &(struct program_desc){.screen = {"picture/airlight.frag", .blended = true},
+            &(struct program_desc){.screen = {"passes/picture/airlight.frag", .blended = true},
                                    .defines = defines});
     }
     for (int axis = 0; ok && axis < 2; axis++)
         ok = program_init(&pass->blur_programs[axis],
-                          &(struct program_desc){.screen = {"picture/airlight_blur.frag"},
+                          &(struct program_desc){.screen = {"passes/picture/airlight_blur.frag"},
                                                  .defines = axis ? "HAS_MEDIUM;LAST" : NULL});
     return ok;
 }

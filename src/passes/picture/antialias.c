@@ -29,17 +29,17 @@ static bool init_programs(struct antialias_pass *pass) {
     snprintf(samples, sizeof samples, "SAMPLES %d;SAMPLES_PER_LAYER %d", pass->samples,
              pass->layers.samples_of_layer);
     return program_init(&pass->solid_program,
-                        &(struct program_desc){.vertex = "picture/samples.vert",
-                                               .fragment = "picture/samples.frag"}) &&
+                        &(struct program_desc){.vertex = "passes/picture/samples.vert",
+                                               .fragment = "passes/picture/samples.frag"}) &&
            program_init(&pass->masked_program,
-                        &(struct program_desc){.vertex = "picture/samples.vert",
-                                               .fragment = "picture/samples.frag",
+                        &(struct program_desc){.vertex = "passes/picture/samples.vert",
+                                               .fragment = "passes/picture/samples.frag",
                                                .defines = "MASKED"}) &&
            program_init(&pass->edge_program,
-                        &(struct program_desc){.screen = {"picture/edges.frag", .marks = true},
+                        &(struct program_desc){.screen = {"passes/picture/edges.frag", .marks = true},
                                                .defines = samples}) &&
            program_init(&pass->assignment_program,
-                        &(struct program_desc){.screen = {"picture/antialias.frag", .masked = true},
+                        &(struct program_desc){.screen = {"passes/picture/antialias.frag", .masked = true},
                                                .defines = samples});
 }
 

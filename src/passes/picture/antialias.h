@@ -4,7 +4,7 @@
  * Depth and normals are drawn with several samples a pixel: in as few layers as the driver's most samples allow, of four
  * at least, which every driver has, each shifted by its own part of a pixel. Each sample is given to the one of the 3 x 3 pixels
  * around it whose surface, taken as a plane, it lies on best; that pixel's shading and albedo are
- * then the sample's, and a picture is the mean over samples (glsl/picture/layer.glsl).
+ * then the sample's, and a picture is the mean over samples (src/passes/picture/layer.glsl).
  */
 #ifndef PASSES_ANTIALIAS_H
 #define PASSES_ANTIALIAS_H
@@ -37,7 +37,7 @@ struct antialias_pass {
     struct texture depths, normals; /* D32F; RGBA8, 0.5 + 0.5 n: a layer of samples after another */
     struct pixel_mask edges;        /* pixels with one */
     struct texture
-        assignment; /* RG32UI, picture/sample_assignment.glsl; 0 = itself; 1 x 1 if samples is 1 */
+        assignment; /* RG32UI, passes/picture/sample_assignment.glsl; 0 = itself; 1 x 1 if samples is 1 */
     struct texture edge_samples; /* RGBA32UI, lib/edge_sample.glsl; likewise */
     GLuint sample_framebuffer, assignment_framebuffer;
     struct buffer params;

@@ -46,18 +46,18 @@ static bool init_programs(struct composite_pass *pass) {
     snprintf(centers, sizeof centers, "%sCENTERS", defines);
     return program_init(&pass->display_program,
                         &(struct program_desc){
-                            .screen = {"picture/composite.frag"},
+                            .screen = {"passes/picture/composite.frag"},
                             .defines = defines,
                         }) &&
            (program_dispatched(pass->display_program) ||
             program_init(&pass->centers_program,
                          &(struct program_desc){
                              .vertex = "fullscreen.vert",
-                             .fragment = "picture/composite.frag",
+                             .fragment = "passes/picture/composite.frag",
                              .defines = centers,
                          })) &&
            program_init(&pass->layer_program, &(struct program_desc){
-                                                  .screen = {"picture/layer.frag", .blended = true},
+                                                  .screen = {"passes/picture/layer.frag", .blended = true},
                                                   .defines = defines,
                                               });
 }

@@ -15,8 +15,8 @@ bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *
     char *camera = mem_printf(
         "%s%s", desc->has_specular ? "HAS_EMISSION;HAS_SPECULAR" : "HAS_EMISSION", mappings);
     char *light = desc->has_specular ? mem_printf("LIGHT_VIEW;HAS_SPECULAR%s", mappings) : NULL;
-    struct program_desc camera_desc = {.vertex = "picture/geometry.vert",
-                                       .fragment = "picture/geometry.frag",
+    struct program_desc camera_desc = {.vertex = "passes/picture/geometry.vert",
+                                       .fragment = "passes/picture/geometry.frag",
                                        .defines = desc->has_specular || desc->has_emission ? camera
                                                                                            : NULL};
     struct program_desc light_desc = camera_desc;

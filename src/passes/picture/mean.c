@@ -44,7 +44,7 @@ bool mean_pass_init(struct mean_pass *pass, const struct mean_desc *desc) {
     snprintf(display_layers, sizeof display_layers, "DISPLAY;%s", layers);
     /* Drawn: in compute shaders llvmpipe 22.3 reads zeros by an index of sums[] that varies. */
     struct program_desc program = {
-        .vertex = "fullscreen.vert", .fragment = "picture/mean.frag", .defines = layers};
+        .vertex = "fullscreen.vert", .fragment = "passes/picture/mean.frag", .defines = layers};
     struct program_desc display = program;
     display.defines = display_layers;
     if (program_init(&pass->layer_program, &program) &&

@@ -2,7 +2,7 @@
  * weight.
  *
  * What a surface receives is weighted by its albedo, depth and normal by the share of the pixel that is
- * covered, as within one picture (glsl/picture/layer.glsl): so albedo (direct + indirect) = radiance
+ * covered, as within one picture (src/passes/picture/layer.glsl): so albedo (direct + indirect) = radiance
  * holds of the mean too, and means of means are means.
  */
 #ifndef PASSES_MEAN_H

@@ -42,7 +42,7 @@ static bool init_surfaces_program(struct show_panes_pass *pass) {
     return !pass->desc.reflects ||
            program_init(&pass->surfaces_program,
                         &(struct program_desc){.vertex = "fullscreen.vert",
-                                               .fragment = "picture/pane_surfaces.frag",
+                                               .fragment = "passes/picture/pane_surfaces.frag",
                                                .defines = pass->desc.specular
                                                               ? "HAS_MEDIUM;HAS_SPECULAR"
                                                               : "HAS_MEDIUM"});
@@ -56,7 +56,7 @@ bool show_panes_pass_init(struct show_panes_pass *pass, const struct show_panes_
              desc->reflects ? "HAS_SURFACES;" : "",
              desc->reflects && desc->irradiance ? "HAS_IRRADIANCE;" : "");
     if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                            .fragment = "picture/show_panes.frag",
+                                                            .fragment = "passes/picture/show_panes.frag",
                                                             .defines = defines}) &&
         init_surfaces_program(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "parameters of panes", sizeof(struct show_panes_params), NULL) &&

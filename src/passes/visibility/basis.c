@@ -47,7 +47,7 @@ static bool init_params(struct basis_pass *pass) {
 static bool init_ranges(struct basis_pass *pass) {
     char *defines = mem_printf("BASIS_TERMS %d", pass->maps.terms);
     bool ok = program_init(&pass->range_program,
-                           &(struct program_desc){.compute = "visibility/series_range.comp",
+                           &(struct program_desc){.compute = "passes/visibility/series_range.comp",
                                                   .defines = defines}) &&
               buffer_init(&pass->maps.ranges, "series ranges",
                           SERIES_RANGES_MAX * sizeof(struct series_range), NULL);
@@ -67,7 +67,7 @@ static bool init_drawing(struct basis_pass *pass) {
     char *defines = mem_printf("BASIS_TERMS %d", maps->terms);
     bool ok =
         program_init(&pass->program,
-                     &(struct program_desc){.screen = {"visibility/basis.frag", .layers = true},
+                     &(struct program_desc){.screen = {"passes/visibility/basis.frag", .layers = true},
                                             .defines = defines}) &&
         init_mips(maps) && framebuffer_init(&pass->first_framebuffer, &first) &&
         framebuffer_init(&pass->more_framebuffer, &more) && init_params(pass);

@@ -20,10 +20,10 @@ bool depth_bounds_pass_init(struct depth_bounds_pass *pass, int size, int count)
     *pass = (struct depth_bounds_pass){
         .maps = {.size = size, .count = count, .levels = texture_full_levels(base, base, 1)}};
     if (program_init(&pass->first_program,
-                     &(struct program_desc){.compute = "visibility/depth_bounds.comp",
+                     &(struct program_desc){.compute = "passes/visibility/depth_bounds.comp",
                                             .defines = "FIRST"}) &&
         program_init(&pass->more_program,
-                     &(struct program_desc){.compute = "visibility/depth_bounds.comp"}) &&
+                     &(struct program_desc){.compute = "passes/visibility/depth_bounds.comp"}) &&
         texture_init(&pass->maps.bounds,
                      &(struct texture_desc){
                          .label = "depth bounds",

@@ -31,14 +31,14 @@ static bool init_programs(struct environment_lighting_pass *pass) {
     char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
     bool ok = program_init(&pass->share_program,
                            &(struct program_desc){
-                               .screen = {"visibility/sky_shares.frag", .layers = true}}) &&
+                               .screen = {"passes/visibility/sky_shares.frag", .layers = true}}) &&
               program_init(
                   &pass->block_program,
-                  &(struct program_desc){.screen = {"visibility/sky_blocks.frag", .layers = true},
+                  &(struct program_desc){.screen = {"passes/visibility/sky_blocks.frag", .layers = true},
                                          .defines = defines}) &&
               program_init(&pass->light_program,
                            &(struct program_desc){
-                               .screen = {"visibility/environment_lighting.frag", .blended = true},
+                               .screen = {"passes/visibility/environment_lighting.frag", .blended = true},
                                .defines = light_defines});
     mem_free(defines, light_defines);
     return ok;

@@ -11,7 +11,7 @@ static bool init_program(struct light_map_pass *pass) {
     char *defines = mem_printf("MAP_SIZE %d", pass->maps.size);
     bool ok =
         program_init(&pass->program,
-                     &(struct program_desc){.screen = {"visibility/light_map.frag", .layers = true},
+                     &(struct program_desc){.screen = {"passes/visibility/light_map.frag", .layers = true},
                                             .defines = defines});
     free(defines);
     return ok;

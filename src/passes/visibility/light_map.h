@@ -1,5 +1,5 @@
 /* What lights see along their own axes, one map a light and six of a point light: linear depth for filters,
- * which cannot reach across the seams of the views' maps (visibility/light_map.glsl). */
+ * which cannot reach across the seams of the views' maps (passes/visibility/light_map.glsl). */
 #ifndef PASSES_LIGHT_MAP_H
 #define PASSES_LIGHT_MAP_H
 

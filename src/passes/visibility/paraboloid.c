@@ -26,10 +26,10 @@ static bool init_program(GLuint *program, enum caster_kind kind, const char *def
                            kind == CASTER_LONG_SOLID ? ";SOLID" : "");
     bool ok = program_init(program,
                            &(struct program_desc){
-                               .vertex = is_long(kind) ? "visibility/paraboloid_long.vert"
-                                                       : "visibility/paraboloid.vert",
-                               .geometry = is_long(kind) ? "visibility/paraboloid_long.geom" : NULL,
-                               .fragment = "visibility/paraboloid.frag",
+                               .vertex = is_long(kind) ? "passes/visibility/paraboloid_long.vert"
+                                                       : "passes/visibility/paraboloid.vert",
+                               .geometry = is_long(kind) ? "passes/visibility/paraboloid_long.geom" : NULL,
+                               .fragment = "passes/visibility/paraboloid.frag",
                                .defines = own,
                            });
     free(own);

@@ -22,11 +22,11 @@ static bool init_maps(struct shadow_map_pass *pass, int kind, int size, int laye
 bool shadow_map_pass_init(struct shadow_map_pass *pass, const struct shadow_map_desc *desc) {
     *pass = (struct shadow_map_pass){0};
     bool ok = program_init(&pass->opaque_program,
-                           &(struct program_desc){.vertex = "visibility/shadow_map.vert",
-                                                  .fragment = "picture/depth_only.frag"}) &&
+                           &(struct program_desc){.vertex = "passes/visibility/shadow_map.vert",
+                                                  .fragment = "passes/picture/depth_only.frag"}) &&
               program_init(&pass->masked_program,
-                           &(struct program_desc){.vertex = "picture/geometry.vert",
-                                                  .fragment = "picture/depth_masked.frag",
+                           &(struct program_desc){.vertex = "passes/picture/geometry.vert",
+                                                  .fragment = "passes/picture/depth_masked.frag",
                                                   .defines = "LIGHT_VIEW"});
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++)
         ok = init_maps(pass, kind, light_map_size(kind, desc->size), desc->lights.views[kind]);

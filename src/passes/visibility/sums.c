@@ -22,9 +22,9 @@ static bool init_programs(struct sums_pass *pass, const struct sums_desc *desc) 
                                   desc->terms, (desc->terms + 3) / 4, desc->count);
     bool ok = program_init(
                   &pass->rows_program,
-                  &(struct program_desc){.compute = "visibility/sum_rows.comp", .defines = rows}) &&
+                  &(struct program_desc){.compute = "passes/visibility/sum_rows.comp", .defines = rows}) &&
               program_init(&pass->columns_program,
-                           &(struct program_desc){.compute = "visibility/sum_columns.comp",
+                           &(struct program_desc){.compute = "passes/visibility/sum_columns.comp",
                                                   .defines = format});
     mem_free(format, rows);
     return ok;

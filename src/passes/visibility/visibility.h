@@ -41,7 +41,7 @@ struct visibility_inputs {
 /* No shader asks for more by ..._TRACED in one draw. */
 enum { RAYS_MAX = 32 };
 
-/* Defines for a shader that includes visibility/visibility.glsl; to be freed. */
+/* Defines for a shader that includes passes/visibility/visibility.glsl; to be freed. */
 char *visibility_defines(const struct visibility_desc *desc);
 
 /* Uploads the parameters, and adds them and the maps to what the pass binds. */

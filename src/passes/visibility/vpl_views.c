@@ -11,7 +11,7 @@
 bool vpl_views_pass_init(struct vpl_views_pass *pass, float near_clip) {
     *pass = (struct vpl_views_pass){.near_clip = near_clip};
     if (program_init(&pass->program,
-                     &(struct program_desc){.vertex = "visibility/vpl_views.vert"}) &&
+                     &(struct program_desc){.vertex = "passes/visibility/vpl_views.vert"}) &&
         buffer_init(&pass->views.buffer, "map views", MAP_VIEWS_MAX * sizeof(struct map_view),
                     NULL) &&
         buffer_init(&pass->params, "view parameters", sizeof(struct vpl_views_params), NULL))

@@ -12,12 +12,12 @@ bool distance_pass_init(struct distance_pass *pass, const struct volume *volume)
     char *own = volume_defines(volume);
     bool ok =
         program_init(&pass->neighbour_program,
-                     &(struct program_desc){.screen = {"volume/neighbours.frag"}, .defines = own});
+                     &(struct program_desc){.screen = {"passes/volume/neighbours.frag"}, .defines = own});
     for (int axis = 0; ok && axis < 3; axis++) {
         char *defines = mem_printf("%s;AXIS %d", own, axis);
         ok = program_init(
             &pass->programs[axis],
-            &(struct program_desc){.screen = {"volume/distance.frag"}, .defines = defines});
+            &(struct program_desc){.screen = {"passes/volume/distance.frag"}, .defines = defines});
         free(defines);
     }
     free(own);

@@ -13,10 +13,10 @@ static bool init_program(GLuint *program, const char *vertex, const struct volum
                          bool slides) {
     bool lit = volume->desc.channels == VOLUME_RADIANCE;
     char *own = volume_defines(volume);
-    char *defines = mem_printf("%s%s;POINT_LIGHT volume/point_%s.glsl",
+    char *defines = mem_printf("%s%s;POINT_LIGHT passes/volume/point_%s.glsl",
                                light_defines(false, lit && slides), own, lit ? "lit" : "unlit");
     bool ok = program_init(program, &(struct program_desc){.vertex = vertex,
-                                                           .fragment = "volume/inject.frag",
+                                                           .fragment = "passes/volume/inject.frag",
                                                            .defines = defines});
     mem_free(own, defines);
     return ok;
@@ -25,9 +25,9 @@ static bool init_program(GLuint *program, const char *vertex, const struct volum
 bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, bool reprojects,
                       bool slides) {
     *pass = (struct inject_pass){0};
-    bool ok = init_program(&pass->program, "volume/inject.vert", volume, slides) &&
+    bool ok = init_program(&pass->program, "passes/volume/inject.vert", volume, slides) &&
               (!reprojects ||
-               init_program(&pass->pixel_program, "volume/reproject.vert", volume, slides));
+               init_program(&pass->pixel_program, "passes/volume/reproject.vert", volume, slides));
     if (!ok)
         inject_pass_free(pass);
     return ok;

@@ -11,7 +11,7 @@ bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *v
     *pass = (struct reconstruct_pass){0};
     char *defines = volume_defines(volume);
     bool ok =
-        program_init(&pass->program, &(struct program_desc){.screen = {"volume/reconstruct.frag"},
+        program_init(&pass->program, &(struct program_desc){.screen = {"passes/volume/reconstruct.frag"},
                                                             .defines = defines}) &&
         irradiance_init(&pass->irradiance, "irradiance of the volume", GL_RGBA16F, width, height,
                         1);

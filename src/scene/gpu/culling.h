@@ -5,7 +5,7 @@
 #define SCENE_GPU_CULLING_H
 
 #include "scene/mesh/geometry.h"
-#include "shared/light.h"
+#include "shared/view.h"
 
 struct culling {
     float (*boxes)[2][3]; /* least and greatest corner, world */

@@ -29,7 +29,7 @@ static float part_of(float scaled) {
     return float_min(floorf(scaled), OPACITY_SIDE - 1);
 }
 
-/* As is_opaque of glsl/visibility/bvh.glsl [Gruen et al. 2020]. */
+/* As is_opaque of src/passes/visibility/bvh.glsl [Gruen et al. 2020]. */
 static bool is_opaque(const struct bvh_triangle *triangle, float u, float v) {
     float x = u * OPACITY_SIDE, y = v * OPACITY_SIDE, column = part_of(x), row = part_of(y);
     int turned = x - column + y - row > 1;

@@ -1,4 +1,4 @@
-/* Rays on the CPU through a tree of triangles: a few at load. Shaders have visibility/bvh.glsl, the path
+/* Rays on the CPU through a tree of triangles: a few at load. Shaders have passes/visibility/bvh.glsl, the path
  * tracer Embree (reference/scene/ray_scene.h).
  */
 #ifndef SCENE_MESH_BVH_RAY_H

@@ -2,7 +2,7 @@
  * the place to go on at where a ray misses it [Smits 1998, §3]. Boxes are rounded outwards to 16 bits a side of the
  * bounds, so that one texel has one.
  *
- * Texels of four numbers (glsl/visibility/bvh.glsl):
+ * Texels of four numbers (src/passes/visibility/bvh.glsl):
  *     0, 1      the header: where the bounds begin, and how many texels the boxes' end is; steps of a box a metre, and
  *               the clearance
  *     boxes     low and high sides, two to a number; STACKLESS_LEAF with the triangles' first texel and count, or where to

@@ -1,6 +1,6 @@
 // What the steps of pull and push have in common. Depths are the map's, and 1 where nothing is.
-#include "visibility/map_views.glsl"
-#include "visibility/paraboloid.glsl"
+#include "passes/visibility/map_views.glsl"
+#include "passes/visibility/paraboloid.glsl"
 #include "shared/splat.h"
 
 PASS_BLOCK(fill_params, 16)

@@ -1,6 +1,6 @@
 // A point's disk in an imperfect shadow map. Texels show it whose middle it covers.
 #include "lib/octahedral.glsl"
-#include "visibility/paraboloid.glsl"
+#include "passes/visibility/paraboloid.glsl"
 #include "shared/splat.h"
 
 PASS_BLOCK(splat_params, 32)

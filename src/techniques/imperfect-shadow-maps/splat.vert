@@ -1,7 +1,7 @@
 // Points into imperfect shadow maps: instance k draws the points of VPL first + k into layer k of the array.
 #extension GL_ARB_shader_viewport_layer_array : require
-#include "visibility/map_views.glsl"
-#include "visibility/paraboloid.glsl"
+#include "passes/visibility/map_views.glsl"
+#include "passes/visibility/paraboloid.glsl"
 #include "shared/splat.h"
 
 PASS_BLOCK(splat_params, 32)

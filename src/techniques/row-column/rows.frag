@@ -4,9 +4,9 @@
 
 PASS_BLOCK(gather_params, 64)
 
-#include "gather/geometry_term.glsl"
+#include "passes/gather/geometry_term.glsl"
 #include "lib/vpl_texels.glsl"
-#include "visibility/visibility.glsl"
+#include "passes/visibility/visibility.glsl"
 
 // The columns of the VPLs begin at x, those of the maps' pixels at y.
 layout(location = LOCATION_SLOT) uniform ivec4 first;

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* The right picture right of the split, or the difference, as glsl/inspect/screen.frag has them. */
+/* The right picture right of the split, or the difference, as src/inspect/screen.frag has them. */
 static void paste_right(struct bitmap *shown, const struct bitmap *right,
                         const struct screen_pictures *pictures) {
     for (int y = 0; y < shown->height; y++)

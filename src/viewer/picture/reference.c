@@ -19,7 +19,7 @@
 static bool init_gpu(struct reference *reference) {
     int width = reference->picture.width, height = reference->picture.height;
     return program_init(&reference->program,
-                        &(struct program_desc){.screen = {"picture/reference.frag"}}) &&
+                        &(struct program_desc){.screen = {"passes/picture/reference.frag"}}) &&
            texture_init(&reference->radiance, &(struct texture_desc){.label = "reference",
                                                                      .format = GL_RGBA32F,
                                                                      .width = width,

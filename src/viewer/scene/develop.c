@@ -65,7 +65,7 @@ float develop_exposure(const struct image *image) {
     return (float)(round(4 * fmin(fmax(ev, -30), 30)) / 4 + 0.); /* no -0 */
 }
 
-/* As glsl/picture/display.glsl has it. */
+/* As src/passes/picture/display.glsl has it. */
 static double filmic(double x) {
     double y = x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14);
     return fmin(fmax(y, 0), 1);

@@ -1,7 +1,0 @@
-// Depth of surfaces with holes.
-#include "picture/base_color.glsl"
-
-void main() {
-    if (base_color().a < material.alpha_cutoff)
-        discard;
-}

@@ -1,0 +1,13 @@
+// Marks in the scene: points and lines over its picture.
+#include "passes/lights/cluster_color.glsl"
+#include "lib/camera.glsl"
+#include "shared/inspect.h"
+
+PASS_BLOCK(mark_params, 32)
+
+// How strongly a VAL is drawn.
+float cluster_strength(int k) {
+    if (params.chosen < 0 || k == params.chosen)
+        return 1.0;
+    return params.only_chosen ? 0.0 : 0.25;
+}

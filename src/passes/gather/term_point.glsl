@@ -1,0 +1,24 @@
+// The term of a VPL as a point, bounded by CLAMP: near it the point light is no longer the patch that it stands for.
+#include "passes/gather/near_field.glsl"
+#include "passes/gather/patch.glsl"
+
+const bool TERM_OF_POINT = true;
+
+float light_term(int i, vec3 to_light, vec3 normal, vpl light) {
+    float distance2 = dot(to_light, to_light);
+    float cosines = max(dot(normal, to_light), 0.0) * max(-dot(light.normal, to_light), 0.0);
+    if (cosines <= 0.0)
+        return 0.0;
+#if CLAMP == GATHER_CLAMP_NONE
+    return cosines / (distance2 * distance2);
+#elif CLAMP == GATHER_CLAMP_VALUE // by gather_params
+    return min(cosines / (distance2 * distance2), params.clamp_at);
+#elif CLAMP == GATHER_CLAMP_DISK // facing the receiver
+    return cosines / (distance2 * (distance2 + light.area * 0.31830988618));
+#elif CLAMP == GATHER_CLAMP_PATCH
+    return patch_term(cosines, distance2, light.area);
+#else
+    float far = 1.0 - near_share(distance2, light.area, light.reach);
+    return cosines * far / (distance2 * distance2);
+#endif
+}

@@ -1,0 +1,73 @@
+// Direct light of one light, at the G-buffer. Who includes it says which share of the light arrives:
+#include "passes/gather/receiver_facet.glsl"
+#include "passes/visibility/lamp_panes.glsl"
+
+float arriving(surface s, light l, vec3 direction);
+
+layout(location = LOCATION_LIGHT) uniform int light_index;
+
+layout(location = TARGET_RESULT) out vec4 direct;
+#ifdef HAS_SPECULAR
+#include "lib/unshadowed_specular.glsl"
+#include "passes/visibility/pixel_spread.glsl"
+
+layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
+
+// The narrower side as an angle, rad.
+float angular_width(light l, float away) {
+    float width = l.shape == LIGHT_SHAPE_RECTANGLE ? min(l.width, l.height) : l.width;
+    return l.shape == LIGHT_SHAPE_CAP ? width : width / max(away, 1e-20);
+}
+
+// By the light's middle; where it shines from below the horizon, at the horizon.
+float diffuse_share(specular_surface seen, vec3 direction) {
+    float f0 = max(seen.f0.r, max(seen.f0.g, seen.f0.b)), cosine = max(-dot(seen.normal, direction), BRDF_LEAST_COSINE);
+    return let_through(f0, seen.f90.r, seen.alpha, cosine);
+}
+#endif
+
+// Whether the triangle is turned away from all of the light, of which nothing is farther from its middle than its sides.
+// A map tells only beyond its bias, so that what is round would be lit behind its horizon, in a strip.
+bool is_turned_away(surface s, ivec2 pixel, light l, vec3 to_light) {
+    vec3 facet = facet_of(s, pixel);
+    return is_behind_horizon(facet, to_light + facet * (0.5 * (l.width + l.height)));
+}
+
+void main() {
+    direct = vec4(0.0);
+#ifdef HAS_SPECULAR
+    specular = vec4(0.0);
+#endif
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    surface s = gbuffer_surface(pixel);
+    if (!s.present)
+        return;
+    light l = light_at(light_index);
+    vec3 to_light = l.position - s.position;
+    float distance2 = dot(to_light, to_light);
+    vec3 direction = l.type == LIGHT_TYPE_DIRECTIONAL ? l.direction : -to_light * inversesqrt(distance2);
+    float in_range = light_in_range(l, distance2);
+    float share = unshadowed(l, s.position, s.normal, direction, distance2) * in_range;
+    if (is_turned_away(s, pixel, l, l.type == LIGHT_TYPE_DIRECTIONAL ? -direction : to_light))
+        share = 0.0;
+#ifdef HAS_SPECULAR
+    if (share <= 0.0)
+        return;
+    float lit = arriving(s, l, direction);
+    specular_surface seen = gbuffer_specular(s, pixel);
+    specular_surface wide = widened(seen, angular_width(l, sqrt(distance2)), pixel);
+    vec3 reflected = unshadowed_specular(l, wide, s.position, direction, distance2) * widened_scale(seen, wide);
+    direct.rgb = l.radiance * (share * lit * diffuse_share(seen, direction));
+    specular.rgb = l.radiance * reflected * lit * in_range;
+#else
+    direct.rgb = l.radiance * (share > 0.0 ? share * arriving(s, l, direction) : 0.0);
+#endif
+    vec3 passes = lamp_passes(l, s, direction, distance2);
+#ifdef HAS_SLIDES
+    passes *= light_slide(l, direction);
+#endif
+    direct.rgb *= passes;
+#ifdef HAS_SPECULAR
+    specular.rgb *= passes;
+#endif
+}
