@@ -88,7 +88,7 @@
 #define UNIT_LOBE_ALBEDOS 49
 #define UNIT_TRIANGLE_ALBEDOS 50
 #define UNIT_PANES 51
-#define UNIT_SKY_PIECES 52 /* shared/sky_piece.h */
+#define UNIT_SKY_PIECES 52 /* shared/sky.h */
 #define UNIT_RSM_SPECULAR 53 /* as UNIT_RSM_DEPTH */
 #define UNIT_OWN 64
 

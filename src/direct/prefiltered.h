@@ -21,7 +21,7 @@ struct prefiltered {
 };
 
 struct prefiltered_desc {
-    int filter;                     /* FILTER_... of shared/lookup.h */
+    int filter;                     /* FILTER_... of shared/maps.h */
     int moments;                    /* 2 or 4; 0: none */
     int search_parts, shadow_parts; /* windows fall into so many cells a side */
     const char *defines;            /* more of them, each with a semicolon behind; or NULL */

@@ -26,7 +26,7 @@ struct frame {
     const struct light_block *light_block; /* of the emitters: what the buffer holds */
     struct light_layout layout;            /* of the lights' maps */
     const struct light_group *groups;      /* layout.groups of them; NULL for direct light */
-    const struct texture *sky_pieces;      /* of light samples (shared/sky_piece.h) */
+    const struct texture *sky_pieces;      /* of light samples (shared/sky.h) */
     const struct geometry *geometry; /* the scene's bounds and radius; for views of other lights */
     /* Of the camera's pixels: sample assignment (passes/picture/antialias.h), and edge samples
      * (lib/edge_sample.glsl). */

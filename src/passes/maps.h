@@ -5,7 +5,7 @@
 #include "gl/buffer.h"
 #include "gl/texture.h"
 
-/* Up to MAP_VIEWS_MAX paraboloid views (shared/map_view.h). */
+/* Up to MAP_VIEWS_MAX paraboloid views (shared/maps.h). */
 struct map_views {
     struct buffer buffer;
     int count;
@@ -28,14 +28,14 @@ struct light_maps {
 
 /* Summed area tables of what filters average over maps of depth: R32UI to RGBA32UI, a border of zeros and
  * then a texel for each of the map; texel (x, y) has the sums over all before column x and row y, modulo
- * 2^32 (shared/sums.h). One layer a map, of Fourier bases several. */
+ * 2^32 (shared/maps.h). One layer a map, of Fourier bases several. */
 struct sum_maps {
     struct texture sums;
     int size, count; /* of the maps: the texture is one texel larger */
 };
 
 /* Nearest and farthest depth in squares of a map of depth, RG32F; level l has squares of 2^(l + 1) texels,
- * the last of a row also what is left over (shared/depth_bounds.h). One layer a map. */
+ * the last of a row also what is left over (shared/maps.h). One layer a map. */
 struct depth_bounds {
     struct texture bounds;
     int size, count; /* of the maps */

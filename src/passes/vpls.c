@@ -59,7 +59,8 @@ void light_rays_add(struct pass_state *state, const struct light_rays *rays) {
 }
 
 const char *vpl_area_file(bool by_importance) {
-    return by_importance ? "passes/gather/vpl_area_by_importance.glsl" : "passes/gather/vpl_area_by_flux.glsl";
+    return by_importance ? "passes/gather/vpl_area_by_importance.glsl"
+                         : "passes/gather/vpl_area_by_flux.glsl";
 }
 
 void importance_map_add(struct pass_state *state, const struct importance_map *map) {

@@ -37,7 +37,7 @@ struct light_rays {
 
 void light_rays_add(struct pass_state *state, const struct light_rays *rays);
 
-/* A binary tree over VPLs (shared/vpl_tree.h), and the VPL that stands for each node, as many times as there are sets
+/* A binary tree over VPLs (shared/vpl.h), and the VPL that stands for each node, as many times as there are sets
  * of pixels: R32UI, a layer a set. */
 struct vpl_tree {
     struct texture nodes, representatives;

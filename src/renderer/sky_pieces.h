@@ -12,7 +12,7 @@
 /* Error: out of GPU memory. */
 bool sky_pieces_init(struct texture *pieces);
 
-/* Into renderer->sky_pieces, where its light samples have a sky: a row of each (shared/sky_piece.h), zeros of other lights. */
+/* Into renderer->sky_pieces, where its light samples have a sky: a row of each (shared/sky.h), zeros of other lights. */
 void sky_pieces_write(const struct renderer *renderer);
 
 #endif

@@ -218,7 +218,8 @@ static void test_link_errors(void **state) {
 static void test_programs(void **state) {
     (void)state;
     GLuint programs[3];
-    struct program_desc desc = {.vertex = "fullscreen.vert", .fragment = "passes/picture/depth_only.frag"};
+    struct program_desc desc = {.vertex = "fullscreen.vert",
+                                .fragment = "passes/picture/depth_only.frag"};
     check_ok("program", program_init(&programs[0], &desc));
     check_ok("program", program_init(&programs[1], &desc));
     desc.defines = "DIFFERENT 1";

@@ -8,54 +8,8 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-#include <sys/stat.h>
 
 enum { SIDE = 64, APART = 127 }; /* pixels of a picture of 8K, one in APART along each side */
-
-static const char *const libraries[] = {"lib/lattice.glsl", "lib/weighted_pick.glsl",
-                                        "passes/gather/representative.glsl", "shared/types.h",
-                                        "shared/bindings.h"};
-
-static const char body[] =
-    "#include \"passes/gather/representative.glsl\"\n"
-    "layout(local_size_x = 8, local_size_y = 8) in;\n"
-    "layout(std430, binding = 0) writeonly buffer numbers { float number[]; };\n"
-    "void main() {\n"
-    "    ivec2 at = ivec2(gl_GlobalInvocationID.xy);\n"
-    "    number[at.y * SIDE + at.x] = group_random(at * APART, 0.0);\n"
-    "}\n";
-
-static void copy_library(const char *folder, const char *name) {
-    static char text[1 << 15];
-    char from[256], to[640];
-    snprintf(from, sizeof from, "glsl/%s", name);
-    snprintf(to, sizeof to, "%s/%s", folder, name);
-    FILE *in = fopen(from, "r"), *out = fopen(to, "w");
-    assert_true(in && out);
-    size_t size = fread(text, 1, sizeof text, in);
-    assert_true(size < sizeof text && fwrite(text, 1, size, out) == size);
-    fclose(in);
-    assert_int_equal(fclose(out), 0);
-}
-
-static const char *write_shaders(void) {
-    static char folder[512];
-    static const char *const parts[] = {"", "/lib", "/gather", "/shared"};
-    char path[640];
-    snprintf(folder, sizeof folder, "%s", scratch("lattice_glsl"));
-    for (size_t i = 0; i < sizeof parts / sizeof *parts; i++) {
-        snprintf(path, sizeof path, "%s%s", folder, parts[i]);
-        mkdir(path, 0777);
-    }
-    for (size_t i = 0; i < sizeof libraries / sizeof *libraries; i++)
-        copy_library(folder, libraries[i]);
-    snprintf(path, sizeof path, "%s/numbers.comp", folder);
-    FILE *file = fopen(path, "w");
-    assert_true(file && fputs(body, file) >= 0 && fclose(file) == 0);
-    return folder;
-}
 
 static void read_numbers(float *numbers) {
     GLuint program;
@@ -64,10 +18,12 @@ static void read_numbers(float *numbers) {
     char defines[96];
     snprintf(defines, sizeof defines, "SIDE %d;APART %d;RECEIVERS 0;RECEIVERS_ADAPTIVE 1", SIDE,
              APART);
-    glsl_set_folder(write_shaders());
-    check_ok("numbers", program_init(&program, &(struct program_desc){.compute = "numbers.comp",
-                                                                      .defines = defines}) &&
-                            buffer_init(&buffer, "numbers", SIDE * SIDE * sizeof *numbers, NULL));
+    glsl_set_folder("glsl");
+    check_ok(
+        "numbers",
+        program_init(&program, &(struct program_desc){.compute = "../test/support/lattice.comp",
+                                                      .defines = defines}) &&
+            buffer_init(&buffer, "numbers", SIDE * SIDE * sizeof *numbers, NULL));
     glsl_set_folder(NULL);
     pass_begin(&untimed, &(struct pass_state){
                              .name = "numbers", .program = program, .storages = {{0, &buffer}}});

@@ -220,10 +220,10 @@ static void test_failures(void **state) {
     char output[256];
     char command[1200];
     const char *tree = scratch("tree");
-    snprintf(
-        command, sizeof command,
-        "rm -rf %s && mkdir -p %s/src && cp -r glsl %s && cp -r src/passes src/techniques src/direct src/inspect %s/src",
-        tree, tree, tree, tree);
+    snprintf(command, sizeof command,
+             "rm -rf %s && mkdir -p %s/src && cp -r glsl %s && cp -r src/passes src/techniques "
+             "src/direct src/inspect %s/src",
+             tree, tree, tree, tree);
     run_command(command, output, sizeof output);
     write_text(scratch("tree/src/passes/gather/gather.frag"), "void main() { nonsense }\n");
     glsl_set_folder(scratch("tree/glsl"));

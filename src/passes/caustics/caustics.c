@@ -44,8 +44,9 @@ static bool init_programs(struct caustics_pass *pass) {
     const char *medium = pass->desc.medium ? "HAS_MEDIUM" : NULL;
     const struct program_desc patch = {.vertex = "passes/caustics/patch.vert",
                                        .fragment = "passes/caustics/patch.frag"};
-    const struct program_desc splat = {
-        .vertex = "passes/caustics/splat.vert", .fragment = "passes/caustics/patch.frag", .defines = "SPLATS"};
+    const struct program_desc splat = {.vertex = "passes/caustics/splat.vert",
+                                       .fragment = "passes/caustics/patch.frag",
+                                       .defines = "SPLATS"};
     bool ok = init_ray_program(pass);
     if (ok && pass->desc.surface)
         ok = program_init(&pass->cell_program,

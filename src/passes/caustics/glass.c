@@ -93,9 +93,10 @@ static bool init_program(struct glass_pass *pass) {
     snprintf(defines, sizeof defines, "%s%s",
              light_defines(desc->medium, desc->scene->slide_count > 0),
              desc->sky ? "HAS_SKY;" : "");
-    return program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                               .fragment = "passes/caustics/glass.frag",
-                                                               .defines = defines});
+    return program_init(&pass->program,
+                        &(struct program_desc){.vertex = "fullscreen.vert",
+                                               .fragment = "passes/caustics/glass.frag",
+                                               .defines = defines});
 }
 
 bool glass_pass_init(struct glass_pass *pass, const struct glass_desc *desc) {

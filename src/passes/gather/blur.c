@@ -14,8 +14,9 @@
 static bool init_axis(struct blur_axis *axis, bool pack, bool specular) {
     char defines[40];
     snprintf(defines, sizeof defines, "PACK %d;SPECULAR_BLUR %d", pack, specular);
-    return program_init(&axis->program, &(struct program_desc){.screen = {"passes/gather/blur.frag"},
-                                                               .defines = defines}) &&
+    return program_init(
+               &axis->program,
+               &(struct program_desc){.screen = {"passes/gather/blur.frag"}, .defines = defines}) &&
            buffer_init(&axis->params, "blur parameters", sizeof(struct blur_params), NULL);
 }
 

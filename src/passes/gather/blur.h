@@ -32,8 +32,9 @@ struct blur_pass {
     struct blur_axis {
         GLuint program;
         struct buffer params;
-    } along_x, along_y;           /* where square, along_y alone, of all rows */
-    struct irradiance taps, half; /* RGBA32UI, src/passes/gather/blur_tap.glsl; half: not where square */
+    } along_x, along_y; /* where square, along_y alone, of all rows */
+    struct irradiance taps,
+        half; /* RGBA32UI, src/passes/gather/blur_tap.glsl; half: not where square */
     struct irradiance blurred;
 };
 

@@ -29,10 +29,11 @@ static const char *visibility_part(const struct gather_desc *desc) {
 }
 
 static char *parts(const struct gather_desc *desc) {
-    return mem_printf("GATHER_LIGHTS passes/gather/lights_%s.glsl;GATHER_LIGHT passes/gather/light_%s.glsl;"
-                      "GATHER_VISIBILITY %s",
-                      desc->cuts ? "cut" : "range", desc->specular ? "specular" : "diffuse",
-                      visibility_part(desc));
+    return mem_printf(
+        "GATHER_LIGHTS passes/gather/lights_%s.glsl;GATHER_LIGHT passes/gather/light_%s.glsl;"
+        "GATHER_VISIBILITY %s",
+        desc->cuts ? "cut" : "range", desc->specular ? "specular" : "diffuse",
+        visibility_part(desc));
 }
 
 static bool init_program(GLuint *program, const struct gather_desc *desc) {

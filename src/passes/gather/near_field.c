@@ -54,9 +54,9 @@ static bool init_programs(struct near_field_pass *pass) {
                                .defines = of_light,
                            }) &&
               program_init(&pass->program,
-                           &(struct program_desc){
-                               .screen = {"passes/gather/near_field.frag", .blended = true, .tiled = true},
-                               .defines = defines}) &&
+                           &(struct program_desc){.screen = {"passes/gather/near_field.frag",
+                                                             .blended = true, .tiled = true},
+                                                  .defines = defines}) &&
               (!pass->desc.adaptive ||
                program_init(&pass->adaptive_program,
                             &(struct program_desc){.vertex = "passes/gather/list_rows.vert",

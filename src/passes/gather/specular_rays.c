@@ -17,11 +17,11 @@ static bool init_program(struct specular_rays_pass *pass) {
                                light_defines(pass->desc.medium, pass->desc.slides),
                                lights->sky ? "HAS_SKY;" : "", pass->desc.later, lights->lights,
                                kinds, vpl_area_file(pass->desc.by_importance));
-    bool ok = program_init(
-        &pass->program, &(struct program_desc){
-                            .screen = {"passes/gather/specular_rays.frag", .blended = true, .tiled = true},
-                            .defines = defines,
-                        });
+    bool ok = program_init(&pass->program, &(struct program_desc){
+                                               .screen = {"passes/gather/specular_rays.frag",
+                                                          .blended = true, .tiled = true},
+                                               .defines = defines,
+                                           });
     free(defines);
     return ok;
 }

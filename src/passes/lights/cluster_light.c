@@ -10,8 +10,9 @@
 
 static bool init_light_program(GLuint *program, int form, bool rectangles) {
     char *defines = mem_printf("FORM %d;RECTANGLES %d", form, rectangles);
-    bool ok = program_init(
-        program, &(struct program_desc){.vertex = "passes/lights/cluster_light.vert", .defines = defines});
+    bool ok =
+        program_init(program, &(struct program_desc){.vertex = "passes/lights/cluster_light.vert",
+                                                     .defines = defines});
     free(defines);
     return ok;
 }

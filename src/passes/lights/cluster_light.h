@@ -13,7 +13,7 @@ struct frame;
 
 struct cluster_light_desc {
     int count; /* J */
-    int form;  /* LIGHT_FORM_... (shared/light_rectangle.h) */
+    int form;  /* LIGHT_FORM_... (shared/gather.h) */
 };
 
 struct cluster_light_pass {

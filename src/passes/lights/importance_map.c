@@ -25,23 +25,26 @@ static bool init_round(struct importance_map_pass *pass, int round) {
     char *defines = mem_printf("ROUND %d;%s%sVPL_CHOICE passes/lights/%s.glsl", round,
                                pass->desc.bounces > 1 ? "LATER;" : "",
                                pass->desc.sky_rays ? "SKY_RAYS;" : "", choices[round > 0]);
-    bool ok = program_init(&pass->candidate_programs[round],
-                           &(struct program_desc){.screen = {"passes/lights/importance_candidate.frag"},
-                                                  .defines = defines}) &&
-              program_init(&pass->add_programs[round],
-                           &(struct program_desc){.vertex = "passes/lights/importance_add.vert",
-                                                  .fragment = "passes/lights/point.frag",
-                                                  .defines = defines});
+    bool ok =
+        program_init(&pass->candidate_programs[round],
+                     &(struct program_desc){.screen = {"passes/lights/importance_candidate.frag"},
+                                            .defines = defines}) &&
+        program_init(&pass->add_programs[round],
+                     &(struct program_desc){.vertex = "passes/lights/importance_add.vert",
+                                            .fragment = "passes/lights/point.frag",
+                                            .defines = defines});
     free(defines);
     return ok;
 }
 
 static bool init_programs(struct importance_map_pass *pass) {
     return init_round(pass, 0) && init_round(pass, 1) &&
-           program_init(&pass->light_program,
-                        &(struct program_desc){.screen = {"passes/lights/importance_light.frag"}}) &&
-           program_init(&pass->density_program,
-                        &(struct program_desc){.screen = {"passes/lights/importance_density.frag"}});
+           program_init(
+               &pass->light_program,
+               &(struct program_desc){.screen = {"passes/lights/importance_light.frag"}}) &&
+           program_init(
+               &pass->density_program,
+               &(struct program_desc){.screen = {"passes/lights/importance_density.frag"}});
 }
 
 /* Numbers along both sides are powers of two, so that mip levels halve each tile. */

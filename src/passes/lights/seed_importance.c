@@ -5,7 +5,7 @@
 #include "passes/frame.h"
 #include "passes/targets.h"
 #include "passes/vpls.h"
-#include "shared/importance_map.h"
+#include "shared/seed_importance.h"
 
 static_assert(SEED_IMPORTANCE_SIDE == 1 << (SEED_IMPORTANCE_LEVELS - 1), "levels down to one cell");
 
@@ -17,8 +17,9 @@ static bool init_programs(struct seed_importance_pass *pass) {
     number.defines = "NUMBERS 1";
     return program_init(&pass->value_program, &value) &&
            program_init(&pass->number_program, &number) &&
-           program_init(&pass->seed_program,
-                        &(struct program_desc){.screen = {"passes/lights/seed_importance_warp.frag"}});
+           program_init(
+               &pass->seed_program,
+               &(struct program_desc){.screen = {"passes/lights/seed_importance_warp.frag"}});
 }
 
 static bool init_targets(struct seed_importance_pass *pass) {

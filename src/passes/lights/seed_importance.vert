@@ -2,9 +2,7 @@
 // [Prutkin 2012 §4; Ritschel et al. 2011]: its flux times the sum of bounded geometry terms with pixels that are even
 // over the picture. With NUMBERS it lands there with its number.
 #include "lib/vpl_texels.glsl"
-#include "shared/importance_map.h"
-
-PASS_BLOCK(seed_importance_params, 16)
+#include "shared/seed_importance.h"
 
 #if !NUMBERS
 #include "passes/lights/seen_pixel.glsl"

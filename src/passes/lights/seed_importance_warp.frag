@@ -2,9 +2,7 @@
 // greater [Clarberg et al. 2005]. From all of the light's domain down to a cell: its halves along u, then along v, are
 // stretched to their shares. -1 where the cell has no VPL.
 #include "passes/lights/take_half.glsl"
-#include "shared/importance_map.h"
-
-PASS_BLOCK(seed_importance_params, 16)
+#include "shared/seed_importance.h"
 
 layout(binding = UNIT_SEED_IMPORTANCE) uniform sampler2D importances; // with means over 2 x 2, 4 x 4 ... cells
 layout(binding = UNIT_VPL_NUMBERS) uniform sampler2D numbers;

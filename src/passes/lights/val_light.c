@@ -12,8 +12,9 @@ bool val_light_pass_init(struct val_light_pass *pass, const struct visibility_de
     *pass = (struct val_light_pass){.desc = *desc};
     char *defines = visibility_defines(desc);
     bool ok =
-        program_init(&pass->program, &(struct program_desc){.screen = {"passes/lights/val_light.frag"},
-                                                            .defines = defines}) &&
+        program_init(&pass->program,
+                     &(struct program_desc){.screen = {"passes/lights/val_light.frag"},
+                                            .defines = defines}) &&
         buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL);
     free(defines);
     if (!ok)

@@ -32,11 +32,11 @@ static bool init_programs(struct vpl_pass *pass) {
         pass->desc.sky_rays ? "SKY_RAYS;" : "", pass->desc.lobes ? "VPL_LOBES;" : "",
         pass->desc.by_importance ? "importance" : "flux");
     const struct program_desc vpl = {.vertex = "passes/lights/vpl.vert", .defines = vpl_defines};
-    bool ok =
-        program_init(&pass->program, &vpl) &&
-        program_init(&pass->sums_program, &(struct program_desc){.vertex = "passes/lights/vpl_sums.vert",
-                                                                 .fragment = "passes/lights/point.frag",
-                                                                 .defines = defines});
+    bool ok = program_init(&pass->program, &vpl) &&
+              program_init(&pass->sums_program,
+                           &(struct program_desc){.vertex = "passes/lights/vpl_sums.vert",
+                                                  .fragment = "passes/lights/point.frag",
+                                                  .defines = defines});
     mem_free(defines, vpl_defines);
     return ok;
 }

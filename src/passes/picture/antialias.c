@@ -35,12 +35,14 @@ static bool init_programs(struct antialias_pass *pass) {
                         &(struct program_desc){.vertex = "passes/picture/samples.vert",
                                                .fragment = "passes/picture/samples.frag",
                                                .defines = "MASKED"}) &&
-           program_init(&pass->edge_program,
-                        &(struct program_desc){.screen = {"passes/picture/edges.frag", .marks = true},
-                                               .defines = samples}) &&
-           program_init(&pass->assignment_program,
-                        &(struct program_desc){.screen = {"passes/picture/antialias.frag", .masked = true},
-                                               .defines = samples});
+           program_init(
+               &pass->edge_program,
+               &(struct program_desc){.screen = {"passes/picture/edges.frag", .marks = true},
+                                      .defines = samples}) &&
+           program_init(
+               &pass->assignment_program,
+               &(struct program_desc){.screen = {"passes/picture/antialias.frag", .masked = true},
+                                      .defines = samples});
 }
 
 static bool init_layers(const struct antialias_pass *pass, struct texture *texture,

@@ -56,10 +56,11 @@ static bool init_programs(struct composite_pass *pass) {
                              .fragment = "passes/picture/composite.frag",
                              .defines = centers,
                          })) &&
-           program_init(&pass->layer_program, &(struct program_desc){
-                                                  .screen = {"passes/picture/layer.frag", .blended = true},
-                                                  .defines = defines,
-                                              });
+           program_init(&pass->layer_program,
+                        &(struct program_desc){
+                            .screen = {"passes/picture/layer.frag", .blended = true},
+                            .defines = defines,
+                        });
 }
 
 bool composite_pass_init(struct composite_pass *pass, const struct composite_desc *desc) {

@@ -55,9 +55,10 @@ bool show_panes_pass_init(struct show_panes_pass *pass, const struct show_panes_
              desc->scatters ? "HAS_AIRLIGHT;" : "", desc->sky ? "HAS_SKY;" : "",
              desc->reflects ? "HAS_SURFACES;" : "",
              desc->reflects && desc->irradiance ? "HAS_IRRADIANCE;" : "");
-    if (program_init(&pass->program, &(struct program_desc){.vertex = "fullscreen.vert",
-                                                            .fragment = "passes/picture/show_panes.frag",
-                                                            .defines = defines}) &&
+    if (program_init(&pass->program,
+                     &(struct program_desc){.vertex = "fullscreen.vert",
+                                            .fragment = "passes/picture/show_panes.frag",
+                                            .defines = defines}) &&
         init_surfaces_program(pass) && init_targets(pass) &&
         buffer_init(&pass->params, "parameters of panes", sizeof(struct show_panes_params), NULL) &&
         caster_pool_acquire_tree(desc->casters, &pass->tree))

@@ -65,12 +65,12 @@ static bool init_drawing(struct basis_pass *pass) {
     first.colors[TARGET_BASIS_Z_SIN] = more.colors[TARGET_BASIS_Z_SIN] = &maps->z_sin;
     first.colors[TARGET_BASIS_Z] = &maps->z;
     char *defines = mem_printf("BASIS_TERMS %d", maps->terms);
-    bool ok =
-        program_init(&pass->program,
-                     &(struct program_desc){.screen = {"passes/visibility/basis.frag", .layers = true},
-                                            .defines = defines}) &&
-        init_mips(maps) && framebuffer_init(&pass->first_framebuffer, &first) &&
-        framebuffer_init(&pass->more_framebuffer, &more) && init_params(pass);
+    bool ok = program_init(
+                  &pass->program,
+                  &(struct program_desc){.screen = {"passes/visibility/basis.frag", .layers = true},
+                                         .defines = defines}) &&
+              init_mips(maps) && framebuffer_init(&pass->first_framebuffer, &first) &&
+              framebuffer_init(&pass->more_framebuffer, &more) && init_params(pass);
     free(defines);
     return ok;
 }

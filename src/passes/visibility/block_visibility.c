@@ -12,9 +12,9 @@
 static bool init_program(struct block_visibility_pass *pass) {
     char *defines = visibility_defines(&pass->desc.visibility);
     bool ok = program_init(
-        &pass->program,
-        &(struct program_desc){.screen = {"passes/visibility/block_visibility.frag", .layers = true},
-                               .defines = defines});
+        &pass->program, &(struct program_desc){
+                            .screen = {"passes/visibility/block_visibility.frag", .layers = true},
+                            .defines = defines});
     free(defines);
     return ok;
 }

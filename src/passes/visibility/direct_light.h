@@ -11,17 +11,18 @@ struct gbuffer;
 
 struct direct_light_desc {
     int width, height;
-    int map_size;         /* of a single view's map, or of a light's own, texels a side */
-    bool own_maps;        /* of lights (passes/visibility/light_map.glsl), not of their views */
-    float bias;           /* receiver offset along its normal, texels of the map */
-    float map_bias;       /* where distances are compared, of the distance */
-    float contact;        /* casters so near are compared one by one, of the distance */
-    float shift, gain;    /* struct lookup_params' */
-    bool specular;        /* the G-buffer has it: what is not diffuse goes to a target of its own */
-    bool medium;          /* frames have one */
-    bool slides;          /* lights may have some */
-    const char *fragment; /* with passes/visibility/direct_light.glsl; of one light, for each PROJECTION */
-    const char *defines;  /* for it, each with a semicolon behind */
+    int map_size;      /* of a single view's map, or of a light's own, texels a side */
+    bool own_maps;     /* of lights (passes/visibility/light_map.glsl), not of their views */
+    float bias;        /* receiver offset along its normal, texels of the map */
+    float map_bias;    /* where distances are compared, of the distance */
+    float contact;     /* casters so near are compared one by one, of the distance */
+    float shift, gain; /* struct lookup_params' */
+    bool specular;     /* the G-buffer has it: what is not diffuse goes to a target of its own */
+    bool medium;       /* frames have one */
+    bool slides;       /* lights may have some */
+    const char
+        *fragment; /* with passes/visibility/direct_light.glsl; of one light, for each PROJECTION */
+    const char *defines; /* for it, each with a semicolon behind */
 };
 
 enum { DIRECT_LIGHT_TEXTURES_MAX = 6 };

@@ -29,17 +29,18 @@ static bool init_programs(struct environment_lighting_pass *pass) {
     char *defines = mem_printf("SUNS %d;SHADOW_RAYS %d%s", pass->desc.suns, pass->desc.shadow_rays,
                                pass->desc.medium ? ";HAS_MEDIUM" : "");
     char *light_defines = mem_printf("%s%s", defines, pass->desc.specular ? ";HAS_SPECULAR" : "");
-    bool ok = program_init(&pass->share_program,
-                           &(struct program_desc){
-                               .screen = {"passes/visibility/sky_shares.frag", .layers = true}}) &&
-              program_init(
-                  &pass->block_program,
-                  &(struct program_desc){.screen = {"passes/visibility/sky_blocks.frag", .layers = true},
-                                         .defines = defines}) &&
-              program_init(&pass->light_program,
-                           &(struct program_desc){
-                               .screen = {"passes/visibility/environment_lighting.frag", .blended = true},
-                               .defines = light_defines});
+    bool ok =
+        program_init(&pass->share_program,
+                     &(struct program_desc){
+                         .screen = {"passes/visibility/sky_shares.frag", .layers = true}}) &&
+        program_init(
+            &pass->block_program,
+            &(struct program_desc){.screen = {"passes/visibility/sky_blocks.frag", .layers = true},
+                                   .defines = defines}) &&
+        program_init(&pass->light_program,
+                     &(struct program_desc){
+                         .screen = {"passes/visibility/environment_lighting.frag", .blended = true},
+                         .defines = light_defines});
     mem_free(defines, light_defines);
     return ok;
 }

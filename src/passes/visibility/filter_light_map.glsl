@@ -1,4 +1,4 @@
-// The filter of lights' own maps, by FILTER (shared/lookup.h).
+// The filter of lights' own maps, by FILTER (shared/maps.h).
 #if FILTER == FILTER_VSSM
 // Variance soft shadow maps [Dong 2011 ch. 7]: of what lies in a window mean and variance bound the part that is farther
 // than the receiver, by Chebyshev's inequality. It says nothing where the mean is farther: windows fall into cells, those

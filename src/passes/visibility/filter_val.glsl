@@ -1,4 +1,4 @@
-// The filter of VALs' maps, by FILTER (shared/lookup.h).
+// The filter of VALs' maps, by FILTER (shared/maps.h).
 #if FILTER == FILTER_HARD
 // A binary lookup in one texel.
 #include "passes/visibility/depth_maps.glsl"

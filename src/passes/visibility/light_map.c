@@ -9,10 +9,10 @@
 
 static bool init_program(struct light_map_pass *pass) {
     char *defines = mem_printf("MAP_SIZE %d", pass->maps.size);
-    bool ok =
-        program_init(&pass->program,
-                     &(struct program_desc){.screen = {"passes/visibility/light_map.frag", .layers = true},
-                                            .defines = defines});
+    bool ok = program_init(
+        &pass->program,
+        &(struct program_desc){.screen = {"passes/visibility/light_map.frag", .layers = true},
+                               .defines = defines});
     free(defines);
     return ok;
 }

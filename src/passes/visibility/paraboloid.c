@@ -24,14 +24,14 @@ static bool is_solid(enum caster_kind kind) {
 static bool init_program(GLuint *program, enum caster_kind kind, const char *defines) {
     char *own = mem_printf("%s%s%s", defines, is_long(kind) ? ";LONG" : "",
                            kind == CASTER_LONG_SOLID ? ";SOLID" : "");
-    bool ok = program_init(program,
-                           &(struct program_desc){
-                               .vertex = is_long(kind) ? "passes/visibility/paraboloid_long.vert"
-                                                       : "passes/visibility/paraboloid.vert",
-                               .geometry = is_long(kind) ? "passes/visibility/paraboloid_long.geom" : NULL,
-                               .fragment = "passes/visibility/paraboloid.frag",
-                               .defines = own,
-                           });
+    bool ok = program_init(
+        program, &(struct program_desc){
+                     .vertex = is_long(kind) ? "passes/visibility/paraboloid_long.vert"
+                                             : "passes/visibility/paraboloid.vert",
+                     .geometry = is_long(kind) ? "passes/visibility/paraboloid_long.geom" : NULL,
+                     .fragment = "passes/visibility/paraboloid.frag",
+                     .defines = own,
+                 });
     free(own);
     return ok;
 }

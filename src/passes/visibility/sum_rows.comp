@@ -4,7 +4,7 @@
 layout(binding = UNIT_MAP_DEPTH) uniform sampler2DArray depths;
 
 #ifdef BASIS_TERMS
-// The Fourier bases of a texel, in fixed point. Tables follow each other by shared/sums.h.
+// The Fourier bases of a texel, in fixed point. Tables follow each other by shared/maps.h.
 #include "passes/visibility/series_bases.glsl"
 
 uvec4 summed(ivec3 texel) {

@@ -20,9 +20,9 @@ static bool init_programs(struct sums_pass *pass, const struct sums_desc *desc) 
                      ? mem_printf("%s", format)
                      : mem_printf("%s;BASIS_TERMS %d;BASIS_GROUPS %d;MAP_COUNT %d", format,
                                   desc->terms, (desc->terms + 3) / 4, desc->count);
-    bool ok = program_init(
-                  &pass->rows_program,
-                  &(struct program_desc){.compute = "passes/visibility/sum_rows.comp", .defines = rows}) &&
+    bool ok = program_init(&pass->rows_program,
+                           &(struct program_desc){.compute = "passes/visibility/sum_rows.comp",
+                                                  .defines = rows}) &&
               program_init(&pass->columns_program,
                            &(struct program_desc){.compute = "passes/visibility/sum_columns.comp",
                                                   .defines = format});

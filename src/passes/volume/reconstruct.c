@@ -10,11 +10,11 @@ bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *v
                            int height) {
     *pass = (struct reconstruct_pass){0};
     char *defines = volume_defines(volume);
-    bool ok =
-        program_init(&pass->program, &(struct program_desc){.screen = {"passes/volume/reconstruct.frag"},
-                                                            .defines = defines}) &&
-        irradiance_init(&pass->irradiance, "irradiance of the volume", GL_RGBA16F, width, height,
-                        1);
+    bool ok = program_init(&pass->program,
+                           &(struct program_desc){.screen = {"passes/volume/reconstruct.frag"},
+                                                  .defines = defines}) &&
+              irradiance_init(&pass->irradiance, "irradiance of the volume", GL_RGBA16F, width,
+                              height, 1);
     free(defines);
     if (!ok)
         reconstruct_pass_free(pass);

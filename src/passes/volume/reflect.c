@@ -28,8 +28,9 @@ static bool init_targets(struct reflect_pass *pass, const struct volume *volume)
 bool reflect_pass_init(struct reflect_pass *pass, const struct volume *volume) {
     *pass = (struct reflect_pass){0};
     char *defines = volume_defines(volume);
-    bool ok = program_init(&pass->program, &(struct program_desc){.screen = {"passes/volume/reflect.frag"},
-                                                                  .defines = defines}) &&
+    bool ok = program_init(&pass->program,
+                           &(struct program_desc){.screen = {"passes/volume/reflect.frag"},
+                                                  .defines = defines}) &&
               init_targets(pass, volume);
     free(defines);
     if (!ok)
