@@ -7,14 +7,16 @@
 CC ?= cc
 CXX ?= c++
 PREFIX ?= /usr/local
-BUILD ?= build
+# Parts to build without: make WITHOUT="viewer lab techniques/lightcuts" (PARTS has all). It builds in a folder of its own.
+WITHOUT ?=
+BUILD ?= build$(if $(WITHOUT),/without-$(subst /,-,$(subst $(eval) ,-,$(strip $(WITHOUT)))))
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
 # Warnings are errors in CI alone: a newer compiler has more of them.
 WERROR ?=
 
 # The binary of the default build lies at the top; other builds keep theirs in their folder.
-BINARY ?= manylight
+BINARY ?= $(if $(WITHOUT),$(BUILD)/)manylight
 
 # The date stands in man pages.
 VERSION := 0.1
@@ -27,21 +29,22 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 
 # --- what it is made of ---------------------------------------------------------------------------
 
-# OpenImageIO reads and writes the pictures that smaller libraries do not. PICTURES=small leaves it out, VIEWER= the
-# viewer's window. `make bundle` sets both.
+# OpenImageIO reads and writes the pictures that smaller libraries do not. PICTURES=small leaves it out, for `make bundle`.
 PICTURES ?= openimageio
-VIEWER ?= yes
-# Of the viewer's files, the one that tests of files and fuzzers use.
-WITHOUT_WINDOW := src/viewer/scene/session.c
-LEFT_OUT := src/base/file/openimageio/% \
-    $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
+# What all else does without; the default technique and the baseline stay. Of the viewer stays the one file that tests of files and fuzzers use.
+TECHNIQUES := $(patsubst src/%/,%,$(sort $(wildcard src/techniques/*/)))
+PARTS := lab library viewer $(filter-out %/clustered %/unshadowed,$(TECHNIQUES))
+$(if $(filter-out $(PARTS),$(WITHOUT)),$(error WITHOUT takes $(PARTS)))
+FILES_OF_viewer := src/apps/view.c $(filter-out %/session.c,$(shell find src/viewer -name '*.c*'))
+LEFT_OUT := src/base/file/openimageio/% $(foreach part,$(WITHOUT),$(or $(FILES_OF_$(part)),src/$(part)/%))
+VIEWER := $(filter-out $(WITHOUT),viewer)
 
 # Floors are folders of src/, rooms folders of theirs, to any depth; src/main.c is no floor's. Shaders
 # that belong to one technique or direct method lie in its folder, all others in glsl/.
 SOURCES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.c')))
 BRIDGES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.cpp')))
-SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
-    $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl'))
+SHADERS := $(filter-out $(LEFT_OUT),$(sort $(shell find glsl -type f -name '[!.]*') \
+    $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl')))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
 SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials roughness plant courtyard hall vase ring pawns gem window
@@ -61,7 +64,7 @@ WARNINGS := -Wall -Wextra $(WERROR)
 # One set of objects serves the program and libmanylight.so. The bundle's tests use a library that shows all symbols.
 VISIBILITY ?= hidden
 LIBRARY_FLAGS := -fPIC -fvisibility=$(VISIBILITY)
-C_FLAGS = -std=c11 $(LIBRARY_FLAGS) -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
+C_FLAGS = -std=c11 $(LIBRARY_FLAGS) -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(LIBRARY_FLAGS) $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) $(if $(filter small,$(PICTURES)),,OpenImageIO) 2>/dev/null))
@@ -71,7 +74,7 @@ EMBREE := -lembree$(shell $(CC) -E -include embree4/rtcore.h -x c /dev/null >/de
 LIBS := $(if $(VIEWER),$(shell pkg-config --libs imgui glfw3 2>/dev/null)) $(PICTURE_LIBS) $(EMBREE) -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
 EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/bounds_embedded.o
-BOUNDS := $(sort $(wildcard src/techniques/*/bounds.csv))
+BOUNDS := $(filter-out $(LEFT_OUT),$(sort $(wildcard src/techniques/*/bounds.csv)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
 GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
@@ -111,7 +114,7 @@ $(PLUGIN_LINKS): | $(PLUGIN)
 	@mkdir -p $(@D)
 	@ln -srf $(PLUGIN) $@
 
-$(BUILD)/%.o: %.c | $(BUILD)/include/version.h $(BUILD)/include/sources.h
+$(BUILD)/%.o: %.c | $(BUILD)/include/version.h $(BUILD)/include/sources.h $(BUILD)/include/parts.h
 	@mkdir -p $(@D)
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c -o $@ $<
@@ -136,6 +139,14 @@ $(BUILD)/include/sources.h: FORCE
 	@mkdir -p $(@D)
 	@printf '#define MANYLIGHT_TRACER "%s"\n#define MANYLIGHT_SOURCES "%s"\n' \
 	    "$(call sum,src/reference src/scene)" "$(call sum,src glsl)" > $@.new
+	$(keep)
+
+# The parts of this build: IF_VIEWER(x) is x, or NULL without the viewer; TECHNIQUES lists the folders of techniques.
+$(BUILD)/include/parts.h: FORCE
+	@mkdir -p $(@D)
+	@{ $(foreach part,lab viewer,echo '#define IF_$(shell echo $(part) | tr a-z A-Z)(x) $(if $(filter $(part),$(WITHOUT)),NULL,x)';) \
+	   printf '#define TECHNIQUES(X)'; \
+	   printf ' X(%s)' $(subst -,_,$(notdir $(filter-out $(WITHOUT),$(TECHNIQUES)))); echo; } > $@.new
 	$(keep)
 FORCE:
 

@@ -88,7 +88,7 @@ BUNDLE_BUILD := build/bundle-parts
 
 bundle:
 	@test/install-packages $(BUNDLE_PACKAGES)
-	@$(MAKE) --no-print-directory bundle-parts PICTURES=small VIEWER= VISIBILITY=default BUILD=$(BUNDLE_BUILD) \
+	@$(MAKE) --no-print-directory bundle-parts PICTURES=small WITHOUT=viewer VISIBILITY=default BUILD=$(BUNDLE_BUILD) \
 	    BINARY=$(BUNDLE_BUILD)/manylight SCENE_FOLDER=$(BUNDLE_BUILD)/scenes/all \
 	    TEST_LIBRARY=$(BUNDLE_BUILD)/libmanylight.so CFLAGS="$(CFLAGS) -fno-semantic-interposition"
 	@bundle/pack $(BUNDLE_BUILD) $(BUNDLE)

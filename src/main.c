@@ -76,8 +76,12 @@ static int run(int argc, char **argv) {
         return 0;
     }
     const struct subcommand *named = subcommand_find(argv[1]);
-    if (named)
+    if (named && named->run)
         return named->run(argc - 1, argv + 1);
+    if (named) {
+        fprintf(stderr, "manylight: %s: this build is without it\n", named->name);
+        return 1;
+    }
     fprintf(stderr, "manylight: unknown subcommand '%s' (manylight --help lists them)\n", argv[1]);
     return 2;
 }
