@@ -7,16 +7,16 @@
 CC ?= cc
 CXX ?= c++
 PREFIX ?= /usr/local
-# Parts to build without: make WITHOUT="viewer lab techniques/lightcuts" (PARTS has all). It builds in a folder of its own.
+# Parts to build without, of PARTS: make WITHOUT="viewer lab techniques/lightcuts"
 WITHOUT ?=
-BUILD ?= build$(if $(WITHOUT),/without-$(subst /,-,$(subst $(eval) ,-,$(strip $(WITHOUT)))))
+BUILD ?= build
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
 # Warnings are errors in CI alone: a newer compiler has more of them.
 WERROR ?=
 
 # The binary of the default build lies at the top; other builds keep theirs in their folder.
-BINARY ?= $(if $(WITHOUT),$(BUILD)/)manylight
+BINARY ?= manylight
 
 # The date stands in man pages.
 VERSION := 0.1
@@ -31,11 +31,13 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 
 # OpenImageIO reads and writes the pictures that smaller libraries do not. PICTURES=small leaves it out, for `make bundle`.
 PICTURES ?= openimageio
-# What all else does without; the default technique and the baseline stay. Of the viewer stays the one file that tests of files and fuzzers use.
+# What all else does without. The default technique, the baseline and their refinement stay, and of the viewer the one
+# file that tests of files and fuzzers use.
 TECHNIQUES := $(patsubst src/%/,%,$(sort $(wildcard src/techniques/*/)))
-PARTS := lab library viewer $(filter-out %/clustered %/unshadowed,$(TECHNIQUES))
+PARTS := lab library video viewer $(filter-out %/clustered %/instant-radiosity %/unshadowed,$(TECHNIQUES))
 $(if $(filter-out $(PARTS),$(WITHOUT)),$(error WITHOUT takes $(PARTS)))
 FILES_OF_viewer := src/apps/view.c $(filter-out %/session.c,$(shell find src/viewer -name '*.c*'))
+FILES_OF_video := src/base/file/video_file.c
 LEFT_OUT := src/base/file/openimageio/% $(foreach part,$(WITHOUT),$(or $(FILES_OF_$(part)),src/$(part)/%))
 VIEWER := $(filter-out $(WITHOUT),viewer)
 
@@ -86,7 +88,7 @@ PLUGIN_NAME := libmanylight-openimageio.so
 PLUGIN := $(BUILD)/openimageio/$(PLUGIN_NAME)
 PLUGIN_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard src/base/file/openimageio/*.cpp)))
 PLUGIN_LINKS := $(addsuffix /$(PLUGIN_NAME),$(sort $(patsubst %/,%,$(dir $(BINARY))) \
-    $(BUILD) $(BUILD)/lib $(BUILD)/test $(GUESTS) $(BUILD)/scenes))
+    $(BUILD) $(BUILD)/check $(BUILD)/lib $(BUILD)/test $(GUESTS) $(BUILD)/scenes))
 PLUGINS := $(if $(filter small,$(PICTURES)),,$(PLUGIN) $(PLUGIN_LINKS))
 
 .PHONY: all demo deps install uninstall clean FORCE
@@ -99,10 +101,10 @@ $(BINARY): $(MAIN_OBJECT) $(LIBRARY) | $(PLUGINS)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
-$(LIBRARY): $(OBJECTS)
+$(LIBRARY): $(OBJECTS) $(BUILD)/include/parts.h
 	@rm -f $@
 	$(say) AR $@
-	$(Q)ar rcs $@ $^
+	$(Q)ar rcs $@ $(OBJECTS)
 
 $(PLUGIN): $(PLUGIN_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)
@@ -144,7 +146,7 @@ $(BUILD)/include/sources.h: FORCE
 # The parts of this build: IF_VIEWER(x) is x, or NULL without the viewer; TECHNIQUES lists the folders of techniques.
 $(BUILD)/include/parts.h: FORCE
 	@mkdir -p $(@D)
-	@{ $(foreach part,lab viewer,echo '#define IF_$(shell echo $(part) | tr a-z A-Z)(x) $(if $(filter $(part),$(WITHOUT)),NULL,x)';) \
+	@{ $(foreach part,lab video viewer,echo '#define IF_$(shell echo $(part) | tr a-z A-Z)(x) $(if $(filter $(part),$(WITHOUT)),NULL,x)';) \
 	   printf '#define TECHNIQUES(X)'; \
 	   printf ' X(%s)' $(subst -,_,$(notdir $(filter-out $(WITHOUT),$(TECHNIQUES)))); echo; } > $@.new
 	$(keep)
@@ -175,7 +177,7 @@ $(BUILD)/glsl_embedded.c $(GUESTS)/glsl_embedded.c: $(BUILD)/shaders.list Makefi
 	   echo '{0, 0}};'; } > $@
 
 # The rows of all techniques, each behind the technique's name.
-$(BUILD)/bounds_embedded.c: $(BOUNDS) Makefile
+$(BUILD)/bounds_embedded.c: $(BOUNDS) $(BUILD)/include/parts.h Makefile
 	@mkdir -p $(@D)
 	@{ echo 'extern const char failure_bounds[];'; echo 'const char failure_bounds[] ='; \
 	   awk '{ sub(".*techniques/", "", FILENAME); sub("/.*", "", FILENAME); print FILENAME "," $$0 }' $(BOUNDS) | \
