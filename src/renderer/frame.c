@@ -5,6 +5,9 @@
 #include "renderer/caustics.h"
 #include "renderer/views.h"
 #include "shared/composite.h"
+#include "techniques/volume.h"
+
+#include "parts.h"
 
 #include <assert.h>
 #include <math.h>
@@ -347,6 +350,15 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
         output_add(outputs,
                    &(struct output){"irradiance", "after the blur, before the surfaces' colours",
                                     OUTPUT_IRRADIANCE, irradiance});
-    output_add(outputs, &(struct output){"ao", "ambient occlusion by voxels: nothing near is white",
-                                         OUTPUT_AO, renderer});
+    const struct drawn_output *ao = IF_VOLUME(&renderer_drawn_ao);
+    if (ao)
+        output_add(outputs,
+                   &(struct output){"ao", "ambient occlusion by voxels: nothing near is white",
+                                    OUTPUT_AO, ao});
+}
+
+float renderer_ao_distance(const struct settings *settings, const struct geometry *geometry) {
+    float (*distance)(const struct settings *, const struct geometry *) =
+        IF_VOLUME(volume_ao_distance);
+    return distance ? distance(settings, geometry) : 0;
 }

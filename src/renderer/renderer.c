@@ -10,6 +10,9 @@
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "techniques/many_lights.h"
+#include "techniques/volume.h"
+
+#include "parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -365,6 +368,12 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     return false;
 }
 
+static void forget_ambient_occlusion(struct renderer *renderer) {
+    void (*forget)(struct renderer *) = IF_VOLUME(renderer_forget_ambient_occlusion);
+    if (forget)
+        forget(renderer);
+}
+
 static void free_parts(struct renderer *renderer) {
     struct refining *refining = &renderer->refining;
     gbuffer_free(&renderer->gbuffer);
@@ -386,7 +395,7 @@ static void free_parts(struct renderer *renderer) {
 
 void renderer_free(struct renderer *renderer) {
     free_parts(renderer);
-    renderer_forget_ambient_occlusion(renderer);
+    forget_ambient_occlusion(renderer);
     timers_free(&renderer->timers);
     scene_gpu_free(&renderer->scene);
     texture_free(&renderer->sky_pieces);
@@ -436,8 +445,9 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc,
                              .composite.desc = renderer->composite.desc};
     bool ok = init_parts(&fresh, parts) && resize_parts(renderer, desc, ~parts);
     if (ok) {
-        if (parts || !settings_same(&desc->settings, &renderer->desc.settings, &volume_part))
-            renderer_forget_ambient_occlusion(renderer);
+        const struct settings_part *volume = IF_VOLUME(&volume_part);
+        if (parts || (volume && !settings_same(&desc->settings, &renderer->desc.settings, volume)))
+            forget_ambient_occlusion(renderer);
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
         renderer->plan = *plan;

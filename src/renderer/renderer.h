@@ -21,7 +21,6 @@
 #include "scene/camera_range.h"
 #include "scene/gpu/caster_pool.h"
 #include "techniques/technique.h"
-#include "techniques/volume.h"
 
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
 extern const char *const shown_layer_names[];
@@ -171,10 +170,10 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
 
 /* Draws the ambient occlusion of what the last frame shows, by the settings volume.*: R = the open fraction, A = 0 where it
  * is not known. The renderer's until the next change. NULL: an error, out of GPU memory or a shader. */
-const struct texture *renderer_ambient_occlusion(struct renderer *renderer);
+const struct irradiance *renderer_ambient_occlusion(struct renderer *renderer);
 
-/* Before anything is drawn. Error: ambient_occlusion_check's. */
-bool renderer_check_ambient_occlusion(const struct renderer *renderer);
+/* How far it looks, metres; 0: this build has none. */
+float renderer_ao_distance(const struct settings *settings, const struct geometry *geometry);
 
 struct contribution renderer_contribution(const struct renderer *renderer);
 /* As the settings have it, EV. */

@@ -9,6 +9,9 @@
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "techniques/many_lights.h"
+#include "techniques/volume.h"
+
+#include "parts.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -46,6 +49,9 @@ void renderer_settings_init(struct settings *settings) {
         add_parts(settings, (*t)->parts);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         add_parts(settings, (*d)->parts);
+    const struct settings_part *volume = IF_VOLUME(&volume_part);
+    if (volume) /* of ambient occlusion, whatever the technique */
+        settings_add(settings, volume);
     settings_add(settings, &sky_part);
     settings_add(settings, &material_part);
     settings_add(settings, &medium_part);

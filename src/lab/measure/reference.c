@@ -13,7 +13,6 @@
 #include "scene/hash.h"
 #include "scene/material.h"
 #include "scene/medium.h"
-#include "techniques/volume.h"
 
 #include "sources.h"
 
@@ -32,7 +31,7 @@ static int materials_of(const struct measure_desc *desc) {
 }
 
 static float ao_distance_of(const struct measure_desc *desc) {
-    return volume_ao_distance(&desc->settings, &desc->stage->geometry);
+    return renderer_ao_distance(&desc->settings, &desc->stage->geometry);
 }
 
 static struct medium medium_shown(const struct measure_desc *desc) {

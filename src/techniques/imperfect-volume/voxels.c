@@ -1,4 +1,4 @@
-#include "inspect/voxels.h"
+#include "techniques/imperfect-volume/voxels.h"
 
 #include "gl/program.h"
 #include "passes/frame.h"

@@ -1,6 +1,6 @@
 /* A volume's voxels as the camera sees them: the radiosity of the first occupied voxel at each pixel. */
-#ifndef INSPECT_VOXELS_H
-#define INSPECT_VOXELS_H
+#ifndef TECHNIQUES_IMPERFECT_VOLUME_VOXELS_H
+#define TECHNIQUES_IMPERFECT_VOLUME_VOXELS_H
 
 #include "passes/targets.h"
 #include "techniques/volume.h"
@@ -9,7 +9,6 @@ struct voxel_view {
     GLuint program;
     char *defines; /* what the program is made for */
     struct irradiance picture;
-    unsigned frame; /* of its renderer, that the picture is of; 0: none */
 };
 
 /* For a volume of radiance. Error: GPU memory, shader; it is then zeroed. */
