@@ -317,19 +317,6 @@ static void test_odd_names(void **state) {
 
 /* --- the other modes -------------------------------------------------------------------------- */
 
-static void test_scaling(void **state) {
-    (void)state;
-    check_runs("scaling scenes/cornell-box.glb --size 24x16 --frames 1 --variant fast "
-               "--set map-size=16 --set rsm-size=64 --set shadow-size=64 -q");
-    expect_text("  cornell-box      fast               pixels   slope ");
-    expect_text("  24: ");
-    expect_text("  384: ");
-    expect_text("  cornell-box      fast               N        slope ");
-    expect_text("  4096: ");
-    expect_text("  cornell-box      fast               M        slope ");
-    expect_text("  all scenes       fast               faces    slope  0.00 :  36: ");
-}
-
 /* The number in a column of the row that begins so, in a text; columns count from 0. */
 static double number_of(const char *text, const char *row, int column) {
     const char *at = strstr(text, row);
@@ -455,8 +442,8 @@ static void test_vpl_raytraced(void **state) {
 
 static void test_help(void **state) {
     (void)state;
-    static const char *const modes[] = {"times",    "sweep",    "scaling", "budget",   "curves",
-                                        "temporal", "failures", "direct",  "caustics", "quality"};
+    static const char *const modes[] = {"times",    "sweep",  "budget",   "curves", "temporal",
+                                        "failures", "direct", "caustics", "quality"};
     check_runs("--help");
     enum { MODES = sizeof modes / sizeof *modes };
     for (int i = 0; i < MODES; i++)
@@ -519,7 +506,6 @@ int main(void) {
         cmocka_unit_test(test_refusals),
         cmocka_unit_test(test_times_by_light),
         cmocka_unit_test(test_ambient_occlusion),
-        cmocka_unit_test(test_scaling),
         cmocka_unit_test(test_vpl_raytraced),
         cmocka_unit_test(test_quality_closer),
     };

@@ -38,15 +38,8 @@ static void test_summary(void **state) {
     check_near("p95 of one", summary.p95, 7, 0);
 }
 
-static void test_slope(void **state) {
+static void test_interpolation(void **state) {
     (void)state;
-    double x[] = {1, 10, 100}, cube[3], constant[] = {7, 7, 7};
-    for (int i = 0; i < 3; i++)
-        cube[i] = 5 * x[i] * x[i] * x[i];
-    check_near("slope of a cube", log_slope(x, cube, 3), 3, 1e-9);
-    check_near("slope of a constant", log_slope(x, constant, 3), 0, 1e-9);
-    check_near("slope of a point", log_slope(x, cube, 1), 0, 0);
-
     /* y = 8 / sqrt x, then up and down again. */
     const double at[] = {1, 4, 64, 256, 512}, error[] = {8, 4, 1, 4, .5};
     check_near("on a power law", log_interpolate(at, error, 5, 2), 16, 1e-9);
@@ -401,7 +394,7 @@ static void test_odd_panels(void **state) {
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_panels),         cmocka_unit_test(test_odd_panels),
-        cmocka_unit_test(test_summary),        cmocka_unit_test(test_slope),
+        cmocka_unit_test(test_summary),        cmocka_unit_test(test_interpolation),
         cmocka_unit_test(test_grids),          cmocka_unit_test(test_grid_refusals),
         cmocka_unit_test(test_subjects),       cmocka_unit_test(test_reference_names),
         cmocka_unit_test(test_matt_reference), cmocka_unit_test(test_same_reference),

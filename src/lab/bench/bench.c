@@ -15,8 +15,8 @@
 #include <unistd.h>
 
 const struct bench_mode *const bench_modes[] = {
-    &bench_times,   &bench_sweep,    &bench_scaling,  &bench_budget, &bench_curves,   &bench_passes,
-    &bench_quality, &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, NULL,
+    &bench_times,    &bench_sweep,    &bench_budget, &bench_curves,   &bench_passes, &bench_quality,
+    &bench_temporal, &bench_failures, &bench_direct, &bench_caustics, NULL,
 };
 
 const char *const bench_variants[] = {"paper", "fast", NULL};

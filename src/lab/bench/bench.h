@@ -65,8 +65,8 @@ struct bench_mode {
     bool (*judge)(struct bench *bench);  /* after --csv is written; NULL = nothing can be wrong */
 };
 
-extern const struct bench_mode bench_times, bench_sweep, bench_scaling, bench_budget, bench_curves,
-    bench_passes, bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics;
+extern const struct bench_mode bench_times, bench_sweep, bench_budget, bench_curves, bench_passes,
+    bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics;
 
 /* Ends with NULL. */
 extern const struct bench_mode *const bench_modes[];
