@@ -34,12 +34,13 @@ PICTURES ?= openimageio
 # What all else does without. The default technique, the baseline and their refinement stay, and of the viewer the one
 # file that tests of files and fuzzers use.
 TECHNIQUES := $(patsubst src/%/,%,$(sort $(wildcard src/techniques/*/)))
-PARTS := lab library video viewer volume $(filter-out %/clustered %/instant-radiosity %/unshadowed,$(TECHNIQUES))
+PARTS := caustics lab library video viewer volume $(filter-out %/clustered %/instant-radiosity %/unshadowed,$(TECHNIQUES))
 $(if $(filter-out $(PARTS),$(WITHOUT)),$(error WITHOUT takes $(PARTS)))
 FILES_OF_viewer := src/apps/view.c $(filter-out %/session.c,$(shell find src/viewer -name '*.c*'))
 FILES_OF_volume := src/passes/volume/% src/passes/volumes.c src/passes/volume_points.c src/techniques/volume.c \
     src/techniques/volume_box.c src/techniques/imperfect-volume/% src/renderer/ambient_occlusion.c glsl/volume/% \
     glsl/inspect/voxels.frag
+FILES_OF_caustics := src/passes/caustics/% src/renderer/caustics_passes.c glsl/caustics/%
 FILES_OF_video := src/base/file/video_file.c
 LEFT_OUT := src/base/file/openimageio/% $(foreach part,$(WITHOUT),$(or $(FILES_OF_$(part)),src/$(part)/%))
 VIEWER := $(filter-out $(WITHOUT),viewer)
@@ -146,10 +147,10 @@ $(BUILD)/include/sources.h: FORCE
 	    "$(call sum,src/reference src/scene)" "$(call sum,src glsl)" > $@.new
 	$(keep)
 
-# The parts of this build: IF_VIEWER(x) is x, or NULL without the viewer; TECHNIQUES lists the folders of techniques.
+# The parts of this build: IF_VIEWER(a, b) is a, or b without the viewer; TECHNIQUES lists the folders of techniques.
 $(BUILD)/include/parts.h: FORCE
 	@mkdir -p $(@D)
-	@{ $(foreach part,lab video viewer volume,echo '#define IF_$(shell echo $(part) | tr a-z A-Z)(x) $(if $(filter $(part),$(WITHOUT)),NULL,x)';) \
+	@{ $(foreach part,caustics lab video viewer volume,echo '#define IF_$(shell echo $(part) | tr a-z A-Z)(yes, no) $(if $(filter $(part),$(WITHOUT)),no,yes)';) \
 	   printf '#define TECHNIQUES(X)'; \
 	   printf ' X(%s)' $(subst -,_,$(notdir $(filter-out $(WITHOUT) $(if $(filter volume,$(WITHOUT)),%/imperfect-volume),$(TECHNIQUES)))); echo; } > $@.new
 	$(keep)

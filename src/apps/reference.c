@@ -1,6 +1,6 @@
 /* manylight reference: the path-traced reference; or what the GPU's VPLs would make of it if their
  * visibility were exact. */
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
 #include "apps/options.h"

@@ -1,22 +1,20 @@
 #include "apps/subcommands.h"
 
-#include "apps/apps.h"
-
 #include "parts.h"
 
 #include <string.h>
 
 const struct subcommand subcommands[] = {
     {"average", "joins pictures of different passes", app_average},
-    {"bench", "measures times, errors and memory", IF_LAB(app_bench)},
+    {"bench", "measures times, errors and memory", IF_LAB(app_bench, NULL)},
     {"compare", "measures the error between two pictures", app_compare},
-    {"export", "writes a scene for other renderers: a pack, Mitsuba 3", IF_LAB(app_export)},
+    {"export", "writes a scene for other renderers: a pack, Mitsuba 3", IF_LAB(app_export, NULL)},
     {"info", "describes a scene, or the renderer of this machine", app_info},
-    {"manual", "writes man pages, and completions for bash", IF_LAB(app_manual)},
+    {"manual", "writes man pages, and completions for bash", IF_LAB(app_manual, NULL)},
     {"render", "renders pictures without a window", app_render},
     {"score", "scores a folder of pictures against references, and names their faults",
-     IF_LAB(app_score)},
-    {"view", "shows a scene in a window", IF_VIEWER(app_view)},
+     IF_LAB(app_score, NULL)},
+    {"view", "shows a scene in a window", IF_VIEWER(app_view, NULL)},
     {"reference", "path-traces a scene on the CPU", app_reference},
     {NULL, NULL, NULL},
 };

@@ -1,5 +1,6 @@
 #include "renderer/renderer.h"
 
+#include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "renderer/caustics.h"
@@ -199,7 +200,9 @@ static bool init_airlight(struct renderer *renderer) {
 }
 
 static bool init_caustics(struct renderer *renderer) {
-    return renderer_init_caustics(renderer, scatters(&renderer->desc));
+    return !renderer_has_caustics(&renderer->desc) ||
+           IF_CAUSTICS(renderer_init_caustics(renderer, scatters(&renderer->desc)),
+                       error_set("caustics: this build is without (caustics.surface=off)"));
 }
 
 static bool init_gbuffer(struct renderer *renderer) {
@@ -260,7 +263,8 @@ static const struct part_row {
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
     {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
     {PART_AIRLIGHT, MEMBERS(airlight, airlight), init_airlight, resize_airlight},
-    {PART_CAUSTICS, MEMBERS(caustics, glass), init_caustics, renderer_resize_caustics},
+    {PART_CAUSTICS, MEMBERS(caustics, caustics), init_caustics,
+     IF_CAUSTICS(renderer_resize_caustics, NULL)},
     {PART_MEAN, MEMBERS(refining.centers, refining.mean), init_mean, NULL},
     {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
 };
@@ -368,12 +372,6 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     return false;
 }
 
-static void forget_ambient_occlusion(struct renderer *renderer) {
-    void (*forget)(struct renderer *) = IF_VOLUME(renderer_forget_ambient_occlusion);
-    if (forget)
-        forget(renderer);
-}
-
 static void free_parts(struct renderer *renderer) {
     struct refining *refining = &renderer->refining;
     gbuffer_free(&renderer->gbuffer);
@@ -381,8 +379,7 @@ static void free_parts(struct renderer *renderer) {
     antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
     airlight_free(&renderer->airlight);
-    caustics_pass_free(&renderer->caustics);
-    glass_pass_free(&renderer->glass);
+    IF_CAUSTICS(renderer_free_caustics(renderer), (void)0);
     if (renderer->technique)
         renderer->technique->free(renderer->technique_state);
     if (renderer->direct)
@@ -395,7 +392,7 @@ static void free_parts(struct renderer *renderer) {
 
 void renderer_free(struct renderer *renderer) {
     free_parts(renderer);
-    forget_ambient_occlusion(renderer);
+    IF_VOLUME(renderer_forget_ambient_occlusion(renderer), (void)0);
     timers_free(&renderer->timers);
     scene_gpu_free(&renderer->scene);
     texture_free(&renderer->sky_pieces);
@@ -445,9 +442,9 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc,
                              .composite.desc = renderer->composite.desc};
     bool ok = init_parts(&fresh, parts) && resize_parts(renderer, desc, ~parts);
     if (ok) {
-        const struct settings_part *volume = IF_VOLUME(&volume_part);
-        if (parts || (volume && !settings_same(&desc->settings, &renderer->desc.settings, volume)))
-            forget_ambient_occlusion(renderer);
+        if (parts ||
+            IF_VOLUME(!settings_same(&desc->settings, &renderer->desc.settings, &volume_part), 0))
+            IF_VOLUME(renderer_forget_ambient_occlusion(renderer), (void)0);
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
         renderer->plan = *plan;

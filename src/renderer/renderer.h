@@ -10,8 +10,6 @@
 #include "direct/direct.h"
 #include "direct/environment.h"
 #include "lights/light_samples.h"
-#include "passes/caustics/caustics.h"
-#include "passes/caustics/glass.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
@@ -70,12 +68,14 @@ struct renderer {
     void *technique_state;
     const struct direct_method *direct; /* desc.direct, or with it environment_direct */
     void *direct_state;
-    struct airlight airlight;      /* of a medium; zeroed without one */
-    struct caustics_pass caustics; /* zeroed where they are not shown */
-    struct glass_pass glass;       /* likewise */
-    struct geometry *glass_view;   /* NULL without caustics: renderer/caustics.h */
-    bool lights_drawn;             /* what depends on no camera is that of desc */
-    int pass;                      /* that the last frame was: 0 = the first, or the only one */
+    struct airlight airlight; /* of a medium; zeroed without one */
+    struct caustics_part {    /* zeroed where they are not shown: renderer/caustics.h */
+        struct caustics_passes *passes;
+        const struct texture *surface, *volume; /* NULL: the picture has none */
+    } caustics;
+    struct geometry *glass_view; /* NULL without caustics */
+    bool lights_drawn;           /* what depends on no camera is that of desc */
+    int pass;                    /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
     struct refining {
         const struct technique *technique; /* of passes after the first; NULL: the renderer's own */

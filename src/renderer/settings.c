@@ -49,9 +49,8 @@ void renderer_settings_init(struct settings *settings) {
         add_parts(settings, (*t)->parts);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         add_parts(settings, (*d)->parts);
-    const struct settings_part *volume = IF_VOLUME(&volume_part);
-    if (volume) /* of ambient occlusion, whatever the technique */
-        settings_add(settings, volume);
+    /* Of ambient occlusion, whatever the technique. */
+    IF_VOLUME(settings_add(settings, &volume_part), (void)0);
     settings_add(settings, &sky_part);
     settings_add(settings, &material_part);
     settings_add(settings, &medium_part);

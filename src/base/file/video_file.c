@@ -29,11 +29,11 @@ static const struct container *find_container(const char *path) {
     return NULL;
 }
 
-static bool has_extension(const char *path) {
+bool video_file_is(const char *path) {
     return find_container(path) != NULL;
 }
 
-static bool check(const char *path) {
+bool video_file_check(const char *path) {
     return shell_has("ffmpeg") ||
            error_set("%s: videos need ffmpeg, which is not installed; without it write numbered "
                      "pictures: -o frame.####.png",
@@ -118,11 +118,11 @@ static int wait_for(struct video_file *video) {
 
 /* --- a video ---------------------------------------------------------------------------------- */
 
-static bool begin_video(struct video_file *video, const char *path, int width, int height,
-                        const char *rate) {
+bool video_file_begin(struct video_file *video, const char *path, int width, int height,
+                      const char *rate) {
     int ends[2];
     *video = (struct video_file){.path = path, .pipe = -1, .width = width, .height = height};
-    if (!check(path) || !output_part_begin(&video->part, path))
+    if (!video_file_check(path) || !output_part_begin(&video->part, path))
         return false;
     if (pipe2(ends, O_CLOEXEC) != 0)
         return error_set("%s: no pipe: %s", path, strerror(errno));
@@ -147,7 +147,7 @@ static void make_even(struct video_file *video, const struct bitmap *frame) {
     }
 }
 
-static bool add_frame(struct video_file *video, const struct bitmap *frame) {
+bool video_file_add(struct video_file *video, const struct bitmap *frame) {
     size_t width = (size_t)(video->width + video->width % 2),
            height = (size_t)(video->height + video->height % 2);
     if (frame->width != video->width || frame->height != video->height)
@@ -162,7 +162,7 @@ static bool add_frame(struct video_file *video, const struct bitmap *frame) {
     return tell_end(video, wait_for(video));
 }
 
-static bool end_video(struct video_file *video, bool ok) {
+bool video_file_end(struct video_file *video, bool ok) {
     if (!video->path)
         return ok;
     if (video->encoder > 0) {
@@ -181,5 +181,3 @@ static bool end_video(struct video_file *video, bool ok) {
     *video = (struct video_file){0};
     return ok;
 }
-
-const struct video_files video_files = {has_extension, check, begin_video, add_frame, end_video};

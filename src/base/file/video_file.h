@@ -2,10 +2,10 @@
  * As other files, a video appears whole or not at all.
  *
  *     struct video_file video;
- *     bool ok = video_files.begin(&video, "clip.mp4", 320, 200, "25");
+ *     bool ok = video_file_begin(&video, "clip.mp4", 320, 200, "25");
  *     for (...)
- *         ok = ok && video_files.add(&video, &bitmap);
- *     ok = video_files.end(&video, ok) && ok;
+ *         ok = ok && video_file_add(&video, &bitmap);
+ *     ok = video_file_end(&video, ok) && ok;
  */
 #ifndef BASE_FILE_VIDEO_FILE_H
 #define BASE_FILE_VIDEO_FILE_H
@@ -25,23 +25,21 @@ struct video_file {
     unsigned char *even; /* a frame of even sides, where those of the frames are not; else NULL */
 };
 
-/* The calls, as builds with videos have them. */
-struct video_files {
-    /* Whether the extension is that of a video: mp4, mov, mkv, webm. */
-    bool (*has_extension)(const char *path);
-    /* Call it before long work. Error: ffmpeg is missing. */
-    bool (*check)(const char *path);
-    /* rate: frames per second as ffmpeg reads them, "24000/1001". Error: names the path and the reason. Call end in any
-     * case. */
-    bool (*begin)(struct video_file *video, const char *path, int width, int height,
-                  const char *rate);
-    /* Adds a frame, without its alpha. Error: ffmpeg has ended, and how. */
-    bool (*add)(struct video_file *video, const struct bitmap *frame);
-    /* Waits for ffmpeg. There is no video where ok is false or ffmpeg has ended before; neither is a new error. Accepts a
-     * zeroed one. */
-    bool (*end)(struct video_file *video, bool ok);
-};
+/* Whether the extension is that of a video: mp4, mov, mkv, webm. */
+bool video_file_is(const char *path);
 
-extern const struct video_files video_files;
+/* Call it before long work. Error: ffmpeg is missing. */
+bool video_file_check(const char *path);
+
+/* rate: frames per second as ffmpeg reads them, "24000/1001". Error: names the path and the reason. Call video_file_end in any case. */
+bool video_file_begin(struct video_file *video, const char *path, int width, int height,
+                      const char *rate);
+
+/* Adds a frame, without its alpha. Error: ffmpeg has ended, and how. */
+bool video_file_add(struct video_file *video, const struct bitmap *frame);
+
+/* Waits for ffmpeg. There is no video where ok is false or ffmpeg has ended before; neither is a new error. Accepts a
+ * zeroed one. */
+bool video_file_end(struct video_file *video, bool ok);
 
 #endif

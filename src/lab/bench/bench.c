@@ -1,9 +1,8 @@
 /* manylight bench MODE: what frames cost, and what they buy. */
 #include "lab/bench/bench.h"
 
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "lab/measure/timing.h"
-#include "lab/bench/run.h"
 #include "base/error.h"
 #include "base/file/folder.h"
 #include "base/log.h"

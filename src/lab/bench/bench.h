@@ -68,6 +68,9 @@ struct bench_mode {
 extern const struct bench_mode bench_times, bench_sweep, bench_budget, bench_curves, bench_passes,
     bench_quality, bench_temporal, bench_failures, bench_direct, bench_caustics;
 
+/* Measures and prints all, and writes --csv. Error: of a file, a scene or a renderer. */
+bool bench_run(struct bench *bench, const struct bench_mode *mode);
+
 /* Ends with NULL. */
 extern const struct bench_mode *const bench_modes[];
 

@@ -1,4 +1,4 @@
-#include "lab/bench/run.h"
+#include "lab/bench/bench.h"
 
 #include "lab/measure/result_rows.h"
 #include "base/error.h"

@@ -1,5 +1,5 @@
 /* manylight export: a scene for other renderers. */
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/interrupt.h"
 #include "apps/options.h"

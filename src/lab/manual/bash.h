@@ -2,9 +2,7 @@
 #ifndef LAB_MANUAL_BASH_H
 #define LAB_MANUAL_BASH_H
 
-#include "lab/manual/command.h"
-
-#include <stdio.h>
+#include "lab/manual/man_page.h"
 
 void bash_begin(FILE *out);
 void bash_write_command(FILE *out, const struct command *command);

@@ -2,9 +2,17 @@
 #ifndef LAB_MANUAL_MAN_PAGE_H
 #define LAB_MANUAL_MAN_PAGE_H
 
-#include "lab/manual/command.h"
+#include "apps/arguments.h"
 
 #include <stdio.h>
+
+/* A subcommand, or a mode of bench. */
+struct command {
+    const char *name; /* "render", "bench times" */
+    const struct arguments *arguments;
+    const struct option *table; /* with the common options */
+    const void *values;         /* defaults, for print_more */
+};
 
 /* Of the program: manylight(1). */
 void man_page_write_overview(FILE *out);

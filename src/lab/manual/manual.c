@@ -1,6 +1,5 @@
 /* manylight manual: man pages, and completions for bash, of the tables that parse command lines. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/apps.h"
 #include "lab/bench/bench.h"
 #include "lab/manual/man_page.h"
 #include "lab/manual/bash.h"

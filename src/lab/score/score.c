@@ -1,6 +1,6 @@
 /* manylight score: the errors of a folder of pictures, whoever made them, and faults that make such errors
  * meaningless. */
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "lab/measure/reference.h"
 #include "apps/outputs.h"
