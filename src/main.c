@@ -22,7 +22,8 @@ static void print_help(FILE *out) {
     fprintf(out, "usage: manylight SUBCOMMAND ...\n\n"
                  "Real-time global illumination by many lights.\n\n");
     for (const struct subcommand *s = subcommands; s->name; s++)
-        fprintf(out, "  %-10s %s\n", s->name, s->help);
+        if (s->run)
+            fprintf(out, "  %-10s %s\n", s->name, s->help);
     fprintf(out, "\nmanylight SUBCOMMAND --help lists options; --version prints the version.\n");
 }
 
