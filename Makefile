@@ -7,6 +7,8 @@
 CC ?= cc
 CXX ?= c++
 PREFIX ?= /usr/local
+# Parts to build without, of PARTS: make WITHOUT="viewer lab techniques/lightcuts"
+WITHOUT ?=
 BUILD ?= build
 CFLAGS ?= -O2 -g
 CXXFLAGS ?= $(CFLAGS)
@@ -27,21 +29,28 @@ say = @$(if $(V),:,printf '  %-4s %s\n')
 
 # --- what it is made of ---------------------------------------------------------------------------
 
-# OpenImageIO reads and writes the pictures that smaller libraries do not. PICTURES=small leaves it out, VIEWER= the
-# viewer's window. `make bundle` sets both.
+# OpenImageIO reads and writes the pictures that smaller libraries do not. PICTURES=small leaves it out, for `make bundle`.
 PICTURES ?= openimageio
-VIEWER ?= yes
-# Of the viewer's files, the one that tests of files and fuzzers use.
-WITHOUT_WINDOW := src/viewer/scene/session.c
-LEFT_OUT := src/base/file/openimageio/% \
-    $(if $(VIEWER),,src/apps/view.c $(filter-out $(WITHOUT_WINDOW),$(shell find src/viewer -name '*.c*')))
+# What all else does without. The default technique, the baseline and their refinement stay, and of the viewer the one
+# file that tests of files and fuzzers use.
+TECHNIQUES := $(patsubst src/%/,%,$(sort $(wildcard src/techniques/*/)))
+PARTS := caustics lab library video viewer volume $(filter-out %/clustered %/instant-radiosity %/unshadowed,$(TECHNIQUES))
+$(if $(filter-out $(PARTS),$(WITHOUT)),$(error WITHOUT takes $(PARTS)))
+FILES_OF_viewer := src/apps/view.c $(filter-out %/session.c,$(shell find src/viewer -name '*.c*'))
+FILES_OF_volume := src/passes/volume/% src/passes/volumes.c src/passes/volume_points.c src/techniques/volume.c \
+    src/techniques/volume_box.c src/techniques/imperfect-volume/% src/renderer/ambient_occlusion.c \
+    src/inspect/voxels.frag
+FILES_OF_caustics := src/passes/caustics/% src/renderer/caustics_passes.c
+FILES_OF_video := src/base/file/video_file.c
+LEFT_OUT := src/base/file/openimageio/% $(foreach part,$(WITHOUT),$(or $(FILES_OF_$(part)),src/$(part)/%))
+VIEWER := $(filter-out $(WITHOUT),viewer)
 
 # Floors are folders of src/, rooms folders of theirs, to any depth; src/main.c is no floor's. Shaders
 # lie beside the C that draws with them; what many of them include lies in glsl/.
 SOURCES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.c')))
 BRIDGES := $(filter-out $(LEFT_OUT),$(sort $(shell find src -mindepth 2 -name '*.cpp')))
-SHADERS := $(sort $(shell find glsl -type f -name '[!.]*') \
-    $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl'))
+SHADERS := $(filter-out $(LEFT_OUT),$(sort $(shell find glsl -type f -name '[!.]*') \
+    $(shell find src -name '*.vert' -o -name '*.geom' -o -name '*.frag' -o -name '*.comp' -o -name '*.glsl')))
 SCENE_TOOL_SOURCES := $(sort $(shell find scenes -name '*.c'))
 SCENE_TOOL := $(BUILD)/scenes/make_scenes
 SCENE_NAMES := atrium cornell-box three-lights cornell-animal sphere metaballs moving-spot door creatures character table gloss materials roughness plant courtyard hall vase ring pawns gem window
@@ -61,7 +70,7 @@ WARNINGS := -Wall -Wextra $(WERROR)
 # One set of objects serves the program and libmanylight.so. The bundle's tests use a library that shows all symbols.
 VISIBILITY ?= hidden
 LIBRARY_FLAGS := -fPIC -fvisibility=$(VISIBILITY)
-C_FLAGS = -std=c11 $(LIBRARY_FLAGS) -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(if $(VIEWER),,-DMANYLIGHT_NO_VIEWER) $(CFLAGS)
+C_FLAGS = -std=c11 $(LIBRARY_FLAGS) -DCGLM_ALL_UNALIGNED $(WARNINGS) -Wstrict-prototypes -Wmissing-prototypes $(INCLUDES) $(PKG_CFLAGS) $(CFLAGS)
 CXX_FLAGS = -std=c++17 $(LIBRARY_FLAGS) $(WARNINGS) $(INCLUDES) $(PKG_CFLAGS) $(CXXFLAGS)
 # System headers: their warnings are not ours.
 PKG_CFLAGS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(PKG) $(if $(filter small,$(PICTURES)),,OpenImageIO) 2>/dev/null))
@@ -71,7 +80,7 @@ EMBREE := -lembree$(shell $(CC) -E -include embree4/rtcore.h -x c /dev/null >/de
 LIBS := $(if $(VIEWER),$(shell pkg-config --libs imgui glfw3 2>/dev/null)) $(PICTURE_LIBS) $(EMBREE) -ldraco -lmeshoptimizer -lstdc++ -ldl -lpthread -lm
 
 EMBEDDED := $(BUILD)/glsl_embedded.o $(BUILD)/bounds_embedded.o
-BOUNDS := $(sort $(wildcard src/techniques/*/bounds.csv))
+BOUNDS := $(filter-out $(LEFT_OUT),$(sort $(wildcard src/techniques/*/bounds.csv)))
 OBJECTS := $(SOURCES:%.c=$(BUILD)/%.o) $(BRIDGES:%.cpp=$(BUILD)/%.o) $(EMBEDDED)
 GUESTS := $(BUILD)/test/guests
 MAIN_OBJECT := $(BUILD)/src/main.o
@@ -83,7 +92,7 @@ PLUGIN_NAME := libmanylight-openimageio.so
 PLUGIN := $(BUILD)/openimageio/$(PLUGIN_NAME)
 PLUGIN_OBJECTS := $(patsubst %.cpp,$(BUILD)/%.o,$(sort $(wildcard src/base/file/openimageio/*.cpp)))
 PLUGIN_LINKS := $(addsuffix /$(PLUGIN_NAME),$(sort $(patsubst %/,%,$(dir $(BINARY))) \
-    $(BUILD) $(BUILD)/lib $(BUILD)/test $(GUESTS) $(BUILD)/scenes))
+    $(BUILD) $(BUILD)/check $(BUILD)/lib $(BUILD)/test $(GUESTS) $(BUILD)/scenes))
 PLUGINS := $(if $(filter small,$(PICTURES)),,$(PLUGIN) $(PLUGIN_LINKS))
 
 .PHONY: all demo deps install uninstall clean FORCE
@@ -96,10 +105,10 @@ $(BINARY): $(MAIN_OBJECT) $(LIBRARY) | $(PLUGINS)
 	$(say) LINK $@
 	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $^ $(LIBS)
 
-$(LIBRARY): $(OBJECTS)
+$(LIBRARY): $(OBJECTS) $(BUILD)/include/parts.h
 	@rm -f $@
 	$(say) AR $@
-	$(Q)ar rcs $@ $^
+	$(Q)ar rcs $@ $(OBJECTS)
 
 $(PLUGIN): $(PLUGIN_OBJECTS) $(LIBRARY)
 	@mkdir -p $(@D)
@@ -111,7 +120,7 @@ $(PLUGIN_LINKS): | $(PLUGIN)
 	@mkdir -p $(@D)
 	@ln -srf $(PLUGIN) $@
 
-$(BUILD)/%.o: %.c | $(BUILD)/include/version.h $(BUILD)/include/sources.h
+$(BUILD)/%.o: %.c | $(BUILD)/include/version.h $(BUILD)/include/sources.h $(BUILD)/include/parts.h
 	@mkdir -p $(@D)
 	$(say) CC $@
 	$(Q)$(CC) $(C_FLAGS) -MMD -MP -c -o $@ $<
@@ -136,6 +145,14 @@ $(BUILD)/include/sources.h: FORCE
 	@mkdir -p $(@D)
 	@printf '#define MANYLIGHT_TRACER "%s"\n#define MANYLIGHT_SOURCES "%s"\n' \
 	    "$(call sum,src/reference src/scene)" "$(call sum,src glsl)" > $@.new
+	$(keep)
+
+# The parts of this build: IF_VIEWER(a, b) is a, or b without the viewer; TECHNIQUES lists the folders of techniques.
+$(BUILD)/include/parts.h: FORCE
+	@mkdir -p $(@D)
+	@{ $(foreach part,caustics lab video viewer volume,echo '#define IF_$(shell echo $(part) | tr a-z A-Z)(yes, no) $(if $(filter $(part),$(WITHOUT)),no,yes)';) \
+	   printf '#define TECHNIQUES(X)'; \
+	   printf ' X(%s)' $(subst -,_,$(notdir $(filter-out $(WITHOUT) $(if $(filter volume,$(WITHOUT)),%/imperfect-volume),$(TECHNIQUES)))); echo; } > $@.new
 	$(keep)
 FORCE:
 
@@ -164,7 +181,7 @@ $(BUILD)/glsl_embedded.c $(GUESTS)/glsl_embedded.c: $(BUILD)/shaders.list Makefi
 	   echo '{0, 0}};'; } > $@
 
 # The rows of all techniques, each behind the technique's name.
-$(BUILD)/bounds_embedded.c: $(BOUNDS) Makefile
+$(BUILD)/bounds_embedded.c: $(BOUNDS) $(BUILD)/include/parts.h Makefile
 	@mkdir -p $(@D)
 	@{ echo 'extern const char failure_bounds[];'; echo 'const char failure_bounds[] ='; \
 	   awk '{ sub(".*techniques/", "", FILENAME); sub("/.*", "", FILENAME); print FILENAME "," $$0 }' $(BOUNDS) | \

@@ -11,7 +11,7 @@ SHARED_NAME := libmanylight.so.$(ABI)
 SHARED := $(SHARED_FOLDER)/libmanylight.so.$(VERSION)
 SHARED_MAP := src/library/manylight.map
 # Videos start ffmpeg and ignore SIGPIPE, which is the process's.
-SHARED_OBJECTS := $(filter-out $(BUILD)/src/apps/% $(BUILD)/src/viewer/% $(BUILD)/src/base/file/video_file.o,$(OBJECTS))
+SHARED_OBJECTS := $(filter-out $(BUILD)/src/lab/% $(BUILD)/src/apps/% $(BUILD)/src/viewer/% $(BUILD)/src/base/file/video_file.o,$(OBJECTS))
 SHARED_LIBS := $(PICTURE_LIBS) $(EMBREE) -ldraco -lmeshoptimizer -ldl -lpthread -lm
 
 lib: $(SHARED)

@@ -1,13 +1,19 @@
 # Tests, sanitizers, fuzzers, coverage, mutants, static checks, and the bundle.
 
-.PHONY: test test-long tests asan tsan fuzz fuzzers test-all coverage mutants lint analyze bundle bundle-parts systems
+.PHONY: check test test-long tests asan tsan fuzz fuzzers test-all coverage mutants lint analyze bundle bundle-parts systems
 
 # --- tests ----------------------------------------------------------------------------------------
 
 TEST_SOURCES := $(sort $(shell find test -name 'test_*.c'))
 TESTS_OF_VIEWER := $(filter-out %/test_output_file.c,$(shell grep -l '"view_[a-z]*.h"\|"desktop.h"\|"viewer/' $(TEST_SOURCES)))
 TEST_PROGRAMS := $(patsubst %.c,$(BUILD)/test/%,$(notdir $(filter-out $(if $(VIEWER),,$(TESTS_OF_VIEWER)),$(TEST_SOURCES))))
-TESTS := $(TEST_PROGRAMS)
+
+# LONG=1: all rows of each test, not a few of each kind, and these programs: they fail calls one by one, or walk through the
+# window by mouse and keys. `make test` has the two programs that compare the window's pictures.
+LONG :=
+LONG_TESTS := faults full_disk view view_arriving view_camera view_compiling view_idle view_keys view_kept view_leaks view_open \
+    view_panel view_reference view_results view_start view_tools view_walk
+TESTS := $(filter-out $(if $(LONG),,$(LONG_TESTS:%=$(BUILD)/test/test_%)),$(TEST_PROGRAMS))
 
 # What test programs share.
 TEST_SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(if $(VIEWER),,%/desktop.c %/view_stage.c),$(sort $(wildcard test/support/*.c))))
@@ -66,15 +72,49 @@ $(GUESTS)/manylight: $(MAIN_OBJECT) $(GUEST_OBJECTS) $(LIBRARY) | $(PLUGINS)
 
 $(BUILD)/test/test_guests: | $(GUESTS)/manylight
 
-# LONG=1: all rows of each test, not a few of each kind.
-LONG :=
+# The programs that find a fault of each layer within seconds, for `make check`. They are linked as one, which a link of
+# each name starts: after an edit one program is linked and not all.
+CHECKED := base file_colours json options output_file stored heat_map metrics compare islands blending animation \
+    bvh_ray caster caster_pool clips darkness gltf gltf_refusals marching_cubes mended named_files packed \
+    scene scene_parts scenes seeds shown solid lattice prefilter blur cluster passes \
+    adaptive lookup gl gl_objects gl_pass shared brdf chain reference_rules seen \
+    traced_specular vpl_sum reference panes ao vpl_tree score manual about pages events pace frames
+CHECKS := $(CHECKED:%=$(BUILD)/check/test_%)
+$(foreach test,$(CHECKED),$(eval $(BUILD)/check/test_$(test).o: $(patsubst %.c,$(BUILD)/%.o,$(filter %/test_$(test).c,$(TEST_SOURCES)))))
+
+$(CHECKS:%=%.o):
+	@mkdir -p $(@D)
+	@objcopy --redefine-sym main=$(basename $(@F)) $< $@
+
+$(BUILD)/check/main.c: mk/test.mk
+	@mkdir -p $(@D)
+	@{ printf '#define _GNU_SOURCE\n#include <errno.h>\n#include <string.h>\n'; \
+	   printf 'int test_%s(void);\n' $(CHECKED); echo 'int main(void) {'; \
+	   for test in $(CHECKED); do \
+	       echo "if (strcmp(program_invocation_short_name, \"test_$$test\") == 0) return test_$$test();"; done; \
+	   echo 'return 2;}'; } > $@
+
+$(BUILD)/check/main: $(BUILD)/check/main.c $(CHECKS:%=%.o) $(FUZZ_OBJECTS) $(TEST_SUPPORT) $(TEST_LIBRARY) | $(PLUGINS)
+	$(say) LINK $@
+	$(Q)$(CC) $(CFLAGS) -c -o $(@D)/main.o $<
+	$(Q)$(CXX) $(CFLAGS) $(LDFLAGS) -o $@ $(@D)/main.o $(filter %.o,$^) $(TEST_LIBRARY) $(LIBS) -lcmocka $(if $(VIEWER),-lX11)
+
+$(CHECKS): | $(BUILD)/check/main
+	@ln -sf main $@
+
+# LAYER=passes: all programs of test/passes, with the rows of `make tests`, in place of the fast ones.
+check:
+	@$(MAKE) --no-print-directory tests TESTS='$(if $(LAYER),$(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard test/$(LAYER)/test_*.c))),$(CHECKS))'
+	@test/lint quick
+
 test: deps
 	@$(MAKE) --no-print-directory tests
 
 test-long: deps
 	@$(MAKE) --no-print-directory tests LONG=1
+	@test/leave-one-out $(BUILD) $(PARTS)
 
-tests: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
+tests: $(BINARY) $(SCENES) $(TESTS)
 	@MANYLIGHT_LONG=$(LONG) MANYLIGHT_BUILD=$(BUILD) MANYLIGHT_BINARY=$(if $(findstring /,$(BINARY)),,./)$(BINARY) test/run $(TESTS)
 
 # --- bundle ---------------------------------------------------------------------------------------
@@ -88,13 +128,13 @@ BUNDLE_BUILD := build/bundle-parts
 
 bundle:
 	@test/install-packages $(BUNDLE_PACKAGES)
-	@$(MAKE) --no-print-directory bundle-parts PICTURES=small VIEWER= VISIBILITY=default BUILD=$(BUNDLE_BUILD) \
+	@$(MAKE) --no-print-directory bundle-parts PICTURES=small WITHOUT=viewer VISIBILITY=default BUILD=$(BUNDLE_BUILD) \
 	    BINARY=$(BUNDLE_BUILD)/manylight SCENE_FOLDER=$(BUNDLE_BUILD)/scenes/all \
 	    TEST_LIBRARY=$(BUNDLE_BUILD)/libmanylight.so CFLAGS="$(CFLAGS) -fno-semantic-interposition"
 	@bundle/pack $(BUNDLE_BUILD) $(BUNDLE)
 
-bundle-parts: $(BINARY) $(SCENES) $(TESTS) $(GUESTS)/manylight
-	@printf '%s\n' $(TESTS) > $(BUILD)/tests.list
+bundle-parts: $(BINARY) $(SCENES) $(TEST_PROGRAMS) $(GUESTS)/manylight
+	@printf '%s\n' $(TEST_PROGRAMS) > $(BUILD)/tests.list
 
 $(BUILD)/libmanylight.so: $(LIBRARY)
 	$(say) LINK $@

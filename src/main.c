@@ -22,7 +22,8 @@ static void print_help(FILE *out) {
     fprintf(out, "usage: manylight SUBCOMMAND ...\n\n"
                  "Real-time global illumination by many lights.\n\n");
     for (const struct subcommand *s = subcommands; s->name; s++)
-        fprintf(out, "  %-10s %s\n", s->name, s->help);
+        if (s->run)
+            fprintf(out, "  %-10s %s\n", s->name, s->help);
     fprintf(out, "\nmanylight SUBCOMMAND --help lists options; --version prints the version.\n");
 }
 
@@ -76,8 +77,12 @@ static int run(int argc, char **argv) {
         return 0;
     }
     const struct subcommand *named = subcommand_find(argv[1]);
-    if (named)
+    if (named && named->run)
         return named->run(argc - 1, argv + 1);
+    if (named) {
+        fprintf(stderr, "manylight: %s: this build is without it\n", named->name);
+        return 1;
+    }
     fprintf(stderr, "manylight: unknown subcommand '%s' (manylight --help lists them)\n", argv[1]);
     return 2;
 }

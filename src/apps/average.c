@@ -1,5 +1,5 @@
 /* manylight average: one picture of several that are means of other passes of it. */
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/frames.h"
 #include "apps/outputs.h"

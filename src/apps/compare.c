@@ -1,6 +1,6 @@
 /* manylight compare: error metrics between two pictures, a picture of the error, and an exit status
  * over a threshold. */
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/outputs.h"
 

@@ -1,6 +1,6 @@
 /* manylight info: what renders here, and what a scene holds. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/facts.h"
 #include "apps/options.h"

@@ -1,6 +1,6 @@
 /* manylight reference: the path-traced reference; or what the GPU's VPLs would make of it if their
  * visibility were exact. */
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
 #include "apps/options.h"
@@ -20,7 +20,6 @@
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "shared/composite.h"
-#include "techniques/volume.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -226,7 +225,9 @@ static bool trace_paths(const struct values *values, const struct stage *stage,
     if (!desc.smooth)
         caustics_note_straight(&stage->scene);
     if (ao_is_auto(values))
-        desc.ao_distance = volume_ao_distance(settings, &stage->geometry);
+        desc.ao_distance = renderer_ao_distance(settings, &stage->geometry);
+    if (ao_is_auto(values) && desc.ao_distance == 0)
+        return error_set("ao: 'auto' needs volumes, which this build is without");
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
     desc.progress = show;
     desc.user = &progress;

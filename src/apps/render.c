@@ -1,6 +1,6 @@
 /* manylight render: pictures offscreen. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
 #include "apps/frames.h"

@@ -1,21 +1,28 @@
-/* The subcommands by name. */
+/* The subcommands by name. Each parses its own arguments, prints errors and returns the exit status:
+ * 0 ok, 1 failed, 2 usage. argv[0] is its name. */
 #ifndef APPS_SUBCOMMANDS_H
 #define APPS_SUBCOMMANDS_H
 
-#include <stdbool.h>
-
 struct subcommand {
     const char *name, *help;
-    int (*run)(int argc, char **argv); /* apps/apps.h */
+    int (*run)(int argc, char **argv); /* NULL: this build is without it */
 };
 
 /* Ends with a row whose name is NULL. */
 extern const struct subcommand subcommands[];
 
-/* Whether this build is without it; run then says so. */
-bool subcommand_is_missing(const struct subcommand *subcommand);
-
 /* The row of that name, or NULL. */
 const struct subcommand *subcommand_find(const char *name);
+
+int app_average(int argc, char **argv);
+int app_bench(int argc, char **argv);
+int app_compare(int argc, char **argv);
+int app_export(int argc, char **argv);
+int app_reference(int argc, char **argv);
+int app_info(int argc, char **argv);
+int app_manual(int argc, char **argv);
+int app_render(int argc, char **argv);
+int app_score(int argc, char **argv);
+int app_view(int argc, char **argv);
 
 #endif

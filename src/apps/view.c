@@ -1,5 +1,5 @@
 /* manylight view: the desktop viewer. */
-#include "apps/apps.h"
+#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/options.h"
 #include "apps/outputs.h"

@@ -5,7 +5,6 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "inspect/lights.h"
-#include "inspect/voxels.h"
 #include "passes/frame.h"
 #include "passes/gather/blur.h"
 #include "passes/lights/val_light.h"
@@ -90,30 +89,31 @@ static void draw_open(const struct fill *fill, const struct texture *open, GLuin
     pass_draw_fullscreen(1);
 }
 
+static const struct irradiance *draw(const struct fill *fill, const struct drawn_output *output) {
+    return output->draw(output->state, fill->renderer, fill->frame, &fill->renderer->gbuffer);
+}
+
 static bool fill_ambient_occlusion(const struct fill *fill, const void *source) {
-    const struct texture *open = renderer_ambient_occlusion(fill->renderer);
+    const struct irradiance *open = draw(fill, source);
     struct composite_inputs inputs = renderer_composite_inputs(fill->renderer);
     char defines[32];
     GLuint program;
-    (void)source; /* the renderer */
     snprintf(defines, sizeof defines, "SAMPLES %d", inputs.samples);
     if (!open || !program_init(&program, &(struct program_desc){.screen = {"inspect/ao.frag"},
                                                                 .defines = defines}))
         return false;
-    draw_open(fill, open, program);
+    draw_open(fill, &open->texture, program);
     layer_target_read(fill->target, 0, 1, fill->image, fill->channel);
     program_free(&program);
     return true;
 }
 
 static bool fill_voxels(const struct fill *fill, const void *source) {
-    struct voxel_view view = {0};
-    const struct gbuffer *gbuffer = &fill->renderer->gbuffer;
+    const struct irradiance *voxels = draw(fill, source);
     const struct image *image = fill->image;
-    if (!voxel_view_fit(&view, source, gbuffer->width, gbuffer->height))
+    if (!voxels)
         return false;
-    voxel_view_draw(&view, fill->frame, gbuffer, source);
-    struct layer_target target = {view.picture.texture, view.picture.framebuffer, fill->target->x,
+    struct layer_target target = {voxels->texture, voxels->framebuffer, fill->target->x,
                                   fill->target->y};
     layer_target_read(&target, 0, 3, fill->image, fill->channel);
     for (int y = 0; y < image->height; y++)
@@ -121,7 +121,6 @@ static bool fill_voxels(const struct fill *fill, const void *source) {
             float *radiosity = image_at(fill->image, x, y) + fill->channel;
             glm_vec3_divs(radiosity, fill->frame->irradiance_scale, radiosity);
         }
-    voxel_view_free(&view);
     return true;
 }
 
@@ -212,7 +211,8 @@ bool aov_check(const struct renderer *renderer, const char *names) {
         const struct output *output = output_find(&outputs, name);
         if (!output || !kind_of(output))
             return refuse(renderer, &outputs, name);
-        if (output->kind == OUTPUT_AO && !renderer_check_ambient_occlusion(renderer))
+        const struct drawn_output *drawn = output->kind == OUTPUT_AO ? output->source : NULL;
+        if (drawn && !drawn->check(renderer))
             return false;
     }
     return true;

@@ -42,15 +42,10 @@ static void free_canvas(struct inspect *inspect) {
 void inspect_free(struct inspect *inspect) {
     program_free(&inspect->program);
     lookup_free(&inspect->visibility);
-    voxel_view_free(&inspect->voxels);
     buffer_free(&inspect->params);
     textures_free(&inspect->no_plane, &inspect->no_layers);
     free_canvas(inspect);
     marks_free(&inspect->marks);
-}
-
-void inspect_forget(struct inspect *inspect) {
-    inspect->voxels.frame = 0;
 }
 
 /* --- what there is --- */
@@ -60,7 +55,7 @@ struct shown {
     enum output_kind kind;
     const struct vpl_buffer *vpls;
     const struct val_output *vals;
-    const struct volume_light *light; /* of voxels */
+    const struct drawn_output *drawn; /* NULL: every frame has it */
     const struct texture *texture;    /* what is drawn, or the ground for marks */
     const struct texture *depth;      /* of normals: whether a surface is there */
     int width, height, layers;        /* of one layer in its own size, and how many */
@@ -106,7 +101,7 @@ static bool find(struct shown *shown, const struct renderer *renderer, const cha
     if (shown->kind == OUTPUT_NORMAL)
         shown->depth = &((const struct gbuffer *)output->source)->depth;
     if (shown->kind == OUTPUT_VOXELS)
-        shown->light = output->source;
+        shown->drawn = output->source;
     if (shown->kind == OUTPUT_VISIBILITY)
         shown->layers = shown->vals->maps.views->count;
     return true;
@@ -237,19 +232,13 @@ static void draw_marks(const struct inspect *inspect, const struct renderer *ren
 }
 
 /* Outputs that are drawn only when they are shown. */
-static bool draw_asked(struct inspect *inspect, struct renderer *renderer,
-                       const struct frame *frame, struct shown *shown) {
-    if (shown->kind == OUTPUT_AO)
-        return (shown->texture = renderer_ambient_occlusion(renderer)) != NULL;
-    if (shown->kind != OUTPUT_VOXELS)
-        return true;
-    if (!voxel_view_fit(&inspect->voxels, shown->light, shown->width, shown->height))
-        return false;
-    if (inspect->voxels.frame != renderer->frame_count)
-        voxel_view_draw(&inspect->voxels, frame, &renderer->gbuffer, shown->light);
-    inspect->voxels.frame = renderer->frame_count;
-    shown->texture = &inspect->voxels.picture.texture;
-    return true;
+static bool draw_asked(struct renderer *renderer, const struct frame *frame, struct shown *shown) {
+    const struct drawn_output *drawn = shown->drawn;
+    const struct irradiance *picture =
+        drawn ? drawn->draw(drawn->state, renderer, frame, &renderer->gbuffer) : NULL;
+    if (picture)
+        shown->texture = &picture->texture;
+    return picture || !drawn;
 }
 
 static int mode_of(enum output_kind kind) {
@@ -303,7 +292,7 @@ bool inspect_draw(struct inspect *inspect, struct renderer *renderer,
     if (!find(&shown, renderer, choice->output))
         return error_set("technique '%s' has no output '%s'", renderer->technique->name,
                          choice->output);
-    if (!draw_asked(inspect, renderer, &frame, &shown))
+    if (!draw_asked(renderer, &frame, &shown))
         return false;
     bool visibility = shown.kind == OUTPUT_VISIBILITY,
          whole = shown.layers > 1 && choice->layer < 0;

@@ -5,13 +5,11 @@
 #include "inspect/lookup.h"
 #include "inspect/marks.h"
 #include "inspect/sheet.h"
-#include "inspect/voxels.h"
 #include "renderer/renderer.h"
 
 struct inspect {
     GLuint program;
     struct lookup visibility;
-    struct voxel_view voxels;
     struct buffer params;
     struct texture no_plane, no_layers; /* a sampler that nothing is read by has one of them */
     struct texture canvas;
@@ -29,9 +27,6 @@ struct inspect_choice {
 
 bool inspect_init(struct inspect *inspect);
 void inspect_free(struct inspect *inspect);
-
-/* What is drawn next is of another renderer. */
-void inspect_forget(struct inspect *inspect);
 
 /* How many layers an output has; 0 where there is no such output. */
 int inspect_layers(const struct renderer *renderer, const char *output);

@@ -16,19 +16,6 @@ struct summary summary_of(float *values, int count) {
     };
 }
 
-double log_slope(const double *x, const double *y, int count) {
-    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-    for (int i = 0; i < count; i++) {
-        mean_x += log(x[i]) / count;
-        mean_y += log(y[i]) / count;
-    }
-    for (int i = 0; i < count; i++) {
-        xx += pow(log(x[i]) - mean_x, 2);
-        xy += (log(x[i]) - mean_x) * (log(y[i]) - mean_y);
-    }
-    return xx > 0 ? xy / xx : 0;
-}
-
 double log_interpolate(const double *x, const double *y, int count, double at) {
     if (count > 0 && at >= y[0])
         return at > y[0] ? 0 : x[0];

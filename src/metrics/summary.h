@@ -11,9 +11,6 @@ struct summary {
 /* Order statistics. Sorts the values; count is at least 1. */
 struct summary summary_of(float *values, int count);
 
-/* The slope of log y over log x by least squares; 0 for a single x. */
-double log_slope(const double *x, const double *y, int count);
-
 /* The x at which a curve that falls through the points, straight in logarithms between them, first has
  * a y; 0 where it begins below, infinity where it ends above. */
 double log_interpolate(const double *x, const double *y, int count, double at);

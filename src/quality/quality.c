@@ -158,7 +158,7 @@ struct draft {
 static bool is_possible(struct draft *draft, const struct quality_choice *choice) {
     const struct quality_desc *desc = draft->desc;
     draft->measure.technique = quality_technique(choice, desc->measure->technique);
-    return (!choice->technique || desc->any_technique) &&
+    return draft->measure.technique && (!choice->technique || desc->any_technique) &&
            (!*choice->settings || !quality_is_preset(desc->texts, desc->text_count)) &&
            quality_settings(choice, draft->measure.technique, desc->texts, desc->text_count,
                             &draft->measure.settings);

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "passes/frame.h"
 #include "renderer/caustics.h"
+#include "techniques/volume.h"
 
 #include <stdlib.h>
 
@@ -16,7 +17,7 @@ static struct ambient_occlusion_desc desc_of(const struct renderer *renderer) {
                                            .height = desc->height};
 }
 
-bool renderer_check_ambient_occlusion(const struct renderer *renderer) {
+static bool check(const struct renderer *renderer) {
     struct ambient_occlusion_desc desc = desc_of(renderer);
     return ambient_occlusion_check(&desc);
 }
@@ -33,13 +34,14 @@ static bool init(struct renderer *renderer) {
     return false;
 }
 
-const struct texture *renderer_ambient_occlusion(struct renderer *renderer) {
+const struct irradiance *renderer_ambient_occlusion(struct renderer *renderer) {
     struct timers untimed = {0};
     struct frame frame = renderer_frame(renderer);
     if (!renderer->ambient_occlusion && !init(renderer))
         return NULL;
+    const struct irradiance *picture = &renderer->ambient_occlusion->light.reconstruct.irradiance;
     if (renderer->occluded_frame == renderer->frame_count)
-        return ambient_occlusion_texture(renderer->ambient_occlusion);
+        return picture;
     if (!volume_light_update(&renderer->ambient_occlusion->light, frame.geometry)) {
         renderer_forget_ambient_occlusion(renderer);
         return NULL;
@@ -47,8 +49,16 @@ const struct texture *renderer_ambient_occlusion(struct renderer *renderer) {
     frame.timers = &untimed;
     ambient_occlusion_render(renderer->ambient_occlusion, &frame, &renderer->gbuffer);
     renderer->occluded_frame = renderer->frame_count;
-    return ambient_occlusion_texture(renderer->ambient_occlusion);
+    return picture;
 }
+
+static const struct irradiance *draw(void *state, struct renderer *renderer,
+                                     const struct frame *frame, const struct gbuffer *gbuffer) {
+    (void)state, (void)frame, (void)gbuffer;
+    return renderer_ambient_occlusion(renderer);
+}
+
+const struct drawn_output renderer_drawn_ao = {check, draw, NULL};
 
 void renderer_forget_ambient_occlusion(struct renderer *renderer) {
     if (renderer->ambient_occlusion)

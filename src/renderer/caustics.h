@@ -17,8 +17,9 @@ const struct geometry *renderer_geometry(const struct renderer *renderer);
 /* HAS_... of passes/picture/composite.h; medium: the frames have one. */
 unsigned renderer_caustic_kinds(const struct renderer_desc *desc, bool medium);
 
-/* Fills renderer->caustics and renderer->glass. Error: caustics_pass_init's, glass_pass_init's. */
+/* The passes, in a file that a build may be without. init fills renderer->caustics. Error: GPU memory, shader. */
 bool renderer_init_caustics(struct renderer *renderer, bool medium);
+void renderer_free_caustics(struct renderer *renderer);
 
 /* Error: out of GPU memory; all is as it was. */
 bool renderer_resize_caustics(struct renderer *renderer, int width, int height);

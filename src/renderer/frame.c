@@ -5,6 +5,9 @@
 #include "renderer/caustics.h"
 #include "renderer/views.h"
 #include "shared/composite.h"
+#include "techniques/volume.h"
+
+#include "parts.h"
 
 #include <assert.h>
 #include <math.h>
@@ -109,8 +112,8 @@ static struct contribution last_contribution(const struct renderer *renderer) {
         contribution.in_scatter = &renderer->airlight.panes.own;
         contribution.transmittance = &renderer->airlight.panes.transmittance;
     }
-    contribution.caustic = renderer->caustics.surface.id ? &renderer->caustics.surface : NULL;
-    contribution.volume_caustic = renderer->caustics.volume.id ? &renderer->caustics.volume : NULL;
+    contribution.caustic = renderer->caustics.surface;
+    contribution.volume_caustic = renderer->caustics.volume;
     return contribution;
 }
 
@@ -217,7 +220,7 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     if (renderer->airlight.panes.program)
         render_panes(renderer, frame);
     render_light(renderer, frame, &renderer->gbuffer);
-    renderer_render_caustics(renderer, frame);
+    IF_CAUSTICS(renderer_render_caustics(renderer, frame), (void)0);
 }
 
 static void begin_pass(struct renderer *renderer, int pass) {
@@ -334,19 +337,27 @@ void renderer_outputs(const struct renderer *renderer, struct output_list *outpu
     if (renderer->airlight.pass.in_scatter.id)
         output_add(outputs, &(struct output){"airlight", "what the medium scatters to the camera",
                                              OUTPUT_AIRLIGHT, &renderer->airlight.pass.in_scatter});
-    if (renderer->caustics.surface.id)
+    if (renderer->caustics.surface)
         output_add(outputs,
                    &(struct output){"caustic",
                                     "light that glass and mirrors throw onto surfaces, and show",
-                                    OUTPUT_RADIANCE, &renderer->caustics.surface});
-    if (renderer->caustics.volume.id)
+                                    OUTPUT_RADIANCE, renderer->caustics.surface});
+    if (renderer->caustics.volume)
         output_add(outputs,
                    &(struct output){"volume", "light of glass and mirrors that the medium scatters",
-                                    OUTPUT_RADIANCE, &renderer->caustics.volume});
+                                    OUTPUT_RADIANCE, renderer->caustics.volume});
     if (irradiance)
         output_add(outputs,
                    &(struct output){"irradiance", "after the blur, before the surfaces' colours",
                                     OUTPUT_IRRADIANCE, irradiance});
-    output_add(outputs, &(struct output){"ao", "ambient occlusion by voxels: nothing near is white",
-                                         OUTPUT_AO, renderer});
+    IF_VOLUME(
+        output_add(outputs,
+                   &(struct output){"ao", "ambient occlusion by voxels: nothing near is white",
+                                    OUTPUT_AO, &renderer_drawn_ao}),
+        (void)0);
+}
+
+float renderer_ao_distance(const struct settings *settings, const struct geometry *geometry) {
+    (void)settings, (void)geometry;
+    return IF_VOLUME(volume_ao_distance(settings, geometry), 0);
 }

@@ -65,9 +65,8 @@ static int importance_of(const struct renderer_desc *desc) {
 /* Light that stays while the camera moves is the same for all views. */
 static bool may_search(const struct renderer_desc *desc) {
     const struct technique *technique = desc->technique;
-    return technique->follows_camera == many_lights_follow_camera && !technique->through_walls &&
-           desc->geometry->blocking_index_count > 0 && scene_duration(desc->scene) <= 0 &&
-           many_lights_may_trace(desc->scene, desc->geometry);
+    return technique->seeks_lights && desc->geometry->blocking_index_count > 0 &&
+           scene_duration(desc->scene) <= 0 && many_lights_may_trace(desc->scene, desc->geometry);
 }
 
 /* Frames of what does not move have a pose each. */

@@ -39,9 +39,9 @@ static bool has_row(const struct renderer *renderer, int row) {
     case LAYER_AIRLIGHT:
         return renderer->airlight.pass.in_scatter.id != 0;
     case LAYER_CAUSTIC:
-        return renderer->caustics.surface.id != 0;
+        return renderer->caustics.surface != NULL;
     case LAYER_VOLUME:
-        return renderer->caustics.volume.id != 0;
+        return renderer->caustics.volume != NULL;
     default:
         return layer < LAYERS_PLAIN || renderer->gbuffer.specular.id != 0;
     }

@@ -1,5 +1,6 @@
 #include "renderer/renderer.h"
 
+#include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
 #include "renderer/caustics.h"
@@ -10,6 +11,9 @@
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "techniques/many_lights.h"
+#include "techniques/volume.h"
+
+#include "parts.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -196,7 +200,9 @@ static bool init_airlight(struct renderer *renderer) {
 }
 
 static bool init_caustics(struct renderer *renderer) {
-    return renderer_init_caustics(renderer, scatters(&renderer->desc));
+    return !renderer_has_caustics(&renderer->desc) ||
+           IF_CAUSTICS(renderer_init_caustics(renderer, scatters(&renderer->desc)),
+                       error_set("caustics: this build is without (caustics.surface=off)"));
 }
 
 static bool init_gbuffer(struct renderer *renderer) {
@@ -257,7 +263,8 @@ static const struct part_row {
     {PART_TECHNIQUE, MEMBERS(technique, technique_state), init_technique, resize_technique},
     {PART_COMPOSITE, MEMBERS(composite, composite), init_composite, NULL},
     {PART_AIRLIGHT, MEMBERS(airlight, airlight), init_airlight, resize_airlight},
-    {PART_CAUSTICS, MEMBERS(caustics, glass), init_caustics, renderer_resize_caustics},
+    {PART_CAUSTICS, MEMBERS(caustics, caustics), init_caustics,
+     IF_CAUSTICS(renderer_resize_caustics, NULL)},
     {PART_MEAN, MEMBERS(refining.centers, refining.mean), init_mean, NULL},
     {PART_REFINER, MEMBERS(refining.technique, refining.state), init_refiner, resize_refiner},
 };
@@ -372,8 +379,7 @@ static void free_parts(struct renderer *renderer) {
     antialias_pass_free(&renderer->antialias);
     composite_pass_free(&renderer->composite);
     airlight_free(&renderer->airlight);
-    caustics_pass_free(&renderer->caustics);
-    glass_pass_free(&renderer->glass);
+    IF_CAUSTICS(renderer_free_caustics(renderer), (void)0);
     if (renderer->technique)
         renderer->technique->free(renderer->technique_state);
     if (renderer->direct)
@@ -386,7 +392,7 @@ static void free_parts(struct renderer *renderer) {
 
 void renderer_free(struct renderer *renderer) {
     free_parts(renderer);
-    renderer_forget_ambient_occlusion(renderer);
+    IF_VOLUME(renderer_forget_ambient_occlusion(renderer), (void)0);
     timers_free(&renderer->timers);
     scene_gpu_free(&renderer->scene);
     texture_free(&renderer->sky_pieces);
@@ -436,8 +442,9 @@ static bool change(struct renderer *renderer, const struct renderer_desc *desc,
                              .composite.desc = renderer->composite.desc};
     bool ok = init_parts(&fresh, parts) && resize_parts(renderer, desc, ~parts);
     if (ok) {
-        if (parts || !settings_same(&desc->settings, &renderer->desc.settings, &volume_part))
-            renderer_forget_ambient_occlusion(renderer);
+        if (parts ||
+            IF_VOLUME(!settings_same(&desc->settings, &renderer->desc.settings, &volume_part), 0))
+            IF_VOLUME(renderer_forget_ambient_occlusion(renderer), (void)0);
         swap_parts(renderer, &fresh, parts);
         renderer->desc = *desc;
         renderer->plan = *plan;

@@ -10,8 +10,6 @@
 #include "direct/direct.h"
 #include "direct/environment.h"
 #include "lights/light_samples.h"
-#include "passes/caustics/caustics.h"
-#include "passes/caustics/glass.h"
 #include "passes/picture/antialias.h"
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
@@ -21,7 +19,6 @@
 #include "scene/camera_range.h"
 #include "scene/gpu/caster_pool.h"
 #include "techniques/technique.h"
-#include "techniques/volume.h"
 
 /* What a picture can show, by LAYER_BEAUTY, LAYER_DIRECT and LAYER_INDIRECT; null-terminated. */
 extern const char *const shown_layer_names[];
@@ -71,12 +68,14 @@ struct renderer {
     void *technique_state;
     const struct direct_method *direct; /* desc.direct, or with it environment_direct */
     void *direct_state;
-    struct airlight airlight;      /* of a medium; zeroed without one */
-    struct caustics_pass caustics; /* zeroed where they are not shown */
-    struct glass_pass glass;       /* likewise */
-    struct geometry *glass_view;   /* NULL without caustics: renderer/caustics.h */
-    bool lights_drawn;             /* what depends on no camera is that of desc */
-    int pass;                      /* that the last frame was: 0 = the first, or the only one */
+    struct airlight airlight; /* of a medium; zeroed without one */
+    struct caustics_part {    /* zeroed where they are not shown: renderer/caustics.h */
+        struct caustics_passes *passes;
+        const struct texture *surface, *volume; /* NULL: the picture has none */
+    } caustics;
+    struct geometry *glass_view; /* NULL without caustics */
+    bool lights_drawn;           /* what depends on no camera is that of desc */
+    int pass;                    /* that the last frame was: 0 = the first, or the only one */
     /* The mean of passes, where desc.progressive. */
     struct refining {
         const struct technique *technique; /* of passes after the first; NULL: the renderer's own */
@@ -171,10 +170,10 @@ struct composite_inputs renderer_composite_inputs(const struct renderer *rendere
 
 /* Draws the ambient occlusion of what the last frame shows, by the settings volume.*: R = the open fraction, A = 0 where it
  * is not known. The renderer's until the next change. NULL: an error, out of GPU memory or a shader. */
-const struct texture *renderer_ambient_occlusion(struct renderer *renderer);
+const struct irradiance *renderer_ambient_occlusion(struct renderer *renderer);
 
-/* Before anything is drawn. Error: ambient_occlusion_check's. */
-bool renderer_check_ambient_occlusion(const struct renderer *renderer);
+/* How far it looks, metres; 0: this build has none. */
+float renderer_ao_distance(const struct settings *settings, const struct geometry *geometry);
 
 struct contribution renderer_contribution(const struct renderer *renderer);
 /* As the settings have it, EV. */

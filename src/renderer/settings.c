@@ -9,8 +9,10 @@
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "techniques/many_lights.h"
+#include "techniques/volume.h"
 
-#include <assert.h>
+#include "parts.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -47,6 +49,8 @@ void renderer_settings_init(struct settings *settings) {
         add_parts(settings, (*t)->parts);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         add_parts(settings, (*d)->parts);
+    /* Of ambient occlusion, whatever the technique. */
+    IF_VOLUME(settings_add(settings, &volume_part), (void)0);
     settings_add(settings, &sky_part);
     settings_add(settings, &material_part);
     settings_add(settings, &medium_part);
@@ -150,10 +154,8 @@ static bool holds(const struct need *need, const struct settings *settings,
     char value[32];
     if (strcmp(need->name, "technique") == 0)
         return allows(need, technique);
-    bool found = settings_find(settings, need->name, &setting);
-    assert(found);
-    (void)found;
-    if (!settings_parts_have(technique->parts, setting.part))
+    if (!settings_find(settings, need->name, &setting) || /* of a technique that was left out */
+        !settings_parts_have(technique->parts, setting.part))
         return need->sign == '!';
     if (!is_read(&setting, technique))
         return true;

@@ -14,7 +14,8 @@ struct picture_settings renderer_picture(const struct renderer *renderer);
  * floats in range whatever the units. */
 float renderer_irradiance_scale(const struct renderer *renderer);
 
-/* It is made anew when somebody asks for it again. */
+/* Ambient occlusion as an output. It is made anew when somebody asks for it after forget. */
+extern const struct drawn_output renderer_drawn_ao;
 void renderer_forget_ambient_occlusion(struct renderer *renderer);
 
 #endif

@@ -19,10 +19,10 @@ enum output_kind {
     OUTPUT_MAP_DEPTH,    /* struct depth_maps */
     OUTPUT_BASIS,        /* struct texture: layers of paraboloid maps in [0, 1] */
     OUTPUT_SIGNED_BASIS, /* struct texture: the same in [-1, 1] */
-    OUTPUT_AO,           /* struct renderer, which draws it when it is shown */
+    OUTPUT_AO,           /* struct drawn_output */
     OUTPUT_AIRLIGHT,     /* struct texture: radiance times irradiance_scale */
     OUTPUT_RADIANCE,     /* struct texture: radiance */
-    OUTPUT_VOXELS,       /* struct volume_light, whose voxels are drawn when they are shown */
+    OUTPUT_VOXELS,       /* struct drawn_output: radiosity times irradiance_scale */
     OUTPUT_KINDS,        /* new kinds stand before it */
 };
 
@@ -32,6 +32,20 @@ struct val_output {
     const struct texture *extremes; /* bounding rectangles: max s, max t, -min s, -min t */
     const struct visibility_desc *visibility; /* by blocks, where they look up */
     struct visibility_inputs maps;            /* bases NULL where they are not made */
+};
+
+struct frame;
+struct gbuffer;
+struct renderer;
+
+/* A picture of the last frame that no frame draws: it is drawn when somebody looks at it. */
+struct drawn_output {
+    /* Before anything is drawn; NULL: nothing is refused. Error: memory. */
+    bool (*check)(const struct renderer *renderer);
+    /* The picture, until the next change; NULL: an error, out of GPU memory or a shader. */
+    const struct irradiance *(*draw)(void *state, struct renderer *renderer,
+                                     const struct frame *frame, const struct gbuffer *gbuffer);
+    void *state;
 };
 
 struct output {

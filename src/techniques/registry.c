@@ -2,20 +2,11 @@
 #include "base/names.h"
 #include "techniques/many_lights.h"
 
+#include "parts.h"
+
 #include <string.h>
 
-/* A technique is entered by its line here; those of tests come by MORE_TECHNIQUES. */
-#define TECHNIQUES(X)                                                                              \
-    X(cluster_lights)                                                                              \
-    X(clustered)                                                                                   \
-    X(implicit_visibility)                                                                         \
-    X(imperfect_shadow_maps)                                                                       \
-    X(imperfect_volume)                                                                            \
-    X(instant_radiosity)                                                                           \
-    X(lightcuts)                                                                                   \
-    X(row_column)                                                                                  \
-    X(unshadowed)
-
+/* TECHNIQUES of parts.h lists the folders beside this file; techniques of tests come by MORE_TECHNIQUES. */
 #ifndef MORE_TECHNIQUES
 #define MORE_TECHNIQUES(X)
 #endif

@@ -43,7 +43,7 @@ struct technique {
     const struct settings_part *const *parts; /* tables of its settings; null-terminated */
     const struct preset *presets;             /* ends with a row of no name; NULL = none */
     const struct refinement *refinement;      /* NULL: all passes are made as the first */
-    bool through_walls; /* nothing stops its light, so where light comes in is of no matter */
+    bool seeks_lights; /* lights.importance=auto: follows the camera where lamps are unseen */
     /* Refuses values that exclude each other; NULL: none do. Error: for the user. */
     bool (*check)(const struct settings *settings);
     /* Whether rays through a BVH of the scene test the visibility of all its lights; NULL: it has no such rays. */

@@ -335,7 +335,3 @@ void ambient_occlusion_render(struct ambient_occlusion *ao, const struct frame *
     }
     volume_light_render_view(&ao->light, frame, gbuffer);
 }
-
-const struct texture *ambient_occlusion_texture(const struct ambient_occlusion *ao) {
-    return &ao->light.reconstruct.irradiance.texture;
-}

@@ -7,7 +7,7 @@
  *
  *     ambient_occlusion_init(&ao, &(struct ambient_occlusion_desc){settings, scene, geometry, width, height});
  *     ambient_occlusion_render(&ao, &frame, &gbuffer);
- *     ... ambient_occlusion_texture(&ao): R = G = B, the open share in [0, 1], row 0 at the bottom; A = 0 where there is no
+ *     ... ao.light.reconstruct.irradiance: R = G = B, the open share in [0, 1], row 0 at the bottom; A = 0 where there is no
  *         surface, or no voxel knows
  *     ambient_occlusion_free(&ao);
  */
@@ -110,7 +110,5 @@ void ambient_occlusion_free(struct ambient_occlusion *ao);
  * volume.reprojection. */
 void ambient_occlusion_render(struct ambient_occlusion *ao, const struct frame *frame,
                               const struct gbuffer *gbuffer);
-
-const struct texture *ambient_occlusion_texture(const struct ambient_occlusion *ao);
 
 #endif

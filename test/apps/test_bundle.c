@@ -98,7 +98,7 @@ static void test_view(void **state) {
     (void)state;
     need_file(BUNDLE);
     expect(1, BUNDLE "/manylight view scenes/sphere.glb");
-    expect_text("this build has no viewer");
+    expect_text("this build is without it");
 }
 
 int main(void) {

@@ -91,18 +91,11 @@ static struct kind *kind_named(struct trial *trial, const char *name) {
 }
 
 /* Those that all end in the same few lines of code are tried now and then, and bench's, which are much
- * the same as render's. A short run takes a twelfth of all calls of a kind, and of bench's those of files. */
+ * the same as render's. */
 static bool is_tried(const struct victim *victim, struct kind *kind) {
     bool memory = strstr(kind->name, "alloc") || strstr(kind->name, "new");
     bool graphics = strncmp(kind->name, "gl", 2) == 0;
-    bool starts = strcmp(kind->name, "dlopen") == 0 || strncmp(kind->name, "egl", 3) == 0 ||
-                  strcmp(kind->name, "pthread_create") == 0 || strcmp(kind->name, "realpath") == 0;
-    if (!is_long_run() && !getenv("MANYLIGHT_FAULTS") && victim == &bench &&
-        (memory || graphics || starts))
-        return false;
     int step = (memory ? 80 : graphics ? 8 : 1) * (victim == &bench ? 4 : 1), part = 0;
-    if (!is_long_run())
-        step *= 12;
     const char *parts = getenv("MANYLIGHT_FAULTS");
     if (parts && sscanf(parts, "%d/%d", &part, &step) != 2)
         fail_msg("MANYLIGHT_FAULTS=%s is no part like 0/12", parts);

@@ -75,8 +75,6 @@ static void test_stdout(void **state) {
     write_pictures();
     make_folder();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        if (!is_tried_here(i, 3))
-            continue;
         if (run("", cases[i], ">/dev/null") != 0)
             continue; /* no OpenGL here */
         assert_int_equal(run("", cases[i], ">/dev/full"), 1);
@@ -126,8 +124,6 @@ static void test_writers(void **state) {
     write_pictures();
     make_folder();
     for (size_t i = 0; i < sizeof writers / sizeof *writers; i++) {
-        if (!is_tried_here(i, 4))
-            continue;
         if (!knows_format("jpg") && (strstr(writers[i], ".jpg") || strstr(writers[i], ".tga")))
             continue;
         make_folder();
@@ -150,7 +146,7 @@ static void check_real_disk(const char *before) {
     char command[2048], known[128] = "";
     int count = 0;
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
-        if (is_tried_here(i, 3) && knows_format(formats[i])) {
+        if (knows_format(formats[i])) {
             strcat(strcat(known, " "), formats[i]);
             count++;
         }

@@ -14,7 +14,6 @@
 #include "base/names.h"
 #include "base/parallel.h"
 #include "base/progress.h"
-#include "base/sha256.h"
 #include "base/text.h"
 #include "base/words.h"
 
@@ -522,33 +521,6 @@ static void test_folders(void **state) {
     mem_free(below, path);
 }
 
-/* Examples of the standard, and all lengths around the ends of blocks: bytes that follow one another in a chain. */
-static void test_sha256(void **state) {
-    (void)state;
-    static const struct example {
-        const char *text, *digits;
-    } examples[] = {
-        {"", "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855"},
-        {"abc", "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"},
-        {"abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq",
-         "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1"},
-    };
-    char digits[SHA256_DIGITS + 1];
-    for (size_t i = 0; i < sizeof examples / sizeof *examples; i++) {
-        sha256(examples[i].text, strlen(examples[i].text), digits);
-        printf("    %s\n", digits);
-        assert_string_equal(digits, examples[i].digits);
-    }
-    char chain[200 * SHA256_DIGITS + 1] = "";
-    for (size_t i = 0; i < 200; i++) {
-        sha256(chain, i, digits);
-        memcpy(chain + i * SHA256_DIGITS, digits, SHA256_DIGITS);
-    }
-    sha256(chain, 200 * SHA256_DIGITS, digits);
-    printf("    chain %s\n", digits);
-    assert_string_equal(digits, "4eac42b463100e77a6ab668b7188207e90e2c9b280713517f60bdac2f7bf352f");
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_no_memory),
@@ -557,7 +529,6 @@ int main(void) {
         cmocka_unit_test(test_extremes),
         cmocka_unit_test(test_log),
         cmocka_unit_test(test_progress),
-        cmocka_unit_test(test_sha256),
         cmocka_unit_test(test_line_is_cleared),
         cmocka_unit_test(test_folders),
         cmocka_unit_test(test_error_prefix),

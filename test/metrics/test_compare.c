@@ -3,7 +3,6 @@
 
 #include "base/file/image_file.h"
 #include "base/image.h"
-#include "metrics/panels.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -269,31 +268,8 @@ static void test_shared_references(void **state) {
     check_at_most("the horse shows", .1, value_of("rmse"));
 }
 
-/* The reference and two tests, of which one is left empty, above their differences. */
-static void test_panels(void **state) {
-    (void)state;
-    struct image reference, tests[2] = {{0}}, read;
-    const char *path = scratch("panels.png");
-    image_init(&reference, 40, 30, "R G B");
-    image_init(&tests[1], 40, 30, "R G B");
-    for (int i = 0; i < 40 * 30 * 3; i++)
-        reference.pixels[i] = 1, tests[1].pixels[i] = i % 2 ? 2 : INFINITY;
-    check_ok(path, panels_write(path, "PANELS", &reference, tests, 2));
-    check_ok(path, image_read(&read, path));
-    int zoom = read.width / (3 * 40 + 2 * 2), row = zoom * 15;
-    const float *left = image_at(&read, zoom * 20, row);
-    printf("    %d x %d, reference %.3f, empty %.3f\n", read.width, read.height, (double)left[0],
-           (double)image_at(&read, zoom * 60, row)[0]);
-    assert_true(zoom > 0 && read.height > 2 * 30 * zoom);
-    check_near("the reference is a middle grey", (double)left[0], .537, .01);
-    assert_true(image_at(&read, zoom * 60, row)[0] == 0);
-    assert_true(image_at(&read, zoom * 104, row)[1] > left[1]);
-    images_free(&reference, &tests[1], &read);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_panels),
         cmocka_unit_test(test_help),
         cmocka_unit_test(test_usage_errors),
         cmocka_unit_test(test_table),

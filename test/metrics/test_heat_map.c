@@ -7,7 +7,6 @@
 #include "metrics/colour.h"
 #include "metrics/heat_map.h"
 #include "metrics/label.h"
-#include "metrics/panels.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -169,30 +168,11 @@ static void test_heat_map_files(void **state) {
     }
 }
 
-/* Beside a black reference differences are not over its mean; what is not finite has no colour. */
-static void test_panels(void **state) {
-    (void)state;
-    struct image reference, tests[2];
-    for (int i = 0; i < 3; i++)
-        image_init(i ? &tests[i - 1] : &reference, 4, 3, "R G B");
-    tests[0].pixels[5] = NAN;
-    tests[1].pixels[0] = 1;
-    check_ok("of a black reference",
-             panels_write(scratch("panels.png"), "a b", &reference, tests, 2));
-    for (int i = 0; i < 36; i++)
-        reference.pixels[i] = .5F;
-    image_free(&tests[1]);
-    check_ok("of a grey one", panels_write(scratch("panels.png"), "a b", &reference, tests, 2));
-    assert_false(panels_write(scratch("none/panels.png"), "a b", &reference, tests, 2));
-    printf("    %s\n", error_get());
-    images_free(&reference, &tests[0]);
-}
-
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_heat_map),       cmocka_unit_test(test_heat_map_scale),
         cmocka_unit_test(test_label),          cmocka_unit_test(test_heat_map_layout),
-        cmocka_unit_test(test_heat_map_files), cmocka_unit_test(test_panels),
+        cmocka_unit_test(test_heat_map_files),
     };
     return cmocka_run_group_tests_name("heat map", tests, NULL, NULL);
 }

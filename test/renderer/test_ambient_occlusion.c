@@ -3,6 +3,7 @@
 
 #include "inspect/aov.h"
 #include "quality/picture.h"
+#include "techniques/volume.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -163,7 +164,7 @@ static void test_poses(void **state) {
 /* The open share in the middle of the picture. */
 static float shown_ao(struct renderer *renderer) {
     float texel[4];
-    const struct texture *texture = renderer_ambient_occlusion(renderer);
+    const struct texture *texture = &renderer_ambient_occlusion(renderer)->texture;
     assert_non_null(texture);
     gl.GetTextureSubImage(texture->id, 0, SIZE / 2, SIZE / 2, 0, 1, 1, 1, GL_RGBA, GL_FLOAT,
                           sizeof texel, texel);
@@ -184,7 +185,7 @@ static void test_kept(void **state) {
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
     open_renderer(&renderer, &desc);
     double drawn = (double)shown_ao(&renderer);
-    mark(renderer_ambient_occlusion(&renderer));
+    mark(&renderer_ambient_occlusion(&renderer)->texture);
     check_near("asked again", (double)shown_ao(&renderer), .25, 0);
     renderer_render(&renderer);
     check_near("another frame", (double)shown_ao(&renderer), drawn, 0);

@@ -187,7 +187,7 @@ static inline void see_occlusion(struct seen *seen, const struct stage *stage, c
                  &ao, &(struct ambient_occlusion_desc){&seen->renderer.desc.settings, &stage->scene,
                                                        &stage->geometry, size, size}));
     ambient_occlusion_render(&ao, &frame, &seen->renderer.gbuffer);
-    read_texels(seen, ambient_occlusion_texture(&ao));
+    read_texels(seen, &ao.light.reconstruct.irradiance.texture);
     ambient_occlusion_free(&ao);
 }
 

@@ -1,8 +1,8 @@
 /* The published path, path=paper: what it may be blamed for, and what not. */
 #include "render_support.h"
 
-#include "apps/bench/measure/errors.h"
-#include "apps/bench/measure/reference.h"
+#include "lab/measure/errors.h"
+#include "lab/measure/reference.h"
 #include "quality/picture.h"
 
 #include <stdio.h>

@@ -236,5 +236,5 @@ int main(void) {
         cmocka_unit_test(test_script),        cmocka_unit_test(test_frame_budget),
         cmocka_unit_test(test_presets),
     };
-    return run_some_tests(tests, 9, open_view_stage, close_view_stage);
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

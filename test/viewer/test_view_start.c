@@ -249,5 +249,5 @@ int main(void) {
         cmocka_unit_test(test_desktop_dialog), cmocka_unit_test(test_options),
         cmocka_unit_test(test_fields),         cmocka_unit_test(test_window),
     };
-    return run_some_tests(tests, 5, open_view_stage, close_view_stage);
+    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
 }

@@ -157,5 +157,5 @@ int main(int argc, char **argv) {
     };
     sheet_path = argc > 1 ? argv[1] : NULL;
     width = sheet_path ? SHEET_WIDTH : WIDTH;
-    return run_some_tests(tests, 1, open_view_stage, close_walk);
+    return cmocka_run_group_tests(tests, open_view_stage, close_walk);
 }

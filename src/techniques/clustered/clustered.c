@@ -111,6 +111,7 @@ const struct technique clustered_technique = {
     .name = "clustered",
     .help = "shadow rays, or soft shadow maps of clusters of VPLs",
     MANY_LIGHTS_TECHNIQUE,
+    .seeks_lights = true,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
     .by_rays = vals_by_rays,

@@ -129,6 +129,7 @@ const struct technique imperfect_shadow_maps_technique = {
     .name = "imperfect-shadow-maps",
     .help = "a small map of surface points per VPL",
     MANY_LIGHTS_TECHNIQUE,
+    .seeks_lights = true,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
     .resize = many_lights_resize,

@@ -3,6 +3,7 @@
 #include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/visibility/shadow_map.h"
+#include "techniques/imperfect-volume/voxels.h"
 #include "techniques/many_lights.h"
 #include "techniques/volume.h"
 
@@ -17,6 +18,8 @@ static const float ambient = .1F;
 struct imperfect_volume {
     struct volume_light light;
     struct shadow_map_pass shadows; /* volume=gi */
+    struct voxel_view voxels;       /* zeroed until somebody looks at them */
+    struct drawn_output drawn;      /* these */
 };
 
 static void free_state(void *state) {
@@ -24,12 +27,25 @@ static void free_state(void *state) {
     if (technique) {
         volume_light_free(&technique->light);
         shadow_map_pass_free(&technique->shadows);
+        voxel_view_free(&technique->voxels);
     }
     free(technique);
 }
 
 static bool is_lit(const struct imperfect_volume *technique) {
     return technique->light.volume.desc.channels == VOLUME_RADIANCE;
+}
+
+static const struct irradiance *draw_voxels(void *state, struct renderer *renderer,
+                                            const struct frame *frame,
+                                            const struct gbuffer *gbuffer) {
+    struct imperfect_volume *technique = state;
+    struct voxel_view *view = &technique->voxels;
+    (void)renderer;
+    if (!voxel_view_fit(view, &technique->light, gbuffer->width, gbuffer->height))
+        return NULL;
+    voxel_view_draw(view, frame, gbuffer, &technique->light);
+    return &view->picture;
 }
 
 static bool init(void **state, const struct technique_desc *desc) {
@@ -39,6 +55,7 @@ static bool init(void **state, const struct technique_desc *desc) {
     const struct lights_settings *lights =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     bool lit = own->volume == VOLUME_LIGHT_GI;
+    technique->drawn = (struct drawn_output){.draw = draw_voxels, .state = technique};
     return volume_light_init(&technique->light,
                              &(struct volume_light_desc){
                                  .settings = desc->settings,
@@ -93,7 +110,7 @@ static void outputs(const void *state, struct output_list *list) {
     const struct imperfect_volume *technique = state;
     if (is_lit(technique))
         output_add(list, &(struct output){"voxels", "voxels of surfaces, in their reflected light",
-                                          OUTPUT_VOXELS, &technique->light});
+                                          OUTPUT_VOXELS, &technique->drawn});
 }
 
 static const struct settings_part *const parts[] = {&lights_part, &volume_part, NULL};

@@ -105,6 +105,7 @@ const struct technique instant_radiosity_technique = {
     .name = "instant-radiosity",
     .help = "a hard shadow map per VPL",
     MANY_LIGHTS_TECHNIQUE,
+    .seeks_lights = true,
     .refinement = &many_lights_refinement,
     .check = many_lights_check,
     .resize = many_lights_resize,

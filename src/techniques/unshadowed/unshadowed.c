@@ -46,7 +46,6 @@ const struct technique unshadowed_technique = {
     .help = "all VPLs, without visibility",
     MANY_LIGHTS_TECHNIQUE,
     .refinement = &refinement,
-    .through_walls = true,
     .check = many_lights_check,
     .resize = many_lights_resize,
 };

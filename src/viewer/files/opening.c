@@ -151,7 +151,6 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     const char *path = viewer->document.scene.path;
     viewer->wish.play.on = false;
     viewer->shown.renderer = *renderer;
-    inspect_forget(&viewer->shown.inspect);
     viewer->has_scene = true;
     viewer->shown.has_pick = false;
     viewer->shown.left = viewer->shown.right = NULL;

@@ -46,7 +46,6 @@ void viewer_take_renderer(struct viewer *viewer, const struct renderer *renderer
     compare_forget(&viewer->shown.compare);
     renderer_free(&viewer->shown.renderer);
     viewer->shown.renderer = *renderer;
-    inspect_forget(&viewer->shown.inspect);
     viewer->shown.left = viewer->shown.right = NULL;
 }
 

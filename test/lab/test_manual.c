@@ -1,0 +1,250 @@
+/* manylight manual: each option that --help-all lists has its line in the man page and in bash's completions,
+ * and so has each setting. Checkers of man pages find nothing. Bash completes. */
+#include "command_support.h"
+
+#include "base/file/file.h"
+#include "renderer/renderer.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static char *bash;
+
+static int write_manual(void **state) {
+    (void)state;
+    if (run_line("rm -rf @/manual && % manual -o @/manual") != 0)
+        return -1;
+    bash = file_read_text(scratch("manual/manylight.bash"));
+    return bash ? 0 : -1;
+}
+
+static int free_manual(void **state) {
+    (void)state;
+    free(bash);
+    return 0;
+}
+
+/* --- lines ------------------------------------------------------------------------------------ */
+
+/* The page as it is read, without roff's backslashes; to be freed. */
+static char *read_page(const char *command) {
+    char file[128];
+    snprintf(file, sizeof file, "manual/manylight-%.*s.1", (int)strcspn(command, " "), command);
+    char *page = file_read_text(scratch(file)), *to = page;
+    assert_non_null(page);
+    for (const char *from = page; *from; from++)
+        if (*from != '\\')
+            *to++ = *from;
+    *to = '\0';
+    return page;
+}
+
+/* The function of the command in a completion, to be freed. */
+static char *function_of(const char *script, const char *command) {
+    char head[64];
+    snprintf(head, sizeof head, "_manylight_%s() {\n", command);
+    for (char *c = head; *c != '('; c++)
+        if (*c == ' ')
+            *c = '_';
+    const char *begin = strstr(script, head);
+    if (!begin)
+        fail_msg("no function %s", head);
+    const char *end = strstr(begin, "\n}\n");
+    assert_non_null(end);
+    char *text = calloc(1, (size_t)(end - begin) + 1);
+    memcpy(text, begin, (size_t)(end - begin));
+    return text;
+}
+
+static void check_option(const char *page, const char *in_bash, const char *name) {
+    char words[128];
+    snprintf(words, sizeof words, "fB--%sfR", name);
+    expect_in(page, words);
+    snprintf(words, sizeof words, " --%s", name);
+    expect_in(in_bash, words);
+}
+
+/* "  -o, --output FILE" and "  --size WxH": the name behind the dashes, or NULL. */
+static const char *option_of_line(const char *line, char name[64]) {
+    if (strncmp(line, "  -", 3) != 0)
+        return NULL;
+    const char *at = line + 2;
+    at += strncmp(at + 1, "-", 1) != 0 && at[2] == ',' ? 4 : 0;
+    if (strncmp(at, "--", 2) != 0)
+        return NULL;
+    int length = (int)strspn(at + 2, "abcdefghijklmnopqrstuvwxyz-");
+    snprintf(name, 64, "%.*s", length, at + 2);
+    return name;
+}
+
+static void check_command(const char *command) {
+    char name[64];
+    int count = 0;
+    assert_int_equal(run_program("%s --help-all", command), 0);
+    char *page = read_page(command), *in_bash = function_of(bash, command);
+    for (const char *line = output; line; line = strchr(line, '\n')) {
+        line += *line == '\n';
+        if (option_of_line(line, name)) {
+            check_option(page, in_bash, name);
+            count++;
+        }
+    }
+    printf("    %s: %d options\n", command, count);
+    assert_true(count >= 5);
+    mem_free(page, in_bash);
+}
+
+/* Rows of two spaces, a name and a help; others, which begin otherwise, are no names. */
+static int names_of_help(const char *command, char names[][32], int most) {
+    int count = 0;
+    assert_int_equal(run_program("%s --help", command), 0);
+    for (const char *line = output; line && count < most; line = strchr(line, '\n')) {
+        line += *line == '\n';
+        if (strncmp(line, "  ", 2) == 0 && islower((unsigned char)line[2]))
+            sscanf(line, " %31s", names[count++]);
+    }
+    return count;
+}
+
+static void test_options(void **state) {
+    (void)state;
+    char names[32][32], modes[32][32];
+    int count = names_of_help("", names, 32), mode_count = names_of_help("bench", modes, 32);
+    assert_true(count >= 10 && mode_count >= 10);
+    for (int i = 0; i < count; i++)
+        if (strcmp(names[i], "bench") != 0)
+            check_command(names[i]);
+    for (int i = 0; i < mode_count; i++)
+        if (is_tried_here((size_t)i, 4)) {
+            char command[48];
+            snprintf(command, sizeof command, "bench %s", modes[i]);
+            check_command(command);
+        }
+}
+
+static void test_settings(void **state) {
+    (void)state;
+    struct settings settings;
+    char *page = read_page("render"), name[SETTING_NAME_SIZE], words[2 * SETTING_NAME_SIZE];
+    int count = 0;
+    renderer_settings_init(&settings);
+    for (struct setting s = {0}; settings_next(&settings, &s); count++) {
+        setting_name(&s, name);
+        snprintf(words, sizeof words, "fB%sfR\n", name);
+        expect_in(page, words);
+        snprintf(words, sizeof words, " %s= ", name);
+        expect_in(bash, words);
+    }
+    printf("    %d settings\n", count);
+    free(page);
+}
+
+/* --- checkers --------------------------------------------------------------------------------- */
+
+static void test_groff(void **state) {
+    (void)state;
+    need_command("command -v groff");
+    expect(0, "for page in @/manual/*.1; do groff -ww -z -man -Tutf8 $page; done");
+    assert_string_equal(output, "");
+}
+
+/* Characters of commands are shown as they are typed: roff has hyphens, quotes, hats and tildes of its own. A hyphen at
+ * the end of a line divides a word. */
+static void test_characters(void **state) {
+    (void)state;
+    need_command("command -v groff");
+    expect(0, "for page in @/manual/*.1; do groff -man -Tutf8 -P-cbou $page; done >@/pages");
+    expect(1, "grep -e '‐.' -e '‘' -e '’' -e 'ˆ' -e '˜' @/pages");
+    expect(0, "grep -F -e '~/.cache' @/pages && grep -F -e ')^2' @/pages");
+    expect(0, "grep -F -c -e \"the paper's\" @/pages");
+}
+
+/* Titles of modes do not run into the next sentence. */
+static void test_titles(void **state) {
+    (void)state;
+    char *page = read_page("bench");
+    expect_in(page, "Tables 1 and 2\n.PP\nWithout SCENE");
+    free(page);
+}
+
+static void test_mandoc(void **state) {
+    (void)state;
+    need_command("command -v mandoc");
+    expect(0, "mandoc -T lint -W warning @/manual/*.1");
+}
+
+/* --- shells ----------------------------------------------------------------------------------- */
+
+/* A command line, a completion of its last word, and a word that is none. */
+static const struct completion {
+    const char *line, *has, *lacks;
+} completions[] = {
+    {"manylight re", "reference", "bench"},
+    {"manylight bench t", "temporal", "sweep"},
+    {"manylight render --tech", "--technique", "--time"},
+    {"manylight render --technique imp", "imperfect-volume", "clustered"},
+    {"manylight render --layer ", "indirect", "normal"},
+    {"manylight compare -l indirect.", "indirect.specular", "albedo"},
+    {"manylight bench times --scr", "--screen-passes", "--size"},
+    {"manylight render scenes/cornell-b", "scenes/cornell-box.glb", "scenes/atrium.glb"},
+};
+
+enum { COMPLETIONS = sizeof completions / sizeof *completions };
+
+static void check_completions(const char *command) {
+    for (int i = 0; i < COMPLETIONS; i++) {
+        char line[512];
+        snprintf(line, sizeof line, command, completions[i].line);
+        expect(0, line);
+        expect_text(completions[i].has);
+        assert_null(strstr(output, completions[i].lacks));
+    }
+}
+
+static void test_bash(void **state) {
+    (void)state;
+    check_completions("test/lab/complete.bash @/manual '%s'");
+    expect(0, "test/lab/complete.bash @/manual 'manylight render --set clustered.visibility=p'");
+    assert_string_equal(output, "pcss\n");
+    expect(0, "test/lab/complete.bash @/manual 'manylight view --technique=row'");
+    assert_string_equal(output, "row-column\n");
+    expect(0, "test/lab/complete.bash @/manual 'manylight render --set clustered.visibility-b'");
+    assert_string_equal(output, "clustered.visibility-block=\n");
+    expect(0,
+           "rm -rf @/odd && mkdir @/odd && touch '@/odd/a scene.glb' '@/odd/b*.glb' @/odd/bc.glb");
+    expect(0, "test/lab/complete.bash @/manual 'manylight render @/odd/a\\ sc'");
+    expect_text("odd/a scene.glb\n");
+    expect(0, "test/lab/complete.bash @/manual 'manylight render @/odd/b\\*'");
+    assert_null(strstr(output, "bc.glb")); /* readline is to complete it */
+    expect(0, "test/lab/complete.bash @/manual 'manylight render @/odd/b'");
+    expect_text("odd/b*.glb\n");
+    assert_int_equal(count_text(output, "\n"), 2);
+    expect(0, "test/lab/complete.bash @/manual 'manylight render \"@/odd/a sc'");
+    assert_string_equal(output, "\n"); /* left to bash */
+    expect(0, "test/lab/complete.bash @/manual 'manylight render --glsl sc'");
+    assert_string_equal(output, "scenes\n");
+}
+
+/* --- refusals --------------------------------------------------------------------------------- */
+
+static void test_refusals(void **state) {
+    (void)state;
+    expect_command(2, "manual", "");
+    expect_text("-o FOLDER is missing");
+    expect_command(1, "manual", "-o @/manual");
+    expect_text("exists: choose the name of a new folder");
+    expect_command(1, "manual", "-o @/none/manual");
+    expect_text("No such file");
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_options),    cmocka_unit_test(test_settings),
+        cmocka_unit_test(test_groff),      cmocka_unit_test(test_mandoc),
+        cmocka_unit_test(test_characters), cmocka_unit_test(test_titles),
+        cmocka_unit_test(test_bash),       cmocka_unit_test(test_refusals),
+    };
+    return cmocka_run_group_tests(tests, write_manual, free_manual);
+}
