@@ -24,6 +24,7 @@
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "quality/quality.h"
+#include "quality/traced.h"
 #include "renderer/about.h"
 #include "scene/caustics.h"
 #include "shared/composite.h"
@@ -48,6 +49,8 @@ struct values {
     struct frame_rate rate; /* of fps */
     bool skip_existing, stats;
     struct in_time in_time;    /* where budget */
+    int traced;                /* samples of a pixel, path-traced in place of frames; 0: frames */
+    struct image picture;      /* where traced */
     struct progress *progress; /* of the frames */
     char *choice;              /* which quality was chosen, and why */
 };
@@ -251,11 +254,14 @@ static bool check_file(const struct values *values, struct renderer *renderer, c
 
 static bool read_image(const struct values *values, struct renderer *renderer,
                        struct image *image) {
-    if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
+    if (values->traced > 0)
+        *image = image_copy(&values->picture);
+    else if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
         return false;
     const struct about about = {.scene = values->stage.path,
                                 .camera = values->stage.camera,
-                                .technique = renderer->technique->name,
+                                .technique =
+                                    values->traced > 0 ? "path" : renderer->technique->name,
                                 .placed = &renderer->desc.camera,
                                 .settings = &renderer->desc.settings,
                                 .time = frame_time(values, values->progress->frame)};
@@ -266,6 +272,14 @@ static bool read_image(const struct values *values, struct renderer *renderer,
         image->weight = renderer_pass_weight(renderer);
     }
     return true;
+}
+
+static bool read_bitmap(const struct values *values, struct renderer *renderer,
+                        struct bitmap *bitmap) {
+    if (values->traced > 0)
+        return traced_display(&values->picture, &renderer->desc, values->layer, bitmap);
+    renderer_compose(renderer, values->layer);
+    return renderer_read_display(renderer, bitmap);
 }
 
 static bool write_output(const struct values *values, struct renderer *renderer, const char *path) {
@@ -279,8 +293,7 @@ static bool write_output(const struct values *values, struct renderer *renderer,
         image_free(&image);
     } else {
         struct bitmap bitmap;
-        renderer_compose(renderer, values->layer);
-        if (!renderer_read_display(renderer, &bitmap))
+        if (!read_bitmap(values, renderer, &bitmap))
             return false;
         bool transparent = renderer->desc.background.kind == BACKGROUND_NONE;
         ok = transparent ? bitmap_write_alpha(&bitmap, path) : bitmap_write(&bitmap, path);
@@ -296,8 +309,7 @@ static bool write_videos(struct values *values, struct renderer *renderer) {
     struct bitmap bitmap;
     if (values->videos.begun == 0)
         return true;
-    renderer_compose(renderer, values->layer);
-    if (!renderer_read_display(renderer, &bitmap))
+    if (!read_bitmap(values, renderer, &bitmap))
         return false;
     bool ok = videos_add(&values->videos, &bitmap);
     bitmap_free(&bitmap);
@@ -341,11 +353,30 @@ static bool write_outputs(struct values *values, struct renderer *renderer, int 
     return each_output(values, renderer, frame, write_output) && write_videos(values, renderer);
 }
 
+static bool trace(struct values *values, const struct renderer_desc *desc,
+                  const struct stage *stage, struct work *work) {
+    const struct measure_desc measure = measure_of(desc, stage);
+    return traced_render(&measure, values->traced, desc->background.kind != BACKGROUND_SCENE,
+                         &work->progress, &values->picture);
+}
+
+/* Paths make single pictures alone: a sequence would flicker by their noise. */
+static bool may_trace(const struct values *values) {
+    const struct technique_values *named = &values->technique;
+    return !values->frames && !values->passes_given && values->first_pass == 0 && !values->aov &&
+           !named->technique && !named->direct &&
+           !quality_is_preset(named->settings.items, named->settings.count);
+}
+
 static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
                          struct work *work, int frame) {
     double time = frame_time(values, frame);
     bool ok = true;
-    if (!stage_pose(stage, time) || !stage_show(stage, renderer))
+    if (!stage_pose(stage, time))
+        return false;
+    if (values->traced > 0)
+        return trace(values, &renderer->desc, stage, work) && write_outputs(values, renderer, frame);
+    if (!stage_show(stage, renderer))
         return false;
     cancel_begin(interrupt_asked, NULL, CANCEL_INTERVAL);
     if (values->budget > 0)
@@ -424,9 +455,17 @@ static void print_choice(FILE *out, const struct values *values) {
     free(text);
 }
 
+static bool print_traced(const struct values *values) {
+    if (values->stats)
+        print_choice(outputs_table_stream(values->outputs.items, values->outputs.count), values);
+    return true;
+}
+
 static bool render(struct values *values, const struct frames *frames,
                    const struct renderer_desc *desc, struct stage *stage) {
-    struct renderer renderer;
+    struct renderer renderer = {.desc = *desc}; /* all that a path-traced picture has of it */
+    if (values->traced > 0)
+        return render_frames(values, frames, &renderer, stage) && print_traced(values);
     if (!renderer_init(&renderer, desc))
         return false;
     bool ok = aov_check(&renderer, values->aov) &&
@@ -447,18 +486,17 @@ static bool render(struct values *values, const struct frames *frames,
 
 /* What --max-error comes to, at the time of frame 0: frames split between processes are made alike. */
 static bool find_quality(struct values *values, struct renderer_desc *desc, struct stage *stage) {
-    struct measure_desc measure = measure_default(stage, values->size[0], values->size[1]);
+    const struct measure_desc measure = measure_of(desc, stage);
     const struct text_list *texts = &values->technique.settings;
     bool one_pass = values->passes > 0 || values->aov;
     struct quality_found found;
-    measure.technique = desc->technique;
-    measure.direct = desc->direct;
     struct quality_desc wanted = {&measure,
                                   texts->items,
                                   texts->count,
                                   (double)values->max_error,
                                   one_pass ? 1 : QUALITY_MOST_PASSES,
-                                  !one_pass && !values->technique.technique};
+                                  !one_pass && !values->technique.technique,
+                                  may_trace(values)};
     if (!stage_pose(stage, (double)values->stage.time) || !quality_find(&wanted, &found))
         return false;
     char *what = quality_describe(&found.choice);
@@ -466,6 +504,7 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
                                 found.reached ? "" : "; nothing errs much less");
     (found.reached ? log_note : log_warning)("%s: %s", stage->name, values->choice);
     free(what);
+    values->traced = found.choice.samples;
     if (values->passes == 0)
         values->passes = found.choice.passes;
     desc->progressive = has_mean(values);
@@ -564,6 +603,7 @@ int app_render(int argc, char **argv) {
     bool ok = render_scene(&values, &frames, &desc);
     frames_free(&frames);
     free(values.choice);
+    image_free(&values.picture);
     if (ok)
         return STATUS_OK;
     status = arguments_fail(argv[0]);

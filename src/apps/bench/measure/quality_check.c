@@ -21,9 +21,9 @@ static const struct quality_choice others[] = {
     QUALITY_FRAME("path=traced lights.vpls=256"),
     QUALITY_FRAME("path=traced lights.vpls=512"),
     QUALITY_FRAME("path=traced lights.vpls=512 gather.interleave=4 picture.samples=16"),
-    {"", 1, "unshadowed"},
-    {"", 1, "lightcuts"},
-    {"", 1, "cluster-lights"},
+    {"", 1, "unshadowed", 0},
+    {"", 1, "lightcuts", 0},
+    {"", 1, "cluster-lights", 0},
 };
 
 static const double asked[] = {.02, .04, .08, .16, .3};
