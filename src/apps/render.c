@@ -175,21 +175,6 @@ static bool has_mean(const struct values *values) {
     return values->passes > 1 || values->first_pass > 0 || (values->passes_given && !values->aov);
 }
 
-static bool check_videos(const struct values *values) {
-    const struct text_list *paths = &values->videos.paths;
-    for (int i = 0; i < paths->count; i++) {
-        if (!values->frames)
-            return error_set("%s: a video needs --frames A..B", paths->items[i]);
-        if (frame_name_is_numbered(paths->items[i]))
-            return frame_name_refuse(paths->items[i], "a video has all frames");
-        if (values->skip_existing)
-            return error_set("%s: a video is made of all frames, and --skip-existing leaves some "
-                             "out; write numbered pictures: -o frame.####.png",
-                             paths->items[i]);
-    }
-    return true;
-}
-
 /* Videos show the background as pictures of 8 bits do. */
 static bool check_background(const struct values *values, const struct background *background) {
     bool has_video = values->videos.paths.count > 0;
@@ -218,7 +203,7 @@ static bool check_outputs(const struct values *values, int frame_count) {
         return error_set("aov: outputs of a technique are of one pass, and not of a mean");
     if (values->outputs.count + values->videos.paths.count == 0)
         return error_set("no output: -o FILE");
-    if (!check_videos(values) ||
+    if (!videos_check_use(&values->videos, values->frames, values->skip_existing) ||
         !outputs_use_format(values->outputs.items, values->outputs.count, values->format))
         return false;
     for (int i = 0; i < values->outputs.count; i++) {
@@ -380,7 +365,9 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
         return false;
     cancel_begin(interrupt_asked, NULL, CANCEL_INTERVAL);
     if (values->budget > 0)
-        ok = in_time_render(&values->in_time, renderer, stage, time);
+        ok = in_time_render(&values->in_time, renderer, stage, time) &&
+             (!may_trace(values) || in_time_trace(&values->in_time, renderer, stage,
+                                                  &values->picture, &values->traced));
     else if (has_mean(values))
         add_passes(values, renderer, work, frame);
     else
@@ -441,8 +428,10 @@ static bool render_frames(struct values *values, const struct frames *frames,
 /* Which quality was chosen, and why. */
 static void print_choice(FILE *out, const struct values *values) {
     struct quality_choice named = quality_named((enum quality)values->quality);
-    char *text = values->budget > 0      ? in_time_describe(&values->in_time)
-                 : values->max_error > 0 ? mem_strdup(values->choice)
+    const struct quality_choice traced = QUALITY_TRACED(values->traced);
+    char *text = values->max_error > 0   ? mem_strdup(values->choice)
+                 : values->traced > 0    ? quality_describe(&traced)
+                 : values->budget > 0    ? in_time_describe(&values->in_time)
                                          : quality_describe(&named);
     fprintf(out, "chosen ");
     if (values->budget > 0)
@@ -455,32 +444,32 @@ static void print_choice(FILE *out, const struct values *values) {
     free(text);
 }
 
-static bool print_traced(const struct values *values) {
-    if (values->stats)
-        print_choice(outputs_table_stream(values->outputs.items, values->outputs.count), values);
-    return true;
+/* The frame again, as the first one also compiled; a path-traced picture has no passes. */
+static void print_stats(const struct values *values, struct renderer *renderer) {
+    FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
+    if (values->traced == 0)
+        renderer_render(renderer);
+    print_choice(out, values);
+    if (values->traced == 0)
+        stats_print(out, renderer);
 }
 
 static bool render(struct values *values, const struct frames *frames,
                    const struct renderer_desc *desc, struct stage *stage) {
     struct renderer renderer = {.desc = *desc}; /* all that a path-traced picture has of it */
-    if (values->traced > 0)
-        return render_frames(values, frames, &renderer, stage) && print_traced(values);
-    if (!renderer_init(&renderer, desc))
+    bool traced = values->traced > 0;
+    if (!traced && !renderer_init(&renderer, desc))
         return false;
-    bool ok = aov_check(&renderer, values->aov) &&
+    bool ok = (traced || aov_check(&renderer, values->aov)) &&
               videos_begin(&values->videos, desc->width, desc->height, values->rate.text) &&
               render_frames(values, frames, &renderer, stage);
     ok = videos_end(&values->videos, ok) && ok;
     for (int i = 0; ok && i < values->videos.paths.count; i++)
         progress_tell_file(&(struct progress){.task = "frames"}, values->videos.paths.items[i]);
-    if (ok && values->stats) {
-        FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
-        renderer_render(&renderer); /* the first frame also compiled */
-        print_choice(out, values);
-        stats_print(out, &renderer);
-    }
-    renderer_free(&renderer);
+    if (ok && values->stats)
+        print_stats(values, &renderer);
+    if (!traced)
+        renderer_free(&renderer);
     return ok;
 }
 
