@@ -97,7 +97,8 @@ static bool is_better(const struct measure_desc *measure, struct renderer *rende
               estimate_picture_error(&estimate, picture, frame, &traced);
     *better = ok && traced < frame;
     if (ok)
-        log_note("the frame errs %.1f %%, a path-traced picture %.1f %%", 100 * frame, 100 * traced);
+        log_note("the frame errs %.1f %%, a path-traced picture %.1f %%", 100 * frame,
+                 100 * traced);
     estimate_free(&estimate);
     return ok;
 }

@@ -68,12 +68,14 @@ static const struct option options[] = {
     {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
      .help = "limit of the relative RMSE of indirect light; path-traces about\n"
              "9000 pixels at --time, then uses the cheapest setting within\n"
-             "the limit; 0: off"},
+             "the limit; a single picture by software OpenGL may be path-traced;\n"
+             "0: off"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
      .unit = "ms",
      .help =
          "time per frame, ms: adapts settings not given by --set, from the times of the frames\n"
-         "before; frames then depend on the machine and on each other; 0: off"},
+         "before; frames then depend on the machine and on each other; a single picture by\n"
+         "software OpenGL is path-traced where that errs less; 0: off"},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and similar formats\n"
@@ -360,14 +362,15 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
     if (!stage_pose(stage, time))
         return false;
     if (values->traced > 0)
-        return trace(values, &renderer->desc, stage, work) && write_outputs(values, renderer, frame);
+        return trace(values, &renderer->desc, stage, work) &&
+               write_outputs(values, renderer, frame);
     if (!stage_show(stage, renderer))
         return false;
     cancel_begin(interrupt_asked, NULL, CANCEL_INTERVAL);
     if (values->budget > 0)
         ok = in_time_render(&values->in_time, renderer, stage, time) &&
-             (!may_trace(values) || in_time_trace(&values->in_time, renderer, stage,
-                                                  &values->picture, &values->traced));
+             (!may_trace(values) ||
+              in_time_trace(&values->in_time, renderer, stage, &values->picture, &values->traced));
     else if (has_mean(values))
         add_passes(values, renderer, work, frame);
     else
@@ -429,10 +432,10 @@ static bool render_frames(struct values *values, const struct frames *frames,
 static void print_choice(FILE *out, const struct values *values) {
     struct quality_choice named = quality_named((enum quality)values->quality);
     const struct quality_choice traced = QUALITY_TRACED(values->traced);
-    char *text = values->max_error > 0   ? mem_strdup(values->choice)
-                 : values->traced > 0    ? quality_describe(&traced)
-                 : values->budget > 0    ? in_time_describe(&values->in_time)
-                                         : quality_describe(&named);
+    char *text = values->max_error > 0 ? mem_strdup(values->choice)
+                 : values->traced > 0  ? quality_describe(&traced)
+                 : values->budget > 0  ? in_time_describe(&values->in_time)
+                                       : quality_describe(&named);
     fprintf(out, "chosen ");
     if (values->budget > 0)
         fprintf(out, "by --budget %gms", (double)values->budget);

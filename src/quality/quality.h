@@ -18,7 +18,7 @@ struct quality_choice {
     const char *settings;  /* as renderer_settings_assign's; "" = as they are */
     int passes;            /* of renderer_add_pass */
     const char *technique; /* NULL: as it is */
-    int samples;           /* of a pixel, path-traced in place of frames (quality/traced.h); 0: frames */
+    int samples; /* of a pixel, path-traced in place of frames (quality/traced.h); 0: frames */
 };
 
 /* One frame, by the technique as it is. */

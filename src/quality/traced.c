@@ -8,11 +8,12 @@
 #include "shared/composite.h"
 
 /* All others speak of frames. */
-static const char obeyed[] = "lights.bounces lights.seed surface.materials medium.scatter medium.absorb "
-                             "medium.g medium.scene picture.exposure picture.tone-map";
+static const char obeyed[] =
+    "lights.bounces lights.seed surface.materials medium.scatter medium.absorb "
+    "medium.g medium.scene picture.exposure picture.tone-map";
 
 /* No estimate has these seeds (quality/estimate.h). */
-static const uint32_t first_seed = 1U << 31;
+static const uint32_t first_seed = 1U << 30;
 
 bool traced_is_possible(const struct measure_desc *desc) {
     struct settings defaults;
@@ -34,7 +35,6 @@ bool traced_render(const struct measure_desc *desc, int samples, bool hides_sky,
                    struct progress *progress, struct image *image) {
     struct path_tracer_desc paths = picture_paths(desc);
     paths.samples = samples;
-    paths.paths = 1; /* more would leave the noise of direct and specular light */
     paths.seed = first_seed + (uint32_t)measure_setting(desc, "lights.seed");
     paths.denoise = paths.bounces > 0;
     paths.hides_sky = hides_sky;
