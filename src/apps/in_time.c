@@ -7,7 +7,6 @@
 #include "quality/quality.h"
 #include "quality/traced.h"
 #include "shared/composite.h"
-#include "techniques/many_lights.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -44,8 +43,6 @@ static void render_once(struct in_time *in_time, struct renderer *renderer) {
 bool in_time_render(struct in_time *in_time, struct renderer *renderer, struct stage *stage,
                     double time) {
     int tries = in_time->started ? 1 : TRIES;
-    time_budget_allow_rays(&in_time->budget,
-                           many_lights_may_trace(&stage->scene, &stage->geometry));
     for (bool holds = false; !holds && tries > 0; tries--) {
         bool taken = in_time->started && in_time->level == in_time->budget.level;
         if (!taken && !take_level(in_time, renderer, stage, time))

@@ -24,7 +24,7 @@ bool in_time_render(struct in_time *in_time, struct renderer *renderer, struct s
 bool in_time_trace(const struct in_time *in_time, struct renderer *renderer,
                    const struct stage *stage, struct image *picture, int *samples);
 
-/* "level 31 of 72: lights.vpls=...", of the next frame; the caller frees it. */
+/* "level 31 of 40: lights.vpls=...", of the next frame; the caller frees it. */
 char *in_time_describe(const struct in_time *in_time);
 
 #endif
