@@ -12,25 +12,17 @@
 
 const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 
-/* Cheapest first (bench/PARSIMONY.md). Choices without a preset are for techniques that have no rays, too. */
+/* Cheapest first (bench/PARSIMONY.md). */
 static const struct quality_choice frames[] = {
     QUALITY_FRAME("path=draft"),
-    QUALITY_FRAME("gather.adaptive=0"),
-    QUALITY_FRAME("path=traced lights.vpls=128 gather.interleave=4"),
-    QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=4"),
+    QUALITY_FRAME("lights.vpls=128 gather.interleave=4 gather.adaptive=2"),
     QUALITY_FRAME(""),
-    QUALITY_FRAME("path=traced lights.vpls=512 picture.samples=16"),
     QUALITY_FRAME("gather.interleave=4 gather.adaptive=2"),
-    {"picture.samples=16", 1, "cluster-lights", 0},
-    QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=2 gather.adaptive=1"),
-    QUALITY_FRAME("gather.interleave=2 gather.adaptive=1 picture.samples=16"),
-    QUALITY_FRAME(
-        "path=traced lights.vpls=512 gather.interleave=2 gather.adaptive=1 picture.samples=16"),
-    QUALITY_FRAME("path=traced gather.interleave=2 gather.adaptive=1 picture.samples=16"),
-    QUALITY_TRACED(4),
     QUALITY_TRACED(8),
+    {"picture.samples=16", 1, "cluster-lights", 0},
+    QUALITY_FRAME("gather.interleave=2 gather.adaptive=1 picture.samples=16"),
+    QUALITY_FRAME("lights.vpls=1024 gather.interleave=2 gather.adaptive=1 picture.samples=16"),
     QUALITY_TRACED(16),
-    QUALITY_TRACED(32),
     QUALITY_TRACED(64),
 };
 

@@ -34,7 +34,7 @@ struct quality_choice quality_named(enum quality quality);
 char *quality_describe(const struct quality_choice *choice);
 
 /* Where a ladder ends that nothing else ends. */
-enum { QUALITY_MOST_PASSES = 256, QUALITY_CHOICES_MAX = 26 };
+enum { QUALITY_MOST_PASSES = 256, QUALITY_CHOICES_MAX = 20 };
 
 /* Fills in the ladder, cheapest first: frames and path-traced pictures, then means of up to most_passes. Returns their
  * number. */
