@@ -80,7 +80,7 @@ static bool trace_in_time(const struct measure_desc *measure, bool hides_sky, do
         return true;
     if (!trace(measure, hides_sky, TRACED_FEW, picture, &few))
         return false;
-    double each = fmax((few - one) / (TRACED_FEW - 1), 1e-3);
+    double each = fmax(fmin((few - one) / (TRACED_FEW - 1), few / TRACED_FEW), 1e-3);
     *samples = (int)fmin(1 + (target - one) / each, TRACED_MOST);
     return trace(measure, hides_sky, *samples, picture, &all);
 }

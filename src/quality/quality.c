@@ -15,15 +15,16 @@ const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 /* Cheapest first (bench/PARSIMONY.md). */
 static const struct quality_choice frames[] = {
     QUALITY_FRAME("path=draft"),
+    QUALITY_TRACED(8),
     QUALITY_FRAME("lights.vpls=128 gather.interleave=4 gather.adaptive=2"),
     QUALITY_FRAME(""),
     QUALITY_FRAME("gather.interleave=4 gather.adaptive=2"),
-    QUALITY_TRACED(8),
     {"picture.samples=16", 1, "cluster-lights", 0},
     QUALITY_FRAME("gather.interleave=2 gather.adaptive=1 picture.samples=16"),
-    QUALITY_FRAME("lights.vpls=1024 gather.interleave=2 gather.adaptive=1 picture.samples=16"),
     QUALITY_TRACED(16),
+    QUALITY_FRAME("lights.vpls=1024 gather.interleave=2 gather.adaptive=1 picture.samples=16"),
     QUALITY_TRACED(64),
+    QUALITY_TRACED(256),
 };
 
 /* Fewer passes than that are worse than one of as much time. */
@@ -153,16 +154,22 @@ struct draft {
     int passes;
 };
 
+/* Means of passes take longer than paths that err as much, and are for where there are none. */
+static bool takes_paths(const struct draft *draft, const struct quality_choice *choice) {
+    bool traces = draft->desc->traces && traced_is_possible(&draft->measure);
+    return choice->samples > 0 ? traces : choice->passes == 1 || !traces;
+}
+
 /* A technique need not have the preset, and what is given need not go with it. Of a preset that is given there is one
  * frame. */
 static bool is_possible(struct draft *draft, const struct quality_choice *choice) {
     const struct quality_desc *desc = draft->desc;
     draft->measure.technique = quality_technique(choice, desc->measure->technique);
-    return (!choice->technique || desc->any_technique) && (choice->samples == 0 || desc->traces) &&
+    return (!choice->technique || desc->any_technique) &&
            (!*choice->settings || !quality_is_preset(desc->texts, desc->text_count)) &&
            quality_settings(choice, draft->measure.technique, desc->texts, desc->text_count,
                             &draft->measure.settings) &&
-           (choice->samples == 0 || traced_is_possible(&draft->measure));
+           takes_paths(draft, choice);
 }
 
 static bool tell_traced(struct draft *draft, int samples, double *error) {

@@ -334,10 +334,10 @@ static void test_traced(void **state) {
     snprintf(exr, sizeof exr, "%s", scratch("traced.exr"));
     snprintf(png, sizeof png, "%s", scratch("traced.png"));
     snprintf(reference, sizeof reference, "%s", scratch("reference.exr"));
-    assert_int_equal(run_program("render %s -o %s -o %s --budget 60000ms --stats --set seed=5 2>&1",
+    assert_int_equal(run_program("render %s -o %s -o %s --budget 600000ms --stats --set seed=5 2>&1",
                                  scene, exr, png),
                      0);
-    expect_text("chosen by --budget 60000ms: 256 path-traced samples, denoised");
+    expect_text("chosen by --budget 600000ms: 256 path-traced samples, denoised");
     assert_int_equal(run_program("reference %s -o %s --spp 256 --denoise --seed %d", scene,
                                  reference, (1 << 30) + 5),
                      0);
@@ -350,8 +350,8 @@ static void test_traced(void **state) {
              (const char *const[]){"--frames 0", "--set vals=8", "--technique clustered", NULL};
          *kept; kept++) {
         assert_int_equal(
-            run_program("render %s -o %s --budget 60000ms --stats %s 2>&1", scene, png, *kept), 0);
-        expect_text("chosen by --budget 60000ms: level ");
+            run_program("render %s -o %s --budget 600000ms --stats %s 2>&1", scene, png, *kept), 0);
+        expect_text("chosen by --budget 600000ms: level ");
     }
 }
 
