@@ -67,9 +67,8 @@ static const struct option options[] = {
              "--set and --passes override it"},
     {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
      .help = "limit of the relative RMSE of indirect light; path-traces about\n"
-             "9000 pixels at --time, then uses the cheapest setting within\n"
-             "the limit; a single picture by software OpenGL may be path-traced;\n"
-             "0: off"},
+             "9000 pixels at --time, then uses the cheapest setting within the limit;\n"
+             "a single picture by software OpenGL may be path-traced; 0: off"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
      .unit = "ms",
      .help =
@@ -157,7 +156,6 @@ static const struct arguments arguments = {
     .print_more = print_more,
 };
 
-/* Each frame of several needs files of its own. */
 static bool check_name(const struct values *values, const char *name, int frame_count,
                        bool *is_float) {
     bool numbered = frame_name_is_numbered(name);
@@ -291,7 +289,6 @@ static bool write_output(const struct values *values, struct renderer *renderer,
     return ok;
 }
 
-/* The frame in each video. */
 static bool write_videos(struct values *values, struct renderer *renderer) {
     struct bitmap bitmap;
     if (values->videos.begun == 0)
@@ -379,7 +376,6 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
     return ok && !work->stopped && write_outputs(values, renderer, frame);
 }
 
-/* After the first picture. */
 static void tell_start(double picture_ms) {
     phase_add(PHASE_PICTURE, picture_ms);
     char *text = phases_text();
@@ -414,9 +410,9 @@ static bool render_frames(struct values *values, const struct frames *frames,
             break;
         }
         ok = ok || error_prefix("frame %d", frame);
+        char note[32];
         if (work.done++ == 0)
             tell_start(start);
-        char note[32];
         snprintf(note, sizeof note, "frame %d", frame);
         if (ok)
             progress_show_step(&work.progress, share_done(&work, 0), note);
@@ -450,11 +446,11 @@ static void print_choice(FILE *out, const struct values *values) {
 /* The frame again, as the first one also compiled; a path-traced picture has no passes. */
 static void print_stats(const struct values *values, struct renderer *renderer) {
     FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
-    if (values->traced == 0)
-        renderer_render(renderer);
     print_choice(out, values);
-    if (values->traced == 0)
-        stats_print(out, renderer);
+    if (values->traced > 0)
+        return;
+    renderer_render(renderer);
+    stats_print(out, renderer);
 }
 
 static bool render(struct values *values, const struct frames *frames,

@@ -272,8 +272,8 @@ static void test_techniques(void **state) {
     struct measure_desc measure = measure_default(&stage, SIDE, SIDE);
     for (int any = is_long_run() ? 0 : 1; any < 2; any++) {
         struct quality_found found;
-        check_ok("find",
-                 quality_find(&(struct quality_desc){&measure, NULL, 0, .16, 1, any, false}, &found));
+        check_ok("find", quality_find(&(struct quality_desc){&measure, NULL, 0, .16, 1, any, false},
+                                      &found));
         char *what = quality_describe(&found.choice);
         printf("    %s: %s, %.1f %%\n", any ? "any" : "the default alone", what, 100 * found.error);
         free(what);
@@ -334,9 +334,10 @@ static void test_traced(void **state) {
     snprintf(exr, sizeof exr, "%s", scratch("traced.exr"));
     snprintf(png, sizeof png, "%s", scratch("traced.png"));
     snprintf(reference, sizeof reference, "%s", scratch("reference.exr"));
-    assert_int_equal(run_program("render %s -o %s -o %s --budget 600000ms --stats --set seed=5 2>&1",
-                                 scene, exr, png),
-                     0);
+    assert_int_equal(
+        run_program("render %s -o %s -o %s --budget 600000ms --stats --set seed=5 2>&1", scene, exr,
+                    png),
+        0);
     expect_text("chosen by --budget 600000ms: 256 path-traced samples, denoised");
     assert_int_equal(run_program("reference %s -o %s --spp 256 --denoise --seed %d", scene,
                                  reference, (1 << 30) + 5),
