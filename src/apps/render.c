@@ -312,7 +312,6 @@ struct work {
     bool stopped;             /* within a frame, which is not drawn to its end */
 };
 
-/* Also of the frame at hand a share. */
 static double share_done(const struct work *work, double share) {
     return (work->done + share) / (work->count - work->skipped);
 }
@@ -411,9 +410,9 @@ static bool render_frames(struct values *values, const struct frames *frames,
         }
         ok = ok || error_prefix("frame %d", frame);
         char note[32];
+        snprintf(note, sizeof note, "frame %d", frame);
         if (work.done++ == 0)
             tell_start(start);
-        snprintf(note, sizeof note, "frame %d", frame);
         if (ok)
             progress_show_step(&work.progress, share_done(&work, 0), note);
     }

@@ -312,6 +312,7 @@ static void test_words(void **state) {
         {"--quality draft --max-error 5%", 2, "--quality and --max-error exclude each other"},
         {"--quality better", 2, "quality: 'better' is not one of draft, normal, high, final"},
         {"--max-error 200%", 2, "max-error"},
+        {"--quality draft --stats", 0, "left out, without gather.adaptive>0"},
         {"--max-error 90% --set vpls=64,vals=4", 0, "cornell-box: path=draft, which errs"},
         {"--max-error 2% --passes 1 --set vpls=64,vals=4,adaptive=0", 0, "nothing errs much less"},
     };
