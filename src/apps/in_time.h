@@ -19,7 +19,12 @@ struct in_time {
 bool in_time_render(struct in_time *in_time, struct renderer *renderer, struct stage *stage,
                     double time);
 
-/* "level 31 of 72: lights.vpls=...", of the next frame; the caller frees it. */
+/* Path-traces the stage in the time of a frame, and gives the samples per pixel where the picture then errs less than
+ * the renderer's; 0: it does not, or traced_is_possible says no. Error: the tracer's or the renderer's. */
+bool in_time_trace(const struct in_time *in_time, struct renderer *renderer,
+                   const struct stage *stage, struct image *picture, int *samples);
+
+/* "level 31 of 40: lights.vpls=...", of the next frame; the caller frees it. */
 char *in_time_describe(const struct in_time *in_time);
 
 #endif

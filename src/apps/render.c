@@ -24,6 +24,7 @@
 #include "gl/glsl.h"
 #include "inspect/aov.h"
 #include "quality/quality.h"
+#include "quality/traced.h"
 #include "renderer/about.h"
 #include "scene/caustics.h"
 #include "shared/composite.h"
@@ -48,6 +49,8 @@ struct values {
     struct frame_rate rate; /* of fps */
     bool skip_existing, stats;
     struct in_time in_time;    /* where budget */
+    int traced;                /* samples of a pixel, path-traced in place of frames; 0: frames */
+    struct image picture;      /* where traced */
     struct progress *progress; /* of the frames */
     char *choice;              /* which quality was chosen, and why */
 };
@@ -64,13 +67,14 @@ static const struct option options[] = {
              "--set and --passes override it"},
     {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
      .help = "limit of the relative RMSE of indirect light; path-traces about\n"
-             "9000 pixels at --time, then uses the cheapest setting within\n"
-             "the limit; 0: off"},
+             "9000 pixels at --time, then uses the cheapest setting within the limit;\n"
+             "a single picture by software OpenGL may be path-traced; 0: off"},
     {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
      .unit = "ms",
      .help =
          "time per frame, ms: adapts settings not given by --set, from the times of the frames\n"
-         "before; frames then depend on the machine and on each other; 0: off"},
+         "before; frames then depend on the machine and on each other; a single picture by\n"
+         "software OpenGL is path-traced where that errs less; 0: off"},
     TECHNIQUE_OPTIONS(struct values, technique),
     {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
      .help = "light that PNG, JPEG and similar formats\n"
@@ -152,7 +156,6 @@ static const struct arguments arguments = {
     .print_more = print_more,
 };
 
-/* Each frame of several needs files of its own. */
 static bool check_name(const struct values *values, const char *name, int frame_count,
                        bool *is_float) {
     bool numbered = frame_name_is_numbered(name);
@@ -170,21 +173,6 @@ static bool check_name(const struct values *values, const char *name, int frame_
 
 static bool has_mean(const struct values *values) {
     return values->passes > 1 || values->first_pass > 0 || (values->passes_given && !values->aov);
-}
-
-static bool check_videos(const struct values *values) {
-    const struct text_list *paths = &values->videos.paths;
-    for (int i = 0; i < paths->count; i++) {
-        if (!values->frames)
-            return error_set("%s: a video needs --frames A..B", paths->items[i]);
-        if (frame_name_is_numbered(paths->items[i]))
-            return frame_name_refuse(paths->items[i], "a video has all frames");
-        if (values->skip_existing)
-            return error_set("%s: a video is made of all frames, and --skip-existing leaves some "
-                             "out; write numbered pictures: -o frame.####.png",
-                             paths->items[i]);
-    }
-    return true;
 }
 
 /* Videos show the background as pictures of 8 bits do. */
@@ -215,7 +203,7 @@ static bool check_outputs(const struct values *values, int frame_count) {
         return error_set("aov: outputs of a technique are of one pass, and not of a mean");
     if (values->outputs.count + values->videos.paths.count == 0)
         return error_set("no output: -o FILE");
-    if (!check_videos(values) ||
+    if (!videos_check_use(&values->videos, values->frames, values->skip_existing) ||
         !outputs_use_format(values->outputs.items, values->outputs.count, values->format))
         return false;
     for (int i = 0; i < values->outputs.count; i++) {
@@ -251,11 +239,14 @@ static bool check_file(const struct values *values, struct renderer *renderer, c
 
 static bool read_image(const struct values *values, struct renderer *renderer,
                        struct image *image) {
-    if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
+    if (values->traced > 0)
+        *image = image_copy(&values->picture);
+    else if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
         return false;
     const struct about about = {.scene = values->stage.path,
                                 .camera = values->stage.camera,
-                                .technique = renderer->technique->name,
+                                .technique =
+                                    values->traced > 0 ? "path" : renderer->technique->name,
                                 .placed = &renderer->desc.camera,
                                 .settings = &renderer->desc.settings,
                                 .time = frame_time(values, values->progress->frame)};
@@ -266,6 +257,14 @@ static bool read_image(const struct values *values, struct renderer *renderer,
         image->weight = renderer_pass_weight(renderer);
     }
     return true;
+}
+
+static bool read_bitmap(const struct values *values, struct renderer *renderer,
+                        struct bitmap *bitmap) {
+    if (values->traced > 0)
+        return traced_display(&values->picture, &renderer->desc, values->layer, bitmap);
+    renderer_compose(renderer, values->layer);
+    return renderer_read_display(renderer, bitmap);
 }
 
 static bool write_output(const struct values *values, struct renderer *renderer, const char *path) {
@@ -279,8 +278,7 @@ static bool write_output(const struct values *values, struct renderer *renderer,
         image_free(&image);
     } else {
         struct bitmap bitmap;
-        renderer_compose(renderer, values->layer);
-        if (!renderer_read_display(renderer, &bitmap))
+        if (!read_bitmap(values, renderer, &bitmap))
             return false;
         bool transparent = renderer->desc.background.kind == BACKGROUND_NONE;
         ok = transparent ? bitmap_write_alpha(&bitmap, path) : bitmap_write(&bitmap, path);
@@ -291,13 +289,11 @@ static bool write_output(const struct values *values, struct renderer *renderer,
     return ok;
 }
 
-/* The frame in each video. */
 static bool write_videos(struct values *values, struct renderer *renderer) {
     struct bitmap bitmap;
     if (values->videos.begun == 0)
         return true;
-    renderer_compose(renderer, values->layer);
-    if (!renderer_read_display(renderer, &bitmap))
+    if (!read_bitmap(values, renderer, &bitmap))
         return false;
     bool ok = videos_add(&values->videos, &bitmap);
     bitmap_free(&bitmap);
@@ -316,7 +312,6 @@ struct work {
     bool stopped;             /* within a frame, which is not drawn to its end */
 };
 
-/* Also of the frame at hand a share. */
 static double share_done(const struct work *work, double share) {
     return (work->done + share) / (work->count - work->skipped);
 }
@@ -341,15 +336,37 @@ static bool write_outputs(struct values *values, struct renderer *renderer, int 
     return each_output(values, renderer, frame, write_output) && write_videos(values, renderer);
 }
 
+static bool trace(struct values *values, const struct renderer_desc *desc,
+                  const struct stage *stage, struct work *work) {
+    const struct measure_desc measure = measure_of(desc, stage);
+    return traced_render(&measure, values->traced, desc->background.kind != BACKGROUND_SCENE,
+                         &work->progress, &values->picture);
+}
+
+/* Paths make single pictures alone: a sequence would flicker by their noise. */
+static bool may_trace(const struct values *values) {
+    const struct technique_values *named = &values->technique;
+    return !values->frames && !values->passes_given && values->first_pass == 0 && !values->aov &&
+           !named->technique && !named->direct &&
+           !quality_is_preset(named->settings.items, named->settings.count);
+}
+
 static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
                          struct work *work, int frame) {
     double time = frame_time(values, frame);
     bool ok = true;
-    if (!stage_pose(stage, time) || !stage_show(stage, renderer))
+    if (!stage_pose(stage, time))
+        return false;
+    if (values->traced > 0)
+        return trace(values, &renderer->desc, stage, work) &&
+               write_outputs(values, renderer, frame);
+    if (!stage_show(stage, renderer))
         return false;
     cancel_begin(interrupt_asked, NULL, CANCEL_INTERVAL);
     if (values->budget > 0)
-        ok = in_time_render(&values->in_time, renderer, stage, time);
+        ok = in_time_render(&values->in_time, renderer, stage, time) &&
+             (!may_trace(values) ||
+              in_time_trace(&values->in_time, renderer, stage, &values->picture, &values->traced));
     else if (has_mean(values))
         add_passes(values, renderer, work, frame);
     else
@@ -358,7 +375,6 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
     return ok && !work->stopped && write_outputs(values, renderer, frame);
 }
 
-/* After the first picture. */
 static void tell_start(double picture_ms) {
     phase_add(PHASE_PICTURE, picture_ms);
     char *text = phases_text();
@@ -393,10 +409,10 @@ static bool render_frames(struct values *values, const struct frames *frames,
             break;
         }
         ok = ok || error_prefix("frame %d", frame);
-        if (work.done++ == 0)
-            tell_start(start);
         char note[32];
         snprintf(note, sizeof note, "frame %d", frame);
+        if (work.done++ == 0)
+            tell_start(start);
         if (ok)
             progress_show_step(&work.progress, share_done(&work, 0), note);
     }
@@ -410,9 +426,11 @@ static bool render_frames(struct values *values, const struct frames *frames,
 /* Which quality was chosen, and why. */
 static void print_choice(FILE *out, const struct values *values) {
     struct quality_choice named = quality_named((enum quality)values->quality);
-    char *text = values->budget > 0      ? in_time_describe(&values->in_time)
-                 : values->max_error > 0 ? mem_strdup(values->choice)
-                                         : quality_describe(&named);
+    const struct quality_choice traced = QUALITY_TRACED(values->traced);
+    char *text = values->max_error > 0 ? mem_strdup(values->choice)
+                 : values->traced > 0  ? quality_describe(&traced)
+                 : values->budget > 0  ? in_time_describe(&values->in_time)
+                                       : quality_describe(&named);
     fprintf(out, "chosen ");
     if (values->budget > 0)
         fprintf(out, "by --budget %gms", (double)values->budget);
@@ -424,41 +442,48 @@ static void print_choice(FILE *out, const struct values *values) {
     free(text);
 }
 
+/* The frame again, as the first one also compiled; a path-traced picture has no passes. */
+static void print_stats(const struct values *values, struct renderer *renderer) {
+    FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
+    print_choice(out, values);
+    if (values->traced > 0)
+        return;
+    renderer_render(renderer);
+    stats_print(out, renderer);
+}
+
 static bool render(struct values *values, const struct frames *frames,
                    const struct renderer_desc *desc, struct stage *stage) {
-    struct renderer renderer;
-    if (!renderer_init(&renderer, desc))
+    struct renderer renderer = {.desc = *desc}; /* all that a path-traced picture has of it */
+    bool traced = values->traced > 0;
+    if (!traced && !renderer_init(&renderer, desc))
         return false;
-    bool ok = aov_check(&renderer, values->aov) &&
+    bool ok = (traced || aov_check(&renderer, values->aov)) &&
               videos_begin(&values->videos, desc->width, desc->height, values->rate.text) &&
               render_frames(values, frames, &renderer, stage);
     ok = videos_end(&values->videos, ok) && ok;
     for (int i = 0; ok && i < values->videos.paths.count; i++)
         progress_tell_file(&(struct progress){.task = "frames"}, values->videos.paths.items[i]);
-    if (ok && values->stats) {
-        FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
-        renderer_render(&renderer); /* the first frame also compiled */
-        print_choice(out, values);
-        stats_print(out, &renderer);
-    }
-    renderer_free(&renderer);
+    if (ok && values->stats)
+        print_stats(values, &renderer);
+    if (!traced)
+        renderer_free(&renderer);
     return ok;
 }
 
 /* What --max-error comes to, at the time of frame 0: frames split between processes are made alike. */
 static bool find_quality(struct values *values, struct renderer_desc *desc, struct stage *stage) {
-    struct measure_desc measure = measure_default(stage, values->size[0], values->size[1]);
+    const struct measure_desc measure = measure_of(desc, stage);
     const struct text_list *texts = &values->technique.settings;
     bool one_pass = values->passes > 0 || values->aov;
     struct quality_found found;
-    measure.technique = desc->technique;
-    measure.direct = desc->direct;
     struct quality_desc wanted = {&measure,
                                   texts->items,
                                   texts->count,
                                   (double)values->max_error,
                                   one_pass ? 1 : QUALITY_MOST_PASSES,
-                                  !one_pass && !values->technique.technique};
+                                  !one_pass && !values->technique.technique,
+                                  may_trace(values)};
     if (!stage_pose(stage, (double)values->stage.time) || !quality_find(&wanted, &found))
         return false;
     char *what = quality_describe(&found.choice);
@@ -466,6 +491,7 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
                                 found.reached ? "" : "; nothing errs much less");
     (found.reached ? log_note : log_warning)("%s: %s", stage->name, values->choice);
     free(what);
+    values->traced = found.choice.samples;
     if (values->passes == 0)
         values->passes = found.choice.passes;
     desc->progressive = has_mean(values);
@@ -564,6 +590,7 @@ int app_render(int argc, char **argv) {
     bool ok = render_scene(&values, &frames, &desc);
     frames_free(&frames);
     free(values.choice);
+    image_free(&values.picture);
     if (ok)
         return STATUS_OK;
     status = arguments_fail(argv[0]);

@@ -2,6 +2,7 @@
 
 #include "gl/memory.h"
 #include "inspect/lights.h"
+#include "techniques/many_lights.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -18,6 +19,14 @@ static void print_times(FILE *out, struct timers *timers) {
     }
     if (timers->finish)
         fprintf(out, "  (software OpenGL: each pass timed with glFinish and the clock)\n");
+}
+
+/* Passes of the technique that other settings or scenes would have. */
+static void print_left_out(FILE *out, const struct renderer *renderer) {
+    const struct step *step = renderer->technique->steps;
+    for (; step && step->timer; step++)
+        if (!step_runs(step, renderer->technique_state))
+            fprintf(out, "  %-28s left out, without %s\n", step->timer, step->when);
 }
 
 static bool is_by_rays(const struct renderer *renderer) {
@@ -43,4 +52,5 @@ void stats_print(FILE *out, struct renderer *renderer) {
     gpu_memory_print(out);
     fprintf(out, "time per pass\n");
     print_times(out, &renderer->timers);
+    print_left_out(out, renderer);
 }

@@ -1,5 +1,7 @@
 #include "apps/videos.h"
 
+#include "apps/frames.h"
+#include "base/error.h"
 #include "base/file/output_file.h"
 
 #include "parts.h"
@@ -14,6 +16,21 @@ void videos_take(struct videos *videos, struct text_list *outputs) {
             outputs->items[kept++] = path;
     }
     outputs->count = kept;
+}
+
+bool videos_check_use(const struct videos *videos, bool numbers, bool skips) {
+    const struct text_list *paths = &videos->paths;
+    for (int i = 0; i < paths->count; i++) {
+        if (!numbers)
+            return error_set("%s: a video needs --frames A..B", paths->items[i]);
+        if (frame_name_is_numbered(paths->items[i]))
+            return frame_name_refuse(paths->items[i], "a video has all frames");
+        if (skips)
+            return error_set("%s: a video is made of all frames, and --skip-existing leaves some "
+                             "out; write numbered pictures: -o frame.####.png",
+                             paths->items[i]);
+    }
+    return true;
 }
 
 bool videos_check(const struct videos *videos) {

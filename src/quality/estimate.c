@@ -3,9 +3,6 @@
 #include "base/log.h"
 #include "metrics/layer.h"
 #include "quality/picture.h"
-#include "scene/caustics.h"
-#include "scene/material.h"
-#include "scene/medium.h"
 
 #include <math.h>
 
@@ -44,24 +41,13 @@ static void take_sums(const struct image *picture, int samples, struct image *su
 
 /* Adds so many samples. Seeds that no reference has: these have 0. */
 static bool trace(const struct estimate *estimate, int samples, uint32_t seed, struct image *sums) {
-    const struct measure_desc *desc = &estimate->desc;
-    const struct material_settings *surface =
-        settings_of(struct material_settings, &desc->settings, &material_part);
+    struct path_tracer_desc paths = picture_paths(&estimate->desc);
     struct image picture;
-    if (!picture_trace_paths(desc->stage,
-                             &(struct path_tracer_desc){
-                                 .width = desc->width,
-                                 .height = desc->height,
-                                 .every = estimate->every,
-                                 .bounces = measure_bounces(desc),
-                                 .samples = samples,
-                                 .paths = PATHS_PER_SAMPLE,
-                                 .seed = seed,
-                                 .materials = surface->materials,
-                                 .smooth = caustics_shown(&desc->stage->scene, &desc->settings),
-                                 .medium = medium_of(&desc->stage->scene, &desc->settings,
-                                                     desc->stage->geometry.radius)},
-                             &picture, NULL))
+    paths.every = estimate->every;
+    paths.samples = samples;
+    paths.paths = PATHS_PER_SAMPLE;
+    paths.seed = seed;
+    if (!picture_trace_paths(estimate->desc.stage, &paths, &picture, NULL))
         return false;
     take_sums(&picture, samples, sums);
     image_free(&picture);

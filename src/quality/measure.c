@@ -14,6 +14,15 @@ struct measure_desc measure_default(const struct stage *stage, int width, int he
     return desc;
 }
 
+struct measure_desc measure_of(const struct renderer_desc *desc, const struct stage *stage) {
+    return (struct measure_desc){.stage = stage,
+                                 .width = desc->width,
+                                 .height = desc->height,
+                                 .technique = desc->technique,
+                                 .direct = desc->direct,
+                                 .settings = desc->settings};
+}
+
 static const struct option size_option = {
     "size", 0, OPTION_SIZE, offsetof(struct measure_desc, width), 800, 1, 16384, .help = ""};
 

@@ -23,6 +23,9 @@ struct measure_desc {
 /* All defaults. stage NULL: assignments are only tried. */
 struct measure_desc measure_default(const struct stage *stage, int width, int height);
 
+/* What a renderer of the stage shows. */
+struct measure_desc measure_of(const struct renderer_desc *desc, const struct stage *stage);
+
 /* Assigns "key=value", or several with spaces or commas between: "technique=NAME", "direct=NAME",
  * "size=WxH" or a setting; presets come first, wherever they stand. NULL is none. Error: of a name
  * or a value. */

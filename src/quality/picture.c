@@ -2,7 +2,9 @@
 
 #include "inspect/lights.h"
 #include "reference/vpl_sum.h"
+#include "scene/caustics.h"
 #include "scene/material.h"
+#include "scene/medium.h"
 #include "techniques/many_lights.h"
 
 bool picture_render(const struct measure_desc *desc, struct image *image) {
@@ -74,6 +76,18 @@ bool picture_trace(const struct measure_desc *desc, struct progress *progress,
         image);
     lights_free(&lights);
     return ok;
+}
+
+struct path_tracer_desc picture_paths(const struct measure_desc *desc) {
+    const struct stage *stage = desc->stage;
+    return (struct path_tracer_desc){
+        .width = desc->width,
+        .height = desc->height,
+        .bounces = measure_bounces(desc),
+        .materials =
+            settings_of(struct material_settings, &desc->settings, &material_part)->materials,
+        .smooth = caustics_shown(&stage->scene, &desc->settings),
+        .medium = medium_of(&stage->scene, &desc->settings, stage->geometry.radius)};
 }
 
 bool picture_trace_paths(const struct stage *stage, const struct path_tracer_desc *desc,

@@ -18,6 +18,9 @@ bool picture_render(const struct measure_desc *desc, struct image *image);
  * renderer or the tracer. */
 bool picture_trace(const struct measure_desc *desc, struct progress *progress, struct image *image);
 
+/* Paths of the subject in its size, with its bounces, materials and medium; the rest, as samples, is zero. */
+struct path_tracer_desc picture_paths(const struct measure_desc *desc);
+
 /* As path_tracer_render, with scene, geometry, camera and lights of the stage. */
 bool picture_trace_paths(const struct stage *stage, const struct path_tracer_desc *desc,
                          struct image *image, struct path_tracer_progress *reached);

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 #include "base/words.h"
 #include "quality/estimate.h"
+#include "quality/traced.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -11,21 +12,19 @@
 
 const char *const quality_names[] = {"draft", "normal", "high", "final", NULL};
 
-/* Cheapest first (bench/PARSIMONY.md). Choices without a preset are for techniques that have no rays, too. */
+/* Cheapest first (bench/PARSIMONY.md). */
 static const struct quality_choice frames[] = {
     QUALITY_FRAME("path=draft"),
-    QUALITY_FRAME("gather.adaptive=0"),
-    QUALITY_FRAME("path=traced lights.vpls=128 gather.interleave=4"),
-    QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=4"),
+    QUALITY_TRACED(8),
+    QUALITY_FRAME("lights.vpls=128 gather.interleave=4 gather.adaptive=2"),
     QUALITY_FRAME(""),
-    QUALITY_FRAME("path=traced lights.vpls=512 picture.samples=16"),
     QUALITY_FRAME("gather.interleave=4 gather.adaptive=2"),
-    {"picture.samples=16", 1, "cluster-lights"},
-    QUALITY_FRAME("path=traced lights.vpls=256 gather.interleave=2 gather.adaptive=1"),
+    {"picture.samples=16", 1, "cluster-lights", 0},
     QUALITY_FRAME("gather.interleave=2 gather.adaptive=1 picture.samples=16"),
-    QUALITY_FRAME(
-        "path=traced lights.vpls=512 gather.interleave=2 gather.adaptive=1 picture.samples=16"),
-    QUALITY_FRAME("path=traced gather.interleave=2 gather.adaptive=1 picture.samples=16"),
+    QUALITY_TRACED(16),
+    QUALITY_FRAME("lights.vpls=1024 gather.interleave=2 gather.adaptive=1 picture.samples=16"),
+    QUALITY_TRACED(64),
+    QUALITY_TRACED(256),
 };
 
 /* Fewer passes than that are worse than one of as much time. */
@@ -37,7 +36,7 @@ struct quality_choice quality_named(enum quality quality) {
         [QUALITY_DRAFT] = QUALITY_FRAME("path=draft"),
         [QUALITY_NORMAL] = QUALITY_FRAME(""),
         [QUALITY_HIGH] = QUALITY_FRAME("path=high"),
-        [QUALITY_FINAL] = {"", 64, NULL},
+        [QUALITY_FINAL] = {"", 64, NULL, 0},
     };
     return qualities[quality];
 }
@@ -55,6 +54,8 @@ char *quality_describe(const struct quality_choice *choice) {
     const char *settings = choice->settings, *technique = choice->technique;
     if (choice->passes > 1)
         return mem_printf("%d passes", choice->passes);
+    if (choice->samples > 0)
+        return mem_printf("%d path-traced samples, denoised", choice->samples);
     if (technique)
         return mem_printf("%s%s%s", technique, *settings ? " " : "", settings);
     return mem_strdup(*settings ? settings : "the defaults");
@@ -153,6 +154,12 @@ struct draft {
     int passes;
 };
 
+/* Means of passes take longer than paths that err as much, and are for where there are none. */
+static bool takes_paths(const struct draft *draft, const struct quality_choice *choice) {
+    bool traces = draft->desc->traces && traced_is_possible(&draft->measure);
+    return choice->samples > 0 ? traces : choice->passes == 1 || !traces;
+}
+
 /* A technique need not have the preset, and what is given need not go with it. Of a preset that is given there is one
  * frame. */
 static bool is_possible(struct draft *draft, const struct quality_choice *choice) {
@@ -161,7 +168,16 @@ static bool is_possible(struct draft *draft, const struct quality_choice *choice
     return draft->measure.technique && (!choice->technique || desc->any_technique) &&
            (!*choice->settings || !quality_is_preset(desc->texts, desc->text_count)) &&
            quality_settings(choice, draft->measure.technique, desc->texts, desc->text_count,
-                            &draft->measure.settings);
+                            &draft->measure.settings) &&
+           takes_paths(draft, choice);
+}
+
+static bool tell_traced(struct draft *draft, int samples, double *error) {
+    struct image picture = {0};
+    bool ok = traced_render(&draft->measure, samples, false, NULL, &picture) &&
+              estimate_picture_error(&draft->estimate, &picture, draft->desc->error, error);
+    image_free(&picture);
+    return ok;
 }
 
 static bool tell_frame(struct draft *draft, double *error) {
@@ -187,8 +203,9 @@ static bool tell(void *user, const struct quality_choice *choice, double *error)
     struct draft *draft = user;
     *error = INFINITY;
     return !is_possible(draft, choice) ||
-           (choice->passes > 1 ? tell_mean(draft, choice->passes, error)
-                               : tell_frame(draft, error));
+           (choice->samples > 0  ? tell_traced(draft, choice->samples, error)
+            : choice->passes > 1 ? tell_mean(draft, choice->passes, error)
+                                 : tell_frame(draft, error));
 }
 
 bool quality_find(const struct quality_desc *desc, struct quality_found *found) {

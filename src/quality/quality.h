@@ -18,21 +18,26 @@ struct quality_choice {
     const char *settings;  /* as renderer_settings_assign's; "" = as they are */
     int passes;            /* of renderer_add_pass */
     const char *technique; /* NULL: as it is */
+    int samples; /* of a pixel, path-traced in place of frames (quality/traced.h); 0: frames */
 };
 
 /* One frame, by the technique as it is. */
 #define QUALITY_FRAME(settings_text)                                                               \
     { .settings = (settings_text), .passes = 1 }
 
+#define QUALITY_TRACED(samples_per_pixel)                                                          \
+    { .settings = "", .passes = 1, .samples = (samples_per_pixel) }
+
 struct quality_choice quality_named(enum quality quality);
 
-/* "path=high", "64 passes", "cluster-lights picture.samples=16"; the caller frees it. */
+/* "path=high", "64 passes", "8 path-traced samples", "cluster-lights picture.samples=16"; the caller frees it. */
 char *quality_describe(const struct quality_choice *choice);
 
 /* Where a ladder ends that nothing else ends. */
 enum { QUALITY_MOST_PASSES = 256, QUALITY_CHOICES_MAX = 20 };
 
-/* Fills in the ladder, cheapest first: frames, then means of up to most_passes. Returns their number. */
+/* Fills in the ladder, cheapest first: frames and path-traced pictures, then means of up to most_passes. Returns their
+ * number. */
 int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes);
 
 struct quality_desc {
@@ -43,6 +48,7 @@ struct quality_desc {
     double error;       /* relative RMSE of the indirect layer, as estimate.h has it */
     int most_passes;    /* of a picture; 1: no means */
     bool any_technique; /* else the measure's alone */
+    bool traces;        /* path-traced pictures, too, where quality/traced.h has them */
 };
 
 struct quality_found {

@@ -6,31 +6,22 @@
 
 /* --- levels --- */
 
-/* Between two rows, numbers go from one to the other by ratio; choices are the lower row's. First come frames by maps,
- * then frames by rays (bench/FRONTS.md). */
+/* Between two rows, numbers go from one to the other by ratio; choices are the lower row's (bench/FRONTS.md). */
 static const struct row {
     int level;
     struct {
-        int vpls, vals, map, near_samples, block, rsm;
+        int vpls, near_samples, rsm;
     } numbers;
     struct {
-        int interleave, adaptive, adaptive_factor, samples;
-        bool by_rays;
+        int interleave, adaptive, samples;
     } choices;
 } rows[] = {
-    {0, {64, 2, 16, 64, 21, 128}, {8, 0, 1, 1, false}},
-    {16, {256, 6, 64, 128, 11, 256}, {8, 0, 1, 4, false}},
-    {26, {512, 12, 128, 256, 7, 384}, {8, 0, 1, 8, false}}, /* draft */
-    {36, {768, 20, 192, 512, 7, 512}, {8, 4, 1, 8, false}},
-    {40, {896, 24, 224, 720, 7, 512}, {8, 4, 2, 12, false}},
-    {44, {1024, 30, 256, 1024, 7, 512}, {8, 4, 4, 12, false}}, /* the defaults */
-    {52, {1024, 60, 256, 1024, 7, 512}, {8, 4, 4, 12, false}},
-    {53, {512, 60, 256, 1024, 7, 512}, {8, 2, 1, 12, true}}, /* high */
-    {61, {1024, 60, 256, 1024, 7, 512}, {8, 2, 1, 16, true}},
-    {62, {640, 60, 256, 1024, 7, 512}, {4, 2, 1, 16, true}},
-    {66, {1024, 60, 256, 1024, 7, 512}, {4, 2, 1, 16, true}},
-    {67, {512, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, true}},
-    {TIME_BUDGET_LEVELS - 1, {1024, 60, 256, 1024, 7, 512}, {2, 1, 1, 16, true}},
+    {0, {64, 64, 128}, {8, 0, 1}},      {6, {256, 256, 384}, {8, 0, 8}},
+    {8, {256, 512, 512}, {8, 0, 12}},                                        /* near draft */
+    {13, {512, 1024, 512}, {8, 4, 12}}, {15, {512, 1024, 512}, {8, 3, 12}},  /* the defaults */
+    {21, {512, 1024, 512}, {8, 2, 12}}, {29, {1024, 1024, 512}, {8, 2, 16}}, /* near high */
+    {30, {640, 1024, 512}, {4, 2, 16}}, {34, {1024, 1024, 512}, {4, 2, 16}},
+    {35, {512, 1024, 512}, {2, 1, 16}}, {TIME_BUDGET_LEVELS - 1, {1024, 1024, 512}, {2, 1, 16}},
 };
 
 /* The last row that begins at the level or before, but the very last. */
@@ -41,13 +32,6 @@ static const struct row *row_of(int level) {
     return row;
 }
 
-void time_budget_allow_rays(struct time_budget *budget, bool allowed) {
-    const struct row *row = rows;
-    while (!row->choices.by_rays)
-        row++;
-    budget->most = allowed ? TIME_BUDGET_LEVELS - 1 : row->level - 1;
-}
-
 static int between(int low, int high, double share) {
     return (int)lround(low * pow((double)high / low, share));
 }
@@ -56,18 +40,13 @@ char *time_budget_settings(int level) {
     const struct row *a = row_of(level), *b = a + 1;
     double share = (double)(level - a->level) / (b->level - a->level);
     const struct row *lower = level >= b->level ? b : a;
-    int block = between(a->numbers.block, b->numbers.block, share);
-    return mem_printf(
-        "lights.vpls=%d lights.rsm-size=%d clustered.vals=%d map.size=%d gather.near-samples=%d "
-        "clustered.trace=%s clustered.visibility-block=%d gather.interleave=%d "
-        "gather.adaptive=%d gather.adaptive-factor=%d picture.samples=%d",
-        between(a->numbers.vpls, b->numbers.vpls, share),
-        between(a->numbers.rsm, b->numbers.rsm, share),
-        between(a->numbers.vals, b->numbers.vals, share),
-        between(a->numbers.map, b->numbers.map, share),
-        between(a->numbers.near_samples, b->numbers.near_samples, share),
-        lower->choices.by_rays ? "on" : "off", block, lower->choices.interleave,
-        lower->choices.adaptive, lower->choices.adaptive_factor, lower->choices.samples);
+    return mem_printf("lights.vpls=%d lights.rsm-size=%d gather.near-samples=%d "
+                      "gather.interleave=%d gather.adaptive=%d gather.adaptive-factor=1 "
+                      "picture.samples=%d",
+                      between(a->numbers.vpls, b->numbers.vpls, share),
+                      between(a->numbers.rsm, b->numbers.rsm, share),
+                      between(a->numbers.near_samples, b->numbers.near_samples, share),
+                      lower->choices.interleave, lower->choices.adaptive, lower->choices.samples);
 }
 
 /* --- the choice of one --- */
@@ -95,7 +74,7 @@ enum {
     SEARCH_MOVES = 5,
     STEP_MOST = 24,
     STEP_SETTLED = 6,
-    LEVEL_FIRST = 26,
+    LEVEL_FIRST = 8,
     PATIENCE_FIRST = 12,
     PATIENCE_MOST = 400
 };
@@ -107,7 +86,6 @@ static double clamped(double value, double least, double most) {
 void time_budget_init(struct time_budget *budget, double target) {
     *budget = (struct time_budget){.target = target,
                                    .level = LEVEL_FIRST,
-                                   .most = TIME_BUDGET_LEVELS - 1,
                                    .before = -1,
                                    .growth = growth_usual,
                                    .too_slow = TIME_BUDGET_LEVELS,
@@ -155,7 +133,7 @@ static void wait_for_slow(struct time_budget *budget) {
 static int wanted_level(const struct time_budget *budget) {
     int most = budget->settled ? STEP_SETTLED : STEP_MOST;
     double may_grow = (aim - off_target(budget)) / budget->growth;
-    int level = budget->level, last = budget->most;
+    int level = budget->level, last = TIME_BUDGET_LEVELS - 1;
     while (level < last && level - budget->level < most && level + 1 - budget->level <= may_grow)
         level++;
     while (level > 0 && budget->level - level < most && level - budget->level > may_grow)

@@ -1,8 +1,7 @@
 /* Settings that take the time there is: from how long frames took, those of the next.
  *
- * Between fewest and most lie levels. Each is a few percent dearer than the one before, but for the step from maps to
- * rays. Levels are interpolated between rows of settings on the front of error against time (bench/PARSIMONY.md,
- * bench/FRONTS.md). Frames are drawn at one of them, and their times choose the next: the machine decides, not the
+ * Between fewest and most lie levels. Each is a few percent dearer than the one before. Levels are interpolated between
+ * rows of settings on the front of error against time (bench/PARSIMONY.md, bench/FRONTS.md). Frames are drawn at one of them, and their times choose the next: the machine decides, not the
  * scene alone.
  */
 #ifndef QUALITY_TIME_BUDGET_H
@@ -10,12 +9,11 @@
 
 #include "renderer/settings.h"
 
-enum { TIME_BUDGET_LEVELS = 73, TIME_BUDGET_SAMPLES = 3 };
+enum { TIME_BUDGET_LEVELS = 41, TIME_BUDGET_SAMPLES = 3 };
 
 struct time_budget {
     double target;                       /* ms */
     int level;                           /* of the next frame */
-    int most;                            /* the last one that may be chosen */
     double samples[TIME_BUDGET_SAMPLES]; /* of this level, ms: the last ones, in a ring */
     int count;                           /* of them, ever */
     int before;                          /* the level before; -1: there was none */
@@ -31,10 +29,6 @@ struct time_budget {
 
 /* Starts at the draft's level; target in ms. */
 void time_budget_init(struct time_budget *budget, double target);
-
-/* Whether levels by rays may be chosen, as they may at first: not where a large BVH would be built for each pose, whose
- * time is no frame's. */
-void time_budget_allow_rays(struct time_budget *budget, bool allowed);
 
 /* After a frame of the level, which took so long. Whether the level is another one now. */
 bool time_budget_add(struct time_budget *budget, double ms);

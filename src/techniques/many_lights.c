@@ -3,107 +3,180 @@
 
 #include "passes/frame.h"
 
-void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
-    bool by_importance = many_lights_follow_camera(lights);
-    albedos_follow(&lights->albedos, frame->geometry);
-    const struct light_rays rays = {by_importance ? lights->importance.bvh->buffer.texels : 0,
-                                    lights->albedos.buffer.texels, frame->sky_pieces->id};
-    geometry_pass_render_lights(&lights->geometry, frame, lights->rsm);
-    vpl_pass_share_out(&lights->vpl, frame);
-    if (by_importance)
-        importance_map_pass_render(&lights->importance, frame, lights->rsm, &rays,
-                                   &lights->vpl.shares);
-    vpl_pass_render(&lights->vpl, frame, lights->rsm, &lights->importance.map, &rays,
+/* --- passes that depend on no camera, unless VPLs are placed by importance --- */
+
+static struct light_rays rays_of(const struct many_lights *lights, const struct frame *frame) {
+    const struct caster_bvh *bvh = lights->importance.bvh;
+    return (struct light_rays){bvh ? bvh->buffer.texels : 0, lights->albedos.buffer.texels,
+                               frame->sky_pieces->id};
+}
+
+static void draw_rsm(struct many_lights *lights, const struct step_inputs *inputs) {
+    albedos_follow(&lights->albedos, inputs->frame->geometry);
+    geometry_pass_render_lights(&lights->geometry, inputs->frame, lights->rsm);
+    vpl_pass_share_out(&lights->vpl, inputs->frame);
+}
+
+static void draw_importance_map(struct many_lights *lights, const struct step_inputs *inputs) {
+    const struct light_rays rays = rays_of(lights, inputs->frame);
+    importance_map_pass_render(&lights->importance, inputs->frame, lights->rsm, &rays,
+                               &lights->vpl.shares);
+}
+
+static void draw_vpls(struct many_lights *lights, const struct step_inputs *inputs) {
+    const struct light_rays rays = rays_of(lights, inputs->frame);
+    vpl_pass_render(&lights->vpl, inputs->frame, lights->rsm, &lights->importance.map, &rays,
                     &lights->vpls);
-    if (lights->near_field.program)
-        near_field_pass_render_lights(&lights->near_field, frame, lights->rsm, &lights->vpl.shares,
-                                      &lights->importance.map);
-    if (lights->bounces == 1)
-        return;
+}
+
+static void draw_near_light(struct many_lights *lights, const struct step_inputs *inputs) {
+    near_field_pass_render_lights(&lights->near_field, inputs->frame, lights->rsm,
+                                  &lights->vpl.shares, &lights->importance.map);
+}
+
+static void draw_bounces(struct many_lights *lights, const struct step_inputs *inputs) {
+    const struct light_rays rays = rays_of(lights, inputs->frame);
+    bool by_importance = many_lights_follow_camera(lights);
     if (by_importance)
-        path_starts_render(&lights->path_starts, frame, lights->rsm, &rays);
-    bounce_pass_render(&lights->bounce, frame,
+        path_starts_render(&lights->path_starts, inputs->frame, lights->rsm, &rays);
+    bounce_pass_render(&lights->bounce, inputs->frame,
                        by_importance ? &lights->path_starts.vpls : &lights->vpls, rays.albedos);
     vpl_pass_sum_up(&lights->vpl, &lights->bounce.vpls);
 }
 
-void many_lights_begin(const struct many_lights *lights, const struct frame *frame,
+/* --- passes of a view --- */
+
+static void draw_adaptive(struct many_lights *lights, const struct step_inputs *inputs) {
+    adaptive_pass_render(&lights->adaptive, inputs->frame, inputs->gbuffer);
+    gather_pass_clear(&lights->adaptive_gather);
+}
+
+static void gather(struct many_lights *lights, const struct step_inputs *inputs) {
+    gather_pass_render(&lights->gather, inputs->frame, inputs->gbuffer, inputs->gather);
+}
+
+static void gather_adaptive(struct many_lights *lights, const struct step_inputs *inputs) {
+    gather_pass_render(&lights->adaptive_gather, inputs->frame, inputs->gbuffer, inputs->gather);
+}
+
+/* Rays have later bounces in what they meet. */
+static void gather_specular(struct many_lights *lights, const struct step_inputs *inputs) {
+    if (!inputs->gather->later || !lights->specular_rays.program)
+        gather_pass_render(&lights->specular_gather, inputs->frame, inputs->gbuffer,
+                           inputs->gather);
+}
+
+static void add_near_field(struct many_lights *lights, const struct step_inputs *inputs) {
+    near_field_pass_render(&lights->near_field, inputs->frame, inputs->gbuffer,
+                           &(struct near_field_inputs){.shares = &lights->vpl.shares,
+                                                       .irradiance = &lights->gather.irradiance,
+                                                       .lists = &lights->adaptive.lists});
+}
+
+static void add_adaptive_near_field(struct many_lights *lights, const struct step_inputs *inputs) {
+    near_field_pass_render(
+        &lights->near_field, inputs->frame, inputs->gbuffer,
+        &(struct near_field_inputs){.shares = &lights->vpl.shares,
+                                    .irradiance = &lights->adaptive_gather.irradiance,
+                                    .lists = &lights->adaptive.lists,
+                                    .of_lists = true});
+}
+
+static void blur_irradiance(struct many_lights *lights, const struct step_inputs *inputs) {
+    struct blur_inputs blurred = {.source = &lights->gather.irradiance};
+    if (lights->adaptive.program) {
+        blurred.lists = &lights->adaptive.lists;
+        blurred.adaptive = &lights->adaptive_gather.irradiance;
+    }
+    blur_pass_render(&lights->blur, inputs->frame, inputs->gbuffer, &blurred);
+}
+
+static void trace_specular(struct many_lights *lights, const struct step_inputs *inputs) {
+    specular_rays_pass_render(&lights->specular_rays, inputs->frame, inputs->gbuffer,
+                              &(struct specular_rays_inputs){
+                                  .tree = lights->tree,
+                                  .rsm = lights->rsm,
+                                  .shares = &lights->vpl.shares,
+                                  .importance = &lights->importance.map,
+                                  .albedos = lights->albedos.buffer.texels,
+                                  .irradiance = many_lights_contribution(lights).irradiance,
+                                  .radiance = &lights->specular_gather.irradiance,
+                              });
+}
+
+static void blur_specular(struct many_lights *lights, const struct step_inputs *inputs) {
+    blur_pass_render(&lights->specular_blur, inputs->frame, inputs->gbuffer,
+                     &(struct blur_inputs){.source = &lights->specular_gather.irradiance});
+}
+
+/* --- the frame --- */
+
+#define MADE(program) offsetof(struct many_lights, program)
+
+static const char far_light[] =
+    "lights.importance, and an environment, wide lamps or lamps next door";
+
+const struct step many_lights_steps[] = {
+    {STEP_LIGHTS, "rsm", NULL, 0, draw_rsm},
+    {STEP_LIGHTS, "importance map", far_light, MADE(importance.density_program),
+     draw_importance_map},
+    {STEP_LIGHTS, "vpls", NULL, 0, draw_vpls},
+    {STEP_LIGHTS, "near light", "gather.clamp=near", MADE(near_field.program), draw_near_light},
+    {STEP_LIGHTS, "bounces", "lights.bounces>1", MADE(bounce.path_program), draw_bounces},
+    {STEP_BEGIN, "adaptive", "gather.adaptive>0", MADE(adaptive.program), draw_adaptive},
+    {STEP_GATHER, "gather", NULL, 0, gather},
+    {STEP_GATHER, "adaptive gather", "gather.adaptive>0", MADE(adaptive.program), gather_adaptive},
+    {STEP_GATHER, "gather, specular", "specular surfaces", MADE(specular_gather.program),
+     gather_specular},
+    {STEP_FINISH, "near field", "gather.clamp=near", MADE(near_field.program), add_near_field},
+    {STEP_FINISH, "adaptive near field", "gather.adaptive>0, gather.clamp=near",
+     MADE(near_field.adaptive_program), add_adaptive_near_field},
+    {STEP_FINISH, "blur", "gather.interleave>1", MADE(blur.pack_program), blur_irradiance},
+    {STEP_FINISH, "specular rays", "gather.specular=rays, specular surfaces",
+     MADE(specular_rays.program), trace_specular},
+    {STEP_FINISH, "blur", "specular surfaces", MADE(specular_blur.pack_program), blur_specular},
+    {0},
+};
+
+bool step_runs(const struct step *step, const void *state) {
+    return !step->when || *(const GLuint *)((const char *)state + step->made);
+}
+
+static void run(struct many_lights *lights, enum step_part part, const struct step_inputs *inputs) {
+    for (const struct step *step = many_lights_steps; step->timer; step++)
+        if (step->part == part && step_runs(step, lights))
+            step->draw(lights, inputs);
+}
+
+void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame) {
+    run(lights, STEP_LIGHTS, &(struct step_inputs){.frame = frame});
+}
+
+void many_lights_begin(struct many_lights *lights, const struct frame *frame,
                        const struct gbuffer *gbuffer) {
     gather_pass_clear(&lights->gather);
     if (lights->bounces > 1)
         bounce_pass_find_kept(&lights->bounce, frame);
     if (lights->specular_gather.program)
         gather_pass_clear(&lights->specular_gather);
-    if (!lights->adaptive.program)
-        return;
-    adaptive_pass_render(&lights->adaptive, frame, gbuffer);
-    gather_pass_clear(&lights->adaptive_gather);
+    run(lights, STEP_BEGIN, &(struct step_inputs){frame, gbuffer, NULL});
 }
 
-void many_lights_gather(const struct many_lights *lights, const struct frame *frame,
+void many_lights_gather(struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs) {
     struct gather_inputs all = *inputs;
     all.lists = &lights->adaptive.lists;
     all.kept = inputs->later ? &lights->bounce.kept : NULL;
     all.visibility.tree = lights->tree;
-    gather_pass_render(&lights->gather, frame, gbuffer, &all);
-    if (lights->adaptive.program)
-        gather_pass_render(&lights->adaptive_gather, frame, gbuffer, &all);
-    if (lights->specular_gather.program && !(inputs->later && lights->specular_rays.program))
-        gather_pass_render(&lights->specular_gather, frame, gbuffer, &all);
+    run(lights, STEP_GATHER, &(struct step_inputs){frame, gbuffer, &all});
 }
 
-static void add_near_field(const struct many_lights *lights, const struct frame *frame,
-                           const struct gbuffer *gbuffer) {
-    struct near_field_inputs inputs = {.shares = &lights->vpl.shares,
-                                       .irradiance = &lights->gather.irradiance,
-                                       .lists = &lights->adaptive.lists};
-    near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
-    if (!lights->adaptive.program)
-        return;
-    inputs.irradiance = &lights->adaptive_gather.irradiance;
-    inputs.of_lists = true;
-    near_field_pass_render(&lights->near_field, frame, gbuffer, &inputs);
-}
-
-static void blur_irradiance(const struct many_lights *lights, const struct frame *frame,
-                            const struct gbuffer *gbuffer) {
-    struct blur_inputs inputs = {.source = &lights->gather.irradiance};
-    if (lights->adaptive.program) {
-        inputs.lists = &lights->adaptive.lists;
-        inputs.adaptive = &lights->adaptive_gather.irradiance;
-    }
-    blur_pass_render(&lights->blur, frame, gbuffer, &inputs);
-}
-
-static void finish_specular(const struct many_lights *lights, const struct frame *frame,
-                            const struct gbuffer *gbuffer) {
-    const struct specular_rays_inputs inputs = {
-        .tree = lights->tree,
-        .rsm = lights->rsm,
-        .shares = &lights->vpl.shares,
-        .importance = &lights->importance.map,
-        .albedos = lights->albedos.buffer.texels,
-        .irradiance = many_lights_contribution(lights).irradiance,
-        .radiance = &lights->specular_gather.irradiance,
-    };
-    if (lights->specular_rays.program)
-        specular_rays_pass_render(&lights->specular_rays, frame, gbuffer, &inputs);
-    blur_pass_render(&lights->specular_blur, frame, gbuffer,
-                     &(struct blur_inputs){.source = &lights->specular_gather.irradiance});
-}
-
-void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
+void many_lights_finish(struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer) {
-    if (lights->near_field.program)
-        add_near_field(lights, frame, gbuffer);
-    if (lights->blur.pack_program)
-        blur_irradiance(lights, frame, gbuffer);
-    if (lights->specular_gather.program)
-        finish_specular(lights, frame, gbuffer);
+    run(lights, STEP_FINISH, &(struct step_inputs){frame, gbuffer, NULL});
 }
 
-void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,
+void many_lights_render_view(struct many_lights *lights, const struct frame *frame,
                              const struct gbuffer *gbuffer) {
     struct gather_inputs inputs = {.vpls = &lights->vpls};
     many_lights_begin(lights, frame, gbuffer);

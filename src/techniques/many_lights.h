@@ -135,6 +135,8 @@ struct many_lights {
     struct blur_pass blur; /* puts tiles in order, too; without it the gather is the result */
 };
 
+struct step_inputs;
+
 /* The settings of a lookup. */
 struct visibility_desc many_lights_lookup(const struct settings *settings,
                                           enum visibility_lookup lookup, int map_count);
@@ -159,22 +161,44 @@ int many_lights_blur_radius(const struct settings *settings);
 /* The casters that the settings ask for. */
 struct caster_desc many_lights_caster(const struct settings *settings);
 
+/* A pass of a frame by many lights, in the order that they are drawn. */
+struct step {
+    enum step_part { STEP_LIGHTS, STEP_BEGIN, STEP_GATHER, STEP_FINISH } part;
+    const char *timer;
+    const char *when; /* in words: settings and scenes that have it; NULL: all */
+    size_t
+        made; /* where `when`: of its program in struct many_lights, 0 in frames without the pass */
+    void (*draw)(struct many_lights *lights, const struct step_inputs *inputs);
+};
+
+struct step_inputs {
+    const struct frame *frame;
+    const struct gbuffer *gbuffer;      /* not of STEP_LIGHTS */
+    const struct gather_inputs *gather; /* of STEP_GATHER */
+};
+
+/* All of them; the last has no timer. */
+extern const struct step many_lights_steps[];
+
+/* Whether frames of the state, which begins with its many_lights, have the pass. */
+bool step_runs(const struct step *step, const void *state);
+
 /* RSM and VPLs, into lights->vpls; and where there are more bounces, those of all later ones into
  * lights->bounce.vpls. */
 void many_lights_render_vpls(struct many_lights *lights, const struct frame *frame);
 
 /* The gather: begins at zero, and then adds VPLs in as many calls as the technique likes. */
-void many_lights_begin(const struct many_lights *lights, const struct frame *frame,
+void many_lights_begin(struct many_lights *lights, const struct frame *frame,
                        const struct gbuffer *gbuffer);
-void many_lights_gather(const struct many_lights *lights, const struct frame *frame,
+void many_lights_gather(struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer, const struct gather_inputs *inputs);
 
 /* The near field, where it is not the VPLs', and the blur: after the gather. */
-void many_lights_finish(const struct many_lights *lights, const struct frame *frame,
+void many_lights_finish(struct many_lights *lights, const struct frame *frame,
                         const struct gbuffer *gbuffer);
 
 /* All of it, where nothing is drawn between: of all bounces, by rays or without visibility. */
-void many_lights_render_view(const struct many_lights *lights, const struct frame *frame,
+void many_lights_render_view(struct many_lights *lights, const struct frame *frame,
                              const struct gbuffer *gbuffer);
 
 /* As technique->follows_camera. */
@@ -187,7 +211,8 @@ struct contribution many_lights_contribution(const void *state);
 #define MANY_LIGHTS_TECHNIQUE                                                                      \
     .parts = parts, .presets = presets, .init = init, .free = free_state,                          \
     .render_lights = render_lights, .follows_camera = many_lights_follow_camera,                   \
-    .render_view = render_view, .contribution = many_lights_contribution, .outputs = outputs
+    .render_view = render_view, .contribution = many_lights_contribution, .outputs = outputs,      \
+    .steps = many_lights_steps
 
 /* As technique->outputs; the VPLs as they are made, or as a technique has them with what it adds. */
 void many_lights_outputs(const struct many_lights *lights, const struct vpl_buffer *vpls,

@@ -144,6 +144,7 @@ static bool init_specular(struct many_lights *lights, const struct technique_des
         .level_radius = {.5F, (float)radius},
         .level_weight = {1, 1},
         .square = !rays,
+        .lender = lights->blur.half.texture.id ? &lights->blur : NULL,
     };
     return lights->specular == SPECULAR_NONE ||
            (gather_pass_init(&lights->specular_gather, &gather) &&
@@ -240,7 +241,7 @@ static bool init_blur(struct many_lights *lights, const struct technique_desc *d
 
 /* What is as large as the picture. */
 static bool init_sized(struct many_lights *lights, const struct technique_desc *desc) {
-    return init_gathers(lights, desc) && init_specular(lights, desc) && init_blur(lights, desc);
+    return init_gathers(lights, desc) && init_blur(lights, desc) && init_specular(lights, desc);
 }
 
 static bool init_bounces(struct many_lights *lights, const struct technique_desc *desc) {

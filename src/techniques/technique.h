@@ -11,6 +11,7 @@
 #include "techniques/output.h"
 
 struct frame;
+struct step;
 
 struct technique_desc {
     const struct settings *settings;
@@ -65,6 +66,8 @@ struct technique {
     bool (*follows_camera)(const void *state);
     void (*render_view)(void *state, const struct frame *frame, const struct gbuffer *gbuffer);
     struct contribution (*contribution)(const void *state);
+    const struct step
+        *steps; /* its passes, of a state that begins with struct many_lights; NULL: not told */
     /* Adds intermediate results to look at, beside those of the renderer; NULL: none. */
     void (*outputs)(const void *state, struct output_list *outputs);
 };

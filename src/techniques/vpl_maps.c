@@ -66,7 +66,7 @@ void vpl_maps_render_lights(struct vpl_maps *maps, struct many_lights *lights,
         vpl_maps_render_batch(maps, frame, &lights->vpls, 0);
 }
 
-void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
+void vpl_maps_gather(struct vpl_maps *maps, struct many_lights *lights,
                      const struct vpl_buffer *vpls, bool later, const struct frame *frame,
                      const struct gbuffer *gbuffer) {
     for (int first = 0, count; (count = vpl_maps_render_batch(maps, frame, vpls, first)) > 0;
@@ -79,7 +79,7 @@ void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
                                                    .visibility = vpl_maps_inputs(maps)});
 }
 
-void vpl_maps_render_view(struct vpl_maps *maps, const struct many_lights *lights,
+void vpl_maps_render_view(struct vpl_maps *maps, struct many_lights *lights,
                           const struct frame *frame, const struct gbuffer *gbuffer) {
     many_lights_begin(lights, frame, gbuffer);
     vpl_maps_gather(maps, lights, &lights->vpls, false, frame, gbuffer);

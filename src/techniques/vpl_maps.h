@@ -52,12 +52,12 @@ struct visibility_inputs vpl_maps_inputs(const struct vpl_maps *maps);
 void vpl_maps_drop(struct vpl_maps *maps);
 
 /* Gathers the light of such VPLs, batch by batch. */
-void vpl_maps_gather(struct vpl_maps *maps, const struct many_lights *lights,
+void vpl_maps_gather(struct vpl_maps *maps, struct many_lights *lights,
                      const struct vpl_buffer *vpls, bool later, const struct frame *frame,
                      const struct gbuffer *gbuffer);
 
 /* As technique->render_view. */
-void vpl_maps_render_view(struct vpl_maps *maps, const struct many_lights *lights,
+void vpl_maps_render_view(struct vpl_maps *maps, struct many_lights *lights,
                           const struct frame *frame, const struct gbuffer *gbuffer);
 
 #endif

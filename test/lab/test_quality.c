@@ -172,7 +172,7 @@ static void test_slivers(void **state) {
 static struct quality_found find(const struct open_box *box, const char *text, double error,
                                  int most_passes) {
     struct quality_found found;
-    struct quality_desc desc = {&box->measure, &text, 1, error, most_passes, false};
+    struct quality_desc desc = {&box->measure, &text, 1, error, most_passes, false, false};
     check_ok("find", quality_find(&desc, &found));
     char *what = quality_describe(&found.choice);
     printf("    %g %% asked for: %s, %.2f %%\n", 100 * error, what, 100 * found.error);
@@ -272,8 +272,8 @@ static void test_techniques(void **state) {
     struct measure_desc measure = measure_default(&stage, SIDE, SIDE);
     for (int any = is_long_run() ? 0 : 1; any < 2; any++) {
         struct quality_found found;
-        check_ok("find",
-                 quality_find(&(struct quality_desc){&measure, NULL, 0, .16, 1, any}, &found));
+        check_ok("find", quality_find(&(struct quality_desc){&measure, NULL, 0, .16, 1, any, false},
+                                      &found));
         char *what = quality_describe(&found.choice);
         printf("    %s: %s, %.1f %%\n", any ? "any" : "the default alone", what, 100 * found.error);
         free(what);
@@ -312,6 +312,7 @@ static void test_words(void **state) {
         {"--quality draft --max-error 5%", 2, "--quality and --max-error exclude each other"},
         {"--quality better", 2, "quality: 'better' is not one of draft, normal, high, final"},
         {"--max-error 200%", 2, "max-error"},
+        {"--quality draft --stats", 0, "left out, without gather.adaptive>0"},
         {"--max-error 90% --set vpls=64,vals=4", 0, "cornell-box: path=draft, which errs"},
         {"--max-error 2% --passes 1 --set vpls=64,vals=4,adaptive=0", 0, "nothing errs much less"},
     };
@@ -324,6 +325,38 @@ static void test_words(void **state) {
     }
 }
 
+/* A path-traced picture is `reference`'s, in each format; what speaks of frames keeps them. */
+static void test_traced(void **state) {
+    (void)state;
+    static const char scene[] = "scenes/cornell-box.glb --size 40x40";
+    char exr[256], png[256], reference[256];
+    if (!gl.software)
+        skip();
+    snprintf(exr, sizeof exr, "%s", scratch("traced.exr"));
+    snprintf(png, sizeof png, "%s", scratch("traced.png"));
+    snprintf(reference, sizeof reference, "%s", scratch("reference.exr"));
+    assert_int_equal(
+        run_program("render %s -o %s -o %s --budget 600000ms --stats --set seed=5 2>&1", scene, exr,
+                    png),
+        0);
+    expect_text("chosen by --budget 600000ms: 256 path-traced samples, denoised");
+    assert_int_equal(run_program("reference %s -o %s --spp 256 --denoise --seed %d", scene,
+                                 reference, (1 << 30) + 5),
+                     0);
+    for (const char *const *layer = (const char *const[]){"beauty", "indirect", NULL}; *layer;
+         layer++)
+        assert_int_equal(
+            run_program("compare %s %s -l %s -m mae --max mae=0", exr, reference, *layer), 0);
+    assert_int_equal(run_program("compare %s %s -m ldr-flip --max ldr-flip=.008", png, exr), 0);
+    for (const char *const *kept =
+             (const char *const[]){"--frames 0", "--set vals=8", "--technique clustered", NULL};
+         *kept; kept++) {
+        assert_int_equal(
+            run_program("render %s -o %s --budget 600000ms --stats %s 2>&1", scene, png, *kept), 0);
+        expect_text("chosen by --budget 600000ms: level ");
+    }
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_places),     cmocka_unit_test(test_some_pixels),
@@ -331,6 +364,7 @@ int main(void) {
         cmocka_unit_test(test_climb),      cmocka_unit_test(test_rungs),
         cmocka_unit_test(test_ladder),     cmocka_unit_test(test_given),
         cmocka_unit_test(test_techniques), cmocka_unit_test(test_words),
+        cmocka_unit_test(test_traced),
     };
     return cmocka_run_group_tests_name("quality", tests, open_box, close_box);
 }

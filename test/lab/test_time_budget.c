@@ -148,55 +148,23 @@ static void test_clip(void **state) {
     check_at_most("another scene: frames off by more than a tenth", 1 - sudden.within, .08);
 }
 
-/* However fast the machine is, without rays the last level is one by maps; a level above it is left. */
-static void test_without_rays(void **state) {
-    (void)state;
-    struct time_budget budget;
-    time_budget_init(&budget, 1000);
-    for (int i = 0; i < 60; i++)
-        time_budget_add(&budget, 1);
-    printf("    with rays level %d, ", budget.level);
-    assert_int_equal(budget.level, LAST);
-    time_budget_allow_rays(&budget, false);
-    for (int i = 0; i < 3; i++)
-        time_budget_add(&budget, 1);
-    char *text = time_budget_settings(budget.level);
-    printf("without %d: %s\n", budget.level, text);
-    assert_int_equal(budget.level, 52);
-    assert_non_null(strstr(text, "clustered.trace=off "));
-    free(text);
-}
-
-/* Dearer levels have no less of anything that is a number of things, as VPLs of a pixel; frames by rays, which come
- * last, begin anew. */
+/* Dearer levels have no fewer VPLs of a pixel, and all go together. */
 static void test_levels(void **state) {
     (void)state;
-    double before[3] = {0};
-    int by_maps = 0;
+    double before = 0;
     for (int level = 0; level <= LAST; level++) {
-        static const char *const names[] = {"vpls", "vals", "map.size"};
         char *text = time_budget_settings(level);
         const char *given = text;
         struct settings settings;
         renderer_settings_init(&settings);
         check_ok(text, renderer_settings_assign(&settings, technique_default, &given, 1) &&
                            technique_check(technique_default, &settings));
-        bool by_rays = settings_number(&settings, "clustered.trace") == 2;
-        assert_true(by_rays || by_maps == level);
-        if (by_maps == level && by_rays)
-            memset(before, 0, sizeof before);
-        by_maps += !by_rays;
-        for (int i = 0; i < 3; i++) {
-            double now = settings_number(&settings, names[i]);
-            if (i == 0)
-                now /= pow(settings_number(&settings, "interleave"), 2);
-            check_at_most(names[i], before[i], now);
-            before[i] = now;
-        }
+        double side = settings_number(&settings, "interleave");
+        double now = settings_number(&settings, "vpls") / (side * side);
+        check_at_most("VPLs of a pixel", before, now);
+        before = now;
         free(text);
     }
-    printf("    %d levels by maps, %d by rays\n", by_maps, TIME_BUDGET_LEVELS - by_maps);
-    assert_true(by_maps >= 30 && by_maps <= 60);
 }
 
 static void run_box(int status, const char *arguments, const char *says) {
@@ -211,9 +179,9 @@ static void run_box(int status, const char *arguments, const char *says) {
 static void test_program(void **state) {
     (void)state;
     run_box(0, "--frames 0..1 --budget 60000ms --stats --set vpls=64,vals=3,adaptive=0,samples=1",
-            "chosen by --budget 60000ms: level 72 of 72");
+            "chosen by --budget 60000ms: level 40 of 40");
     run_box(0, "--frames 0 --budget .001 --stats --set vals=3",
-            "chosen by --budget 0.001ms: level 0 of 72");
+            "chosen by --budget 0.001ms: level 0 of 40");
     run_box(2, "--frames 0 --budget 16s", "budget: '16s' is not a number from 0 to 1e+06");
     run_box(2, "--frames 0 --budget 16 --quality draft", "--budget excludes --quality");
     run_box(2, "--frames 0 --budget 16 --set vals=3,path=traced", "--budget excludes path=");
@@ -221,10 +189,9 @@ static void test_program(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_search),       cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_noise),        cmocka_unit_test(test_clip),
-        cmocka_unit_test(test_without_rays), cmocka_unit_test(test_levels),
-        cmocka_unit_test(test_program),
+        cmocka_unit_test(test_search), cmocka_unit_test(test_ends),
+        cmocka_unit_test(test_noise),  cmocka_unit_test(test_clip),
+        cmocka_unit_test(test_levels), cmocka_unit_test(test_program),
     };
     return cmocka_run_group_tests_name("time budget", tests, NULL, NULL);
 }

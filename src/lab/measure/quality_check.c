@@ -5,6 +5,7 @@
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "quality/estimate.h"
+#include "quality/traced.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -21,9 +22,9 @@ static const struct quality_choice others[] = {
     QUALITY_FRAME("path=traced lights.vpls=256"),
     QUALITY_FRAME("path=traced lights.vpls=512"),
     QUALITY_FRAME("path=traced lights.vpls=512 gather.interleave=4 picture.samples=16"),
-    {"", 1, "unshadowed"},
-    {"", 1, "lightcuts"},
-    {"", 1, "cluster-lights"},
+    {"", 1, "unshadowed", 0},
+    {"", 1, "lightcuts", 0},
+    {"", 1, "cluster-lights", 0},
 };
 
 static const double asked[] = {.02, .04, .08, .16, .3};
@@ -74,14 +75,19 @@ static bool measure_error(struct check *check, struct tried *tried) {
 
 typedef bool measure_starter(struct renderer *renderer, const struct measure_desc *desc);
 
+static bool measure_tried(const struct check *check, const struct tried *tried,
+                          struct measure_desc *measure) {
+    const struct quality_check_desc *desc = check->desc;
+    *measure = *desc->measure;
+    measure->technique = tried->technique;
+    return quality_settings(&tried->choice, measure->technique, desc->texts, desc->text_count,
+                            &measure->settings);
+}
+
 static bool start(struct check *check, const struct tried *tried, measure_starter *start_as,
                   struct renderer *renderer) {
-    const struct quality_check_desc *desc = check->desc;
-    struct measure_desc measure = *desc->measure;
-    measure.technique = tried->technique;
-    if (!quality_settings(&tried->choice, measure.technique, desc->texts, desc->text_count,
-                          &measure.settings) ||
-        !start_as(renderer, &measure))
+    struct measure_desc measure;
+    if (!measure_tried(check, tried, &measure) || !start_as(renderer, &measure))
         return false;
     renderer->timers.enabled = false;
     return true;
@@ -103,8 +109,21 @@ static void time_frames(struct renderer *renderer, struct tried *tried) {
     }
 }
 
+static bool try_traced(struct check *check, struct tried *tried) {
+    struct measure_desc measure;
+    double clock = clock_ms(), cpu = clock_cpu_ms();
+    if (!measure_tried(check, tried, &measure) ||
+        !traced_render(&measure, tried->choice.samples, false, NULL, &tried->picture))
+        return false;
+    tried->ms = clock_ms() - clock;
+    tried->cpu = clock_cpu_ms() - cpu;
+    return measure_error(check, tried);
+}
+
 static bool try_frame(struct check *check, struct tried *tried) {
     struct renderer renderer;
+    if (tried->choice.samples > 0)
+        return try_traced(check, tried);
     if (!start(check, tried, measure_start, &renderer))
         return false;
     renderer_render(&renderer); /* compiles */
@@ -142,13 +161,14 @@ static bool try_means(struct check *check, struct tried *tried, int count) {
     return ok;
 }
 
-/* What is given need not go with every technique. */
+/* What is given need not go with every technique, nor with paths. */
 static void add_choice(struct check *check, const struct quality_choice *choice) {
-    const struct quality_check_desc *desc = check->desc;
-    const struct technique *technique = quality_technique(choice, desc->measure->technique);
-    struct settings settings;
-    if (quality_settings(choice, technique, desc->texts, desc->text_count, &settings))
-        check->tried[check->count++] = (struct tried){.choice = *choice, .technique = technique};
+    struct tried tried = {.choice = *choice,
+                          .technique = quality_technique(choice, check->desc->measure->technique)};
+    struct measure_desc measure;
+    if (measure_tried(check, &tried, &measure) &&
+        (choice->samples == 0 || traced_is_possible(&measure)))
+        check->tried[check->count++] = tried;
 }
 
 static void list_choices(struct check *check) {
@@ -166,11 +186,9 @@ static void list_choices(struct check *check) {
 /* point NULL: as the choice is described. */
 static struct measure_desc describe(const struct check *check, const struct tried *tried,
                                     const char *variant, const char *point) {
-    struct measure_desc measure = *check->desc->measure;
+    struct measure_desc measure;
     char *what = quality_describe(&tried->choice);
-    measure.technique = tried->technique;
-    quality_settings(&tried->choice, measure.technique, check->desc->texts, check->desc->text_count,
-                     &measure.settings);
+    measure_tried(check, tried, &measure);
     snprintf(measure.variant, sizeof measure.variant, "%s", variant);
     snprintf(measure.point, sizeof measure.point, "%s", point ? point : what);
     free(what);
@@ -200,7 +218,8 @@ static double fastest(const struct check *check, double error) {
 static struct tried *find(struct check *check, const struct quality_choice *choice) {
     for (struct tried *tried = check->tried; tried < &check->tried[check->ladder]; tried++)
         if (tried->choice.settings == choice->settings && tried->choice.passes == choice->passes &&
-            tried->choice.technique == choice->technique)
+            tried->choice.technique == choice->technique &&
+            tried->choice.samples == choice->samples)
             return tried;
     return NULL;
 }

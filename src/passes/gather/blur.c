@@ -35,10 +35,19 @@ static bool init_target(struct irradiance *target, const char *label, GLenum for
     return irradiance_init(target, label, format, desc->width, desc->height, 1);
 }
 
+static bool init_taps(struct blur_pass *pass, const struct blur_desc *desc) {
+    if (desc->lender) {
+        pass->taps = desc->lender->taps;
+        pass->half = desc->lender->half;
+        return true;
+    }
+    return init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
+           (desc->square || init_target(&pass->half, "blur taps", GL_RGBA32UI, desc));
+}
+
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
     *pass = (struct blur_pass){.desc = *desc};
-    if (init_pack(pass) && init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
-        (desc->square || init_target(&pass->half, "blur taps", GL_RGBA32UI, desc)) &&
+    if (init_pack(pass) && init_taps(pass, desc) &&
         init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) &&
         (desc->square || init_axis(&pass->along_x, true, false)) &&
         init_axis(&pass->along_y, false, desc->specular))
@@ -56,8 +65,10 @@ void blur_pass_free(struct blur_pass *pass) {
     program_free(&pass->pack_program);
     free_axis(&pass->along_x);
     free_axis(&pass->along_y);
-    irradiance_free(&pass->taps);
-    irradiance_free(&pass->half);
+    if (!pass->desc.lender) {
+        irradiance_free(&pass->taps);
+        irradiance_free(&pass->half);
+    }
     irradiance_free(&pass->blurred);
     *pass = (struct blur_pass){0};
 }

@@ -24,6 +24,8 @@ struct blur_desc {
     float level_weight[PIXEL_LEVELS]; /* how many times as many lights as others they have */
     bool specular; /* what is smooth, of a G-buffer with its target, is of the first level */
     bool square;   /* over all taps of the square at once, as published; else along x, then y */
+    /* Another blur of this size, not square or as square, whose taps it may overwrite; outlives it. NULL: own taps. */
+    const struct blur_pass *lender;
 };
 
 struct blur_pass {

@@ -208,7 +208,7 @@ static void render_lights(void *state, const struct frame *frame) {
                    technique->has_vals ? &technique->vals.later : NULL);
 }
 
-static void gather(const struct cluster_lights *technique, bool later, const struct frame *frame,
+static void gather(struct cluster_lights *technique, bool later, const struct frame *frame,
                    const struct gbuffer *gbuffer) {
     const struct light_set *set = later ? &technique->later : &technique->first;
     const struct val_set *vals = later ? &technique->vals.later : &technique->vals.first;

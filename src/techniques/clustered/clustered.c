@@ -57,7 +57,7 @@ static void render_lights(void *state, const struct frame *frame) {
         vals_render(&technique->vals, &technique->lights, frame, NULL);
 }
 
-static void gather(const struct clustered *technique, const struct val_set *vals, bool later,
+static void gather(struct clustered *technique, const struct val_set *vals, bool later,
                    const struct frame *frame, const struct gbuffer *gbuffer) {
     struct gather_inputs inputs = vals_render_blocks(vals, frame, gbuffer);
     inputs.later = later;

@@ -1,4 +1,3 @@
-#include "techniques/many_lights.h"
 #include "viewer/picture/budget.h"
 
 #include <stdlib.h>
@@ -33,8 +32,6 @@ void viewer_follow_budget(struct viewer *viewer) {
         shown->dirty = true;
         return;
     }
-    time_budget_allow_rays(
-        &shown->budget, many_lights_may_trace(&viewer->document.scene, &viewer->document.geometry));
     if (time_budget_add(&shown->budget, ms))
         take_level(viewer);
     shown->dirty |= !time_budget_holds(&shown->budget); /* at rest, too */

@@ -1,0 +1,102 @@
+#include "quality/traced.h"
+
+#include "gl/context/context.h"
+#include "gl/framebuffer.h"
+#include "passes/frame.h"
+#include "quality/picture.h"
+#include "scene/caustics.h"
+#include "shared/composite.h"
+
+/* All others speak of frames. */
+static const char obeyed[] =
+    "lights.bounces lights.seed surface.materials medium.scatter medium.absorb "
+    "medium.g medium.scene picture.exposure picture.tone-map";
+
+/* No estimate has these seeds (quality/estimate.h). */
+static const uint32_t first_seed = 1U << 30;
+
+bool traced_is_possible(const struct measure_desc *desc) {
+    struct settings defaults;
+    renderer_settings_init(&defaults);
+    for (struct setting setting = {0}; settings_next(&defaults, &setting);)
+        if (!setting_equal(&setting, &desc->settings, &defaults) &&
+            !setting_is_among(&setting, obeyed))
+            return false;
+    return gl.software && !caustics_shown(&desc->stage->scene, &desc->settings);
+}
+
+static bool show(void *user, const struct path_tracer_progress *progress) {
+    if (user)
+        progress_show(user, progress->done, "");
+    return true;
+}
+
+bool traced_render(const struct measure_desc *desc, int samples, bool hides_sky,
+                   struct progress *progress, struct image *image) {
+    struct path_tracer_desc paths = picture_paths(desc);
+    paths.samples = samples;
+    paths.seed = first_seed + (uint32_t)measure_setting(desc, "lights.seed");
+    paths.denoise = paths.bounces > 0;
+    paths.hides_sky = hides_sky;
+    paths.progress = show;
+    paths.user = progress;
+    return picture_trace_paths(desc->stage, &paths, image, NULL);
+}
+
+/* --- display --- */
+
+static bool write_layer(const struct texture *texture, const struct image *image, int layer) {
+    int channels[3], alpha = image_find_channel(image, "A");
+    if (!image_find_layer(image, shown_layer_prefix(layer), channels))
+        return false;
+    float *row = mem_alloc(4 * (size_t)image->width, sizeof *row);
+    for (int y = 0; y < image->height; y++) {
+        for (int x = 0; x < image->width; x++) {
+            const float *pixel = image_at(image, x, y);
+            for (int c = 0; c < 4; c++)
+                row[4 * x + c] = pixel[c < 3 ? channels[c] : alpha];
+        }
+        gl.TextureSubImage2D(texture->id, 0, 0, image->height - 1 - y, image->width, 1, GL_RGBA,
+                             GL_FLOAT, row);
+    }
+    free(row);
+    return true;
+}
+
+/* As a mean of one pass. Where albedos are 1, sums of light are light. */
+static void draw(const struct mean_pass *mean, const struct renderer_desc *desc, int layer,
+                 GLuint framebuffer) {
+    static const float ones[4] = {1, 1, 1, 1};
+    struct timers untimed = {0};
+    const struct frame frame = {.timers = &untimed};
+    const struct picture_settings *picture =
+        settings_of(struct picture_settings, &desc->settings, &picture_part);
+    framebuffer_clear_color(mean->framebuffers[LAYER_ALBEDO], TARGET_RESULT, ones);
+    mean_pass_render_display(mean, &frame, 1, layer, picture->exposure,
+                             picture->tone_map == TONE_MAP_FILMIC, &desc->background, framebuffer);
+}
+
+bool traced_display(const struct image *image, const struct renderer_desc *desc, int layer,
+                    struct bitmap *bitmap) {
+    struct mean_pass mean;
+    struct texture display = {0};
+    GLuint framebuffer = 0;
+    const struct mean_desc size = {.width = image->width, .height = image->height};
+    bool ok = mean_pass_init(&mean, &size) &&
+              framebuffer_init_target(&display, &framebuffer,
+                                      &(struct texture_desc){.label = "display",
+                                                             .format = GL_RGBA8,
+                                                             .width = image->width,
+                                                             .height = image->height}) &&
+              write_layer(&mean.sums[LAYER_BEAUTY], image, LAYER_BEAUTY) &&
+              write_layer(&mean.sums[layer], image, layer);
+    if (ok) {
+        draw(&mean, desc, layer, framebuffer);
+        texture_read_bitmap(&display, bitmap);
+        ok = context_check();
+    }
+    framebuffer_free(&framebuffer);
+    texture_free(&display);
+    mean_pass_free(&mean);
+    return ok;
+}
