@@ -39,7 +39,7 @@ bool video_file_begin(struct video_file *video, const char *path, int width, int
 bool video_file_add(struct video_file *video, const struct bitmap *frame);
 
 /* Waits for ffmpeg and gives the video its path. If ok is false, kills ffmpeg and leaves no video,
- * without a new error. Error: ffmpeg failed, or the file cannot be written. Accepts a zeroed one. */
+ * without a new error. Error: ffmpeg or the file failed. Accepts a zeroed one. */
 bool video_file_end(struct video_file *video, bool ok);
 
 #endif
