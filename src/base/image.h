@@ -101,9 +101,10 @@ int image_find_channel(const struct image *image, const char *name);
 
 /* Finds the three channels of a layer: R G B, red green blue, X Y Z, or one channel three times.
  * The name is whole (ViewLayer.Combined, a part), the end of a name (Combined), or one channel (Z,
- * normal.X). "" and "beauty" take, in this order: channels without a layer name; the layer or part
- * with a usual name (beauty, rgba, Combined ...); the first part with R G B; the only layer of
- * three. Parts named as normals and the like come last. Error: lists the layers. */
+ * normal.X). "" and "beauty" take channels without a layer name, else the layer or part with a
+ * usual name (beauty, rgba, Combined ...). Without these they take the first part with R G B, then
+ * the only layer of three. Parts named as normals and the like come last. Error: lists the
+ * layers. */
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
 
 /* Multiplies R, G and B of each layer by a matrix in columns. Layers of normals, depths and other

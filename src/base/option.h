@@ -1,7 +1,6 @@
-/* Tables of options: name, help, type, default and range of each field of a struct of values.
- *
- * The same tables serve command lines, the renderer's settings (--set key=value), the viewer's
- * panel, the benchmark's sweeps and --help. */
+/* Tables of options: name, help, type, default and range of each field of a struct of values. They
+ * serve command lines, the renderer's settings (--set key=value), the viewer's panel, the
+ * benchmark's sweeps and --help. */
 #ifndef BASE_OPTION_H
 #define BASE_OPTION_H
 

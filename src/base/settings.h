@@ -1,8 +1,8 @@
 /* Settings of all parts of the program. Each part has an option table over its own struct. One
  * struct settings holds these structs; copy and compare it as a value.
  *
- * Names of a setting: the full name, "gather.interleave"; its last part if it is unique,
- * "interleave"; or with a dash in place of the dot, "blur-radius" for "blur.radius". */
+ * A setting has a full name, "gather.interleave", or "gather-interleave" with a dash for the dot.
+ * The last part, "interleave", is enough if it is unique. */
 #ifndef BASE_SETTINGS_H
 #define BASE_SETTINGS_H
 

@@ -16,8 +16,7 @@ extern const struct settings_part shadow_part;
 struct shadow {
     struct shadow_map_pass maps;
     struct direct_light_pass light;
-    struct direct_light_inputs
-        inputs; /* inputs of light; the shadow maps unless the method has others */
+    struct direct_light_inputs inputs; /* of light; shadow maps unless the method has others */
 };
 
 /* Makes maps and passes. Takes the picture's size, the specular, medium and slides flags and the

@@ -125,7 +125,7 @@
     X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)                                                     \
     X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup)                                                       \
     X(PFNGLOBJECTLABELPROC, ObjectLabel)                                                           \
-    /* What the implementation is. */                                                              \
+    /* Queries of the implementation. */                                                           \
     X(PFNGLGETSTRINGPROC, GetString)                                                               \
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                             \
     X(PFNGLGETERRORPROC, GetError)                                                                 \

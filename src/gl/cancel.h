@@ -1,10 +1,10 @@
-/* Ends a long frame early. While a thread watches, its draws, dispatches and parallel loops ask a
- * callback at intervals whether to go on. After a cancellation they do nothing, so the frame ends
- * soon and its picture is invalid.
+/* Ends a long frame early. While a thread watches, its draws, dispatches and parallel loops call a
+ * callback at intervals. After the callback cancels they do nothing, so the frame ends soon and its
+ * picture is invalid.
  *
- * GPUs queue thousands of draws. Before each question the watch therefore waits for the queued
- * draws (glFinish). It asks after as many draws as take about a quarter of the interval.
- * Uncancelled pictures keep their bits. */
+ * GPUs queue thousands of draws. Before each call the watch therefore waits for the queued draws
+ * (glFinish). It calls after as many draws as take about a quarter of the interval. Pictures that
+ * are not cancelled keep their bits. */
 #ifndef GL_CANCEL_H
 #define GL_CANCEL_H
 

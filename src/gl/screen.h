@@ -1,7 +1,7 @@
 /* Screen passes: a shader body that runs once for each pixel of the targets of a pass.
  *
  * A pass names the body in `screen` of struct program_desc and draws it by pass_draw_fullscreen.
- * The body is a fragment shader that runs in one of two ways, without a difference to the pass:
+ * The body is a fragment shader that runs as one of two stages; passes need not know which:
  *     fragment    one triangle covers the viewport (glsl/fullscreen.vert, glsl/layers.vert)
  *     compute     the same text as a compute shader, dispatched in groups of 8x8 pixels
  * gl/screen_glsl.c makes the compute shader. It replaces lines of these forms:
@@ -11,9 +11,9 @@
  *     layout(early_fragment_tests) in;    nothing: only marked pixels are dispatched
  *     discard;                            leaves the pixel unmarked; in main only
  *     void main()                         void screen_body(), called by the main of the dispatch
- * Outputs, inputs and main of a body each stand on a line of such a form. A body sets no depth,
- * takes no derivatives, and discards only if its passes mark pixels. It may use `#ifdef
- * SCREEN_COMPUTE`.
+ * Write each output, each input and main of a body on a line of such a form. A body sets no depth,
+ * takes no derivatives, and discards only if its passes mark pixels. `#ifdef SCREEN_COMPUTE` is
+ * allowed.
  *
  * The targets are the textures of the pass's framebuffer (gl/framebuffer.h). PASS_BLEND_ADD loads
  * and adds. A pass that `marks` has PASS_DEPTH_LESS, no targets, and a mask (gl/pixel_mask.h). A
@@ -27,7 +27,7 @@
  * screen_area (x, y, width, height) or sets further variables.
  *
  * Barriers: a dispatch waits for all earlier reads and writes, and all later commands see its
- * targets. Finer barriers would gain little, because most passes read the output of the pass
+ * targets. Finer barriers would save little, because most passes read the output of the pass
  * before. */
 #ifndef GL_SCREEN_H
 #define GL_SCREEN_H

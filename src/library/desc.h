@@ -10,7 +10,7 @@
  * invalid, or it has nonzero members that this library does not know. */
 bool desc_take(void *to, size_t size, const void *from, const char *name);
 
-/* Copies element i of an array of descriptors in the same way. The first element states the size of
+/* Copies element i of an array of descriptors, as desc_take. The first element states the size of
  * all. */
 bool desc_take_element(void *to, size_t size, const void *array, size_t i, const char *name);
 

@@ -17,7 +17,7 @@ void device_release(struct manylight_device *device);
  * callback of the device calls this; or the host's context does not become current. */
 bool device_do(struct manylight_device *device, worker_job *job, void *context);
 
-/* True if the context is the caller's, who can use the renderer's OpenGL objects. */
+/* True if the context is the caller's; the caller can then use the renderer's OpenGL objects. */
 bool device_is_adopted(const struct manylight_device *device);
 
 #endif

@@ -249,7 +249,7 @@ struct manylight_scene_desc {
     size_t light_count;
     const struct manylight_camera *cameras; /* with meshes */
     size_t camera_count;
-    /* As the options of `manylight render`: --light, --clip, --environment, --environment-turn
+    /* Options of `manylight render`: --light, --clip, --environment, --environment-turn
      * (degrees), --environment-strength (0 selects 1), --strict and --root. */
     const char *light, *clip;
     const char *environment;
@@ -324,7 +324,8 @@ MANYLIGHT_API enum manylight_status manylight_renderer_setting(struct manylight_
 
 struct manylight_view {
     size_t size;
-    /* As --camera of render: "Camera.001", "1", "0 eye=0,1,3 forward=0,0,-1". NULL: the first. */
+    /* As --camera of `manylight render`: "Camera.001", "1", "0 eye=0,1,3 forward=0,0,-1". NULL: the
+     * first. */
     const char *camera;
     const struct manylight_camera *placed; /* replaces camera */
     const char *light;                     /* as --light of render; NULL: the scene's */

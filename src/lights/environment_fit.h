@@ -1,9 +1,9 @@
 /* Fits an environment map by a few infinitely distant area lights [Dong 2011 §5.3.2].
  *
- * Method: the map is drawn onto the faces of a cube. SKY_FIT_RECTANGLES: the brightest free texel
- * grows into a rectangle while a new side adds more than a fraction of its light. Bisection finds
- * the fraction that gives `count` lights. SKY_FIT_EVEN: the area of largest cost is cut in two
- * where the remaining cost is least, so that neither sun nor horizon takes most of the lights.
+ * The map is drawn onto the faces of a cube. SKY_FIT_RECTANGLES: the brightest free texel grows
+ * into a rectangle while a new side adds more than a fraction of its light. Bisection finds the
+ * fraction that gives `count` lights. SKY_FIT_EVEN: the area of largest cost is cut in two where
+ * the remaining cost is least. Neither sun nor horizon then takes most of the lights.
  *
  * Unlike in the thesis, rectangles do not overlap, and the side that adds most grows first. The
  * lights partition the sphere, so their energy is that of the map in each channel. A constant map

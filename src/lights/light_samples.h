@@ -1,9 +1,9 @@
 /* Light samples: lights without a size from which reflected light starts, each with its own view.
  *
- * A single sample in the middle of a wide light would leave dark the places that only its rim lights. A wide
- * light therefore has several samples (emitter_piece), a small light one in its middle. Each pass
- * of a progressive picture moves all samples, so the mean over passes is that of the whole light.
- * An environment has a sample for each group of its lights. */
+ * A single sample in the middle of a wide light would leave places dark that only its rim lights. A
+ * wide light therefore has several samples (emitter_piece), a small light one in its middle. Each
+ * pass of a progressive picture moves all samples, so the mean over passes is that of the whole
+ * light. An environment has a sample for each group of its lights. */
 #ifndef LIGHTS_LIGHT_SAMPLES_H
 #define LIGHTS_LIGHT_SAMPLES_H
 

@@ -29,8 +29,8 @@ struct picture_faults {
     double correlation; /* correlation of bright and dark areas, in boxes */
 };
 
-/* Finds the faults. Both pictures have three finite linear channels R G B and the same size. Of the
- * first three faults at most one is found: the change whose removal lowers the error most, and
+/* Finds the faults. Both pictures have three finite linear channels R G B and the same size. At
+ * most one of the first three faults is found: the change whose removal lowers the error most, and
  * clearly. If none is found, FAULT_OTHER_VIEW is tested; if the view is right, shift and
  * fireflies. */
 void picture_faults_find(const struct image *picture, const struct image *reference,

@@ -6,7 +6,7 @@
 #include "metrics/comparison.h"
 
 /* Writes to each of the worst 1 % of pixels (rounded up) its fraction of the total squared error,
- * times the number of pixels; 0 to all others. The mean of the map is the fraction of the worst.
+ * times the number of pixels. All others get 0. The mean of the map is the fraction of the worst.
  * Pixels that tie at the threshold share the remaining ranks. */
 void worst_share(const struct comparison *comparison, float *map);
 

@@ -52,7 +52,7 @@ int measure_bounces(const struct measure_desc *desc);
  * no VPLs. */
 double measure_pixel_vpls(const struct measure_desc *desc);
 
-/* Make a timed renderer, or one that is ready for renderer_add_pass. Error: as of the settings or
+/* Make a timed renderer, or a renderer ready for renderer_add_pass. Error: as of the settings or
  * the renderer; names the variant. */
 bool measure_start(struct renderer *renderer, const struct measure_desc *desc);
 bool measure_start_mean(struct renderer *renderer, const struct measure_desc *desc);

@@ -1,9 +1,9 @@
 /* Chooses the settings of the next frame by the times of the last frames, for a target time.
  *
- * Levels lead from the fewest to the most samples, each a few percent slower than the one before;
- * the step from maps to rays is larger. They are interpolated between rows of settings on the front
- * of error against time (bench/PARSIMONY.md, bench/FRONTS.md). Measured times choose the level, so
- * it depends on scene and machine. */
+ * Levels lead from the fewest to the most samples. Each is a few percent slower than the one
+ * before; the step from maps to rays is larger. They are interpolated between rows of settings on
+ * the front of error against time (bench/PARSIMONY.md, bench/FRONTS.md). Measured times choose the
+ * level, so it depends on scene and machine. */
 #ifndef QUALITY_TIME_BUDGET_H
 #define QUALITY_TIME_BUDGET_H
 

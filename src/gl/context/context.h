@@ -70,8 +70,8 @@ bool context_check(void);
  * or "window". */
 const char *context_description(const struct context *context);
 
-/* Returns the number of faults since the context was made: debug messages above notification except
- * those on performance, and draws with a sampler without a texture. */
+/* Returns the number of faults since the context was made. Faults are debug messages above
+ * notification, except on performance, and draws with a sampler without a texture. */
 int context_message_count(const struct context *context);
 
 /* Writes all available devices into text, one per line in the order tried, then the reasons for the
