@@ -43,7 +43,7 @@ struct image {
     int part_count;
     struct image_attribute *attributes; /* attribute_count attributes to write */
     int attribute_count;
-    /* Colours of the file while it is read: x and y of red, green, blue and white
+    /* Set while a file is read: x and y of red, green, blue and white
      * (IMAGE_CHROMATICITIES), and the value that 1 stands for. Zeros: BT.709 and 1. */
     float primaries[8], unit;
     bool cube; /* the file's attribute says that it holds faces of a cube */

@@ -31,8 +31,8 @@ const struct log_sink *log_get_sink(void);
  * first; NULL clears it. Call log_show_line(NULL) before a write to stdout. */
 void log_show_line(const char *line);
 
-void log_detail(const char *format, ...)
-    __attribute__((format(printf, 1, 2))); /* LOG_VERBOSE only */
+/* Writes a message; details appear at LOG_VERBOSE only. */
+void log_detail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

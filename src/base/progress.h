@@ -1,4 +1,4 @@
-/* Shows the progress of long work: " 42 % 0:13 left noise 1.8 %".
+/* Shows the progress of long work: "  42 %  0:13 left  noise 1.8 %".
  *
  * A terminal shows one line that is overwritten. Elsewhere, as in a log, a note appears each 30
  * seconds, but not at the end. After --quiet nothing appears. With events as JSON (base/events.h)

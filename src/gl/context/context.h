@@ -71,7 +71,8 @@ bool context_check(void);
 const char *context_description(const struct context *context);
 
 /* Returns the number of faults since the context was made. Faults are debug messages above
- * notification, except on performance, and draws with a sampler without a texture. */
+ * notification, except on performance, and samplers of a draw without a texture or a unit of their
+ * own. */
 int context_message_count(const struct context *context);
 
 /* Writes all available devices into text, one per line in the order tried, then the reasons for the
