@@ -19,9 +19,9 @@ struct shadow {
     struct direct_light_inputs inputs; /* of light; shadow maps unless the method has others */
 };
 
-/* Makes maps and passes. Takes the picture's size, the specular, medium and slides flags and the
- * receiver's offset from desc, and the map size unless program has one. Error: as of the passes;
- * call shadow_end then. */
+/* Makes maps and passes. desc gives the picture's size and the specular, medium and slides flags.
+ * The receiver's offset is fixed; the map size is the setting's unless program has one. Error: as
+ * of the passes; call shadow_end then. */
 bool shadow_begin(struct shadow *shadow, const struct direct_desc *desc,
                   const struct direct_light_desc *program);
 void shadow_end(struct shadow *shadow);
