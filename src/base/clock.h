@@ -2,7 +2,7 @@
 #ifndef BASE_CLOCK_H
 #define BASE_CLOCK_H
 
-/* Returns milliseconds since a fixed moment in the past, on a clock that is never set. */
+/* Returns milliseconds from a fixed moment in the past, on a clock that is never set. */
 double clock_ms(void);
 
 /* Returns milliseconds of CPU time of the process, summed over all cores. */

@@ -25,7 +25,7 @@ uint64_t mem_free_bytes(void);
  * purpose. */
 bool mem_check(uint64_t bytes);
 
-/* Return the resident memory of the process, now and at its peak, MiB; 0: unknown. */
+/* Return the current and the peak resident memory of the process, MiB; 0: unknown. */
 double mem_resident(void);
 double mem_most_resident(void);
 

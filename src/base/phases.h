@@ -12,7 +12,7 @@ enum phase {
     PHASE_COUNT
 };
 
-/* Adds the time since since_ms, a value of clock_ms. */
+/* Adds the time from `since_ms`, a value of clock_ms, to the phase. */
 void phase_add(enum phase phase, double since_ms);
 
 /* Returns "scene 12 ms, ..." with all phases. The caller frees it. */

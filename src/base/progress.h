@@ -33,7 +33,7 @@ void progress_show_step(struct progress *progress, double done, const char *note
 /* Shows the progress. At done 0 a terminal shows only the note. */
 void progress_show_work(struct progress *progress, double done, const char *note);
 
-/* Clears the line. Returns seconds since the start. */
+/* Clears the line. Returns seconds from the start. */
 double progress_end(struct progress *progress);
 
 #endif

@@ -62,17 +62,16 @@ struct context *context_adopt_embedded(void *(*getproc)(const char *name));
 void context_delete_objects(struct context *context);
 
 /* Checks that the driver still has the current context, which a reset of the GPU loses. Error: it
- * is lost; pictures read back since are invalid. Contexts of a window report no loss: GLFW would
- * have to check every access. */
+ * is lost; pictures read back after the loss are invalid. Contexts of a window report no loss: GLFW
+ * would have to check every access. */
 bool context_check(void);
 
 /* Returns "EGL device 0 (/dev/dri/card0)", "EGL device 1 (software)", "EGL surfaceless", "OSMesa"
  * or "window". */
 const char *context_description(const struct context *context);
 
-/* Returns the number of faults since the context was made. Faults are debug messages above
- * notification, except on performance, and samplers of a draw without a texture or a unit of their
- * own. */
+/* Returns the number of faults of the context. Faults are debug messages above notification, except
+ * on performance, and samplers of a draw without a texture or a unit of their own. */
 int context_message_count(const struct context *context);
 
 /* Writes all available devices into text, one per line in the order tried, then the reasons for the
