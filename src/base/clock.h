@@ -1,11 +1,11 @@
-/* The time that passes. */
+/* Clocks of the machine and of the process. */
 #ifndef BASE_CLOCK_H
 #define BASE_CLOCK_H
 
-/* Milliseconds since some moment of the past, on a clock that is never set. */
+/* Returns milliseconds from a fixed moment in the past, on a clock that is never set. */
 double clock_ms(void);
 
-/* Milliseconds that the process has had of all cores together. */
+/* Returns milliseconds of CPU time of the process, summed over all cores. */
 double clock_cpu_ms(void);
 
 #endif

@@ -1,5 +1,5 @@
-/* The lesser and the greater of two floats, one instruction each, where fminf and fmaxf are calls into the C library.
- * The result is b where either is NaN, or both are zero: a running value goes second. */
+/* Minimum and maximum of two floats, in one instruction each; fminf and fmaxf are calls into the C
+ * library. The result is b if either is NaN or both are zero: pass a running value second. */
 #ifndef BASE_EXTREMES_H
 #define BASE_EXTREMES_H
 

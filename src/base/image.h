@@ -15,7 +15,7 @@ struct image_window {
     int x, y, width, height;
 };
 
-/* What a file tells beside its pixels. Only EXR files get them, and image_read leaves them out. */
+/* Metadata written to EXR files; other formats drop it, and image_read ignores it. */
 enum image_attribute_kind {
     IMAGE_TEXT,
     IMAGE_NUMBER,
@@ -24,29 +24,30 @@ enum image_attribute_kind {
 };
 
 struct image_attribute {
-    const char *name; /* lives on */
+    const char *name; /* not owned; must outlive the image */
     enum image_attribute_kind kind;
-    char *text; /* of IMAGE_TEXT */
+    char *text; /* for IMAGE_TEXT, owned */
     float numbers[16];
 };
 
 struct image {
     int width, height, channel_count;
-    char **names;  /* channel_count of them */
+    char **names;  /* channel_count names */
     float *pixels; /* height x width x channel_count */
-    bool encoded;  /* sRGB over [0, 1], as integer formats store it; false = linear */
-    char *passes;  /* of which it is the mean: "0..7,16"; NULL = not told */
-    double weight; /* of them together */
-    char *
-        *parts; /* part_count names, with which channels' names begin: of an EXR of several parts */
+    bool encoded;  /* true: sRGB in [0, 1], as integer formats store it; false: linear */
+    char *passes;  /* passes of which the picture is the mean: "0..7,16"; NULL: unknown */
+    double weight; /* total weight of the passes */
+    /* Names of the parts of a multi-part EXR, part_count of them. Names of channels begin with
+     * them. */
+    char **parts;
     int part_count;
-    struct image_attribute *attributes; /* attribute_count of them, to be written */
+    struct image_attribute *attributes; /* attribute_count attributes to write */
     int attribute_count;
-    /* Of a file while it is read: x and y of its red, green, blue and white (IMAGE_CHROMATICITIES), and what 1 stands
-     * for. Zeros are BT.709 and 1. */
+    /* Set while a file is read: x and y of red, green, blue and white
+     * (IMAGE_CHROMATICITIES), and the value that 1 stands for. Zeros: BT.709 and 1. */
     float primaries[8], unit;
-    bool cube; /* of a file: faces of a cube, as its attribute says */
-    /* Of a file: the whole picture, and where in it there are pixels. */
+    bool cube; /* the file's attribute says that it holds faces of a cube */
+    /* Windows of the file: the whole picture, and the part with pixels. */
     struct image_window display, data;
 };
 
@@ -56,62 +57,65 @@ struct bitmap {
     unsigned char *rgba; /* height x width x 4 */
 };
 
-/* Whether memory has room for such a picture; ask where the size comes from outside. Error: names
- * size and memory. */
+/* Checks that memory has room for the picture; call it for sizes from outside. Error: names size
+ * and memory. */
 bool image_fits(int width, int height, int channel_count);
 
-/* Zero pixels; names as in "R G B direct.R direct.G direct.B". Sizes must be positive. */
+/* Makes a picture of zeros. channel_names: "R G B direct.R direct.G direct.B", separated by one
+ * space. Sizes must be positive. */
 void image_init(struct image *image, int width, int height, const char *channel_names);
 
-/* The same with names that a file gives, which may be any text. */
+/* Makes a picture of zeros with names from a file, which may be any text. */
 void image_init_named(struct image *image, int width, int height, const char *const *names,
                       int count);
 
-/* Of the same size, channels and pixels. */
+/* Returns a copy with size, channels and pixels, without metadata. */
 struct image image_copy(const struct image *image);
 
-/* Copies `count` channels of the image, under these names. */
+/* Returns a picture with `count` channels of the image, under these names. */
 struct image image_pick(const struct image *image, const int *channels, const char *const *names,
                         int count);
 
-/* More channels, of zeros, after those that are there. */
+/* Appends channels of zeros. */
 void image_add_channels(struct image *image, const char *channel_names);
 
-/* Adds an attribute of a name that the image does not have. The text is copied. */
+/* Adds an attribute whose name the image does not have. The text is copied, the name is not. */
 void image_add_text(struct image *image, const char *name, const char *text);
 void image_add_numbers(struct image *image, const char *name, enum image_attribute_kind kind,
                        const float *numbers);
 
-/* Accepts zeroed structs. */
+/* Frees the members and zeroes the struct. Accepts zeroed structs. */
 void image_free(struct image *image);
 #define images_free(...) MEM_EACH(struct image, image_free, __VA_ARGS__)
 void bitmap_free(struct bitmap *bitmap);
 #define bitmaps_free(...) MEM_EACH(struct bitmap, bitmap_free, __VA_ARGS__)
 
+/* Returns the channels of pixel x, y. */
 static inline float *image_at(const struct image *image, int x, int y) {
     return image->pixels +
            ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channel_count;
 }
 
-/* The index of the channel, or -1. */
+/* Returns the index of the channel, or -1. */
 int image_find_channel(const struct image *image, const char *name);
 
-/* The channels of a layer: R G B, red green blue, X Y Z, or one channel alone three times. The name is
- * whole (ViewLayer.Combined, a part), an end (Combined), or one channel (Z, normal.X). "" and "beauty"
- * take channels without a layer's name. Without these they take the layer or part that programs name so
- * (beauty, rgba, Combined ...), then the first part with R G B, then the only layer of three. Parts
- * named as normals and the like come last. Error: lists the layers there are. */
+/* Finds the three channels of a layer: R G B, red green blue, X Y Z, or one channel three times.
+ * The name is whole (ViewLayer.Combined, a part), the end of a name (Combined), or one channel (Z,
+ * normal.X). "" and "beauty" take channels without a layer name, else the layer or part with a
+ * usual name (beauty, rgba, Combined ...). Without these they take the first part with R G B, then
+ * the only layer of three. Parts named as normals and the like come last. Error: lists the
+ * layers. */
 bool image_find_layer(const struct image *image, const char *layer, int channels[3]);
 
-/* Multiplies R, G and B of each layer by the matrix, which is columns. Layers of normals, depths and the like stay.
- * Returns how many layers changed. */
+/* Multiplies R, G and B of each layer by a matrix in columns. Layers of normals, depths and other
+ * data stay. Returns the number of changed layers. */
 int image_convert_colours(struct image *image, float matrix[3][3]);
 
-/* A sentence of which layer that is, to be freed; NULL where it is the one named, or an unnamed
- * picture where none is. */
+/* Returns a sentence that names the layer found; the caller frees it. NULL if it is the named
+ * layer, or the unnamed channels for an empty name. */
 char *image_layer_note(const struct image *image, const char *layer);
 
-/* The mean of three channels over all pixels. */
+/* Returns the mean of three channels over all pixels. */
 double image_mean(const struct image *image, const int channels[3]);
 
 #endif

@@ -7,30 +7,32 @@
 enum log_level { LOG_QUIET, LOG_NORMAL, LOG_VERBOSE };
 enum log_kind { LOG_IS_DETAIL, LOG_IS_NOTE, LOG_IS_WARNING };
 
-/* Quiet drops notes; warnings always show. Default LOG_NORMAL. */
+/* Sets the level of stderr. LOG_QUIET drops notes; warnings always show. Default LOG_NORMAL. */
 void log_set_level(enum log_level level);
 enum log_level log_get_level(void);
 
-/* Whether what this thread does is told to anybody at all; true at first. For work that nobody has asked for. */
+/* Turns all messages of this thread on or off; on at first. For work that the user did not
+ * request. */
 void log_tell_of_thread(bool tells);
 
-/* Gets notes and warnings as well, from any thread, however quiet stderr is. NULL: nobody. */
+/* Receives notes and warnings of all threads without a sink, at any level. NULL: none. */
 typedef void log_listener(void *context, bool is_warning, const char *message);
 void log_set_listener(log_listener *listener, void *context);
 
-/* Where all that this thread tells goes instead of stderr and the listener, details too; NULL, as at first: to these. Threads
- * of parallel_for tell the sink of the thread that called it. */
+/* Receives all messages of this thread, details included, in place of stderr and listener. NULL,
+ * the default: none. Threads of parallel_for use the sink of the thread that called it. */
 struct log_sink {
     void (*tell)(const struct log_sink *sink, enum log_kind kind, const char *message);
 };
 void log_set_sink(const struct log_sink *sink);
 const struct log_sink *log_get_sink(void);
 
-/* The last line of stderr, a terminal, is written over by the next one: whatever is told clears it first. NULL clears
- * it. Call log_show_line(NULL) before stdout is written to as well. */
+/* Writes a last line on the terminal at stderr that the next line overwrites. Messages clear it
+ * first; NULL clears it. Call log_show_line(NULL) before a write to stdout. */
 void log_show_line(const char *line);
 
-void log_detail(const char *format, ...) __attribute__((format(printf, 1, 2))); /* verbose only */
+/* Writes a message; details appear at LOG_VERBOSE only. */
+void log_detail(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void log_note(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void log_warning(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

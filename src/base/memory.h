@@ -1,6 +1,6 @@
-/* CPU memory. Running out of it ends the program with a message and status 1, so callers need no
- * check; what the world asks for, such as a picture's size in a file, passes mem_check first. free()
- * frees. */
+/* Allocates CPU memory. Running out of it ends the program with a message and status 1, so callers
+ * need no check. Call mem_check first for sizes from outside, such as the size of a picture in a
+ * file. Free with free(). */
 #ifndef BASE_MEMORY_H
 #define BASE_MEMORY_H
 
@@ -8,36 +8,38 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Whether `ulimit -d` bounds the memory of this process. */
+/* True if `ulimit -d` limits the memory of this process. */
 bool mem_is_limited(void);
 
-/* Whether `ulimit -v` or `-d` is so low that a graphics driver may fail by it. */
+/* True if `ulimit -v` or `-d` leaves less than 2 GiB, so that a graphics driver may fail. */
 bool mem_is_scarce(void);
 
-/* Checks that `ulimit -v` and `-d` leave the memory that an OpenGL driver takes. Drivers crash without it. */
+/* Checks that `ulimit -v` and `-d` leave the memory that an OpenGL driver needs; without it drivers
+ * crash. Error: names the limit, the memory left and the need. */
 bool mem_check_driver(void);
 
-/* How many bytes are free, by the machine and by the limits of this process. */
+/* Returns the free bytes by the machine and by the limits of this process. */
 uint64_t mem_free_bytes(void);
 
-/* Whether so many bytes are free. Error: how many are wanted and how many there are; the caller puts in front what wants them. */
+/* Checks that this number of bytes is free. Error: wanted and free memory; the caller prefixes the
+ * purpose. */
 bool mem_check(uint64_t bytes);
 
-/* What the process has in memory, now and at its most, MiB; 0 where the system does not tell. */
+/* Return the current and the peak resident memory of the process, MiB; 0: unknown. */
 double mem_resident(void);
 double mem_most_resident(void);
 
-/* Keeps up to 256 MiB of what is freed for what is allocated next, instead of giving them back to the system. Where the C library
- * cannot, nothing. */
+/* Keeps up to 256 MiB of freed memory for later allocations. Does nothing if the C library
+ * cannot. */
 void mem_keep_freed(void);
 
-/* count elements of size bytes each, zeroed; a valid pointer even for 0 bytes. */
+/* Allocates count zeroed elements of size bytes. The pointer is valid even for 0 bytes. */
 void *mem_alloc(size_t count, size_t size);
 
-/* Grows or shrinks; new bytes are not zeroed. */
+/* Resizes an allocation; new bytes are not zeroed. */
 void *mem_resize(void *pointer, size_t count, size_t size);
 
-/* Calls a function of one pointer with each of several. */
+/* Calls a function of one pointer for each of several pointers. */
 #define MEM_EACH(type, function, ...)                                                              \
     do {                                                                                           \
         type *const each_[] = {__VA_ARGS__};                                                       \
@@ -45,9 +47,10 @@ void *mem_resize(void *pointer, size_t count, size_t size);
             function(each_[i_]);                                                                   \
     } while (0)
 
-/* free() of each. */
+/* Frees each pointer with free(). */
 #define mem_free(...) MEM_EACH(void, free, __VA_ARGS__)
 
+/* Return allocated text; the caller frees it. */
 char *mem_strdup(const char *text);
 char *mem_printf(const char *format, ...) __attribute__((format(printf, 1, 2)));
 

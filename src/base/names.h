@@ -1,16 +1,16 @@
-/* Names in a row, for a sentence: "there are clustered, unshadowed". */
+/* Joins names for a sentence: "there are clustered, unshadowed". */
 #ifndef BASE_NAMES_H
 #define BASE_NAMES_H
 
 #include <stddef.h>
 
-/* Zeroed: none. */
+/* Zeroed: empty. */
 struct names {
     char text[1536];
     size_t length;
 };
 
-/* Adds one, behind a separator unless it is the first. What no longer fits is cut off. */
+/* Appends a name, after a separator unless it is the first. Text that does not fit is cut. */
 void names_add(struct names *names, const char *separator, const char *name);
 
 #endif

@@ -1,8 +1,6 @@
-/* Options as one table: name, help, type, default and range of each field of a struct of values.
- *
- * The same kind of table feeds the command line of every subcommand, the renderer's settings
- * (--set key=value), the viewer's panel, the benchmark's sweeps and --help.
- */
+/* Tables of options: name, help, type, default and range of each field of a struct of values. They
+ * serve command lines, the renderer's settings (--set key=value), the viewer's panel, the
+ * benchmark's sweeps and --help. */
 #ifndef BASE_OPTION_H
 #define BASE_OPTION_H
 
@@ -11,16 +9,16 @@
 #include <stdio.h>
 
 enum option_type {
-    OPTION_FLAG,   /* bool; on the command line without a value; "on"/"off" as text */
+    OPTION_FLAG,   /* bool; no value on the command line; "on"/"off" as text */
     OPTION_INT,    /* int */
     OPTION_FLOAT,  /* float; "1%" is .01 */
     OPTION_CHOICE, /* int, an index into choices */
-    OPTION_TEXT,   /* const char *, not owned; NULL by default */
-    OPTION_LIST,   /* struct text_list: may be given several times */
-    OPTION_SIZE,   /* int[2]: WxH, each within the range */
+    OPTION_TEXT,   /* const char *, not owned; default NULL */
+    OPTION_LIST,   /* struct text_list; may be given several times */
+    OPTION_SIZE,   /* int[2]: WxH, each in the range */
 };
 
-/* Of a struct whose width and height one such row writes. */
+/* Asserts that an OPTION_SIZE row can write both fields of the struct. */
 #define OPTION_ASSERT_SIZE(type, width, height)                                                    \
     _Static_assert(offsetof(type, height) == offsetof(type, width) + sizeof(int),                  \
                    "OPTION_SIZE writes both")
@@ -33,21 +31,21 @@ struct text_list {
 };
 
 struct option {
-    const char *name; /* "val-count": as after --, and in --set */
-    char letter;      /* 'o' for -o; 0 = none */
+    const char *name; /* "val-count": name after -- and in --set */
+    char letter;      /* 'o' for -o; 0: none */
     enum option_type type;
-    size_t offset; /* of the field in the struct of values */
+    size_t offset; /* offset of the field in the struct of values */
     double default_value, minimum, maximum;
     const char *const *choices; /* OPTION_CHOICE: null-terminated */
-    bool (*check)(
-        const char *text);  /* OPTION_TEXT: false with an error set refuses it; NULL = any */
-    const char *value_name; /* in --help: "FILE"; NULL = by type */
-    const char *unit;       /* may stand behind a number: "ms"; NULL = none */
-    const char *label;      /* for settings: name of the viewer's row; NULL = name */
+    /* OPTION_TEXT: returns false with an error to refuse the text; NULL: accepts any. */
+    bool (*check)(const char *text);
+    const char *value_name; /* in --help: "FILE"; NULL: by type */
+    const char *unit;       /* unit allowed after a number: "ms"; NULL: none */
+    const char *label;      /* for settings: label in the viewer; NULL: name */
     const char *help;
-    const char
-        *needs; /* for settings: what must hold for an effect (struct need); NULL = nothing */
-    bool rare;  /* --help leaves it out, --help-all does not */
+    /* For settings: conditions of an effect (struct need); NULL: none. */
+    const char *needs;
+    bool rare; /* shown by --help-all only */
 };
 
 /* A table ends with a row whose name is NULL. */
@@ -55,40 +53,42 @@ struct option {
 /* Sets every field to its default. OPTION_SIZE takes the default for both. */
 void options_set_defaults(const struct option *table, void *values);
 
-/* The row of that name, or NULL. */
+/* Returns the row of that name, or NULL. */
 const struct option *option_find(const struct option *table, const char *name);
 
-/* Sets one field from text. Error: names the option, the text and what is allowed. */
+/* Sets one field from text. Error: names the option, the text and the allowed values. */
 bool option_parse(const struct option *option, void *values, const char *text);
 
-/* The field of a flag, a number or a choice. */
+/* Get and set the field of a flag, a number or a choice. */
 double option_number(const struct option *option, const void *values);
 void option_set_number(const struct option *option, void *values, double number);
 
-/* The field as text that option_parse reads back. */
+/* Writes the field as text that option_parse reads back. */
 void option_format(const struct option *option, const void *values, char *text, size_t size);
 
-/* Whether a field is the same in two structs of values. Not for OPTION_LIST. */
+/* True if a field is equal in two structs of values. Not for OPTION_LIST. */
 bool option_equal(const struct option *option, const void *a, const void *b);
 
 /* Parses a command line: --name value, --name=value, -o value, flags, and up to max_positional
- * other arguments ("--" ends the options). argv[0] is skipped. given gets the names of the options
- * that are there, unless it is NULL. Error: unknown option, missing value... */
+ * other arguments; "--" ends the options. argv[0] is skipped. given, unless NULL, receives the
+ * names of the options present. Error: unknown option, missing value and others. */
 bool options_parse_arguments(const struct option *table, void *values, int argc, char **argv,
                              const char **positional, int max_positional, int *positional_count,
                              struct text_list *given);
 
-/* "N", "WxH": the word for a value in help; "" of a flag. */
+/* Returns the word for a value in help, "N" or "WxH"; "" for a flag. */
 const char *option_value_word(const struct option *option);
 
-/* " [DEFAULT; MINIMUM to MAXIMUM]" and alike, or "". */
+/* Writes " [DEFAULT; MINIMUM to MAXIMUM]" or a similar text, or "". */
 void option_describe_range(const struct option *option, char *text, size_t size);
 
-/* A line or two under the name with a prefix: "--" on a command line. with: further words after the help; or "". */
+/* Prints the help of an option. prefix precedes its name, "--" on a command line. with: words after
+ * the help, or "". */
 void option_print_help(FILE *out, const struct option *option, const char *prefix,
                        const char *with);
 
-/* The same of each row, or of those alone that are not rare; how many were left out. */
+/* Prints the help of each row; without `all` only of rows that are not rare. Returns the number of
+ * rows left out. */
 int options_print_help(FILE *out, const struct option *table, const char *prefix, bool all);
 
 #endif

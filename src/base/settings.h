@@ -1,9 +1,8 @@
-/* Settings by owner: each part of the program has an option table over a struct of its own, and one
- * value, to be copied and compared as any struct, holds the structs of all.
+/* Settings of all parts of the program. Each part has an option table over its own struct. One
+ * struct settings holds these structs; copy and compare it as a value.
  *
- * A setting is called by its full name, "gather.interleave"; by its last name where no other part
- * has it, "interleave"; or with a dash in place of the dot, "blur-radius" for "blur.radius".
- */
+ * A setting has a full name, "gather.interleave", or "gather-interleave" with a dash for the dot.
+ * The last part, "interleave", is enough if it is unique. */
 #ifndef BASE_SETTINGS_H
 #define BASE_SETTINGS_H
 
@@ -14,36 +13,35 @@
 
 struct settings_part {
     const char *owner; /* "gather" */
-    const char *title; /* a heading: "gathering light" */
+    const char *title; /* heading: "gathering light" */
     const struct option *table;
-    size_t size; /* of the struct that the table's rows lie in */
+    size_t size; /* size of the struct of the table */
 };
 
 enum { SETTINGS_PARTS_MAX = 48, SETTINGS_BYTES_MAX = 2048, SETTING_NAME_SIZE = 64 };
 
-/* All zero: no part yet. */
+/* Zeroed: no parts. */
 struct settings {
     const struct settings_part *parts[SETTINGS_PARTS_MAX];
     int part_count;
-    /* Of each part, by rows of its table: those that settings_give_word set. */
+    /* For each part a bit per row of its table: set by settings_give_word. */
     uint32_t given[SETTINGS_PARTS_MAX];
-    unsigned char bytes[SETTINGS_BYTES_MAX]; /* the parts' structs, one after another */
+    unsigned char bytes[SETTINGS_BYTES_MAX]; /* structs of the parts, one after another */
 };
 
-/* Adds a part with its defaults, unless it is there; parts beyond the limits are a mistake of the
- * program's. */
+/* Adds a part with its defaults, unless it is present. Asserts the limits. */
 void settings_add(struct settings *settings, const struct settings_part *part);
 
-/* A part's struct, which must be there: a copy that lives as long as the block of the call. */
+/* Returns a copy of a part's struct, valid in the block of the call. The part must be present. */
 #define settings_of(type, settings, part)                                                          \
     ((const type *)settings_get(settings, part, &(type){0}, sizeof(type)))
 
-/* Copies a part's struct to the values, and returns these; and back. */
+/* Copy a part's struct to values, which the first returns, and back. */
 const void *settings_get(const struct settings *settings, const struct settings_part *part,
                          void *values, size_t size);
 void settings_set(struct settings *settings, const struct settings_part *part, const void *values);
 
-/* Whether both have the same values of a part. */
+/* True if both have equal values of a part. */
 bool settings_same(const struct settings *a, const struct settings *b,
                    const struct settings_part *part);
 
@@ -57,63 +55,63 @@ struct setting {
     const struct option *option;
 };
 
-/* Whether the part is in a list that NULL ends. */
+/* True if the part is in a NULL-terminated list. */
 bool settings_parts_have(const struct settings_part *const *parts,
                          const struct settings_part *part);
 
-/* Steps through all settings, from {0}; false after the last. */
+/* Steps to the next of all settings, from {0}. Returns false after the last. */
 bool settings_next(const struct settings *settings, struct setting *setting);
 
-/* The setting of that name, or of that former name. Error: there is none, or several, which it names. */
+/* Finds the setting of that name. Error: there is none, or several, which the message names. */
 bool settings_find(const struct settings *settings, const char *name, struct setting *setting);
 
-/* The full name; whether it is one of those names, NULL = none. */
+/* Writes the full name, or returns whether it is in a list of full names; NULL: empty list. */
 void setting_name(const struct setting *setting, char name[SETTING_NAME_SIZE]);
 bool setting_is_among(const struct setting *setting, const char *names);
 
-/* The value as text that setting_parse reads back; and back. Error: option_parse's. */
+/* Write the value as text, and set it from text. Error: as option_parse. */
 void setting_format(const struct setting *setting, const struct settings *settings, char *text,
                     size_t size);
 bool setting_parse(const struct setting *setting, struct settings *settings, const char *text);
 
-/* The value of a flag, a number or a choice, as all settings are. */
+/* Get and set the value as a number: all settings are flags, numbers or choices. */
 double setting_number(const struct setting *setting, const struct settings *settings);
 void setting_set_number(const struct setting *setting, struct settings *settings, double number);
 
-/* Whether the setting is the same in both. */
+/* True if the setting is equal in both. */
 bool setting_equal(const struct setting *setting, const struct settings *a,
                    const struct settings *b);
 
-/* setting_number of the setting of that name, which must be there: for who cannot know its part. */
+/* Returns setting_number of a named setting, which must be present. For callers that cannot include
+ * its part. */
 double settings_number(const struct settings *settings, const char *name);
 
-/* Parses "name=value", or several with spaces or commas between. Error: of a name, or of a value. */
+/* Sets "name=value", or several separated by spaces or commas. Error: a name or a value. */
 bool settings_assign(struct settings *settings, const char *assignments);
 
-/* The same of what a user gives, which is kept in mind, or forgotten again; and copies all that was given, where a
- * choice of the program's went over it. */
+/* Set "name=value" of a user and record it as given; forget the records; or copy the given values
+ * over a choice of the program. Error: a name or a value. */
 bool settings_give_word(struct settings *settings, const struct word *word);
 void settings_forget_given(struct settings *settings);
 void settings_copy_given(struct settings *to, const struct settings *from);
 
-/* One condition of option->needs, which has spaces or commas between: a setting's full name or "technique"; "=", "!=" or
- * ">"; and a value, or several with bars between.
+/* One condition of option->needs, a list separated by spaces or commas. A condition is a setting's
+ * full name or "technique"; "=", "!=" or ">"; and a value, or several separated by bars.
  *
- *     for (struct need need = {.word.at = option->needs}; need_next(&need);)
- */
+ *     for (struct need need = {.word.at = option->needs}; need_next(&need);) */
 struct need {
-    struct word word;                   /* all of it */
-    char name[SETTING_NAME_SIZE], sign; /* '!' of "!=" */
+    struct word word;                   /* the whole condition */
+    char name[SETTING_NAME_SIZE], sign; /* '!' for "!=" */
     char values[SETTING_NAME_SIZE];
 };
 
-/* False after the last, or of NULL. */
+/* Steps to the next condition. Returns false after the last or if there are none. */
 bool need_next(struct need *need);
 
-/* Whether the value is one of them. */
+/* True if the value is one of the condition's values. */
 bool need_names(const struct need *need, const char *value);
 
-/* A line or two of a setting, for --help. with: as of option_print_help. */
+/* Prints the help of a setting. with: as for option_print_help. */
 void setting_print_help(FILE *out, const struct setting *setting, const char *with);
 
 #endif

@@ -4,13 +4,15 @@
 
 #include <stdbool.h>
 
-/* The word as a POSIX shell takes it for one: in single quotes where it needs them; the caller frees it. */
+/* Returns the text as one word of a POSIX shell, in single quotes if needed. The caller frees
+ * it. */
 char *shell_quote(const char *word);
 
-/* Whether a shell finds the program. */
+/* True if a shell finds the program in PATH. */
 bool shell_has(const char *program);
 
-/* A word that starts this program again: its name where a shell finds it by that, else its path; the caller frees it. */
+/* Returns a word that starts this program again: its name if PATH finds it, else its path. The
+ * caller frees it. */
 char *shell_own_program(void);
 
 #endif

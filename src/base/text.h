@@ -1,11 +1,11 @@
-/* Text that grows at its end, in time proportional to its length. */
+/* Text that grows at its end, in amortised linear time. */
 #ifndef BASE_TEXT_H
 #define BASE_TEXT_H
 
 #include <stddef.h>
 
-/* Zeroed: empty. data is NULL until something is appended, then ends in a zero that length does not
- * count. free(data) frees. */
+/* Zeroed: empty, with data NULL. Otherwise data ends in a zero that length does not count. The
+ * caller frees data. */
 struct text {
     char *data;
     size_t length, capacity;

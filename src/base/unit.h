@@ -1,7 +1,7 @@
-/* cglm, with unit vectors of its vectors of any length; zero stays zero.
+/* Unit vectors for cglm, of vectors of any length; zero stays zero.
  *
- * cglm's own from 0.9 on take vectors shorter than 1.2e-7 for zero. Cross products of the edges of
- * small triangles are as short. test/lint refuses them. */
+ * cglm 0.9 and later treat vectors shorter than 1.2e-7 as zero, but cross products of edges of
+ * small triangles can be that short. test/lint refuses cglm's functions. */
 #ifndef BASE_UNIT_H
 #define BASE_UNIT_H
 

@@ -1,11 +1,9 @@
-/* The OpenGL functions that manylight uses, as a table: gl.CreateTextures(...).
+/* Table of the OpenGL functions that manylight uses: gl.CreateTextures(...).
  *
- * The table belongs to the context that is current; context_make_current (gl/context/context.h) fills it
- * through the context's own getproc, so that one binary serves EGL, OSMesa and a window. A function
- * that is not in the list yet gets its line in GL_FUNCTIONS; a driver without one that is there is
- * refused, so `make lint` refuses those that nobody calls. A context is one thread's at a time, and so each
- * thread has a table of its own.
- */
+ * Each thread has one table, which belongs to its current context. context_make_current
+ * (gl/context/context.h) fills it through the getproc of the context, so one binary serves EGL,
+ * OSMesa and a window. To use another function, add its line to GL_FUNCTIONS. A driver that lacks a
+ * listed function is refused, so `make lint` refuses functions that nobody calls. */
 #ifndef GL_API_H
 #define GL_API_H
 
@@ -127,7 +125,7 @@
     X(PFNGLPUSHDEBUGGROUPPROC, PushDebugGroup)                                                     \
     X(PFNGLPOPDEBUGGROUPPROC, PopDebugGroup)                                                       \
     X(PFNGLOBJECTLABELPROC, ObjectLabel)                                                           \
-    /* What the implementation is. */                                                              \
+    /* Queries of the implementation. */                                                           \
     X(PFNGLGETSTRINGPROC, GetString)                                                               \
     X(PFNGLGETSTRINGIPROC, GetStringi)                                                             \
     X(PFNGLGETERRORPROC, GetError)                                                                 \
@@ -139,15 +137,15 @@ struct gl_api {
 #define GL_MEMBER(type, name) type name;
     GL_FUNCTIONS(GL_MEMBER)
 #undef GL_MEMBER
-    /* Made with the context: core profile draws nothing without a vertex array, nor, without a
-     * window, without a framebuffer, even where no attribute is read and nothing is rasterised. */
+    /* Created with the context. The core profile draws nothing without a vertex array. Without a
+     * window it also needs a framebuffer, even if nothing is rasterised. */
     GLuint empty_vertex_array, empty_framebuffer;
     struct program_cache *programs;        /* gl/program.c */
     struct framebuffer_list *framebuffers; /* gl/framebuffer.c */
     struct screen_rows *screen_rows;       /* gl/screen_rows.c */
-    struct program_store *store;           /* the same; NULL = none */
-    bool fills_store;
-    struct gl_watched { /* gl/context/samplers.c: the driver's own, in debug contexts */
+    struct program_store *store;           /* gl/program.c; NULL: none */
+    bool fills_store;                      /* linked programs are added to the store */
+    struct gl_watched { /* gl/context/samplers.c: functions of the driver, in debug contexts */
         PFNGLDRAWARRAYSPROC DrawArrays;
         PFNGLDRAWARRAYSINSTANCEDPROC DrawArraysInstanced;
         PFNGLDRAWELEMENTSINSTANCEDPROC DrawElementsInstanced;
@@ -155,17 +153,17 @@ struct gl_api {
         PFNGLDISPATCHCOMPUTEINDIRECTPROC DispatchComputeIndirect;
         int *faults;
     } watched;
-    size_t memory; /* of the GPU, bytes; 0 = it does not tell */
-    bool software; /* it renders on the CPU: llvmpipe, softpipe, swrast */
+    size_t memory; /* GPU memory in bytes; 0: the driver does not report it */
+    bool software; /* OpenGL runs on the CPU: llvmpipe, softpipe, swrast */
 };
 
-/* Of the thread's current context; all NULL while there is none. */
+/* Table of this thread's current context; all members NULL without a context. */
 extern _Thread_local struct gl_api gl;
 
 /* Fills api. Error: names the first function that getproc does not know. */
 bool gl_api_load(struct gl_api *api, void *(*getproc)(const char *name));
 
-/* Whether a context has an extension ("GL_ARB_..."). */
+/* True if the context has the extension, for example "GL_ARB_...". */
 bool gl_has_extension(const struct gl_api *api, const char *name);
 
 #endif

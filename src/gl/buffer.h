@@ -1,4 +1,4 @@
-/* Buffers: vertices, indices, uniforms, transform feedback. */
+/* Buffers of vertices, indices, uniforms, storage and transform feedback. */
 #ifndef GL_BUFFER_H
 #define GL_BUFFER_H
 
@@ -9,15 +9,15 @@
 #include <stddef.h>
 
 struct buffer {
-    GLuint id, texels; /* a buffer texture, or 0 */
+    GLuint id, texels; /* texels: buffer texture over the buffer; 0: none */
     size_t size;
-    const char *label; /* a literal */
+    const char *label; /* string literal */
 };
 
-/* size bytes, filled from data unless NULL. A size of 0 makes a buffer of 16 bytes, as GL has no
- * empty ones. Error: out of GPU memory; names label and size. */
+/* Creates a buffer of size bytes, filled from data unless NULL. Size 0 makes 16 bytes, because
+ * OpenGL has no empty buffers. Error: out of GPU memory; names label and size. */
 bool buffer_init(struct buffer *buffer, const char *label, size_t size, const void *data);
-/* The same with a buffer texture over it. */
+/* Creates a buffer and a buffer texture of this format over it. */
 bool buffer_init_texels(struct buffer *buffer, GLenum format, const char *label, size_t size,
                         const void *data);
 void buffer_free(struct buffer *buffer);

@@ -1,26 +1,27 @@
-/* Ends a long frame early. While a thread watches, its draws, dispatches and parallel loops ask now and then whether the
- * frame is still wanted. Once it is not they do nothing, so that the frame ends soon; its picture is then worthless.
+/* Ends a long frame early. While a thread watches, its draws, dispatches and parallel loops call a
+ * callback at intervals. After the callback cancels they do nothing, so the frame ends soon and its
+ * picture is invalid.
  *
- * Draws are queued, by GPUs by the thousand. Asking therefore waits for those before (glFinish): after so many draws as
- * take about a quarter of a second. Pictures keep their bits.
- */
+ * GPUs queue thousands of draws. Before each call the watch therefore waits for the queued draws
+ * (glFinish). It calls after as many draws as take about a quarter of the interval. Pictures that
+ * are not cancelled keep their bits. */
 #ifndef GL_CANCEL_H
 #define GL_CANCEL_H
 
 #include <stdbool.h>
 
-/* True: the frame is not wanted. */
+/* Returns true to cancel the frame. */
 typedef bool cancel_ask(void *user);
 
-/* Watches the draws of this thread's context, until cancel_end. interval: milliseconds from one question to the next. */
+/* Watches this thread's draws until cancel_end. interval: milliseconds between two questions. */
 void cancel_begin(cancel_ask *ask, void *user, double interval);
 
-/* Whether the frame was found to be not wanted, within a watch. */
+/* True if the frame was cancelled, within a watch. */
 bool cancel_came(void);
 
-/* Ends the watch. True: what was drawn meanwhile is worthless. */
+/* Ends the watch. Returns true if the frame was cancelled; its picture is then invalid. */
 bool cancel_end(void);
 
-enum { CANCEL_INTERVAL = 250 };
+enum { CANCEL_INTERVAL = 250 }; /* milliseconds */
 
 #endif

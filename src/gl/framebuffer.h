@@ -1,4 +1,4 @@
-/* Framebuffers: which textures a pass writes. */
+/* Framebuffers: the textures that a pass writes. */
 #ifndef GL_FRAMEBUFFER_H
 #define GL_FRAMEBUFFER_H
 
@@ -6,40 +6,40 @@
 
 enum { FRAMEBUFFER_COLORS_MAX = 8 };
 
-/* Attaches level 0 of whole textures: every layer of an array, picked by gl_Layer. */
+/* Level 0 of each texture is attached with all layers; gl_Layer selects a layer of an array. */
 struct framebuffer_desc {
     const char *label;
-    const struct texture *colors[FRAMEBUFFER_COLORS_MAX]; /* up to the first NULL */
+    const struct texture *colors[FRAMEBUFFER_COLORS_MAX]; /* ends at the first NULL */
     const struct texture *depth;
 };
 
-/* Error: the driver refuses the combination. */
+/* Creates a framebuffer. Error: the driver refuses the combination. */
 bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc);
 void framebuffer_free(GLuint *framebuffer);
 #define framebuffers_free(...) MEM_EACH(GLuint, framebuffer_free, __VA_ARGS__)
 
-/* A texture, and a framebuffer of its label that draws into it alone. */
+/* Creates a texture and a framebuffer with the same label that has it as its only colour. */
 bool framebuffer_init_target(struct texture *texture, GLuint *framebuffer,
                              const struct texture_desc *desc);
 
-/* What it attaches: for passes that store to its textures in place of drawing (gl/screen.h). */
+/* Attachments of a framebuffer, for passes that store to its textures (gl/screen.h). */
 struct framebuffer_targets {
     struct framebuffer_target {
-        GLuint texture; /* 0 = none */
+        GLuint texture; /* 0: none */
         GLenum kind, format;
     } colors[FRAMEBUFFER_COLORS_MAX];
     GLuint depth;
 };
 
-/* Valid until the next framebuffer is made. */
+/* Returns the attachments, valid until the next framebuffer is created. */
 const struct framebuffer_targets *framebuffer_targets(GLuint framebuffer);
 
-/* For contexts: what they know of their framebuffers. Accepts NULL. */
+/* Creates a context's list of framebuffers. For contexts only. Free accepts NULL. */
 struct framebuffer_list *framebuffer_list_create(void);
 void framebuffer_list_free(struct framebuffer_list *list);
 
-/* Fills one of the colours, of floats or of integers, or the depth. 0 is the window's. Lifts what the present pass keeps from
- * being written: a pass that keeps colours begins after. */
+/* Fills a colour of floats, a colour of integers, or the depth. Framebuffer 0 is the window's.
+ * Fills enable all colour channels: a pass that sets kept_colors must begin after them. */
 void framebuffer_clear_color(GLuint framebuffer, int target, const float rgba[4]);
 void framebuffer_clear_integers(GLuint framebuffer, int target, const GLuint rgba[4]);
 void framebuffer_clear_depth(GLuint framebuffer, float depth);

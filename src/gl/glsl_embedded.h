@@ -1,4 +1,4 @@
-/* The shader files, embedded by the Makefile; ends with a null name. */
+/* Shader files that the Makefile embeds. The list ends with a NULL name. */
 #ifndef GL_GLSL_EMBEDDED_H
 #define GL_GLSL_EMBEDDED_H
 

@@ -1,9 +1,9 @@
-/* Some pixels of a picture, which one screen pass marks and another runs at (gl/screen.h).
+/* Masks of pixels: one screen pass marks them, another runs at them (gl/screen.h).
  *
- * Drawn passes have a depth texture: 0 at a marked pixel, else 1. The depth test then leaves out the others, as a branch
- * in a shader would not: a software rasteriser executes both sides. Dispatched passes have a queue of the marked
- * pixels, and an indirect dispatch over it: so groups of invocations are full.
- */
+ * Drawn passes use a depth texture that is 0 at marked pixels, else 1. The depth test skips the
+ * other pixels; a branch in the shader would not, because a software rasteriser executes both
+ * sides. Dispatched passes use a queue of the marked pixels and an indirect dispatch over it, so
+ * workgroups are full. */
 #ifndef GL_PIXEL_MASK_H
 #define GL_PIXEL_MASK_H
 
@@ -11,19 +11,20 @@
 #include "gl/texture.h"
 
 struct pixel_mask {
-    struct texture depth; /* D16, of drawn passes; the depth of their framebuffers */
-    GLuint framebuffer;   /* of the pass that marks, drawn */
-    struct buffer queue;  /* of dispatched passes: gl/screen_glsl.c */
+    struct texture depth; /* D16, for drawn passes: depth attachment of their framebuffers */
+    GLuint framebuffer;   /* for the drawn pass that marks */
+    struct buffer queue;  /* for dispatched passes: gl/screen_glsl.c */
 };
 
-/* For how screen passes run. Error: out of GPU memory. */
+/* Creates the depth texture or the queue, depending on screen_way. Error: out of GPU memory. */
 bool pixel_mask_init(struct pixel_mask *mask, const char *label, int width, int height);
 void pixel_mask_free(struct pixel_mask *mask);
 
-/* No pixel is marked. */
+/* Unmarks all pixels. */
 void pixel_mask_clear(const struct pixel_mask *mask);
 
-/* The depth texture, or NULL: for the framebuffer of the pass that runs at marked pixels. */
+/* Returns the depth texture for the framebuffer of the pass that runs at marked pixels; NULL if
+ * passes are dispatched. */
 const struct texture *pixel_mask_depth(const struct pixel_mask *mask);
 
 #endif

@@ -1,75 +1,75 @@
-/* Screen passes: a shader's body that runs once for each pixel of a pass's targets.
+/* Screen passes: a shader body that runs once for each pixel of the targets of a pass.
  *
- * A pass names the body as struct program_desc's `screen`, and draws by pass_draw_fullscreen. The body is a
- * fragment shader. It runs in one of two ways, and the pass need not know which.
+ * A pass names the body in `screen` of struct program_desc and draws it by pass_draw_fullscreen.
+ * The body is a fragment shader that runs as one of two stages; passes need not know which:
+ *     fragment    one triangle covers the viewport (glsl/fullscreen.vert, glsl/layers.vert)
+ *     compute     the same text as a compute shader, dispatched in groups of 8x8 pixels
+ * gl/screen_glsl.c makes the compute shader. It replaces lines of these forms:
+ *     layout(location = L) out T name;    variable, stored to image IMAGE_SCREEN_TARGETS + L
+ *     gl_FragCoord                        variable
+ *     flat in int instance;               layer: z of the dispatch
+ *     layout(early_fragment_tests) in;    nothing: only marked pixels are dispatched
+ *     discard;                            leaves the pixel unmarked; in main only
+ *     void main()                         void screen_body(), called by the main of the dispatch
+ * Write each output, each input and main of a body on a line of such a form. A body sets no depth,
+ * takes no derivatives, and discards only if its passes mark pixels. `#ifdef SCREEN_COMPUTE` is
+ * allowed.
  *
- *     fragment    one triangle covers the viewport (glsl/fullscreen.vert, glsl/layers.vert).
- *     compute     the same text as a compute shader, dispatched in groups of 8x8 pixels.
+ * The targets are the textures of the pass's framebuffer (gl/framebuffer.h). PASS_BLEND_ADD loads
+ * and adds. A pass that `marks` has PASS_DEPTH_LESS, no targets, and a mask (gl/pixel_mask.h). A
+ * `masked` pass has PASS_DEPTH_EQUAL and the same mask; if drawn, its framebuffer has the mask's
+ * depth texture. Other depth tests, blending and colour masks are not possible.
  *
- * gl/screen_glsl.c turns the text into a compute shader.
+ * A `tiled` pass draws many rectangles, each with uniforms set by pass_set_int and the like. Its
+ * body declares them as `layout(location = L) uniform T name;`. Dispatched, the uniforms become
+ * variables and the rectangles rows of one dispatch (gl/screen_rows.h). pass_end submits it; change
+ * no other state before. SCREEN_BEGIN, if the body defines it, runs before each pixel. It narrows
+ * screen_area (x, y, width, height) or sets further variables.
  *
- *     layout(location = L) out T name;    a variable, and an image at IMAGE_SCREEN_TARGETS + L that gets its value.
- *     gl_FragCoord                        a variable.
- *     flat in int instance;               the layer, from the dispatch's z.
- *     layout(early_fragment_tests) in;    nothing: only marked pixels are dispatched.
- *     discard;                            the pixel is not marked; in main alone.
- *     void main()                         void screen_body(), which the dispatch's own main calls.
- *
- * A body therefore has its outputs, inputs and main each on a line of this form. It sets no depth, takes no
- * derivatives, and discards nothing unless its passes mark pixels. It may use `#ifdef SCREEN_COMPUTE`.
- *
- * The framebuffer of a pass tells the textures (gl/framebuffer.h). PASS_BLEND_ADD loads and adds. A pass that `marks`
- * pixels has PASS_DEPTH_LESS, no targets, and a mask (gl/pixel_mask.h); one that is `masked` has PASS_DEPTH_EQUAL and the
- * same mask, whose depth texture is its framebuffer's where passes are drawn. No other depth test, blending or colour mask
- * is possible.
- *
- * A `tiled` pass draws many rectangles, each with its own uniforms, which pass_set_int and the like set. Its body
- * declares them as `layout(location = L) uniform T name;`. Dispatched, they are variables, and the rectangles are rows
- * of one dispatch (gl/screen_rows.h), which pass_end submits: until then nothing else may change. A body that defines
- * SCREEN_BEGIN has it run before each pixel, to narrow screen_area (x, y, width, height) or to set further variables.
- *
- * Barriers: a dispatch waits for all that earlier commands read and write, and all later commands see its targets,
- * however they read or write them. Most passes read what the pass before has written, so that finer barriers would
- * gain little.
- */
+ * Barriers: a dispatch waits for all earlier reads and writes, and all later commands see its
+ * targets. Finer barriers would save little, because most passes read the output of the pass
+ * before. */
 #ifndef GL_SCREEN_H
 #define GL_SCREEN_H
 
 #include "gl/pass.h"
 
 enum screen_way {
-    SCREEN_AUTO, /* the faster one: on a GPU timed when the process makes its first screen pass, else fragment */
+    /* On a GPU the faster way, timed at the first screen pass of the process; else fragment. */
+    SCREEN_AUTO,
     SCREEN_FRAGMENT,
     SCREEN_COMPUTE,
 };
 
-/* For option tables: "auto", "fragment", "compute", NULL. */
+/* Names for option tables: "auto", "fragment", "compute", NULL. */
 extern const char *const screen_way_names[];
 
-/* A setting of the process, for programs made from now on. */
+/* Sets the way of all programs that the process makes later. */
 void screen_set_way(enum screen_way way);
 
-/* How screen passes run that the current context makes: never SCREEN_AUTO. */
+/* Returns the way of programs that the current context makes; never SCREEN_AUTO. */
 enum screen_way screen_way(void);
 
-/* Of one pass, milliseconds; infinite where it does not run. Error: no memory for a picture. */
+/* Times of one pass, milliseconds; infinite if it does not run. */
 struct screen_times {
     double drawn, dispatched;
 };
 
+/* Times both ways on the current context. Error: no memory for a picture. */
 bool screen_time_ways(struct screen_times *times);
 
-/* For gl/pass.c. The pass that the state begins is a dispatch, if its program is one. */
+/* Begins a pass, for gl/pass.c. The pass is a dispatch if its program is one. */
 void screen_begin(const struct pass_state *state);
 
-/* Whether it is; those below are for it alone. */
+/* True during a dispatched pass. Call the functions below only then. */
 bool screen_dispatches(void);
 void screen_viewport(int x, int y, int width, int height);
 void screen_draw_layers(int layers);
 void screen_draw_part(int part);
 void screen_end(void);
 
-/* Whether the pass is tiled: then it takes a uniform's value, of count elements of size bytes, for its next draws. */
+/* Sets a uniform of a tiled pass for its next draws: count elements of size bytes. Returns false,
+ * and does nothing, if the pass is not tiled. */
 bool screen_takes(GLint location, const void *values, size_t size, int count);
 
 #endif

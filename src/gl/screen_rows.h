@@ -1,9 +1,9 @@
-/* Rectangles of one dispatch: the draws of a screen pass that draws tiles, each with its own uniforms.
+/* Collects the rectangles of a tiled screen pass, each with its own uniforms, into one dispatch.
  *
- * A dispatch of one tile would fill a small part of a GPU, and the next would wait for it. So all tiles of a pass are
- * collected, as rows of a storage buffer, and dispatched together: workgroups of z = i have row i. A tile that adds to
- * pixels of an earlier one is of a later round, which is another dispatch, so that sums keep their order.
- */
+ * A dispatch of one tile would fill a small part of a GPU, and the next would wait for it. All
+ * tiles of a pass are therefore rows of a storage buffer, dispatched together: workgroups of z = i
+ * take row i. A tile that overlaps an earlier one of its part goes into a later round, another
+ * dispatch, so sums keep their order. */
 #ifndef GL_SCREEN_ROWS_H
 #define GL_SCREEN_ROWS_H
 
@@ -15,23 +15,26 @@ struct screen_rectangle {
     int x, y, width, height;
 };
 
-/* For contexts; accepts NULL. The buffer ends with the context. */
+/* Creates a context's rows. For contexts only. Free accepts NULL. The buffer ends with the
+ * context. */
 struct screen_rows *screen_rows_create(GLuint buffer);
 void screen_rows_free(struct screen_rows *rows);
 
-/* For a context that lives on. */
+/* Deletes the buffer, for a context that outlives its rows. */
 void screen_rows_delete_buffer(struct screen_rows *rows);
 
-/* The bytes that the buffer has room for. */
+/* Bytes that the buffer must have. */
 extern const GLsizeiptr screen_rows_bytes;
 
-/* A uniform's value of the rectangles that follow: count elements of size bytes each. */
+/* Sets a uniform of the rectangles that follow: count elements of size bytes each. */
 void screen_rows_set(GLint location, const void *values, size_t size, int count);
 
-/* Rectangles of different parts share no pixel. Dispatches all before where there is no room. */
+/* Adds a rectangle. Rectangles of different parts share no pixel. Asserts room: flush if
+ * screen_rows_full. */
 void screen_rows_add(const struct screen_rectangle *rectangle, int part);
 
-/* Calls dispatch for each round with what holds all of its rectangles, then there are none. */
+/* Calls dispatch for each round and removes all rows. width, height: largest rectangle of the
+ * round. first, count: its rows. stride: uvec4 per row. */
 void screen_rows_flush(void (*dispatch)(int width, int height, int first, int count, int stride));
 
 bool screen_rows_empty(void);

@@ -1,9 +1,8 @@
-/* Named, nested times of the passes of a frame.
+/* Measures named, nested times of the passes of a frame.
  *
- * On a GPU: 64-bit timestamp queries in a ring of frames, read when they are ready, never a stall.
- * On software GL timer queries lie (llvmpipe defers the work), so there each timer is bracketed by
- * glFinish and the monotonic clock; that costs what the pipeline would have overlapped.
- */
+ * On a GPU: 64-bit timestamp queries in a ring of frames, read when ready, without a stall. Timer
+ * queries of software OpenGL are wrong, because llvmpipe defers the work. There each timer is
+ * bracketed by glFinish and the monotonic clock, which prevents overlap of passes. */
 #ifndef GL_TIMER_H
 #define GL_TIMER_H
 
@@ -16,22 +15,22 @@ enum {
     TIMER_PATH_SIZE = 80,
     TIMER_RING = 4,
     TIMER_DEPTH = 8,
-    TIMER_SPANS_MAX = 512, /* begins and ends of one frame */
+    TIMER_SPANS_MAX = 512, /* maximum of timed spans in a frame */
 };
 
 struct timer_result {
     char path[TIMER_PATH_SIZE]; /* "frame/clustered/basis" */
-    int depth;                  /* 0 = the frame */
-    double ms;                  /* of the last frame that has been read */
+    int depth;                  /* 0: the frame */
+    double ms;                  /* time in the last frame that was read */
 };
 
 struct timers {
-    bool enabled; /* else begin and end only mark debug groups */
-    bool finish;  /* glFinish and clock, for software GL */
+    bool enabled; /* false: begin and end only mark debug groups */
+    bool finish;  /* uses glFinish and the clock, for software OpenGL */
     struct timer_result results[TIMERS_MAX];
     int count;
 
-    /* The frame being recorded. */
+    /* Frame being recorded. */
     struct timer_open {
         int timer, span;
     } stack[TIMER_DEPTH];
@@ -40,7 +39,7 @@ struct timers {
     struct timer_slot {
         GLuint queries[2 * TIMER_SPANS_MAX]; /* begin and end of each span */
         int timer_of[TIMER_SPANS_MAX];
-        int span_count; /* in the order of their begins: the frame is the first */
+        int span_count; /* ordered by begin; the frame is first */
         bool pending;
     } ring[TIMER_RING];
     int slot;
@@ -49,15 +48,15 @@ struct timers {
 void timers_init(struct timers *timers, bool enabled, bool software);
 void timers_free(struct timers *timers);
 
-/* A frame begins with the first begin at depth 0 and ends with its end. Times of the same path
- * within one frame add up. What begins after TIMER_SPANS_MAX others goes untimed on a GPU. */
+/* Begin and end a timer. The outermost pair is the frame. Times of the same path within a frame are
+ * summed. On a GPU, spans after the first TIMER_SPANS_MAX of a frame are not timed. */
 void timer_begin(struct timers *timers, const char *name);
 void timer_end(struct timers *timers);
 
 /* Waits until all recorded frames are in results. */
 void timers_flush(struct timers *timers);
 
-/* Milliseconds of the path, or 0. */
+/* Returns milliseconds of the path, or 0. */
 double timer_ms(const struct timers *timers, const char *path);
 
 #endif

@@ -1,22 +1,23 @@
-/* Vertex arrays: where a program's attributes come from. */
+/* Vertex arrays: the sources of a program's vertex attributes. */
 #ifndef GL_VERTEX_ARRAY_H
 #define GL_VERTEX_ARRAY_H
 
 #include "gl/buffer.h"
 
-/* How an attribute lies in a buffer, bytes. Integers are fractions of their type's greatest. */
+/* Layout of an attribute in a buffer. Integers are normalised by the maximum of their type. */
 struct vertex_attribute {
     const struct buffer *buffer;
     GLint count;
     GLenum type;
-    GLsizei stride;
-    size_t offset;
+    GLsizei stride; /* bytes */
+    size_t offset;  /* bytes */
 };
 
+/* Attaches an attribute to a location. */
 void vertex_array_attribute(GLuint vertices, GLuint location,
                             const struct vertex_attribute *attribute);
 
-/* Accepts 0. */
+/* Deletes the vertex array. Accepts 0. */
 void vertex_array_free(GLuint *vertices);
 
 #endif

@@ -1,4 +1,4 @@
-/* The virtual lights of a renderer's last frame, read back. */
+/* Reads back the virtual lights of a renderer's last frame. */
 #ifndef INSPECT_LIGHTS_H
 #define INSPECT_LIGHTS_H
 
@@ -8,17 +8,17 @@ struct vpl;
 
 struct lights {
     struct vpl *vpls;
-    int vpl_count, lit;        /* lit: those that met something */
-    float (*centers)[4];       /* of VALs; the fourth number is above 0 where one has VPLs */
-    int val_count, used;       /* 0 = the technique has no VALs; used: those with a lit VPL */
-    int area_count, area_used; /* the same of area lights of clusters */
+    int vpl_count, lit;  /* lit: VPLs on a surface */
+    float (*centers)[4]; /* centres of VALs; the fourth number is above 0 for VALs with VPLs */
+    int val_count, used; /* 0: no VALs; used: VALs with a lit VPL */
+    int area_count, area_used; /* number and used number of area lights of clusters */
 };
 
-/* Error: names the technique that has no VPLs; the lights are then zeroed. */
+/* Reads VPLs and VALs. Error: names a technique without VPLs; the lights are then zeroed. */
 bool lights_read(struct lights *lights, struct renderer *renderer);
 void lights_free(struct lights *lights);
 
-/* All of one buffer; the caller frees them. */
+/* Reads all VPLs of a buffer. The caller frees them. */
 struct vpl *vpls_read(const struct vpl_buffer *vpls);
 
 #endif

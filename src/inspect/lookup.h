@@ -1,4 +1,4 @@
-/* A program that looks maps up as a technique does; made anew only where the lookup is another. */
+/* A program that looks up maps as a technique does, rebuilt only if the lookup changes. */
 #ifndef INSPECT_LOOKUP_H
 #define INSPECT_LOOKUP_H
 
@@ -6,14 +6,15 @@
 
 struct lookup {
     GLuint program;
-    char *defines; /* what the program is made for */
+    char *defines; /* defines of the program */
     struct buffer params;
 };
 
-/* A fullscreen pass with this fragment shader. Error: GPU memory, shader; it is then zeroed. */
+/* Builds the full-screen program with this fragment shader, unless it is current. Error: GPU
+ * memory, shader; lookup is then zeroed. */
 bool lookup_fit(struct lookup *lookup, const char *fragment, const struct visibility_desc *desc);
 
-/* Accepts a zeroed one. */
+/* Accepts a zeroed lookup. */
 void lookup_free(struct lookup *lookup);
 
 #endif

@@ -1,5 +1,5 @@
-/* Points and lines over the picture of a scene: VPLs, and VALs with their rectangles and normals.
- */
+/* Draws points and lines over the picture of a scene: VPLs, and VALs with their rectangles and
+ * normals. */
 #ifndef INSPECT_MARKS_H
 #define INSPECT_MARKS_H
 
@@ -14,15 +14,15 @@ struct marks {
 };
 
 struct marks_desc {
-    GLuint framebuffer; /* of the picture's size */
+    GLuint framebuffer; /* framebuffer of the picture's size */
     int width, height;
-    float scale;                   /* of the monitor */
+    float scale;                   /* scale of the monitor */
     const struct vpl_buffer *vpls; /* NULL: none */
     const struct val_output *vals;
-    bool by_cluster; /* VPLs in their VAL's colour, else in that of their light */
-    int chosen;      /* VAL that stands out; -1 = none */
+    bool by_cluster; /* true: VPLs in the colour of their VAL; false: of their light */
+    int chosen;      /* highlighted VAL; -1: none */
     bool only_chosen;
-    float usual_flux; /* W of a usual VPL */
+    float usual_flux; /* flux of a usual VPL, W */
 };
 
 bool marks_init(struct marks *marks);
@@ -31,7 +31,7 @@ void marks_free(struct marks *marks);
 void marks_draw(const struct marks *marks, const struct frame *frame, const struct gbuffer *gbuffer,
                 const struct marks_desc *desc);
 
-/* The colour of VAL k: src/inspect/mark.glsl's. */
+/* Computes the colour of VAL k, as src/inspect/mark.glsl does. */
 void marks_cluster_color(int k, unsigned char rgb[3]);
 
 #endif

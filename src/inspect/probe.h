@@ -1,4 +1,4 @@
-/* What a surface that was clicked is, and which VALs light it. */
+/* Reads the surface at a clicked pixel and the VALs that light it. */
 #ifndef INSPECT_PROBE_H
 #define INSPECT_PROBE_H
 
@@ -8,40 +8,42 @@
 enum { PICK_VALS_MAX = 8 };
 
 struct pick {
-    bool present; /* a surface was hit */
+    bool present; /* true: a surface is there */
     float position[3], normal[3], albedo[3];
-    float radiance[3], direct[3], indirect[3]; /* the last two of a white surface */
+    /* W/(sr m2); direct and indirect of a white surface. */
+    float radiance[3], direct[3], indirect[3];
 
-    /* The VALs that bring most, brightest first. */
+    /* VALs that contribute most, brightest first. */
     struct pick_val {
         int val, vpl_count;
         float visibility;
-        float share; /* of the irradiance of all VPLs, shadows counted */
+        float share; /* fraction of the irradiance of all VPLs, with shadows */
     } vals[PICK_VALS_MAX];
     int val_count;
 };
 
-/* What asks; zeroed at first. */
+/* Resources of a probe; zeroed at first. */
 struct probe {
     struct lookup lookup;
-    struct texture lit; /* M x 1 */
+    struct texture lit; /* M x 1, visibility of each VAL */
     GLuint framebuffer;
     struct buffer params;
 };
 
-/* Accepts a zeroed one. */
+/* Accepts a zeroed probe. */
 void probe_free(struct probe *probe);
 
-/* The surface's point alone. False: there is none, or it cannot be read. */
+/* Finds the point of the surface at a picture position, in [0, 1]^2, y down. Returns false if there
+ * is no surface or it cannot be read. */
 bool probe_point(struct renderer *renderer, float x, float y, float point[3]);
 
-/* At a place of the picture, 0 to 1, y down, of the last frame. Reads back, and so waits for the
+/* Reads the surface at a picture position of the last frame, in [0, 1]^2, y down. Waits for the
  * GPU. Error: GPU memory, shader. */
 bool probe_pick(struct probe *probe, struct renderer *renderer, float x, float y,
                 struct pick *pick);
 
-/* The VAL whose centre is nearest to a place of the picture, within a twentieth of its height; -1 =
- * none. */
+/* Returns the VAL whose centre is nearest to a picture position, within a twentieth of the height;
+ * -1: none. */
 int probe_nearest_val(struct renderer *renderer, float x, float y);
 
 #endif

@@ -1,16 +1,16 @@
-/* All layers of a buffer at once: cells of one shape in rows, the first at the top left. */
+/* Layout of all layers of a buffer: cells of one shape in rows, the first at the top left. */
 #ifndef INSPECT_SHEET_H
 #define INSPECT_SHEET_H
 
 struct sheet {
     int layers, columns, rows;
-    int cell_width, cell_height; /* with the gaps, pixels */
+    int cell_width, cell_height; /* pixels, gaps included */
 };
 
-/* As many columns as make cells of that shape, width over height, largest in the room. */
+/* Chooses the number of columns with the largest cells of aspect ratio width over height. */
 struct sheet sheet_fit(int width, int height, int layers, float aspect);
 
-/* Which layer lies at a place of the sheet (0 to 1, y down); -1 = none. */
+/* Returns the layer at a point of the sheet, in [0, 1]^2, y down; -1: none. */
 int sheet_layer_at(const struct sheet *sheet, float x, float y);
 
 #endif

@@ -1,4 +1,4 @@
-/* What every function of the library does at its beginning and its end: the state of the calling thread, errors, the log. */
+/* Begin and end of every library function: state of the calling thread, errors, log. */
 #ifndef LIBRARY_DOOR_H
 #define LIBRARY_DOOR_H
 
@@ -9,29 +9,31 @@
 #include <pthread.h>
 #include <stdbool.h>
 
-/* Lives on the stack of one call. */
+/* Saved state of one call, on its stack. */
 struct door {
-    struct log_sink sink; /* first: the log's functions get it */
+    struct log_sink sink; /* first member: log functions receive its address */
     const struct log_sink *sink_before;
-    pthread_mutex_t telling; /* one message at a time, from whatever thread */
+    pthread_mutex_t telling; /* serialises messages of all threads */
     manylight_log *log;
     void *user;
     enum manylight_status blamed_before;
-    void *locale_before; /* a locale_t */
+    void *locale_before; /* locale_t */
     fenv_t rounding_before;
 };
 
-/* From here on the thread has the C locale, the default rounding mode, and the log of manylight_log_to. */
+/* Gives the thread the C locale, the default rounding mode and the log of manylight_log_to. */
 void door_enter(struct door *door);
 
-/* Puts back what was there. The status: success, or failure unless door_blame told another one, or memory was short; it
- * and the error are then kept for manylight_error. */
+/* Restores the thread's state and returns the status: MANYLIGHT_OK if ok. Otherwise the status of
+ * door_blame, MANYLIGHT_NO_MEMORY if memory was short, or `failure`. Keeps status and error for
+ * manylight_error. */
 enum manylight_status door_leave(struct door *door, bool ok, enum manylight_status failure);
 
-/* What the failure is at hand: `return parse(...) || door_blame(MANYLIGHT_BAD_SETTING)`. Always returns false. */
+/* Sets the status of the current failure, unless one is set. Returns false, for `return parse(...)
+ * || door_blame(MANYLIGHT_BAD_SETTING)`. */
 bool door_blame(enum manylight_status status);
 
-/* MANYLIGHT_OK: nothing was blamed in this call. */
+/* Returns the status of door_blame in this call; MANYLIGHT_OK: none. */
 enum manylight_status door_blamed(void);
 
 #endif

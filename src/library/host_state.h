@@ -1,5 +1,6 @@
-/* OpenGL state of a caller's context: what passes change (gl/pass.h) or count on is saved, set to the defaults of OpenGL where
- * passes count on these, and put back. Bindings are read by number, so a call costs some 1300 queries of the driver. */
+/* Saves and restores the OpenGL state of a caller's context, as far as passes change it or rely on
+ * it (gl/pass.h). Saving also sets the OpenGL defaults that passes rely on. Bindings are read by
+ * number. Cost: about 1300 driver queries per call. */
 #ifndef LIBRARY_HOST_STATE_H
 #define LIBRARY_HOST_STATE_H
 
@@ -7,7 +8,8 @@
 
 struct host_state;
 
-/* With the context current. Error: names the first function that getproc does not know. */
+/* Loads the functions for saving. The context must be current. Error: names the first function that
+ * getproc lacks. */
 struct host_state *host_state_create(void *(*getproc)(const char *name));
 
 /* Accepts NULL. */

@@ -4,39 +4,45 @@
  *     struct manylight_scene *scene = NULL;
  *     struct manylight_renderer *renderer = NULL;
  *     struct manylight_image *image = NULL;
- *     if (manylight_device_create(&(struct manylight_device_desc){sizeof(struct manylight_device_desc)}, &device) ||
- *         manylight_scene_open(&(struct manylight_scene_desc){sizeof(struct manylight_scene_desc), .path = "a.glb"},
- *                              &scene) ||
+ *     struct manylight_device_desc where = {.size = sizeof where};
+ *     struct manylight_scene_desc what = {.size = sizeof what, .path = "a.glb"};
+ *     if (manylight_device_create(&where, &device) || manylight_scene_open(&what, &scene) ||
  *         manylight_renderer_create(device, scene, NULL, &renderer) ||
  *         manylight_render(renderer, NULL) || manylight_read(renderer, NULL, &image))
  *         fprintf(stderr, "%s\n", manylight_error());
  *
- * Descriptors. A struct ..._desc begins with its size in bytes, and all-zero members select defaults. A descriptor
- * that may be NULL stands for all defaults. MANYLIGHT_ZERO is the number 0 where 0 selects a default that is not 0.
- * Texts and arrays of a descriptor are copied, or used during the call alone.
+ * Descriptors. Set the first member of each struct, `size`, to the sizeof of the struct. A zero
+ * member selects its default. NULL selects all defaults where a function allows it. MANYLIGHT_ZERO
+ * is the number 0 where 0 selects another default. Functions copy the strings and arrays of a
+ * descriptor, or use them only during the call.
  *
- * Results. Each function that can fail returns a status; 0 is success. On failure no handle is made, *handle is NULL,
- * and manylight_error tells the reason in the words of the program. No call ends the process on bad input. It ends
- * the process only if an allocation of the system fails; sizes that files and callers ask for are checked before.
+ * Results. A function that can fail returns a status; 0 is success. On failure it makes no handle,
+ * sets *handle to NULL, and manylight_error returns the reason. Bad input never ends the process.
+ * Only a failed allocation of the system does; sizes from files and callers are checked first.
  *
- * Ownership. Each ..._free accepts NULL. Handles may be freed in any order: a renderer keeps its device and its scene.
+ * Ownership. Each ..._free accepts NULL. Free handles in any order: a renderer keeps its device and
+ * its scene alive.
  *
- * Threads. Errors and the log are of the calling thread.
- *   - Own device: any thread may call. It works on a thread of its own, where its context is current, so the caller's
- *     current context stays. Calls to one device and its renderers wait for each other; devices work side by side.
- *   - Adopted device: one thread at a time, one on which make_current works.
- *   - Scenes and images do not change: any threads may use one at the same time.
- *   - Callbacks may come on other threads than the caller's, one at a time. They return before the call does. They
- *     may call functions of images and scenes, but none of the device that is at work (MANYLIGHT_BAD_ARGUMENT).
- *   - In a child process that was forked after its parent had used a device, each call of devices and renderers is
- *     MANYLIGHT_NO_DEVICE, and their ..._free do nothing. Scenes, images and manylight_reference work in it.
+ * Threads. Each thread has its own error and its own log.
+ *   - Own device: call from any thread. The device has its own thread, where its context is
+ *     current; the caller's current context stays. Calls to a device and its renderers run one at a
+ *     time. Devices run in parallel.
+ *   - Adopted device: call from one thread at a time, on which make_current works.
+ *   - Scenes and images are immutable: several threads may use one at the same time.
+ *   - Callbacks may run on other threads than the caller's, one at a time. They return before the
+ *     call does. They may call functions of images and scenes. Calls of the device at work are
+ *     MANYLIGHT_BAD_ARGUMENT.
+ *   - After a fork: calls of devices and renderers fail with MANYLIGHT_NO_DEVICE in a child whose
+ *     parent has used a device. Their ..._free do nothing. Scenes, images and manylight_reference
+ *     work.
  *
- * Units. Metres, +Y up, seconds; radiance W/(sr m2), angles in radians. Intensity is W/sr, of area lights W/sr on the
- * axis: radiance times area. That of directional lights is W/m2. Texts of lights have the same units. Row 0 of a
- * picture is its top.
+ * Units. Metres, seconds, radians, +Y up. Radiance is in W/(sr m2), intensity in W/sr. The
+ * intensity of an area light is its radiance times its area, in W/sr on its axis. That of a
+ * directional light is in W/m2. Text that describes lights uses the same units. Row 0 of a picture
+ * is its top.
  *
- * The process. Locale, rounding mode, signal handlers, standard streams and the current folder stay as they are.
- */
+ * Process. Locale, rounding mode, signal handlers, standard streams and the working folder stay
+ * unchanged. */
 #ifndef MANYLIGHT_H
 #define MANYLIGHT_H
 
@@ -49,8 +55,8 @@ extern "C" {
 
 #define MANYLIGHT_API __attribute__((visibility("default")))
 
-/* The version of the binary interface. A program that was compiled with the header of another one does not link: the
- * functions that make the first handles have the number in their names. */
+/* Version of the binary interface, part of the names of the functions that make the first handles.
+ * A program compiled with a header of another version does not link. */
 #define MANYLIGHT_ABI 0
 #define manylight_device_create manylight_device_create_0
 #define manylight_scene_open manylight_scene_open_0
@@ -61,36 +67,38 @@ extern "C" {
 
 enum manylight_status {
     MANYLIGHT_OK,
-    MANYLIGHT_BAD_ARGUMENT, /* a descriptor, a size, a name, or a call that is not allowed here */
-    MANYLIGHT_BAD_SCENE,    /* a file, bytes or arrays */
+    MANYLIGHT_BAD_ARGUMENT, /* invalid descriptor, size or name; a call that is not allowed */
+    MANYLIGHT_BAD_SCENE,    /* file, bytes or arrays */
     MANYLIGHT_BAD_SETTING,  /* technique, direct method, quality, setting or its value */
-    MANYLIGHT_NO_DEVICE, /* no such device, software that was not asked for, a driver without OpenGL 4.5 */
-    MANYLIGHT_NO_MEMORY, /* more memory than there is */
-    MANYLIGHT_CANCELLED, /* by a progress callback */
-    MANYLIGHT_FAILED,    /* all else: driver, shader, file that cannot be written */
+    MANYLIGHT_NO_DEVICE,    /* no such device, software not allowed, no OpenGL 4.5 */
+    MANYLIGHT_NO_MEMORY,    /* out of memory, of the CPU or the GPU */
+    MANYLIGHT_CANCELLED,    /* a progress callback returned nonzero */
+    MANYLIGHT_FAILED,       /* all else: driver, shader, file that cannot be written */
 };
 
-struct manylight_device;   /* where OpenGL runs */
-struct manylight_scene;    /* what there is to see; needs no device */
+struct manylight_device;   /* an OpenGL context, own or adopted */
+struct manylight_scene;    /* geometry, materials, lights, cameras; needs no device */
 struct manylight_renderer; /* draws a scene on a device */
 struct manylight_image;    /* layers of floats */
 
 /* --- errors, log, names ----------------------------------------------------------------------- */
 
-/* Of the calling thread's last call that failed; "" before. Valid until its next call. */
+/* Returns the message or status of this thread's last failed call; "" and MANYLIGHT_OK if none
+ * failed. The message is valid until the thread's next call. */
 MANYLIGHT_API const char *manylight_error(void);
 MANYLIGHT_API enum manylight_status manylight_error_status(void);
 
 enum manylight_log_level { MANYLIGHT_DETAIL, MANYLIGHT_NOTE, MANYLIGHT_WARNING };
 
-/* Gets what the calling thread's calls tell, without a line feed. NULL, as at first: nothing is told. */
+/* Receives log messages of calls on this thread, without a newline. */
 typedef void manylight_log(void *user, enum manylight_log_level level, const char *message);
+/* Sets the log of the calling thread. NULL, the default: messages are dropped. */
 MANYLIGHT_API void manylight_log_to(manylight_log *log, void *user);
 
-/* "0.1 (commit)", static. */
+/* Returns "0.1 (commit)", a static string. */
 MANYLIGHT_API const char *manylight_version(void);
 
-/* The n-th name, static; NULL after the last. */
+/* Returns the name with index n, counted from 0, as a static string; NULL after the last. */
 MANYLIGHT_API const char *manylight_technique_name(int n);
 MANYLIGHT_API const char *manylight_direct_name(int n);
 MANYLIGHT_API const char *manylight_quality_name(int n);
@@ -98,44 +106,50 @@ MANYLIGHT_API const char *manylight_metric_name(int n);
 
 struct manylight_setting {
     size_t size;
-    char name[64], value[64]; /* "gather.interleave" and its default, as text */
-    const char *help;         /* static */
+    char name[64], value[64]; /* "gather.interleave" and its default as text */
+    const char *help;         /* static string */
 };
 
-/* The n-th setting of all; MANYLIGHT_BAD_ARGUMENT after the last. */
+/* Fills *setting with the setting of index n, counted from 0. The caller sets setting->size. Error:
+ * MANYLIGHT_BAD_ARGUMENT after the last. */
 MANYLIGHT_API enum manylight_status manylight_setting_at(int n, struct manylight_setting *setting);
 
-/* How far work is, done in [0, 1] and a note such as "pass 3 of 64", valid during the call. Not 0: cancel. */
+/* Receives the progress: done in [0, 1], and a note such as "pass 3 of 64", valid during the call.
+ * Returns 0 to go on, other values to cancel. */
 typedef int manylight_progress(void *user, double done, const char *note);
 
 /* --- devices ---------------------------------------------------------------------------------- */
 
-/* The caller's own OpenGL context, which all calls of the device use, 4.5 core. user is of the struct.
+/* The caller's OpenGL 4.5 core context, used by all calls of an adopted device.
  *
- * State on return. Framebuffer, program, vertex array, buffer, texture, sampler and image bindings, viewports, tests,
- * blending, masks, rasterisation, pixel storage and clip control are those of before the call. Errors of glGetError are
- * gone. During a call no query, conditional rendering or transform feedback of the caller may be active.
+ * State on return. A call restores bindings of framebuffers, programs, vertex arrays, buffers,
+ * textures, samplers and images. It restores viewports, tests, blending, masks, rasterisation,
+ * pixel storage and clip control, and clears glGetError. During a call no query, conditional
+ * rendering or transform feedback of the caller may be active.
  *
- * The context must live until the device and its renderers are freed; freeing them makes it current. */
+ * Keep the context alive until the device and its renderers are freed; freeing them makes it
+ * current. */
 struct manylight_host {
     size_t size;
-    void *(*get_proc)(void *user, const char *name); /* required */
-    int (*make_current)(
-        void *user); /* not 0: failed. NULL: it is current on the thread at each call */
-    void (*release_current)(void *user); /* after each call; NULL: it stays current */
-    void *user;
+    void *(*get_proc)(void *user, const char *name); /* required; address of a function */
+    /* Returns nonzero on failure. NULL: the context is current on the thread at each call. */
+    int (*make_current)(void *user);
+    void (*release_current)(void *user); /* called after each call; NULL: context stays current */
+    void *user;                          /* passed to the functions above */
 };
 
 struct manylight_device_desc {
     size_t size;
-    /* EGL device by number "2", by CUDA's number "cuda:2", or "hardware". NULL: the first that works. */
+    /* EGL device by its number "2", by CUDA's number "cuda:2", or "hardware". NULL: the first that
+     * works; without allow_software the first hardware device. */
     const char *device;
-    int allow_software; /* not 0: takes OpenGL on the CPU too. An adopted context may always be software */
-    int debug;          /* not 0: a debug context, whose messages are warnings of the log */
-    const struct manylight_host *host; /* NULL: a context of its own, without a window */
+    /* Nonzero: also accepts OpenGL on the CPU. Adopted contexts may always be software. */
+    int allow_software;
+    int debug; /* nonzero: debug context; its messages are warnings of the log */
+    const struct manylight_host *host; /* NULL: an own context without a window */
 };
 
-/* Error: what was tried and why each attempt failed. */
+/* Opens a device. Error: names each attempt and why it failed. */
 MANYLIGHT_API enum manylight_status
 manylight_device_create(const struct manylight_device_desc *desc, struct manylight_device **device);
 MANYLIGHT_API void manylight_device_free(struct manylight_device *device);
@@ -143,44 +157,46 @@ MANYLIGHT_API void manylight_device_free(struct manylight_device *device);
 struct manylight_device_info {
     size_t size;
     char name[128];                                /* "EGL device 0 (/dev/dri/card0)" */
-    char vendor[128], renderer[128], version[128]; /* of OpenGL */
-    int software;
-    uint64_t memory; /* bytes of the GPU; 0: the driver does not tell */
+    char vendor[128], renderer[128], version[128]; /* strings of OpenGL */
+    int software;                                  /* nonzero: OpenGL runs on the CPU */
+    uint64_t memory; /* GPU memory in bytes; 0: the driver does not report it */
 };
 
-/* info->size is set by the caller. */
+/* Fills *info. The caller sets info->size. */
 MANYLIGHT_API enum manylight_status manylight_device_info(struct manylight_device *device,
                                                           struct manylight_device_info *info);
 
-/* All ways to a context, a line each, then why others are not there. Cut to fit, zero-terminated. */
+/* Writes one line per available device, then the reasons for those that are not available. Text is
+ * cut to fit and zero-terminated. */
 MANYLIGHT_API void manylight_list_devices(char *text, size_t text_size);
 
 /* --- scenes ----------------------------------------------------------------------------------- */
 
 struct manylight_material {
     size_t size;
-    float base_color[4]; /* linear RGBA, 0 to 1; all 0: white. Black is 0, 0, 0, 1 */
+    float base_color[4]; /* linear RGBA, 0 to 1; all 0: white; black is 0, 0, 0, 1 */
     float metalness;     /* 0 to 1 */
-    float roughness;     /* 0 to 1; 0 selects 1, MANYLIGHT_ZERO is 0 */
+    float roughness;     /* 0 to 1; 0 selects 1, MANYLIGHT_ZERO selects 0 */
     float emission[3];   /* W/(sr m2) */
     int double_sided;
-    /* An encoded PNG or JPEG picture of the base colour, sRGB, repeated; NULL: none. Meshes need uvs for it. */
+    /* PNG or JPEG bytes that multiply the base colour, sRGB, repeated; NULL: none. Meshes need
+     * uvs. */
     const void *picture;
     size_t picture_bytes;
 };
 
-/* Triangles of one material, in the world. A face is seen from where its corners go counter-clockwise, unless its
- * material is double-sided. */
+/* Triangles of one material, in world space. A front face has counter-clockwise corners. Back faces
+ * are visible only if the material is double-sided. */
 struct manylight_mesh {
     size_t size;
     const float *positions; /* vertex_count x 3 */
-    const float *normals;   /* vertex_count x 3, unit, none of length 0; NULL: flat */
+    const float *normals;   /* vertex_count x 3, unit length; NULL: flat */
     const float *uvs;       /* vertex_count x 2, v down; NULL: none */
     const float *colors;    /* vertex_count x 4, linear RGBA, 0 to 1; NULL: white */
     size_t vertex_count;
-    const uint32_t *indices; /* index_count, 3 a triangle; NULL: vertices in their order */
+    const uint32_t *indices; /* index_count, 3 per triangle; NULL: vertices in order */
     size_t index_count;
-    int material; /* index of scene's materials */
+    int material; /* index into the scene's materials */
 };
 
 enum manylight_light_type {
@@ -193,73 +209,77 @@ enum manylight_light_type {
 struct manylight_light {
     size_t size;
     enum manylight_light_type type;
-    float position[3], direction[3]; /* direction 0: down */
-    float up[3];                     /* of lights with a width and a height; 0: chosen */
-    float intensity[3]; /* W/sr; of a directional light W/m2, of an area light W/sr on its axis */
-    /* Of an area light and a spot width and height, m, or the diameter of a disk and 0; of a point the diameter of its
-     * sphere, m; of a directional light its angle. */
+    float position[3], direction[3]; /* position in m; direction 0: -Y */
+    float up[3];                     /* orients width and height; 0: chosen */
+    float intensity[3];              /* W/sr; directional W/m2; area W/sr on its axis */
+    /* Size. Area and spot: width and height, m, or diameter of a disk and 0. Point: diameter of its
+     * sphere, m, and 0. Directional: angular diameter, radians, and 0. */
     float extent[2];
-    /* Of a spot: half angles of the cone. Inside inner the light is full, at outer it is 0. Both 0: inner 0, so that it
-     * fades from the middle on, and outer pi/4. */
+    /* Half angles of a spot's cone, radians: full intensity inside inner, 0 at outer. Both 0 select
+     * 0 and pi/4, so intensity falls from the axis outwards. */
     float inner_angle, outer_angle;
 };
 
 struct manylight_camera {
     size_t size;
-    float eye[3], forward[3], up[3]; /* forward 0: -Z; up 0: +Y */
-    /* 0: made of forward and up. Else all three are taken as they are: at right angles, forward unit, right and up unit
-     * or longer, which widens the picture. A scene's cameras have unit axes. */
+    float eye[3], forward[3], up[3]; /* eye in m; forward 0: -Z; up 0: +Y */
+    /* 0: computed from forward and up. Otherwise the three axes are used unchanged. They are
+     * orthogonal, forward unit, right and up at least unit; longer ones widen the picture. Cameras
+     * of a scene have unit axes. */
     float right[3];
-    float fov_y;    /* vertical, below pi; 0: orthographic by y_extent */
-    float y_extent; /* half the height of an orthographic picture; both 0: a fov_y of .8 */
-    float near_plane, far_plane; /* m; what is nearer or farther is not seen; far 0: no end */
+    float fov_y;                 /* vertical, radians, below pi; 0: orthographic by y_extent */
+    float y_extent;              /* half height of an orthographic picture, m; both 0: fov_y .8 */
+    float near_plane, far_plane; /* m; clip distances; far 0: none */
 };
 
-/* Exactly one of path, memory and meshes; memory may have a path besides. Elements of an array begin with their size,
- * all the same. */
+/* Set exactly one of path, memory and meshes; memory may have a path, too. All elements of an array
+ * have the same size member. */
 struct manylight_scene_desc {
     size_t size;
-    const char *
-        path; /* .glb or .gltf. With memory: whose folder its names are of; NULL: it can name no files */
+    /* A .glb or .gltf file. With memory: file names in the bytes are relative to its folder.
+     * Without a path the bytes cannot name files. */
+    const char *path;
     const void *memory;
     size_t memory_bytes;
     const struct manylight_mesh *meshes;
     size_t mesh_count;
-    const struct manylight_material *materials; /* with meshes; none: white */
+    const struct manylight_material *materials; /* with meshes; none: white material */
     size_t material_count;
-    const struct manylight_light *lights; /* with meshes; none: as of a file without lights */
+    const struct manylight_light *lights; /* with meshes; none: as for a file without lights */
     size_t light_count;
-    const struct manylight_camera *cameras;
+    const struct manylight_camera *cameras; /* with meshes */
     size_t camera_count;
-    /* As render's --light, --clip, --environment, --environment-turn (degrees), --environment-strength, --strict, --root. */
+    /* Options of `manylight render`: --light, --clip, --environment, --environment-turn
+     * (degrees), --environment-strength (0 selects 1), --strict and --root. */
     const char *light, *clip;
     const char *environment;
     float environment_turn, environment_strength;
     int strict;
     const char *root;
-    const char *scene, *variant; /* as render's --scene and --variant */
-    float punctual_scale;        /* as render's --punctual-scale; 0 = 1 */
+    const char *scene, *variant; /* as --scene and --variant */
+    float punctual_scale;        /* as --punctual-scale; 0 selects 1 */
 };
 
-/* Error: names file, object and reason. */
+/* Opens a scene from a file, bytes or arrays. Error: names file, object and reason. */
 MANYLIGHT_API enum manylight_status manylight_scene_open(const struct manylight_scene_desc *desc,
                                                          struct manylight_scene **scene);
 MANYLIGHT_API void manylight_scene_free(struct manylight_scene *scene);
 
 struct manylight_scene_info {
     size_t size;
-    int triangle_count, material_count, light_count,
-        camera_count;        /* with a light or camera that it was given */
-    float center[3], radius; /* of all triangles at time 0, m */
-    double duration;         /* of its animation, s */
-    double origin[3];        /* of a scene far out: what positions are relative to, m */
+    /* Counts include a light or camera added by the descriptor. */
+    int triangle_count, material_count, light_count, camera_count;
+    float center[3], radius; /* bounding sphere of all triangles at time 0, m */
+    double duration;         /* length of the animation, s */
+    double origin[3]; /* positions are relative to it, m; not 0 for scenes far from the origin */
 };
 
-/* info->size is set by the caller. */
+/* Fills *info. The caller sets info->size. */
 MANYLIGHT_API enum manylight_status manylight_scene_info(const struct manylight_scene *scene,
                                                          struct manylight_scene_info *info);
 
-/* Places a camera: text as of struct manylight_view. camera->size is set by the caller. */
+/* Fills *camera with a camera of the scene at a time in seconds; text as in struct manylight_view.
+ * The caller sets camera->size. */
 MANYLIGHT_API enum manylight_status manylight_scene_camera(const struct manylight_scene *scene,
                                                            const char *text, double time,
                                                            struct manylight_camera *camera);
@@ -268,119 +288,128 @@ MANYLIGHT_API enum manylight_status manylight_scene_camera(const struct manyligh
 
 struct manylight_renderer_desc {
     size_t size;
-    int width, height; /* pixels, up to 16384; 0: those of the camera, 800 along the longer side */
+    int width, height;     /* pixels, up to 16384; both 0: the camera's, longer side 800 */
     const char *technique; /* NULL: clustered */
-    const char *direct;    /* NULL: hard, or pcss if a light has a size */
+    const char *direct;    /* NULL: hard; pcss if a light has a size */
     const char *quality;   /* "draft", "normal", "high", "final"; NULL: normal */
-    const char
-        *settings; /* "gather.interleave=8 vpls=1024", spaces or commas between; NULL: none */
-    int passes;    /* of which a picture is the mean; 0: by quality, 64 for final, else 1 */
+    /* Settings separated by spaces or commas, "gather.interleave=8 vpls=1024"; NULL: none. */
+    const char *settings;
+    int passes; /* passes averaged into a picture; 0: by quality (final 64, else 1) */
     int first_pass;
-    int hide_environment; /* not 0: it lights surfaces, but is not seen behind them */
-    int keep_lights; /* not 0: faster if the camera alone changes from frame to frame; same picture */
-    int timed;       /* not 0: for manylight_milliseconds */
-    const char *camera; /* whose size is the default size, as of struct manylight_view */
+    int hide_environment; /* nonzero: environment lights surfaces but is not visible */
+    /* Nonzero: faster if only the camera changes between frames. The picture is the same. */
+    int keep_lights;
+    int timed; /* nonzero: manylight_milliseconds works */
+    /* Camera that gives the default size, as text like that of struct manylight_view. */
+    const char *camera;
 };
 
-/* desc may be NULL. */
+/* Makes a renderer of the scene on the device. desc may be NULL. Error: names setting or shader. */
 MANYLIGHT_API enum manylight_status
 manylight_renderer_create(struct manylight_device *device, struct manylight_scene *scene,
                           const struct manylight_renderer_desc *desc,
                           struct manylight_renderer **renderer);
 MANYLIGHT_API void manylight_renderer_free(struct manylight_renderer *renderer);
 
-/* Changes all that desc tells; on failure the renderer is what it was. */
+/* Replaces the renderer's descriptor, zero members included, and drops the last frame. On failure
+ * the renderer is unchanged. */
 MANYLIGHT_API enum manylight_status
 manylight_renderer_change(struct manylight_renderer *renderer,
                           const struct manylight_renderer_desc *desc);
 
-/* The value of a setting as text, cut to fit, zero-terminated. */
+/* Writes the value of the named setting as text, cut to fit, zero-terminated. */
 MANYLIGHT_API enum manylight_status manylight_renderer_setting(struct manylight_renderer *renderer,
                                                                const char *name, char *text,
                                                                size_t text_size);
 
 struct manylight_view {
     size_t size;
-    /* As render's --camera, "Camera.001", "1", "0 eye=0,1,3 forward=0,0,-1"; NULL: the first. */
+    /* As --camera of `manylight render`: "Camera.001", "1", "0 eye=0,1,3 forward=0,0,-1". NULL: the
+     * first. */
     const char *camera;
-    const struct manylight_camera *placed; /* in place of camera */
-    const char *light;                     /* as render's --light; NULL: as of the scene */
+    const struct manylight_camera *placed; /* replaces camera */
+    const char *light;                     /* as --light of render; NULL: the scene's */
     double time;                           /* of the animation, s */
-    /* After each of several passes. With a device of its own also a few times a second within a pass, so that a long one
-     * can be cancelled. NULL: none. */
+    /* Called after each pass if there are several. Own devices also call it a few times a second
+     * within a pass, so a long pass can be cancelled. NULL: none. */
     manylight_progress *progress;
     void *user;
 };
 
-/* Draws a frame, or the mean of its passes. view may be NULL. The same view gives the same bits, whatever came before.
- * After a failure there is no frame. */
+/* Draws a frame, or the mean of its passes. view may be NULL. Equal views give equal bits, whatever
+ * was drawn before. A failure leaves no frame. */
 MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *renderer,
                                                      const struct manylight_view *view);
 
-/* All layers of the last frame: R G B A, Z, direct, indirect, albedo, normal, further ones of specular surfaces,
- * media and caustics. outputs: more of them, of the technique, as render's --aov, "val,visibility"; NULL: none. */
+/* Copies all layers of the last frame: R G B A, Z, direct, indirect, albedo, normal, and those of
+ * specular surfaces, media and caustics. outputs adds outputs of the technique as --aov does,
+ * "val,visibility"; NULL: none. It is for single passes, not means. */
 MANYLIGHT_API enum manylight_status manylight_read(struct manylight_renderer *renderer,
                                                    const char *outputs,
                                                    struct manylight_image **image);
 
-/* The picture as a display shows it, sRGB: height x width x 4 bytes, row 0 at the top. layer: "beauty", "direct",
- * "indirect"; NULL: beauty. */
+/* Copies the picture in display sRGB: height x width x 4 bytes, row 0 at the top. layer: "beauty",
+ * "direct" or "indirect"; NULL: beauty. bytes: size of rgba. */
 MANYLIGHT_API enum manylight_status manylight_read_display(struct manylight_renderer *renderer,
                                                            const char *layer, uint8_t *rgba,
                                                            size_t bytes);
 
-/* The OpenGL name of a 2D texture, RGBA8 in sRGB code, that shows the same with row 0 at the bottom, for the host of an
- * adopted context. It is the renderer's; its name may change with each call. */
+/* Returns the OpenGL name of an RGBA8 2D texture with the same picture, sRGB-encoded, row 0 at the
+ * bottom. Adopted devices only. The renderer owns it, and its name may change with each call. */
 MANYLIGHT_API enum manylight_status manylight_display_texture(struct manylight_renderer *renderer,
                                                               const char *layer, uint32_t *texture,
                                                               int *width, int *height);
 
-/* Of the last frame, by a path such as "frame/gather"; "frame" is all. 0: there is no such timer. */
+/* Returns the time of a timer in the last frame, such as "frame/gather"; "frame" is the whole
+ * frame. 0: no such timer. Needs `timed`. */
 MANYLIGHT_API enum manylight_status manylight_milliseconds(struct manylight_renderer *renderer,
                                                            const char *path, double *milliseconds);
 
 /* --- reference -------------------------------------------------------------------------------- */
 
-/* As the options of manylight reference. */
+/* Options of `manylight reference`. Set samples or noise, not both. */
 struct manylight_reference_desc {
     size_t size;
-    int width, height; /* as of a renderer */
+    int width, height; /* as in struct manylight_renderer_desc */
     const struct manylight_view *view;
-    int bounces; /* of indirect light; 0 selects 1, MANYLIGHT_ZERO is 0: direct light alone */
-    int samples; /* per pixel; 0: by noise */
-    float noise; /* limit of the relative standard error; 0: .01 */
-    int paths;   /* of indirect light per sample; 0: 1 below 16 samples per pixel, else 4 */
+    int bounces; /* indirect bounces; 0 selects 1, MANYLIGHT_ZERO direct light only */
+    int samples; /* per pixel; 0: until noise is reached */
+    float noise; /* limit of the relative standard error; 0 selects .01 */
+    int paths;   /* indirect paths per sample; 0: 1 below 16 samples per pixel, else 4 */
     uint32_t seed;
-    int light_paths; /* which trace caustics; 0: none. Sets smooth */
-    int smooth;      /* not 0: glass and mirrors show the scene */
-    int centers;     /* not 0: samples at the centres of pixels alone, without antialiasing */
-    int seen;        /* not 0: layers unshadowed and visibility, of the lights */
-    int denoise;     /* not 0: filters the noise of indirect light */
+    int light_paths; /* light paths that trace caustics; 0: none; more set smooth */
+    int smooth;      /* nonzero: glass and mirrors show the scene */
+    int centers;     /* nonzero: samples only at pixel centres, without antialiasing */
+    int seen;        /* nonzero: adds the layers unshadowed and visibility of the lights */
+    int denoise;     /* nonzero: filters the noise of indirect light */
     int hide_environment;
-    float ao_distance;     /* m, layer ao; 0: none */
+    float ao_distance;     /* m; adds the layer ao, ambient occlusion; 0: none */
     const char *materials; /* "full" or "diffuse"; NULL: full */
-    const char *settings;  /* of the medium */
-    int threads;           /* 0: all cores; does not change the picture */
+    const char *settings;  /* settings of the medium only */
+    int threads;           /* 0: all cores; the picture does not depend on it */
 };
 
-/* Path-traces on the CPU, with the view's progress. desc may be NULL. */
+/* Path-traces on the CPU and calls the view's progress. desc may be NULL. */
 MANYLIGHT_API enum manylight_status manylight_reference(const struct manylight_scene *scene,
                                                         const struct manylight_reference_desc *desc,
                                                         struct manylight_image **image);
 
 /* --- images and metrics ----------------------------------------------------------------------- */
 
-/* channels: names with spaces between, "R G B"; pixels: height x width x channels, copied. */
+/* Makes an image. channels: names separated by one space, "R G B". pixels: height x width x
+ * channels floats, copied. */
 MANYLIGHT_API enum manylight_status manylight_image_create(int width, int height,
                                                            const char *channels,
                                                            const float *pixels,
                                                            struct manylight_image **image);
 
-/* Reads EXR, PFM, PNG ...; values that the file stores as sRGB are decoded for metrics alone. */
+/* Reads EXR, PFM, PNG and other formats. sRGB-encoded values stay encoded; only metrics decode
+ * them. */
 MANYLIGHT_API enum manylight_status manylight_image_read(const char *path,
                                                          struct manylight_image **image);
 
-/* Writes all layers (EXR), or R G B (PFM, HDR). An EXR of a renderer or a reference has the attributes of the program. */
+/* Writes all layers as EXR, or R G B as PFM or HDR. An EXR of a renderer or a reference has the
+ * program's attributes. */
 MANYLIGHT_API enum manylight_status manylight_image_write(const struct manylight_image *image,
                                                           const char *path);
 MANYLIGHT_API void manylight_image_free(struct manylight_image *image);
@@ -389,29 +418,30 @@ MANYLIGHT_API int manylight_image_width(const struct manylight_image *image);
 MANYLIGHT_API int manylight_image_height(const struct manylight_image *image);
 MANYLIGHT_API int manylight_image_channel_count(const struct manylight_image *image);
 
-/* The n-th channel's name, "indirect.R", as long as the image; NULL: none such. */
+/* Returns the name of channel n, "indirect.R", valid while the image lives; NULL: no such
+ * channel. */
 MANYLIGHT_API const char *manylight_image_channel(const struct manylight_image *image, int n);
 
-/* height x width x channels, as long as the image. */
+/* Returns height x width x channels floats, row 0 at the top, valid while the image lives. */
 MANYLIGHT_API const float *manylight_image_pixels(const struct manylight_image *image);
 
-/* Copies the channels of a layer, side by side, as height x width x channels floats: "beauty" or NULL is R G B A or
- * R G B, "indirect" is indirect.R .G .B, "Z" one channel. *channels gets their number. pixels NULL: only that. count:
- * the room of pixels, floats. */
+/* Copies a layer as height x width x channels floats. "beauty" or NULL is R G B A or R G B,
+ * "indirect" is indirect.R .G .B, "Z" has one channel. *channels receives the number of channels.
+ * pixels NULL: only this number. count: size of pixels in floats. */
 MANYLIGHT_API enum manylight_status manylight_image_layer(const struct manylight_image *image,
                                                           const char *layer, float *pixels,
                                                           size_t count, int *channels);
 
 struct manylight_compare_desc {
     size_t size;
-    const char *layer, *reference_layer; /* NULL: beauty, and the same */
+    const char *layer, *reference_layer; /* NULL: beauty; reference_layer NULL: layer */
     const char *metric;                  /* NULL: relative-rmse */
-    float pixels_per_degree;             /* of FLIP; 0: 67.0206 */
-    int threads;                         /* 0: all cores; does not change the result */
+    float pixels_per_degree;             /* for FLIP; 0 selects 67.0206 */
+    int threads;                         /* 0: all cores; the result does not depend on it */
 };
 
-/* The error of test against reference, as manylight compare has it. desc may be NULL. map, unless NULL, gets the error
- * of each pixel, height x width. */
+/* Computes the error of test against reference as `manylight compare` does. Both have one size.
+ * desc may be NULL. map, unless NULL, receives the error of each pixel, height x width. */
 MANYLIGHT_API enum manylight_status manylight_compare(const struct manylight_image *test,
                                                       const struct manylight_image *reference,
                                                       const struct manylight_compare_desc *desc,

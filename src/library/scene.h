@@ -1,31 +1,34 @@
-/* Scenes of the library. What a scene holds does not change; its triangles in the world move with time, so each user has them
- * for itself. */
+/* Shares a scene among users. The scene itself is immutable. World-space triangles move with time,
+ * so each user has its own. */
 #ifndef LIBRARY_SCENE_H
 #define LIBRARY_SCENE_H
 
 #include "library/manylight.h"
 #include "renderer/stage.h"
 
-/* A stage at time 0 that shares what the scene holds. The first user gets the triangles that are there, others get copies. */
+/* A stage that shares the scene's data. The first user gets the scene's triangles, others
+ * copies. */
 struct loan {
     struct manylight_scene *from;
     struct stage stage;
     bool has_original;
 };
 
-/* Error: memory. */
+/* Lends the scene at time 0 and keeps it alive until loan_return. Error: out of memory. */
 bool loan_take(struct loan *loan, const struct manylight_scene *scene);
 
-/* Accepts a zeroed one. */
+/* Returns the triangles and releases the scene. Accepts a zeroed loan. */
 void loan_return(struct loan *loan);
 
-/* Poses the stage and places camera and lights as the view has them. desc: zeroed where there is none. */
+/* Poses the stage at the view's time and places its camera and lights. Zeroed views select the
+ * defaults. */
 bool loan_pose(struct loan *loan, const struct manylight_view *view);
 
-/* Error: names the member that is not finite or out of its range. */
+/* Checks the numbers of a camera. Error: names the member that is not finite or out of range. */
 bool check_camera(const struct manylight_camera *camera);
 
-/* width x height, where 0 x 0 stands for the camera's. Error: a size that the program refuses, in its words. */
+/* Finds the picture size in pixels: width x height, or the named camera's size if both are 0.
+ * Error: an invalid size or camera. */
 bool loan_size(const struct loan *loan, const char *camera, int width, int height, int size[2]);
 
 #endif

@@ -1,4 +1,4 @@
-/* A thread that does one job at a time for others, who wait. */
+/* A thread that runs one job at a time for callers, who wait. */
 #ifndef LIBRARY_WORKER_H
 #define LIBRARY_WORKER_H
 
@@ -9,21 +9,22 @@ typedef bool worker_job(void *context);
 
 struct worker {
     pthread_t thread;
-    pthread_mutex_t calling; /* held by the thread that waits */
-    pthread_mutex_t mutex;   /* of all below */
+    pthread_mutex_t calling; /* held by the waiting caller */
+    pthread_mutex_t mutex;   /* guards the members below */
     pthread_cond_t changed;
-    struct work *work; /* NULL: none to do */
+    struct work *work; /* NULL: idle */
     bool ends;
 };
 
-/* Error: the system has no thread more. */
+/* Starts the thread; worker_stop ends and joins it. Error: the system cannot create a thread. */
 bool worker_start(struct worker *worker);
 void worker_stop(struct worker *worker);
 
-/* Whether the calling thread is the worker's own. */
+/* True on the worker's own thread. */
 bool worker_is_self(const struct worker *worker);
 
-/* Runs the job on the worker's thread, with the log of this one, and returns what it returns. Its error is this thread's. */
+/* Runs the job on the worker's thread with the caller's log, and waits. Returns the job's result;
+ * on failure copies its error to the calling thread. */
 bool worker_do(struct worker *worker, worker_job *job, void *context);
 
 #endif

@@ -1,15 +1,13 @@
-/* An environment as a few area lights, infinitely far away [Dong 2011 §5.3.2].
+/* Fits an environment map by a few infinitely distant area lights [Dong 2011 §5.3.2].
  *
- * The map is drawn onto the six faces of a cube. There the brightest texel that no light has yet grows into
- * a rectangle, as long as what a side would add is more than a share of what the rectangle has; again,
- * until each texel has its light. In an even sky a side thus stops at 1 / share texels; which share makes
- * so many lights is found by bisection. Or even parts: the area with the largest cost (spread_of) is cut in two where
- * that leaves the least cost, so that neither a sun nor a horizon takes most of the lights.
+ * The map is drawn onto the faces of a cube. SKY_FIT_RECTANGLES: the brightest free texel grows
+ * into a rectangle while a new side adds more than a fraction of its light. Bisection finds the
+ * fraction that gives `count` lights. SKY_FIT_EVEN: the area of largest cost is cut in two where
+ * the remaining cost is least. Neither sun nor horizon then takes most of the lights.
  *
- * Unlike in the thesis rectangles do not overlap, and where a side could grow that which adds most goes
- * first. Edges of faces are great circles, so that the lights part the sphere: their energy is the map's,
- * channel by channel, and an even sky lights a surface as the whole sky does, exactly.
- */
+ * Unlike in the thesis, rectangles do not overlap, and the side that adds most grows first. The
+ * lights partition the sphere, so their energy is that of the map in each channel. A constant map
+ * lights surfaces exactly. */
 #ifndef LIGHTS_ENVIRONMENT_FIT_H
 #define LIGHTS_ENVIRONMENT_FIT_H
 
@@ -17,29 +15,30 @@
 #include "shared/sky.h"
 
 struct environment_light {
-    float radiance[3];   /* even, W/(sr m2) */
-    float corners[4][3]; /* unit directions; in turn, so that Lambert's sum over them is positive */
-    float solid_angle;
+    float radiance[3];   /* constant over the light, W/(sr m2) */
+    float corners[4][3]; /* unit directions, ordered so that Lambert's sum over them is positive */
+    float solid_angle;   /* sr */
 };
 
 enum sky_fit { SKY_FIT_RECTANGLES, SKY_FIT_EVEN };
 
 enum { SKY_FACE_SIZE = 64, ENVIRONMENT_LIGHTS_MIN = 6 };
 
-/* At most `count` lights, ENVIRONMENT_LIGHTS_MIN to ENVIRONMENT_LIGHTS_MAX; the brightest first. What is black has none. Returned is
- * how many there are. As the map lies, without its turn and strength: those change no fit. */
+/* Fits at most `count` lights (ENVIRONMENT_LIGHTS_MIN to ENVIRONMENT_LIGHTS_MAX), brightest first,
+ * and returns their number. Black areas have no light. The environment's rotation and strength are
+ * ignored: they change no fit. */
 int environment_fit(struct environment_light *lights, const struct environment *environment,
                     enum sky_fit fit, int count);
 
-/* The light in the world, with the environment's turn and strength. */
+/* Returns the light in world space, with the environment's rotation and strength. */
 struct environment_light environment_light_turned(const struct environment_light *light,
                                                   const struct environment *environment);
 
-/* What it gives a surface that faces it, as a vector: irradiance over radiance where all of the light is
- * above the horizon is the product with the normal. */
+/* Computes a vector whose dot product with a surface normal is irradiance over radiance, if the
+ * whole light is above the horizon. */
 void environment_light_vector(const struct environment_light *light, float vector[3]);
 
-/* Towards a place of it, two numbers in [0, 1]; not unit. */
+/* Computes the direction, not normalised, to the point `place` of the light, in [0, 1]^2. */
 void environment_light_direction(const struct environment_light *light, const float place[2],
                                  float direction[3]);
 

@@ -1,4 +1,4 @@
-/* The lights of a sky, as shaders have them (shared/sky.h). */
+/* Environment lights for shaders (shared/sky.h), and their groups. */
 #ifndef LIGHTS_SKY_H
 #define LIGHTS_SKY_H
 
@@ -6,7 +6,7 @@
 #include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 
-/* Of two groups that become one the first keeps its number; the last group takes that of the second. */
+/* Merges group `from` into `to`. The last group moves into index `from`. */
 struct sky_join {
     int to, from;
 };
@@ -14,53 +14,57 @@ struct sky_join {
 struct environment_lights {
     struct environment_light items[ENVIRONMENT_LIGHTS_MAX];
     int count;
-    struct sky_join joins
-        [ENVIRONMENT_LIGHTS_MAX]; /* count - 1, in turn; each moves the least power the least far */
+    /* count - 1 merges in order; each moves the least power over the least angle. */
+    struct sky_join joins[ENVIRONMENT_LIGHTS_MAX];
 };
 
-/* As environment_fit fits them; sky NULL: none. */
+/* Fits the lights by environment_fit. sky NULL: none. */
 void environment_lights_fit(struct environment_lights *lights, const struct environment *sky,
                             enum sky_fit fit, int count);
 
-/* Finds the joins, which groups need. */
+/* Finds the joins, which environment_lights_group needs. */
 void environment_lights_find_joins(struct environment_lights *lights);
 
-/* How many of the first are suns: narrow, and a good share of all light. At most SKY_SUNS_MAX. */
+/* Returns the number of suns, the first lights that are below .01 sr and have 2.5 % of all power;
+ * at most SKY_SUNS_MAX. */
 enum { SKY_SUNS_MAX = 4 };
 int environment_lights_suns(const struct environment_lights *lights);
 
-/* Some of them that stand together: each light's group, from 0. */
+/* Groups of neighbouring environment lights. */
 struct sky_groups {
-    int of[ENVIRONMENT_LIGHTS_MAX];
+    int of[ENVIRONMENT_LIGHTS_MAX]; /* group of each light, from 0 */
     int count;
-    float weights[ENVIRONMENT_LIGHTS_MAX]; /* of each light: its chance is its power times that */
+    /* Weight of each light: sampling is in proportion to power times weight. */
+    float weights[ENVIRONMENT_LIGHTS_MAX];
+    /* Sphere through which the light of a group enters the picture; radius 0: anywhere. */
     struct sky_door {
-        float position[3], radius; /* 0: anywhere */
+        float position[3], radius;
     } doors[ENVIRONMENT_LIGHTS_MAX];
 };
 
-/* At most `count`, by the first joins. Weights are 1. */
+/* Makes at most `count` groups by the first joins, with weights 1. */
 void environment_lights_group(struct sky_groups *groups, const struct environment_lights *lights,
                               int count);
 
-/* At most `count`, from all lights as one group: joins are undone where most weighted power moves farthest. So other
- * weights change few groups. */
+/* Makes at most `count` groups. Starts from one group and undoes the joins that move most weighted
+ * power farthest, so new weights change few groups. */
 void environment_lights_group_by_weights(struct sky_groups *groups,
                                          const struct environment_lights *lights,
                                          const float weights[], int count);
 
 bool sky_groups_same(const struct sky_groups *a, const struct sky_groups *b);
 
-/* What a light gives a surface that faces it, the mean of RGB, W/m2. */
+/* Returns the irradiance of a surface that faces the light, mean of RGB, W/m2. */
 float environment_light_power(const struct environment_light *light);
 
-/* As the sky is turned. */
+/* Fills the shader block with the lights at the sky's rotation and strength. */
 void sky_block_of(struct sky_block *block, const struct environment_lights *lights,
                   const struct environment *sky);
 
-/* A directional light in the weighted middle of a group. With even weights it gives a surface that faces it as much as all
- * lights of the group; else lights count by their weights. Or one from a place of the group, two numbers in [0, 1): it gives
- * as much as all on average, whatever the weights. */
+/* Return a directional light for a group. The first is in its weighted middle. With equal weights
+ * it gives a facing surface the irradiance of all lights of the group; else each light counts by
+ * its weight. The second is sampled at `place` in [0, 1)^2. Its mean over places is the whole light
+ * of the group, for any weights. */
 struct emitter sky_group_emitter(const struct environment_lights *lights,
                                  const struct sky_groups *groups, int group,
                                  const struct environment *sky);

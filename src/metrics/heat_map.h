@@ -1,9 +1,8 @@
-/* A map of values in false colours, with a scale bar and a title below.
+/* Draws values in false colours, with a scale bar and a title below.
  *
- * The colours are paths through CIELAB on which lightness changes in proportion to the value, so
- * that the picture also reads in grey and for colour-blind eyes: from black by violet and orange to
- * pale yellow; for signed values from blue (too dark) by white to red (too bright).
- */
+ * Colours are paths through CIELAB whose lightness is linear in the value, so the picture is
+ * readable in grey and for colour-blind eyes. Unsigned: from black by violet and orange to pale
+ * yellow. Signed: from blue (too dark) by white to red (too bright). */
 #ifndef METRICS_HEAT_MAP_H
 #define METRICS_HEAT_MAP_H
 
@@ -12,28 +11,28 @@
 #include <stdbool.h>
 
 struct heat_map {
-    const char *title; /* what label_draw knows */
+    const char *title; /* characters of label_draw */
     int width, height;
     const float *values; /* height x width */
-    float top;           /* the value at the scale's end */
-    bool is_signed;      /* the scale runs from -top, else from 0 */
+    float top;           /* value at the end of the scale */
+    bool is_signed;      /* true: scale from -top; false: from 0 */
 };
 
-/* A round number that 99 % of the values' magnitudes do not exceed; 1 when all are 0. */
+/* Returns a round number that 99 % of the magnitudes do not exceed; 1 if all are 0. */
 float heat_map_fit_top(const float *values, size_t count);
 
-/* The colour of one value. */
+/* Computes the colour of a value. */
 void heat_map_color(const struct heat_map *map, float value, unsigned char rgb8[3]);
 
-/* Makes the picture of the values alone, in their own size. */
+/* Makes the picture of the values without scale, one pixel per value. */
 void heat_map_draw_values(const struct heat_map *map, struct bitmap *picture);
 
-/* Makes the picture with scale and title. Small maps are enlarged by a whole factor, so that the
- * scale has room. */
+/* Makes the picture with scale and title. An integer factor enlarges small maps until the scale
+ * fits. */
 void heat_map_draw(const struct heat_map *map, struct bitmap *picture);
 
-/* Writes such a picture; to a format of floats (EXR ...) the bare values, as one channel. Error: of
- * the file. */
+/* Writes the picture with scale and title. Formats of floats (EXR ...) receive the values as one
+ * channel. Error: as of the file. */
 bool heat_map_write(const struct heat_map *map, const char *path);
 
 #endif

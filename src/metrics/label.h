@@ -1,5 +1,5 @@
-/* Small text in a picture: a font of 5 by 7 dots, for scales and titles. It is drawn here, because the bundle
- * writes heat maps and has no library that renders text. */
+/* Draws small text into a picture with a font of 5 by 7 dots, for scales and titles. Needs no
+ * library, because `make bundle` has none that renders text. */
 #ifndef METRICS_LABEL_H
 #define METRICS_LABEL_H
 
@@ -7,10 +7,11 @@
 
 enum { LABEL_HEIGHT = 7 }; /* dots */
 
-/* Digits, lower-case letters and ". - +"; others are blank. scale: pixels per dot. */
+/* Returns the width in pixels. Digits, lower-case letters and ". - +" have glyphs; others are
+ * blank. scale: pixels per dot. */
 int label_width(const char *text, int scale);
 
-/* Draws in light grey with the upper left corner at x, y; cut off at the picture's border. */
+/* Draws light grey text with its upper left corner at x, y, clipped to the picture. */
 void label_draw(struct bitmap *picture, int x, int y, int scale, const char *text);
 
 #endif

@@ -1,4 +1,4 @@
-/* The metrics by name: each a mean of pixel errors, finished by a root, a ratio or a logarithm. */
+/* Metrics by name: each is a mean of pixel errors, finished by a root, a ratio or a logarithm. */
 #ifndef METRICS_METRIC_H
 #define METRICS_METRIC_H
 
@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-/* What a picture's values are: light, or the values of a screen. */
+/* Kind of values: linear light, or values of a display. */
 enum { METRIC_HDR = 1, METRIC_LDR = 2 };
 
 enum metric_range {
@@ -17,13 +17,13 @@ enum metric_range {
 
 struct metric {
     const char *name, *help;
-    int usual_for; /* METRIC_HDR, METRIC_LDR or both: what is measured unless asked otherwise */
+    int usual_for; /* kinds for which it is a default: METRIC_HDR, METRIC_LDR or both */
     enum metric_range range;
     bool higher_is_better;
-    /* The error of one pixel; or, where pixels depend on many others, all of them at once. */
+    /* Error of one pixel, or, if pixels depend on many others, of all pixels. */
     float (*pixel_error)(const struct comparison *comparison, int x, int y);
     void (*error_map)(const struct comparison *comparison, float *map);
-    /* From a mean of errors to the metric; relative ones divide by the reference's mean. */
+    /* Computes the metric from the mean error; relative metrics divide by reference_mean. */
     double (*finish)(double error, double reference_mean);
 };
 
@@ -31,11 +31,11 @@ enum { METRIC_COUNT = 15 };
 
 extern const struct metric metrics[METRIC_COUNT];
 
-/* An error that lists the names when there is none of this name. */
+/* Returns the metric of that name. Error, and NULL: lists the names. */
 const struct metric *metric_find(const char *name);
 
-/* The metric of the whole picture. map (height x width, or NULL) gets what the metric is at each
- * pixel alone. A relative metric of a black reference is 0 or infinite. */
+/* Returns the metric of the whole picture. map (height x width, or NULL) receives the metric of
+ * each pixel alone. With a black reference a relative metric is 0 or infinite. */
 double metric_measure(const struct metric *metric, const struct comparison *comparison, float *map);
 
 #endif

@@ -1,9 +1,8 @@
-/* The error of a frame that has no reference: estimated from some of its pixels, which are path-traced.
+/* Estimates the error of a frame without a reference, from path-traced pixels.
  *
- * Each of them twice, by paths that have nothing in common. The product of what a picture differs from the one and
- * from the other has the square of its error for its mean, whatever the noise of both: it averages out over the
- * pixels, so that few paths do, and more of them are traced only while they decide.
- */
+ * Each pixel is traced twice with independent paths. The product of both differences from the
+ * picture, averaged over pixels, is an unbiased estimate of the squared error, for any noise. Few
+ * paths per pixel are therefore enough. More are traced only while they decide. */
 #ifndef QUALITY_ESTIMATE_H
 #define QUALITY_ESTIMATE_H
 
@@ -12,26 +11,27 @@
 
 struct estimate {
     struct measure_desc desc;
-    struct image
-        halves[2];      /* their indirect layers: of the pixels alone, one of each every x every */
-    int every, samples; /* of a pixel, in each half */
+    /* Indirect layers of the traced pixels, one in each block of every x every pixels. */
+    struct image halves[2];
+    int every, samples; /* samples: per pixel, in each half */
 };
 
-/* Traces about ESTIMATE_SIDE^2 pixels of the desc's stage in its size, with its bounces and materials. The stage must stay as
- * it is. Error: the tracer's. */
+/* Traces about ESTIMATE_SIDE^2 pixels of desc's stage at its size, bounces and materials. The stage
+ * must not change afterwards. Error: as of the path tracer. */
 enum { ESTIMATE_SIDE = 96 };
 bool estimate_init(struct estimate *estimate, const struct measure_desc *desc);
 
-/* Accepts a zeroed one. */
+/* Accepts a zeroed estimate. */
 void estimate_free(struct estimate *estimate);
 
-/* Relative RMSE of the indirect layer of a picture with all layers, as metrics have it of layer_extract_covered, and whether that is more than
- * asked for: to a twentieth if it is not, else to a seventh, or as exactly as the most paths tell it. Error: the
- * tracer's. */
+/* Computes the relative RMSE of the indirect layer of a picture, weighted by coverage as in
+ * layer_extract_covered. The precision is a twentieth if the error is at most `asked`, else a
+ * seventh, or that of the largest number of paths. Error: as of the path tracer. */
 bool estimate_picture_error(struct estimate *estimate, const struct image *picture, double asked,
                             double *error);
 
-/* The same of what the renderer shows. Error: also out of memory, the context is lost, or a value is not finite. */
+/* Computes this error of the renderer's picture. Error: also out of memory, a lost context, a value
+ * that is not finite. */
 bool estimate_error(struct estimate *estimate, struct renderer *renderer, double asked,
                     double *error);
 

@@ -1,5 +1,5 @@
-/* The picture of a subject, with all layers: by the renderer, by rays from the VPLs that the
- * renderer made, or by paths. */
+/* Makes the picture of a measurement with all layers: by the renderer, by rays to the renderer's
+ * VPLs, or by path tracing. */
 #ifndef QUALITY_PICTURE_H
 #define QUALITY_PICTURE_H
 
@@ -9,23 +9,24 @@
 #include "reference/path_tracer.h"
 #include "reference/vpl_sum.h"
 
-/* One frame. Error: of the renderer. */
+/* Renders one frame. Error: as of the renderer. */
 bool picture_render(const struct measure_desc *desc, struct image *image);
 
-/* The sum over all VPLs of such a frame, exact but for the bound near a VPL: visibility by ray
- * tracing, no interleaving, no blur. `clamp` bounds the geometry term; `near` is taken as `disk`,
- * as the near field is no sum over VPLs. progress NULL = none shown. Error: the technique has no VPLs; of the
- * renderer or the tracer. */
+/* Sums over all VPLs of a frame with ray-traced visibility, without interleaving and blur; exact
+ * except for the clamp near a VPL. `clamp` bounds the geometry term; `near` acts as `disk`, because
+ * the near field is no sum over VPLs. progress NULL: not shown. Error: the technique has no VPLs;
+ * as of renderer and tracer. */
 bool picture_trace(const struct measure_desc *desc, struct progress *progress, struct image *image);
 
-/* Paths of the subject in its size, with its bounces, materials and medium; the rest, as samples, is zero. */
+/* Returns a path tracer's descriptor with size, bounces, materials and medium of the measured
+ * picture; all else, for example the samples, is zero. */
 struct path_tracer_desc picture_paths(const struct measure_desc *desc);
 
-/* As path_tracer_render, with scene, geometry, camera and lights of the stage. */
+/* Path-traces scene, geometry, camera and lights of the stage, as path_tracer_render. */
 bool picture_trace_paths(const struct stage *stage, const struct path_tracer_desc *desc,
                          struct image *image, struct path_tracer_progress *reached);
 
-/* As light_tracer_render, with the same of the stage, and the size of the image. */
+/* Traces light paths of the stage into an image of its size, as light_tracer_render. */
 bool picture_trace_light(const struct stage *stage, const struct light_tracer_desc *desc,
                          struct image *image, struct light_tracer_result *result);
 

@@ -1,9 +1,9 @@
-/* How a picture is made where the user names no settings, but how good it has to be.
+/* Chooses settings by the quality or error that the user requires.
  *
- * Qualities are choices by name: the same settings on every machine. An error asked for is looked for on a ladder of
- * choices, each dearer than the one before: the first whose picture errs no more is taken, as estimate.h tells it of this
- * very scene and camera. The ladder's order is fixed: it depends on no clock of the run.
- */
+ * A quality is a named choice: the same settings on every machine. For a required error, a ladder
+ * of choices is climbed from cheap to expensive. The first choice whose estimated error
+ * (quality/estimate.h) for this scene and camera is small enough is taken. The order is fixed and
+ * depends on no clock. */
 #ifndef QUALITY_QUALITY_H
 #define QUALITY_QUALITY_H
 
@@ -11,72 +11,78 @@
 
 enum quality { QUALITY_DRAFT, QUALITY_NORMAL, QUALITY_HIGH, QUALITY_FINAL };
 
-/* For option tables: "draft", "normal", "high", "final", NULL. */
+/* Names for option tables: "draft", "normal", "high", "final", NULL. */
 extern const char *const quality_names[];
 
 struct quality_choice {
-    const char *settings;  /* as renderer_settings_assign's; "" = as they are */
-    int passes;            /* of renderer_add_pass */
-    const char *technique; /* NULL: as it is */
-    int samples; /* of a pixel, path-traced in place of frames (quality/traced.h); 0: frames */
+    const char *settings;  /* text for renderer_settings_assign; "": unchanged */
+    int passes;            /* passes of renderer_add_pass */
+    const char *technique; /* NULL: unchanged */
+    int samples;           /* path-traced per pixel (quality/traced.h); 0: frames */
 };
 
-/* One frame, by the technique as it is. */
+/* One frame, by the current technique. */
 #define QUALITY_FRAME(settings_text)                                                               \
     { .settings = (settings_text), .passes = 1 }
 
 #define QUALITY_TRACED(samples_per_pixel)                                                          \
     { .settings = "", .passes = 1, .samples = (samples_per_pixel) }
 
+/* Returns the choice of a quality. */
 struct quality_choice quality_named(enum quality quality);
 
-/* "path=high", "64 passes", "8 path-traced samples", "cluster-lights picture.samples=16"; the caller frees it. */
+/* Returns "path=high", "64 passes", "8 path-traced samples" or "cluster-lights
+ * picture.samples=16". The caller frees it. */
 char *quality_describe(const struct quality_choice *choice);
 
-/* Where a ladder ends that nothing else ends. */
+/* Default limit of passes, and maximum of choices in a ladder. */
 enum { QUALITY_MOST_PASSES = 256, QUALITY_CHOICES_MAX = 20 };
 
-/* Fills in the ladder, cheapest first: frames and path-traced pictures, then means of up to most_passes. Returns their
- * number. */
+/* Fills the ladder, cheapest first: frames and path-traced pictures, then means of up to
+ * most_passes. Returns the number of choices. */
 int quality_ladder(struct quality_choice choices[QUALITY_CHOICES_MAX], int most_passes);
 
 struct quality_desc {
-    /* Stage, size, technique and direct method; its settings do not count. */
+    /* Stage, size, technique and direct method; the settings are ignored. */
     const struct measure_desc *measure;
-    const char *const *texts; /* settings that are given, and win: as renderer_settings_assign's */
+    /* Given settings, which override the choice: texts for renderer_settings_assign. */
+    const char *const *texts;
     int text_count;
-    double error;       /* relative RMSE of the indirect layer, as estimate.h has it */
-    int most_passes;    /* of a picture; 1: no means */
-    bool any_technique; /* else the measure's alone */
-    bool traces;        /* path-traced pictures, too, where quality/traced.h has them */
+    double error;       /* required relative RMSE of the indirect layer (quality/estimate.h) */
+    int most_passes;    /* maximum of passes; 1: single frames only */
+    bool any_technique; /* false: only the technique of measure */
+    bool traces;        /* true: path-traced pictures, too, where quality/traced.h has them */
 };
 
 struct quality_found {
     struct quality_choice choice;
-    double error; /* as estimated */
-    bool reached; /* else nothing errs much less */
+    double error; /* estimated error */
+    bool reached; /* true: error is small enough; false: this is near the least error */
 };
 
-/* Tells the error of a choice; infinity: it cannot be made. They are asked for cheapest first. Error: there is no telling. */
+/* Estimates the error of a choice; infinity: it is impossible. Called cheapest first. Error: no
+ * estimate. */
 typedef bool quality_teller(void *user, const struct quality_choice *choice, double *error);
 
-/* Up the ladder to the first choice that errs no more than asked for. Where none does, the cheapest of those that
- * nothing errs less than by a tenth; means end where twice as many passes gain less than that. Error: the teller's. */
+/* Climbs the ladder to the first choice with at most this error. If there is none, takes the
+ * cheapest choice within a tenth of the least error. Means end if twice the passes gain less than a
+ * tenth. Error: that of `tell`. */
 bool quality_climb(double error, int most_passes, quality_teller *tell, void *user,
                    struct quality_found *found);
 
-/* With a context. Error: of the tracer or a renderer. */
+/* Climbs the ladder by rendering. Needs a current context. Error: as of the path tracer or a
+ * renderer. */
 bool quality_find(const struct quality_desc *desc, struct quality_found *found);
 
-/* That of the choice, else the given one. */
+/* Returns the technique of the choice, else the given one. */
 const struct technique *quality_technique(const struct quality_choice *choice,
                                           const struct technique *given);
 
-/* Whether settings that are given name a preset, path=. */
+/* True if the given settings contain a preset, path=. */
 bool quality_is_preset(const char *const *texts, int count);
 
-/* The settings of a choice for a technique, but for those that are given; a path= among those takes the choice's place. Error: of a
- * name or a value, or the technique has no such preset. */
+/* Makes the settings of a choice for a technique. Given settings override the choice; a given path=
+ * replaces it. Error: a name or a value, or the technique lacks the preset. */
 bool quality_settings(const struct quality_choice *choice, const struct technique *technique,
                       const char *const *texts, int count, struct settings *settings);
 

@@ -4,27 +4,26 @@
 
 #include <stdbool.h>
 
-/* The folders that may hold the program's own files, in the order to look: the working folder, the
- * binary's, and PREFIX/share/manylight of a binary in PREFIX/bin. "" or with a slash at the end; free() frees.
- * NULL: there are no more. */
+/* Returns the n-th folder of the program's own files, in search order: the working folder, the
+ * binary's, PREFIX/share/manylight for a binary in PREFIX/bin. The path is "" or ends in a slash.
+ * The caller frees it. NULL: no more. */
 char *folder_of_program(int n);
 
-/* The path of a file of the program's own, such as "scenes/door.glb", in the first of these folders that has it;
- * the name itself where none has. free() frees. */
+/* Returns the path of a file of the program, such as "scenes/door.glb", in the first of these
+ * folders that has it, else the name. The caller frees it. */
 char *folder_find_own(const char *name);
 
-/* Makes the folders on the way to a file, where they are missing. Error: names the first that
- * cannot be made. */
+/* Makes the missing folders above a file. Error: names the first that cannot be made. */
 bool folder_make_for(const char *file_path);
 
-/* The program's folder among the user's: "$variable/manylight", or "~/below_home/manylight"; the caller
- * frees it. NULL, and an error: neither variable nor HOME is set. */
+/* Returns the program's folder of the user: "$variable/manylight", or "~/below_home/manylight". The
+ * caller frees it. Error, and NULL: neither variable nor HOME is set. */
 char *folder_of_user(const char *variable, const char *below_home);
 
-/* The path as a shell reads it: "~" and "~/..." begin in HOME; the caller frees it. */
+/* Returns the path with "~" or "~/" replaced by HOME. The caller frees it. */
 char *path_of_user(const char *path);
 
-/* What follows the last slash of a path; the path itself where it has none. */
+/* Returns the part after the last slash, or the path if it has none. */
 const char *path_name(const char *path);
 
 #endif

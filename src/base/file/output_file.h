@@ -1,14 +1,12 @@
-/* Files that are written whole or not at all: the only way to write one.
+/* Writes files whole or not at all; the only way to write a file.
  *
- * The content is made in memory. Its bytes go into a file without a name (or with a name of its own
- * beside the target, where the file system knows no other), are synced and read back, and only then
- * take the target's name. Whatever fails, and whenever the process is killed, the target is what it
- * was or what it should be; a kill in the midst of replacing it may leave the other one beside it, as
- * .manylight-PID-N.part.
+ * The content is made in memory. Its bytes go to a file without a name, are synced and read back,
+ * and only then take the name of the target. If anything fails or the process is killed, the target
+ * is either the old or the new file. A kill during the replacement may leave .manylight-PID-N.part
+ * beside it. File systems without unnamed files get such a named file from the start.
  *
- * The path "-" is standard output, which gets the bytes as they are: a reader that ends before all are written
- * is an error, and has a part of them.
- */
+ * The path "-" is standard output, which receives the bytes directly. A reader that closes early is
+ * an error; it has received a part. */
 #ifndef BASE_FILE_OUTPUT_FILE_H
 #define BASE_FILE_OUTPUT_FILE_H
 
@@ -16,43 +14,43 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Whether the path is "-". */
+/* True if the path is "-". */
 bool output_file_is_stdout(const char *path);
 
-/* Whether a file can be written there, and is none of the inputs (NULL is no file), which would be
- * lost; call it before long work. Error: names the path and the reason: a folder, a folder that is
- * missing or read-only, a name too long, an input; a terminal, of "-". */
+/* Checks that the file can be written and is none of the inputs, which would be lost (NULL: no
+ * file). Call it before long work. Error: names path and reason: a folder, a missing or read-only
+ * folder, a name too long, an input, or a terminal for "-". */
 bool output_file_check(const char *path, const char *const *inputs, int count);
 
-/* An error where the two are one file. */
+/* Checks that path and input are two files. Error: they are the same. */
 bool output_file_is_not(const char *path, const char *input);
 
-/* Replaces what is there. A device or a pipe is written to as it is. Error: names the path. */
+/* Replaces the file. A device or a pipe is written directly. Error: names the path. */
 bool output_file_write(const char *path, const void *bytes, size_t size);
 
-/* Writes all bytes to a file that is open. False: errno tells why. */
+/* Writes all bytes to an open file. False: errno has the reason. */
 bool output_file_put(int file, const void *bytes, size_t size);
 
-/* A file that another program fills, which gets its descriptor. It has no name where the file system knows such files.
+/* A file that another program fills through its descriptor. It is unnamed if the file system can.
  * Zeroed: none. */
 struct output_part {
-    int file; /* to be read and written */
+    int file; /* descriptor to read and write */
     char *name, *path;
 };
 
-/* Error: names the path and the reason; it is no regular file. */
+/* Opens the part file. Error: names path and reason; also if the target is no regular file. */
 bool output_part_begin(struct output_part *part, const char *path);
 
-/* The file takes the path, as output_file_write has it, or goes where ok is false. */
+/* Gives the file its path as output_file_write does, or removes it if ok is false. */
 bool output_part_end(struct output_part *part, bool ok);
 
-/* Shows what was printed to stdout so far. Where it cannot be, output_file_close_stdout tells why. */
+/* Flushes stdout. output_file_close_stdout reports the first failure. */
 void output_file_flush_stdout(void);
 
-/* Error: something that was printed to stdout is lost. */
+/* Closes stdout. Error: output was lost. */
 bool output_file_close_stdout(void);
 
-/* Text that is printed to a stream in memory, on its way to a file. free accepts a zeroed one. */
+/* Text printed to a stream in memory before it goes to a file. Free accepts a zeroed one. */
 struct output_text {
     FILE *stream;
     char *data;
@@ -62,15 +60,15 @@ struct output_text {
 void output_text_init(struct output_text *text);
 void output_text_free(struct output_text *text);
 
-/* Writes all that was printed so far: may be called again when there is more. */
+/* Writes all text printed so far; may be called again after more. */
 bool output_text_write(struct output_text *text, const char *path);
 
-/* Writes it and frees the text, whatever happens. */
+/* Writes the text and frees it in any case. */
 bool output_text_end(struct output_text *text, const char *path);
 
-/* A new folder whose files are written beside its place, and which comes there whole: output_folder_begin returns the
- * folder to write to, to be given to output_folder_end, which frees it, and removes it with its files where ok is false.
- * NULL, and an error: the path exists, or no folder can be made there. */
+/* Makes a folder that appears whole: begin returns a temporary folder beside the path, for the
+ * files. end moves it to the path, or removes it with its files if ok is false, and frees the name.
+ * Error, and NULL: the path exists, or no folder can be made. */
 char *output_folder_begin(const char *path);
 bool output_folder_end(char *folder, const char *path, bool ok);
 

@@ -1,8 +1,7 @@
-/* What context.c asks of a platform: which ways to a context there are, and to go one of them.
+/* Interface of a platform for context.c: lists candidates and creates contexts.
  *
- * A candidate is one such way: an EGL device, EGL surfaceless, OSMesa. context.c tries candidates
- * in order until one gives a context that has all that is needed (gl/context/needs.h).
- */
+ * A candidate is one way to a context: an EGL device, EGL surfaceless, OSMesa. context.c tries
+ * candidates in order until one gives a context that meets gl/context/needs.h. */
 #ifndef GL_CONTEXT_PLATFORM_H
 #define GL_CONTEXT_PLATFORM_H
 
@@ -13,9 +12,9 @@ enum { CANDIDATES_MAX = 64 };
 struct candidate {
     const struct platform *platform;
     void *device;  /* EGLDeviceEXT; NULL for EGL surfaceless and OSMesa */
-    int number;    /* of the EGL device, from 0; -1 for the others */
-    int cuda;      /* its number in CUDA's order; -1 = it has none */
-    bool software; /* known to render on the CPU before it is tried */
+    int number;    /* number of the EGL device, from 0; -1 for others */
+    int cuda;      /* number in CUDA's order; -1: none */
+    bool software; /* known to be software before it is tried */
     char name[128];
 };
 
@@ -24,25 +23,26 @@ struct candidate_list {
     int count;
 };
 
-/* A context in the platform's own terms. */
+/* A context as the platform knows it. */
 struct native_context {
     const struct platform *platform;
     void *handle;  /* EGLContext, OSMesaContext */
-    void *surface; /* EGLDisplay; OSMesa's image */
+    void *surface; /* EGLDisplay; image of OSMesa */
 };
 
 struct platform {
-    /* Appends its candidates, best first. Error: the library cannot be opened or used. */
+    /* Appends candidates, best first. Error: the library cannot be opened or used. */
     bool (*list)(struct candidate_list *list);
 
-    /* An OpenGL 4.5 core context, not current. Error: the reason, without the candidate's name. */
+    /* Creates an OpenGL 4.5 core context, not current. Error: the reason, without the candidate's
+     * name. */
     bool (*create)(struct native_context *native, const struct candidate *candidate, bool debug);
-    void (*destroy)(struct native_context *native); /* not current */
+    void (*destroy)(struct native_context *native); /* the context must not be current */
 
     bool (*bind)(const struct native_context *native);
     void (*unbind)(const struct native_context *native);
 
-    /* Valid after create. */
+    /* Returns the address of a function of OpenGL. Valid after create. */
     void *(*getproc)(const char *name);
 };
 

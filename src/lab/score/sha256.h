@@ -1,4 +1,4 @@
-/* SHA-256 of bytes [FIPS 180-4 §6.2], which tells whether a file is the one that somebody lists. */
+/* SHA-256 of bytes [FIPS 180-4 §6.2], to check that a file is the listed one. */
 #ifndef LAB_SCORE_SHA256_H
 #define LAB_SCORE_SHA256_H
 
@@ -7,10 +7,10 @@
 
 enum { SHA256_DIGITS = 64 };
 
-/* Lower-case hexadecimal digits, and a zero behind them. */
+/* Writes lower-case hexadecimal digits and a terminating zero. */
 void sha256(const void *bytes, size_t size, char digits[SHA256_DIGITS + 1]);
 
-/* Of a whole file. Error: it cannot be read. */
+/* Hashes a whole file. Error: it cannot be read. */
 bool sha256_of_file(const char *path, char digits[SHA256_DIGITS + 1]);
 
 #endif

@@ -1,4 +1,5 @@
-/* A volume's voxels as the camera sees them: the radiosity of the first occupied voxel at each pixel. */
+/* Draws a volume's voxels from the camera: the radiosity of the first occupied voxel at each
+ * pixel. */
 #ifndef TECHNIQUES_IMPERFECT_VOLUME_VOXELS_H
 #define TECHNIQUES_IMPERFECT_VOLUME_VOXELS_H
 
@@ -7,18 +8,20 @@
 
 struct voxel_view {
     GLuint program;
-    char *defines; /* what the program is made for */
+    char *defines; /* defines of the program */
     struct irradiance picture;
 };
 
-/* For a volume of radiance. Error: GPU memory, shader; it is then zeroed. */
+/* Makes program and picture for a volume of radiance. Error: GPU memory, shader; view is then
+ * zeroed. */
 bool voxel_view_fit(struct voxel_view *view, const struct volume_light *light, int width,
                     int height);
 
-/* Accepts a zeroed one. */
+/* Accepts a zeroed view. */
 void voxel_view_free(struct voxel_view *view);
 
-/* Into view->picture, radiosity times irradiance_scale. The G-buffer is of the picture's size. */
+/* Draws radiosity times irradiance_scale into view->picture. The G-buffer has the picture's
+ * size. */
 void voxel_view_draw(const struct voxel_view *view, const struct frame *frame,
                      const struct gbuffer *gbuffer, const struct volume_light *light);
 

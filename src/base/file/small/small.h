@@ -1,6 +1,5 @@
-/* Parts of the picture bridge that starts quickly, for it needs no OpenImageIO. Each library is named by one file.
- *
- * Errors carry no path: image_file.c puts it in front. */
+/* Decoders and encoders of the quick picture bridge, without OpenImageIO. One file includes each
+ * library. Errors have no path: image_file.c adds it. */
 #ifndef BASE_FILE_SMALL_SMALL_H
 #define BASE_FILE_SMALL_SMALL_H
 
@@ -9,32 +8,32 @@
 
 #include <stdint.h>
 
-/* A picture of whole numbers, interleaved, row 0 at the top, colours as stored. Channels: grey, grey and alpha, RGB
- * or RGBA. */
+/* A picture of integers, interleaved, row 0 at the top, colours as stored. Channels: grey, grey and
+ * alpha, RGB or RGBA. */
 struct raster {
     int width, height, channels;
-    bool is_wide; /* 16 bits a sample; else 8 */
-    bool
-        has_tags; /* of a camera or an offset: they may tell that the picture is turned, or lies elsewhere */
-    uint16_t *wide; /* the one of the two that is_wide tells; NULL: only the size is read */
+    bool is_wide; /* true: 16 bits per sample; else 8 */
+    /* True if the file has camera tags or an offset, which may turn or move the picture. */
+    bool has_tags;
+    uint16_t *wide; /* wide or narrow holds the samples; NULL: only the size was read */
     unsigned char *narrow;
 };
 
 void raster_free(struct raster *raster);
 
-/* The number of samples. */
+/* Returns the number of samples. */
 size_t raster_count(const struct raster *raster);
 
-/* Makes room for the samples. Error: the size is refused, or memory has no room. */
+/* Allocates the samples. Error: the size is refused, or out of memory. */
 bool raster_alloc(struct raster *raster);
 
-/* The sample over [0, 1] of 8 bits. */
+/* Returns the sample as 8 bits. */
 unsigned char raster_byte(const struct raster *raster, size_t sample);
 
-/* Refuses pictures without pixels, and more than 2^28 of them. */
+/* Checks the size: 1 to 2^28 pixels. Error: it is outside. */
 bool check_picture_size(int64_t width, int64_t height);
 
-/* Decodes a file in memory, or its size alone. */
+/* Decode a file in memory, or only its size. */
 bool png_read(struct raster *raster, const unsigned char *bytes, size_t size, bool size_only);
 bool jpeg_read(struct raster *raster, const unsigned char *bytes, size_t size, bool size_only);
 bool webp_read(struct raster *raster, const unsigned char *bytes, size_t size, bool size_only);
@@ -43,26 +42,26 @@ bool webp_read(struct raster *raster, const unsigned char *bytes, size_t size, b
 bool png_write(struct text *file, const unsigned char *samples, int width, int height,
                int channels);
 
-/* The same for floats: red, green and blue of the beauty layer. */
+/* Read and append pictures of floats: red, green and blue of the beauty layer. */
 bool pfm_read(struct image *image, const unsigned char *bytes, size_t size);
 bool hdr_read(struct image *image, const unsigned char *bytes, size_t size);
 void pfm_write(struct text *file, const struct image *image, const int channels[3]);
 void hdr_write(struct text *file, const struct image *image, const int channels[3]);
 
-/* Channels of an EXR: all of them, or those of one layer (image_read_layer). A file has one part of scan lines,
- * whose data window is its display window. */
+/* Read and append an EXR: all channels, or those of one layer (image_read_layer). The file has one
+ * part of scan lines, and its data window is its display window. */
 bool exr_read(struct image *image, const char *path, const char *layer, int channels[3]);
 bool exr_read_size(const char *path, int size[2]);
 bool exr_write(struct text *file, const struct image *image);
 
-/* Decodes a file in memory to its last pixel. */
+/* Decodes a file in memory to its last pixel, as a check. */
 bool exr_check(const struct text *bytes, int size[2]);
 
-/* Sorts the three channels of a layer into wanted, without repetitions, and returns how many these are. channels become
- * places in wanted. */
+/* Sorts the three channels of a layer into wanted, without repetitions, and returns their number.
+ * channels become indices into wanted. */
 int sort_channels(int channels[3], int wanted[3]);
 
-/* Notes which layer was taken where another name was asked for. */
+/* Logs a note if the layer found has another name than the one given. */
 void tell_layer(const struct image *image, const char *path, const char *layer);
 
 #endif
