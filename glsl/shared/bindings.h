@@ -139,6 +139,7 @@
 #define LOCATION_SET_BACK 7
 #define LOCATION_SLOT_LIGHT_COUNT 8
 #define LOCATION_TREE_STEP 9
+#define LOCATION_OF_PANES 10
 #define LOCATION_NEAR_SHIFT 10
 #define LOCATION_CAMERA_RANGE 11
 #define LOCATION_SCREEN_AREA 12 /* of screen passes that are dispatched */

@@ -5,8 +5,8 @@
 #include "shared/types.h"
 
 /* STORAGE_ELEMENT_CELLS: of each cell the number of the first element that lies in it or in a later one; x counts fastest.
- * STORAGE_ELEMENTS: texels of each element: position and weight; normal; irradiance and the element's
- * number. */
+ * STORAGE_ELEMENTS: texels of each element: position and weight; normal, and 1 if a pane's; irradiance and the
+ * element's number. */
 #define ELEMENT_TEXELS 3
 
 struct element_grid_params {

@@ -16,6 +16,7 @@ struct frame {
     const struct view *camera; /* what it holds */
     struct camera_range camera_range;
     const struct gbuffer *gbuffer; /* the camera's, where lights follow it; else NULL */
+    bool of_panes;                 /* the G-buffer that is lit is that of panes */
     /* Lights: for a direct method the lights that shine, for a technique the light samples from which reflected light
      * starts. */
     const struct buffer *lights;  /* for BLOCK_LIGHTS */

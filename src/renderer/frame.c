@@ -194,6 +194,7 @@ static void render_panes(struct renderer *renderer, const struct frame *frame) {
     struct timers untimed = {0};
     struct frame of_panes = *frame;
     of_panes.timers = &untimed;
+    of_panes.of_panes = true;
     if (panes->surfaces_program) {
         timer_begin(frame->timers, "light of panes");
         show_panes_pass_render_surfaces(panes, &of_panes, &renderer->gbuffer);

@@ -232,12 +232,31 @@ static void test_techniques(void **state) {
         }
 }
 
+/* Links of elements have the colours of panes. */
+static void test_red_light(void **state) {
+    (void)state;
+    struct stage stage;
+    open_storeys(&stage, true, .4F);
+    make_glass(&stage, 1);
+    struct material *pane = &stage.scene.materials[SMOOTH];
+    pane->blends = false;
+    pane->thin_walled = true;
+    memcpy(pane->base_color, (float[]){1, .25F, 0, 1}, sizeof pane->base_color);
+    lay_out(&stage);
+    struct image drawn = render_stage(&stage, "implicit-visibility", "", SIZE);
+    double red = channel_mean(&drawn, "indirect.R");
+    check_near("green over red", channel_mean(&drawn, "indirect.G") / red, .25, .002);
+    check_near("blue over red", channel_mean(&drawn, "indirect.B") / red, 0, .002);
+    image_free(&drawn);
+    stage_free(&stage);
+}
+
 /* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if opaque. Voxels that an
  * opaque surface crosses have no light of their own: there its light is of others, a voxel away. */
 static void test_panes_before_sky(void **state) {
     (void)state;
-    static const char *const names[] = {"clustered", "imperfect-volume"};
-    static const double tolerances[] = {.01, .04};
+    static const char *const names[] = {"clustered", "imperfect-volume", "implicit-visibility"};
+    static const double tolerances[] = {.01, .04, .01};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         for (int up = 0; up < 2; up++) {
             double of_opaque = 0;
@@ -522,6 +541,7 @@ int main(void) {
         cmocka_unit_test(test_panes_reflect),
         cmocka_unit_test(test_techniques),
         cmocka_unit_test(test_panes_before_sky),
+        cmocka_unit_test(test_red_light),
         cmocka_unit_test(test_half_a_lamp),
         cmocka_unit_test(test_fog_behind_colours),
         cmocka_unit_test(test_two_renderers),

@@ -227,15 +227,26 @@ static void test_shared(void **state) {
     "{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorFactor\":"                      \
     " [" color ", " color ", " color ", 1]}}"
 
-/* Below a ceiling that a spot lights a white board and beside it, 10 cm lower, a dark floor. */
-static void open_board(struct stage *stage) {
+/* The board lies 10 cm above the floor; or as high as the floor, behind a wall of 90 cm. */
+#define HIGH_BOARD PLACED("0", "-2", "0.1", "2", "2", "-")
+#define BOARD_BEHIND_WALL                                                                          \
+    PLACED("0", "-2", "0", "2", "2", "-")                                                          \
+    "{\"mesh\": 0, \"translation\": [0, 0, 2], \"scale\": [4, 0.9, 1],"                            \
+    " \"rotation\": [0, 0.70710678, 0, 0.70710678]}, "
+
+/* Below a ceiling that a spot lights a white board and beside it a dark floor. */
+static void open_board(struct stage *stage, const char *board) {
+    char nodes[1024];
+    snprintf(nodes, sizeof nodes,
+             "[%s" PLACED("1", "0", "0", "2", "2", "-") PLACED(
+                 "0", "-2", "3", "-2", "4",
+                 "") "{\"translation\": [0, 1, 0], \"rotation\": [0.70710678, 0, 0, 0.70710678],"
+                     " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
+             board);
     struct gltf_parts parts = {
         .materials = "[" MATERIAL("0.8") ", " MATERIAL("0.1") "]",
         .meshes = "[" MESH("0") ", " MESH("1") "]",
-        .nodes = "[" PLACED("0", "-2", "0.1", "2", "2", "-") PLACED("1", "0", "0", "2", "2", "-")
-            PLACED("0", "-2", "3", "-2", "4",
-                   "") "{\"translation\": [0, 1, 0], \"rotation\": [0.70710678, 0, 0, 0.70710678],"
-                       " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
+        .nodes = nodes,
         .more = "\"extensionsUsed\": [\"KHR_lights_punctual\"], \"extensions\": {"
                 "\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\", \"intensity\": 100,"
                 " \"spot\": {\"outerConeAngle\": 0.7}}]}}, "};
@@ -270,13 +281,11 @@ static void add_shared(const struct vpl_buffer *buffer, double powers[2]) {
     free(vpls);
 }
 
-/* Light is shared along a plane: what a white board has does not come to the dark floor beside it, which is lower. */
-static void test_shared_along_planes(void **state) {
-    (void)state;
+static void check_shared(const char *board) {
     enum { SETS = 8 };
     double left[2] = {0}, has[2] = {0};
     struct stage stage;
-    open_board(&stage);
+    open_board(&stage, board);
     for (int seed = 1; seed <= SETS; seed++) {
         char settings[64];
         struct renderer renderer;
@@ -294,6 +303,14 @@ static void test_shared_along_planes(void **state) {
         check_near(part ? "dark floor, of what paths leave" : "white board, of what paths leave",
                    has[part] / left[part], 1, .01);
     stage_free(&stage);
+}
+
+/* Light is shared along a plane that is seen: what a white board has does not come to the dark floor beside it, which is
+ * lower, or hidden by a wall. */
+static void test_shared_along_planes(void **state) {
+    (void)state;
+    check_shared(HIGH_BOARD);
+    check_shared(BOARD_BEHIND_WALL);
 }
 
 /* What paths take for a triangle's colour, on both of its sides. */

@@ -16,7 +16,7 @@ static void open_table(struct table *table) {
     const struct geometry *geometry = &table->stage.geometry;
     open_stage(&table->stage, "scenes/table.glb");
     elements_init(&table->elements, &(struct elements_desc){&table->stage.scene, geometry,
-                                                            MATERIALS_DIFFUSE, false, 2000});
+                                                            MATERIALS_DIFFUSE, false, 2000, false});
     tree_init(&table->tree, &table->elements, .3F * geometry->radius);
     element_light_init(&table->light, &table->tree);
     element_light_emit(&table->light, &table->elements, &table->tree);

@@ -18,8 +18,9 @@ static void open_radiosity(struct radiosity *radiosity, struct shape *shape, dou
                            int most, const struct links_desc *desc, bool two_sided) {
     open_shape(&radiosity->stage, shape, albedo, two_sided, at(0, 0, 0));
     const struct geometry *geometry = &radiosity->stage.geometry;
-    elements_init(&radiosity->elements, &(struct elements_desc){&radiosity->stage.scene, geometry,
-                                                                MATERIALS_DIFFUSE, false, most});
+    elements_init(&radiosity->elements,
+                  &(struct elements_desc){&radiosity->stage.scene, geometry, MATERIALS_DIFFUSE,
+                                          false, most, false});
     tree_init(&radiosity->tree, &radiosity->elements, .3F * geometry->radius);
     links_init(&radiosity->links, desc, radiosity->elements.count);
     element_light_init(&radiosity->light, &radiosity->tree);

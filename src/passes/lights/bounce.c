@@ -218,6 +218,7 @@ void bounce_pass_render(struct bounce_pass *pass, const struct frame *frame,
                       shares = state_of(pass, pass->share_program),
                       fluxes = state_of(pass, pass->flux_program),
                       leave = state_of(pass, pass->vpl_program);
+    pass_add_texture(&shares, UNIT_BVH, pass->tree->buffer.texels);
     pass_add_texture(&fluxes, UNIT_PATH_RESULTS, pass->shares.id);
     pass_add_texture(&leave, UNIT_PATH_RESULTS, pass->shared.id);
     draw_rows(&areas, pass->area_framebuffer, count, BOUNCE_ROWS);

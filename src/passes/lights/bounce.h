@@ -8,15 +8,16 @@
  *
  * Where every fourth has left its light there is a VPL, and VPLs share out the light of the others: a pixel looks at P
  * places, and what they send is known of 4 P paths, so that the picture is steadier and errs less (bench/STABILITY.md). Pools
- * of 512 VPLs share out the light of their own paths, by nearness along their surface and like normals [Shepard 1968], not
- * beyond a quarter of the scene's radius; what is lost so where VPLs are few is given back to those that are alone (src/passes/lights/bounce_share.glsl).
+ * of 512 VPLs share out the light of their own paths, by nearness along their surface and like normals [Shepard 1968].
+ * Each path gives to its four nearest VPLs, up to the first that it does not see, and hardly beyond a quarter of the
+ * scene's radius; what is lost so is given back to VPLs that are alone (src/passes/lights/bounce_shares.frag).
  *
  * Pixels take the VPLs as patches (src/passes/gather/patch.glsl), which lose light where surfaces are small or crooked. What
  * they keep of it is told by how far the light of a VPL's own path goes from there, of those whose light goes to what the camera
  * sees, and what is lost is given back to all pixels alike.
  *
  * A path's numbers depend on no light and no camera, so that a frame depends on its time alone. Cost: 4 P rays for each
- * bounce, and 2 P, half of them for each view; for each VPL the places of others, at most BOUNCE_PARTNERS, for its area, and
+ * bounce, at most 32 P between VPLs, and 2 P, half of them for each view; for each VPL the places of others, at most BOUNCE_PARTNERS, for its area, and
  * twice those of its pool's paths. A triangle has one colour to paths.
  */
 #ifndef PASSES_BOUNCE_H

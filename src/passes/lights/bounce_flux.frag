@@ -12,6 +12,8 @@ void main() {
     flux = path.y > 0 ? vec4(0.0) : texelFetch(path_shares, path, 0);
     for (int k = pool.x; k < pool.y; k++) {
         ivec2 other = ivec2(k, path.y);
-        flux += texelFetch(path_shares, other, 0) * share_between(path_end_at(other), end);
+        vec4 light = texelFetch(path_shares, other, 0);
+        float share = share_between(path_end_at(other), end);
+        flux += share >= light.a ? light * share : vec4(0.0);
     }
 }

@@ -10,6 +10,9 @@
 
 enum { PLACES = 16, TEXELS = 16, DEPTH = 5 }; /* of a part; times a triangle is cut at most */
 
+/* Parts of a batch, however few texels they have: colours run smoothly between texels and between vertices. */
+enum { PARTS_FEW = 1 << 14 };
+
 /* Differences of base colour that are not worth a cut. */
 static const float even = .1F;
 
@@ -60,6 +63,13 @@ static void add_part(struct triangle_parts *list, const struct cut_triangle *tri
         add_part(list, triangle, &quarters[q], depth - 1);
 }
 
+static int depth_of(const struct cut_triangle *triangle, uint32_t triangles) {
+    int by_texels = triangle_depth(triangle, TEXELS, DEPTH), depth = 0;
+    while (depth < DEPTH && (uint64_t)triangles << 2 * (depth + 1) <= PARTS_FEW)
+        depth++;
+    return depth > by_texels ? depth : by_texels;
+}
+
 struct triangle_parts pane_triangles_of(const struct scene *scene,
                                         const struct geometry *geometry) {
     struct triangle_parts list = {0};
@@ -70,7 +80,8 @@ struct triangle_parts pane_triangles_of(const struct scene *scene,
         triangle.material = &scene->materials[batch->material];
         for (uint32_t i = 0; i < batch->index_count; i += 3) {
             triangle.index = &geometry->indices[batch->first_index + i];
-            add_part(&list, &triangle, &triangle_whole, triangle_depth(&triangle, TEXELS, DEPTH));
+            add_part(&list, &triangle, &triangle_whole,
+                     depth_of(&triangle, batch->index_count / 3));
         }
     }
     return list;

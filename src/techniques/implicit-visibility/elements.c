@@ -10,6 +10,9 @@
 /* Side of a cell over the longest edge: cut triangles keep their vertices apart. */
 static const float cell_fraction = .35F;
 
+/* Area of a pane's element over its surface's: no partner of others. */
+static const float pane_area = 1e-9F;
+
 /* Attempts to find the grid with so many cells; each makes it coarser. */
 enum { ATTEMPTS = 40 };
 
@@ -40,6 +43,7 @@ struct maker {
     struct cluster *clusters;
     uint32_t count, room;
     bool colored; /* thirds have an albedo */
+    bool pane;    /* as they are */
     struct surface_colors colors;
 };
 
@@ -72,7 +76,7 @@ static uint64_t key_of(const struct maker *maker, const struct third *third) {
     struct corners corners = corners_of(third->corners, third->at);
     vec3s place = corners_vector(&corners, geometry->position);
     vec3s normal = glms_vec3_scale(corners_vector(&corners, geometry->normal), third->side);
-    uint64_t key = 1 + facing(normal);
+    uint64_t key = 1 + facing(normal) + (maker->pane ? 8 : 0);
     for (int c = 0; c < 3; c++) {
         double cells = (double)(place.raw[c] - geometry->bounds_min[c]) / (double)maker->cell + .37;
         key = key << 20 | (uint64_t)fmin(fmax(cells, 0), (1 << 20) - 1);
@@ -138,6 +142,7 @@ static void consider(const struct maker *maker, struct cluster *cluster, const s
     memcpy(cluster->element.corners, third->corners, sizeof cluster->element.corners);
     memcpy(cluster->element.weights, weights, sizeof cluster->element.weights);
     cluster->element.side = third->side;
+    cluster->element.pane = maker->pane;
 }
 
 /* An element lies where its cluster's surface is nearest to its middle: within a face, not on its edge. */
@@ -198,11 +203,12 @@ static void visit_piece(struct maker *maker, const uint32_t *index, const struct
                  6;
     if (!(third.area > 0))
         return;
+    const float last = material->double_sided || maker->pane ? -1 : 1;
     for (int v = 0; v < 3; v++) {
         memcpy(third.at, piece->at[v], sizeof third.at);
         for (int c = 0; c < 3; c++) /* the centroid of what is nearest to the corner, by medians */
             third.inner[c] = (5 * piece->at[v][c] + 7 * middle[c]) / 12;
-        for (third.side = 1; third.side >= (material->double_sided ? -1 : 1); third.side -= 2)
+        for (third.side = 1; third.side >= last; third.side -= 2)
             visit(maker, &third);
     }
 }
@@ -232,8 +238,10 @@ static void visit_triangle(struct maker *maker, const uint32_t *index,
 
 static void visit_all(struct maker *maker, visit_third *visit) {
     const struct geometry *geometry = maker->desc->geometry;
-    for (int b = 0; b < geometry->blocking_batch_count; b++) {
+    int end = maker->desc->panes ? geometry->batch_count : geometry->blocking_batch_count;
+    for (int b = 0; b < end; b++) {
         const struct geometry_batch *batch = &geometry->batches[b];
+        maker->pane = b >= geometry->blocking_batch_count;
         for (uint32_t i = 0; i < batch->index_count; i += 3)
             visit_triangle(maker, &geometry->indices[batch->first_index + i],
                            &maker->desc->scene->materials[batch->material], visit);
@@ -287,7 +295,7 @@ static void take_clusters(struct elements *elements, const struct maker *maker) 
         if (!(cluster->area > 0) || !isfinite(cluster->distance2))
             continue;
         *element = cluster->element;
-        element->area = (float)cluster->area;
+        element->area = (float)cluster->area * (element->pane ? pane_area : 1);
         for (int c = 0; c < 3; c++) {
             element->albedo.raw[c] = (float)(cluster->albedo[c] / cluster->area);
             element->emission.raw[c] = (float)(cluster->emission[c] / cluster->area);

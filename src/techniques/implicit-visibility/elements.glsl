@@ -9,6 +9,9 @@ layout(std430, binding = STORAGE_ELEMENTS) readonly buffer element_storage {
     vec4 elements[];
 };
 
+// Whether pixels see panes, whose light is that of their own elements.
+layout(location = LOCATION_OF_PANES) uniform ivec4 of_panes;
+
 // An element this far off the surface's plane does not count, over the reach.
 const float OFF_PLANE = 0.4;
 // Of elements that do not count else: where there are no others.
@@ -31,8 +34,9 @@ float element_weight(surface s, int number, out vec3 path) {
     vec4 place = elements[ELEMENT_TEXELS * number];
     path = (place.xyz - s.position) / params.cell;
     float distance2 = dot(path, path);
-    float facing = dot(elements[ELEMENT_TEXELS * number + 1].xyz, s.normal);
-    if (distance2 >= 3.0 || facing <= 0.0)
+    vec4 normal = elements[ELEMENT_TEXELS * number + 1];
+    float facing = dot(normal.xyz, s.normal);
+    if (distance2 >= 3.0 || facing <= 0.0 || normal.w != float(of_panes.x))
         return 0.0;
     float falloff = max(1.0 - distance2, 0.0), plane = max(1.0 - abs(dot(path, s.normal)) / OFF_PLANE, 0.0);
     return facing * facing * (falloff * falloff * plane * place.w + LAST_RESORT / (1e-3 + distance2));

@@ -14,6 +14,7 @@ struct element {
     uint32_t corners[3]; /* vertices of its triangle */
     float weights[3];    /* of the corners */
     float side;          /* 1; -1: the triangle's back */
+    bool pane;           /* it receives light, and is too small to hide or send any */
     float area;          /* m2 */
     vec3s albedo;
     vec3s emission;         /* W/(sr m2) */
@@ -33,6 +34,7 @@ struct elements_desc {
     enum materials materials;
     bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
     int most;          /* elements */
+    bool panes;        /* have elements, too */
 };
 
 /* At most desc->most, unless more cells of the coarsest grid are occupied. Zero elements where no triangle has an area. */

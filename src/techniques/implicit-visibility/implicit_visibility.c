@@ -158,6 +158,7 @@ static bool place_elements(struct implicit_visibility *technique, const struct g
     if (technique->elements.count > 0)
         element_light_casters(&technique->casters, &technique->panes, technique->scene, geometry);
     technique->links.panes = &technique->panes;
+    technique->links.clearance = geometry_clearance(geometry);
     return interpolate_pass_fit(&technique->interpolate, &technique->elements, geometry) &&
            (technique->specular_kind == SPECULAR_OFF ||
             specular_pass_fit(&technique->specular, technique->elements.count));
@@ -212,6 +213,9 @@ static bool init(void **state, const struct technique_desc *desc) {
         .smooth_black = caustics_shown(desc->scene, desc->settings),
         .most = own->elements,
     };
+    /* Pairs, and partners of one bin each, know no elements that only receive. */
+    technique->elements_desc.panes =
+        own->links != LINKS_BY_PAIRS && own->cover != LINKS_COVER_CENTER;
     technique->links_desc = (struct links_desc){
         .side = own->bins,
         .cover = (enum links_cover)own->cover,

@@ -116,6 +116,7 @@ void interpolate_pass_write(struct interpolate_pass *pass, const struct elements
         memcpy(texels[2], light->irradiance[i], 3 * sizeof(float));
         texels[2][3] = (float)i;
         texels[0][3] = open * open * open * open;
+        texels[1][3] = element->pane;
     }
     buffer_write(&pass->params, 0, sizeof pass->grid, &pass->grid);
     buffer_write(&pass->cells, 0, ((size_t)pass->cell_count + 1) * sizeof *pass->firsts,
@@ -141,6 +142,7 @@ void interpolate_pass_render(const struct interpolate_pass *pass, const struct f
                                 {STORAGE_ELEMENTS, &pass->elements}},
                    .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &pass->params}},
                });
+    pass_set_ints(LOCATION_OF_PANES, frame->of_panes, 0, 0, 0);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }

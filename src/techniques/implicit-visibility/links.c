@@ -185,17 +185,19 @@ static vec3s direction_of(const struct walk *walk, int b) {
 
 /* What panes let pass along a bin's direction. */
 static vec3s panes_pass(const struct walk *walk, vec3s direction, float distance) {
-    const float *at = walk->leaf->position;
-    return pane_triangles_pass(walk->links->panes, (vec3s){{at[0], at[1], at[2]}}, direction,
-                               distance);
+    const struct links *links = walk->links;
+    vec3s from;
+    glm_vec3_copy((float *)walk->leaf->position, from.raw);
+    glm_vec3_muladds((float *)walk->leaf->normal, links->clearance, from.raw);
+    return pane_triangles_pass(links->panes, from, direction, distance);
 }
 
-/* Of a link, the mean over the colours. */
-static float link_passes(const struct walk *walk, int b, uint32_t node) {
+/* Of a link. */
+static vec3s link_passes(const struct walk *walk, int b, uint32_t node) {
     vec3s direction = direction_of(walk, b), path;
     glm_vec3_sub((float *)walk->tree->nodes[node].position, (float *)walk->leaf->position,
                  path.raw);
-    return glms_vec3_hadd(panes_pass(walk, direction, glms_vec3_dot(path, direction))) / 3;
+    return panes_pass(walk, direction, glms_vec3_dot(path, direction));
 }
 
 /* The radiance of the bin of the world that the leaf's leads to. */
@@ -236,19 +238,20 @@ static void take_links(const struct walk *walk, struct links *links, const float
             continue;
         }
         filled += weight;
-        if (node & PARTNER_BACK)
+        if (node & PARTNER_BACK) {
             buried += weight;
-        if (!(node & PARTNER_BACK) && count + open_count < links->stride)
+            continue;
+        }
+        if (links->desc.weight == LINKS_WEIGHT_ELEMENT)
+            weight = element_weight(walk, node);
+        if (count + open_count < links->stride)
             items[count++] = (struct link){node, (uint32_t)b,
-                                           link_passes(walk, b, node) *
-                                               (links->desc.weight == LINKS_WEIGHT_ELEMENT
-                                                    ? element_weight(walk, node)
-                                                    : weight)};
+                                           glms_vec3_scale(link_passes(walk, b, node), weight)};
     }
     /* The quarters' sum is pi but for their width. */
     float scale = all > 0 ? GLM_PIf / all : 0;
     for (int k = 0; k < count && links->desc.weight == LINKS_WEIGHT_BIN; k++)
-        items[k].weight *= scale;
+        items[k].weight = glms_vec3_scale(items[k].weight, scale);
     for (int c = 0; c < 3; c++)
         links->sky[own][c] = open[c] * scale;
     links->counts[own] = count;
@@ -386,11 +389,11 @@ void links_sort_lamps(struct links *links, const float (*emission)[4]) {
 
 static vec3s gather(const struct links *links, int leaf, int count, const float (*radiance)[4]) {
     const struct link *items = links->items + (size_t)leaf * (size_t)links->stride;
-    float sum[4] = {0};
+    vec3s sum = {{0}};
     for (int k = 0; k < count; k++)
-        for (int c = 0; c < 4; c++)
-            sum[c] += items[k].weight * radiance[items[k].node][c];
-    return (vec3s){{sum[0], sum[1], sum[2]}};
+        for (int c = 0; c < 3; c++)
+            sum.raw[c] += items[k].weight.raw[c] * radiance[items[k].node][c];
+    return sum;
 }
 
 vec3s links_gather(const struct links *links, int leaf, const float (*radiance)[4]) {

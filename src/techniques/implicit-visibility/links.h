@@ -32,12 +32,13 @@ enum { LINK_BIN_BITS = 13, LINK_NODE_BITS = 32 - LINK_BIN_BITS };
 
 struct link {
     uint32_t node : LINK_NODE_BITS, bin : LINK_BIN_BITS;
-    float weight; /* what it adds of the node's radiance to the irradiance, sr */
+    vec3s weight; /* what it adds of the node's radiance to the irradiance, sr, through panes */
 };
 
 struct links {
     struct links_desc desc;
     const struct bvh *panes; /* they dim what comes along links; NULL: none */
+    float clearance;         /* of leaves, which may lie on one, m */
     struct bins bins;
     int leaf_count, stride;
     struct link *items; /* stride of each leaf: its links, and from the end on its empty bins */

@@ -151,6 +151,7 @@ void specular_pass_render(const struct specular_pass *pass, const struct interpo
                                 {STORAGE_ELEMENT_LINKS, &pass->links}},
                    .blocks = {{BLOCK_VIEW, frame->view}, {BLOCK_PASS, &elements->params}},
                });
+    pass_set_ints(LOCATION_OF_PANES, frame->of_panes, 0, 0, 0);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }
