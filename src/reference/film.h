@@ -35,9 +35,8 @@ struct film_pixel {
 };
 
 struct film_estimate {
-    double mean[3],
-        /* Mean indirect light, and the variance of the mean: 0 for a single stream. */
-        variance[3];
+    /* Mean indirect light, and the variance of the mean: 0 for a single stream. */
+    double mean[3], variance[3];
 };
 
 void film_pixel_add(struct film_pixel *pixel, int stream, const struct film_sample *sample);

@@ -7,10 +7,9 @@
 struct camera {
     bool orthographic;
     float eye[3];
-    float right[3], up[3],
-        /* Orthogonal axes; right, up, -forward are right-handed. forward is the unit view
-         * direction. Longer right and up widen the picture. */
-        forward[3];
+    /* Orthogonal axes; right, up, -forward are right-handed. forward is the unit view direction.
+     * Longer right and up widen the picture. */
+    float right[3], up[3], forward[3];
     float fov_y;     /* radians, vertical */
     float y_extent;  /* orthographic: half the height, metres */
     float near, far; /* clip distances along forward, metres; far 0: infinite */

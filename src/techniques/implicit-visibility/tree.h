@@ -9,10 +9,8 @@ enum { TREE_CHILDREN = 4 };
 
 struct tree_node {
     float position[3], area; /* area-weighted mean, metres; sum, m2 */
-    float normal[3],
-        /* Area-weighted mean, shorter than 1 if normals differ; radius of all elements below,
-         * metres. */
-        radius;
+    /* Area-weighted mean, shorter than 1 if normals differ; radius of all elements below, metres. */
+    float normal[3], radius;
     uint32_t children[TREE_CHILDREN]; /* numbers below the node's own; TREE_NONE: unused */
 };
 
