@@ -12,8 +12,8 @@
 #define IMAGE_VAL_FLUX 2
 #define IMAGE_VAL_SUMS 3
 
-/* Invocations of a workgroup. Their VPLs fit the 32 KiB that OpenGL guarantees for shared memory.
- */
+/* Invocations of a workgroup. Their VPLs fit the 32 KiB that OpenGL guarantees for shared
+ * memory. */
 #define CLUSTER_GROUP 512
 
 /* Most VPL groups of a dispatch: llvmpipe ends all loops of an invocation after 65535 steps in

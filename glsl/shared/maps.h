@@ -109,8 +109,8 @@ STD140_SIZE(series_range, 16)
 #define SUM_LINES 64
 
 /* Parameters of passes/visibility/depth_bounds.h, and positions of levels. All levels are side by
- * side in one texture, because rasterisers of four-pixel groups choose one mip level for the group.
- */
+ * side in one texture, because rasterisers of four-pixel groups choose one mip level for the
+ * group. */
 #define BOUNDS_GROUP 8 /* invocations along each side */
 
 struct depth_bounds_params {

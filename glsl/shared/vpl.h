@@ -80,8 +80,8 @@ SHARED_FUNCTION float cluster_color(int k, int channel) {
 /* Bounces before Russian roulette may end a walk. */
 #define WALK_SURE 8
 
-/* Depth by which texels of the light's RSM may be below a VPL's surface, over the scene's radius.
- */
+/* Depth by which texels of the light's RSM may be below a VPL's surface, over the scene's
+ * radius. */
 #define BOUNCE_START 1e-3F
 
 #endif

@@ -53,8 +53,8 @@ void frame_add_medium(const struct frame *frame, struct pass_state *state);
 /* Binds the medium and the spots' slides, for a program that evaluates lights. */
 void frame_add_light(const struct frame *frame, struct pass_state *state);
 
-/* Clips the pass's geometry at the camera's near and far limits (passes/picture/camera_range.glsl).
- */
+/* Clips the pass's geometry at the camera's near and far limits
+ * (passes/picture/camera_range.glsl). */
 void frame_cut_by_range(const struct frame *frame, struct pass_state *state);
 
 /* Returns the camera's view for `layers` layers; `margin` as in struct draw_views, NDC. */

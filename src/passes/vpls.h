@@ -17,8 +17,8 @@ struct vpl_buffer {
 };
 
 /* Importance of VPLs in clustering (passes/lights/cluster_means.comp). values: each VPL's
- * contribution to the picture, R32F. sum: one pixel, RGBA32F, sum of all values and their number.
- */
+ * contribution to the picture, R32F. sum: one pixel, RGBA32F, sum of all values and their
+ * number. */
 struct vpl_weights {
     struct texture values, sum;
 };

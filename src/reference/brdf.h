@@ -44,8 +44,8 @@ void brdf_turn(struct brdf *brdf, vec3s n, vec3s v);
 struct brdf_value brdf_eval(const struct brdf *brdf, vec3s n, vec3s v, vec3s l);
 
 /* brdf_sample returns a direction of light, by the cosine or by visible normals [Heitz 2018]. It
- * may be below the horizon. sample: two numbers in [0, 1). brdf_density returns its density, 1/sr.
- */
+ * may be below the horizon. sample: two numbers in [0, 1). brdf_density returns its density,
+ * 1/sr. */
 vec3s brdf_sample(const struct brdf *brdf, vec3s n, vec3s v, vec2s sample);
 float brdf_density(const struct brdf *brdf, vec3s n, vec3s v, vec3s l);
 

@@ -20,8 +20,8 @@ struct camera_view {
     vec3s eye;      /* origin of the camera's ray */
     vec3s to_eye;   /* unit */
     float distance; /* distance to `eye`, metres */
-    /* Radiance of the pixel, the mean over its area, per W/sr that leaves towards the camera: 1/m2.
-     */
+    /* Radiance of the pixel, the mean over its area, per W/sr that leaves towards the camera:
+     * 1/m2. */
     float weight;
 };
 

@@ -53,8 +53,8 @@ struct light_tracer_result {
 };
 
 /* Adds CHANNELS_OF_CAUSTIC, and with a medium CHANNELS_OF_VOLUME, to a path tracer's image made
- * with desc.smooth. It adds their light to the beauty. Error: Embree's own, memory, or "cancelled".
- */
+ * with desc.smooth. It adds their light to the beauty. Error: Embree's own, memory, or
+ * "cancelled". */
 bool light_tracer_render(const struct light_tracer_desc *desc, struct image *image,
                          struct light_tracer_result *result);
 

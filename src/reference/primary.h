@@ -15,8 +15,8 @@ struct primary_rays {
 struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct camera *camera,
                                     const struct geometry *geometry, int width, int height);
 
-/* Writes origin and unit direction of the ray through a point, in pixels from the top left corner.
- */
+/* Writes origin and unit direction of the ray through a point, in pixels from the top left
+ * corner. */
 void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
                  vec3s *direction);
 

@@ -34,8 +34,8 @@ struct smooth_ray smooth_leave(const struct ray_scene *rays, const struct hit *h
 /* Returns the glass around a ray when it met the surface. inside: the glass that was expected. */
 const struct material *smooth_inside(const struct hit *hit, const struct material *inside);
 
-/* Returns the transmittance of `length` metres of glass; infinite where an open mesh has no back.
- */
+/* Returns the transmittance of `length` metres of glass; infinite where an open mesh has no
+ * back. */
 vec3s smooth_passes(const struct material *glass, float length);
 
 #endif

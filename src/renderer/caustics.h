@@ -1,5 +1,5 @@
-/* True if the renderer shows caustics: enabled by the settings, and the scene has smooth surfaces.
- */
+/* True if the renderer shows caustics: enabled by the settings, and the scene has smooth
+ * surfaces. */
 #ifndef RENDERER_CAUSTICS_H
 #define RENDERER_CAUSTICS_H
 

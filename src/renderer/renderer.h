@@ -44,8 +44,8 @@ struct renderer_desc {
     bool keep_lights;
     /* A kind other than the scene's hides the environment, in all layers. */
     struct background background;
-    bool progressive; /* ready for renderer_add_pass */
-    bool timed;       /* enables renderer_add_pass */
+    bool progressive; /* enables renderer_add_pass */
+    bool timed;       /* measures the time of passes */
 };
 
 /* Layouts and lights for which maps and programs are made. */
@@ -70,7 +70,7 @@ struct renderer {
     struct geometry_pass geometry;
     struct antialias_pass antialias;
     struct composite_pass composite;
-    /* Technique and settings of technique_state, as for the direct method below. */
+    /* Technique of technique_state, NULL without one; `direct` is that of direct_state. */
     const struct technique *technique;
     void *technique_state;
     const struct direct_method *direct; /* desc.direct, or environment_direct around it */
@@ -88,8 +88,8 @@ struct renderer {
         /* Technique of passes after the first; NULL: the renderer's. */
         const struct technique *technique;
         void *state;
-        /* Antialiasing of passes after the first: centres alone, because passes vary the position.
-         */
+        /* Antialiasing of passes after the first: centres alone, because passes vary the
+         * position. */
         struct antialias_pass centers;
         struct mean_pass mean;
         int count;     /* passes in the mean; 0: none */
@@ -155,8 +155,8 @@ void renderer_add_pass(struct renderer *renderer, int pass);
 /* Discards a cancelled frame (gl/cancel.h), so that the next frame reuses none of it. */
 void renderer_forget_frame(struct renderer *renderer);
 
-/* Return the passes in the displayed mean (0: a frame is displayed), and the sum of their weights.
- */
+/* Return the passes in the displayed mean (0: a frame is displayed), and the sum of their
+ * weights. */
 int renderer_pass_count(const struct renderer *renderer);
 double renderer_pass_weight(const struct renderer *renderer);
 
@@ -165,9 +165,9 @@ double renderer_pass_weight(const struct renderer *renderer);
 void renderer_compose(struct renderer *renderer, int layer);
 
 /* Reads the picture's layers, row 0 at the top: R G B A, Z, direct.*, indirect.*, albedo.*,
- * normal.*. If some material is not plain, also specular.*, direct.specular.*, indirect.specular.*:
- * radiance that albedo x (direct + indirect) lacks. Error: out of memory, or the context is lost.
- */
+ * normal.*. If some material is not plain, also specular.*, direct.specular.*,
+ * indirect.specular.*: radiance that albedo x (direct + indirect) lacks. Error: out of memory, or
+ * the context is lost. */
 bool renderer_read_layers(struct renderer *renderer, struct image *image);
 
 /* Reads the layers of one pixel, as a 1 x 1 image. */

@@ -1,5 +1,5 @@
-/* All settings of the renderer: the parts of every technique and direct method, and of the picture.
- */
+/* All settings of the renderer: the parts of every technique and direct method, and of the
+ * picture. */
 #ifndef RENDERER_SETTINGS_H
 #define RENDERER_SETTINGS_H
 
@@ -20,9 +20,9 @@ extern const struct settings_part picture_part;
 void renderer_settings_init(struct settings *settings);
 
 /* Assigns texts, each "name=value", or several separated by spaces or commas. "path=NAME" selects
- * the technique's preset of that name or word. Presets apply first, wherever they stand, and count
- * as defaults; other values count as given (settings_give_word). Error: unknown name or bad value.
- */
+ * the technique's preset of that name or word. Presets apply first, wherever they stand, and
+ * count as defaults; other values count as given (settings_give_word). Error: unknown name or bad
+ * value. */
 bool renderer_settings_assign(struct settings *settings, const struct technique *technique,
                               const char *const *texts, int count);
 

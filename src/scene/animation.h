@@ -15,8 +15,8 @@ struct channel_place {
 };
 const struct channel *scene_next_channel(const struct scene *scene, struct channel_place *place);
 
-/* Returns the duration of the longest playing clip and of all metaballs, seconds. 0: nothing moves.
- */
+/* Returns the duration of the longest playing clip and of all metaballs, seconds. 0: nothing
+ * moves. */
 double scene_duration(const struct scene *scene);
 
 void clip_free(struct clip *clip);

@@ -17,8 +17,8 @@ struct choice_list {
     bool is_chosen; /* chosen by the user */
 };
 
-/* Selects the item that `text` names. Error: no item has this name; lists the names after `noun`.
- */
+/* Selects the item that `text` names. Error: no item has this name; lists the names after
+ * `noun`. */
 bool choice_set(struct choice_list *list, const char *noun, const char *text);
 
 /* Writes the choice in the form of choice_set; "": the default. */

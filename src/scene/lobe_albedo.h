@@ -15,8 +15,8 @@ float lobe_albedo(float f0, float f90, float alpha, float cosine);
 /* Returns the albedo's mean over uniform light. */
 float lobe_mean_albedo(float f0, float f90, float roughness);
 
-/* Writes the table of lib/lobe_albedo.glsl: lobe of reflectance 1; lobe of (1 - v.h)^5. 65535 is 1.
- */
+/* Writes the table of lib/lobe_albedo.glsl: lobe of reflectance 1; lobe of (1 - v.h)^5. 65535 is
+ * 1. */
 void lobe_albedo_texels(uint16_t texels[BRDF_ALBEDO_SIZE * BRDF_ALBEDO_SIZE][2]);
 
 #endif

@@ -191,8 +191,8 @@ struct contribution many_lights_contribution(const void *state);
     .render_lights = render_lights, .follows_camera = many_lights_follow_camera,                   \
     .render_view = render_view, .contribution = many_lights_contribution, .outputs = outputs
 
-/* Implements technique->outputs. `vpls` are the VPLs to show, with the additions of the technique.
- */
+/* Implements technique->outputs. `vpls` are the VPLs to show, with the additions of the
+ * technique. */
 void many_lights_outputs(const struct many_lights *lights, const struct vpl_buffer *vpls,
                          struct output_list *outputs);
 

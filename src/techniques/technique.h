@@ -59,9 +59,9 @@ struct technique {
     /* Follows moved geometry; may allocate. NULL: the technique has no copy. Error: out of GPU
      * memory; the technique must then be freed. */
     bool (*update)(void *state, const struct geometry *geometry);
-    /* Neither may fail, allocate or compile. render_lights draws camera-independent parts, once for
-     * any number of views (NULL: none). render_view draws the parts of one camera and its G-buffer.
-     */
+    /* Neither may fail, allocate or compile. render_lights draws camera-independent parts, once
+     * for any number of views (NULL: none). render_view draws the parts of one camera and its
+     * G-buffer. */
     void (*render_lights)(void *state, const struct frame *frame);
     /* True if render_lights depends on the camera's G-buffer and must run for each view; NULL: it
      * does not. */

@@ -41,8 +41,8 @@ void vpl_maps_render_vpls(struct vpl_maps *maps, struct many_lights *lights,
 void vpl_maps_render_lights(struct vpl_maps *maps, struct many_lights *lights,
                             const struct frame *frame);
 
-/* Renders the next batch, for VPLs from `first` on. Returns the number of maps; 0 after the last.
- */
+/* Renders the next batch, for VPLs from `first` on. Returns the number of maps; 0 after the
+ * last. */
 int vpl_maps_render_batch(struct vpl_maps *maps, const struct frame *frame,
                           const struct vpl_buffer *vpls, int first);
 

@@ -49,8 +49,8 @@ struct glass_inputs {
     const struct smooth_surfaces *surfaces;
     const struct caster_bvh *tree;
     const struct environment *sky; /* required with desc.sky */
-    /* RGBA32F target; pixels of smooth surfaces get radiance, and 1 + its indirect fraction in A.
-     */
+    /* RGBA32F target; pixels of smooth surfaces get radiance, and 1 + its indirect fraction in
+     * A. */
     GLuint framebuffer;
 };
 

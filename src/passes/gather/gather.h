@@ -58,8 +58,8 @@ void gather_pass_clear(const struct gather_pass *pass);
 struct gather_inputs {
     const struct vpl_buffer *vpls;
     int first, count; /* range of VPLs; count 0: all */
-    /* VPLs of later bounces: without near field, and bounded as patches unless they are rectangles.
-     */
+    /* VPLs of later bounces: without near field, and bounded as patches unless they are
+     * rectangles. */
     bool later;
     const struct texture *kept;      /* fraction of light that patches retain, one texel a pixel */
     const struct buffer *rectangles; /* rectangles of the lights, for GATHER_CLAMP_RECTANGLE */

@@ -1,9 +1,9 @@
 /* Makes area lights of VPL clusters [Prutkin 2012 §5], from the clusters' sums on the GPU.
  *
- * A second scatter of the VPLs sums second moments. Light j then replaces all VPLs of cluster j. It
- * has their mean position and normal and the sum of their fluxes. Its shape is the rectangle with
- * their moments, or a disk of that area. The paper leaves the computation of "spatial extent" open.
- */
+ * A second scatter of the VPLs sums second moments. Light j then replaces all VPLs of cluster j.
+ * It has their mean position and normal and the sum of their fluxes. Its shape is the rectangle
+ * with their moments, or a disk of that area. The paper leaves the computation of "spatial extent"
+ * open. */
 #ifndef PASSES_CLUSTER_LIGHT_H
 #define PASSES_CLUSTER_LIGHT_H
 

@@ -8,8 +8,8 @@
  * density, so its light is unbiased. A map of later bounces counts a candidate where its path ends
  * and leaves half of the starts to flux.
  *
- * The map depends on the camera and on nothing drawn before. Cost: 8192 rays, 0.5 M geometry terms.
- */
+ * The map depends on the camera and on nothing drawn before. Cost: 8192 rays, 0.5 M geometry
+ * terms. */
 #ifndef PASSES_IMPORTANCE_MAP_H
 #define PASSES_IMPORTANCE_MAP_H
 

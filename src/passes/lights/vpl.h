@@ -1,7 +1,7 @@
 /* Makes virtual point lights by transform feedback [Dong 2009 §4, §6].
  *
  * Each VPL reads the RSM at a Halton point in its light's domain: a spot's cone, a point light's
- * sphere or a directional light's rectangle. Points are uniform in solid angle, Omega / n a sample.
+ * sphere or a directional light's rectangle. Points of cone and sphere are uniform in solid angle.
  * The papers map a square over the cone and waste 21 %. Reflected flux: Phi_i = albedo_i I(w_i)
  * Omega / n, W. A sample without a hit has flux 0.
  *

@@ -1,5 +1,5 @@
-/* Sums the direct light of all lights by their depth maps: the common part of the direct methods.
- */
+/* Sums the direct light of all lights by their depth maps: the common part of the direct
+ * methods. */
 #ifndef PASSES_DIRECT_LIGHT_H
 #define PASSES_DIRECT_LIGHT_H
 

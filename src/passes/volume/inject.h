@@ -21,8 +21,8 @@ bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, boo
                       bool slides);
 void inject_pass_free(struct inject_pass *pass);
 
-/* Draws the points. `shadow_maps` are the maps of the frame's lights; NULL for visibility volumes.
- */
+/* Draws the points. `shadow_maps` are the maps of the frame's lights; NULL for visibility
+ * volumes. */
 void inject_pass_render(const struct inject_pass *pass, const struct frame *frame,
                         const struct volume *volume, const struct buffer *params,
                         const struct volume_points *points, const struct texture *shadow_maps);

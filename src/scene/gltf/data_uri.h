@@ -11,8 +11,8 @@ bool data_uri_is(const char *uri);
  * invalid base64 digit; `bytes` is then zeroed. */
 bool data_uri_decode(struct file_bytes *bytes, const char *uri);
 
-/* Replaces each %XX by its byte, in place. Returns the new length; the text stays null-terminated.
- */
+/* Replaces each %XX by its byte, in place. Returns the new length; the text stays
+ * null-terminated. */
 size_t uri_unescape(char *uri);
 
 #endif

@@ -1,8 +1,8 @@
 /* Emitters: lights of the scene placed in the world, and their radiometry.
  *
  * KHR_lights_punctual: candela is read as W/sr, lux as W/m2. A spot falls off as
- * clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2. An area light has constant
- * radiance on its front, so its intensity falls off as the cosine.
+ * clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2. An area light has
+ * constant radiance on its front, so its intensity falls off as the cosine.
  *
  * A light with a size equals many points spread uniformly over its shape (emitter_piece). From afar
  * it equals one point at its centre. Points of a sphere or rectangle emit like area lights and

@@ -12,8 +12,8 @@ struct bvh_hit {
 };
 
 /* Returns the nearest triangle, opaque or not, from either side. It gives up after BVH_RAY_TESTS
- * triangle tests, for files with thousands of triangles in one place. The tree must not be empty.
- */
+ * triangle tests, for files with thousands of triangles in one place. The tree must not be
+ * empty. */
 enum { BVH_RAY_TESTS = 2048 };
 struct bvh_hit bvh_ray_trace(const struct bvh *tree, vec3s origin, vec3s direction);
 

@@ -36,8 +36,8 @@ struct caster {
     int batch_count;
 };
 
-/* Default error, and number of long triangles, of maps. Direct and indirect light share one caster.
- */
+/* Default error, and number of long triangles, of maps. Direct and indirect light share one
+ * caster. */
 #define CASTER_ERROR .00055
 enum { CASTER_LONG_COUNT = 500 };
 

@@ -9,8 +9,8 @@ enum primitive_mode { PRIMITIVE_TRIANGLES = 4, PRIMITIVE_STRIP = 5, PRIMITIVE_FA
 /* Error: a position that is not finite, or an index out of range. */
 bool primitive_check(const struct primitive *primitive);
 
-/* Converts a strip or fan to single triangles. Error: an index count that makes no whole triangles.
- */
+/* Converts a strip or fan to single triangles. Error: an index count that makes no whole
+ * triangles. */
 bool primitive_unroll(struct primitive *primitive, enum primitive_mode mode);
 
 /* Gives each triangle its own vertices with the triangle's normal. */

@@ -21,8 +21,8 @@ struct metaballs {
     float period;          /* seconds */
 };
 
-/* True if the numbers are finite, within their bounds, and give at most METABALLS_MAX_CELLS cubes.
- */
+/* True if the numbers are finite, within their bounds, and give at most METABALLS_MAX_CELLS
+ * cubes. */
 bool metaballs_are_sound(const struct metaballs *balls);
 
 /* Appends the surface at a time, seconds. */

@@ -1,6 +1,6 @@
 /* Closes holes between the points of imperfect shadow maps by pull-push [Ritschel et al. 2008;
- * Marroquim et al. 2007]. Coarser maps average the covered texels; finer maps take holes from them.
- */
+ * Marroquim et al. 2007]. Coarser maps average the covered texels; finer maps take holes from
+ * them. */
 #ifndef TECHNIQUES_FILL_H
 #define TECHNIQUES_FILL_H
 

@@ -1,5 +1,5 @@
-/* Lights surface elements: direct light by rays, then bounces along the links [Dong 2011 §4.3.3].
- */
+/* Lights surface elements: direct light by rays, then bounces along the links [Dong 2011
+ * §4.3.3]. */
 #ifndef TECHNIQUES_IMPLICIT_VISIBILITY_LIGHT_H
 #define TECHNIQUES_IMPLICIT_VISIBILITY_LIGHT_H
 

@@ -9,15 +9,15 @@ enum { TREE_CHILDREN = 4 };
 
 struct tree_node {
     float position[3], area; /* area-weighted mean, metres; sum, m2 */
-    /* Area-weighted mean, shorter than 1 if normals differ; radius of all elements below, metres. */
+    /* Area-weighted mean, shorter than 1 if normals differ; radius of all leaves below, metres. */
     float normal[3], radius;
     uint32_t children[TREE_CHILDREN]; /* numbers below the node's own; TREE_NONE: unused */
 };
 
 #define TREE_NONE UINT32_MAX
 
-/* Leaves come first, in the order of the elements. Children come before parents; the root is last.
- */
+/* Leaves come first, in the order of the elements. Children come before parents; the root is
+ * last. */
 struct tree {
     struct tree_node *nodes;
     int leaf_count, count;
