@@ -13,7 +13,7 @@ struct alias {
 /* Builds the table. Weights must be finite, not negative and not all 0. */
 void alias_init(struct alias *alias, const double *weights, int count);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void alias_free(struct alias *alias);
 
 /* Returns an item for a number in [0, 1). It replaces the number by an independent one in [0, 1),

@@ -3,12 +3,12 @@
  * f = albedo/pi T + nu D (f0 + (f90 - f0) w). D is the GGX distribution, nu = G / (4 n.l n.v) the
  * height-correlated Smith visibility, w = (1 - v.h)^5. The diffuse part has the light that the lobe
  * leaves [Kulla and Conty 2017]: base/pi (1 - E(v)) (1 - E(l)) / (1 - <E>). E is the lobe's
- * directional albedo (scene/lobe_albedo.h), <E> its mean. It deviates from glTF's mix, base/pi (1 -
- * F(v.h)), which has up to 1.35 of its light. It is reciprocal, and a white dielectric reflects all
- * light. albedo is base (1 - E(v)); T is (1 - E(l)) / (1 - <E>), 1 on average. Metals have no
- * diffuse part and lose multiple scattering, at most .6. Directions are unit and point away from
- * the surface: v to the viewer, l to the light; n is the shading normal. Grazing and hidden views
- * count as BRDF_LEAST_COSINE. */
+ * directional albedo (scene/lobe_albedo.h), <E> its mean. It deviates from glTF's mix,
+ * base/pi (1 - F(v.h)), which has up to 1.35 of its light. It is reciprocal, and a white dielectric
+ * reflects all light. albedo is base (1 - E(v)); T is (1 - E(l)) / (1 - <E>), 1 on average. Metals
+ * have no diffuse part and lose multiple scattering, at most .6. Directions are unit and point away
+ * from the surface: v to the viewer, l to the light; n is the shading normal. Grazing and hidden
+ * views count as BRDF_LEAST_COSINE. */
 #ifndef REFERENCE_BRDF_H
 #define REFERENCE_BRDF_H
 

@@ -26,7 +26,7 @@ struct light_film {
 /* Error: memory. */
 bool light_film_init(struct light_film *film, int width, int height);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void light_film_free(struct light_film *film);
 
 void light_film_add(struct light_film *film, const struct light_deposit *deposit);

@@ -10,7 +10,7 @@ struct light_aim {
     float radius; /* metres; infinite: rays go wherever the light shines */
 };
 
-/* Returns a ball around all glass and mirrors. */
+/* Returns a ball around all glass and mirrors; infinite if there are none. */
 struct light_aim light_aim_of(const struct hit_table *table);
 
 struct light_ray {

@@ -39,7 +39,7 @@ struct light_vertices light_vertices_trace(const struct emission *emission,
                                            const struct ray_scene *rays, uint32_t seed,
                                            int threads);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void light_vertices_free(struct light_vertices *vertices);
 
 #endif

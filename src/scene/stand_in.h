@@ -18,7 +18,7 @@ struct stand_in {
 void stand_in_init(struct stand_in *stand_in, const struct scene *scene,
                    const struct geometry *geometry);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void stand_in_free(struct stand_in *stand_in);
 
 #endif

@@ -24,7 +24,7 @@ struct surface_hit {
 /* Builds the tree. The geometry must have a triangle. */
 void surface_rays_init(struct surface_rays *rays, const struct scene *scene,
                        const struct geometry *geometry);
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void surface_rays_free(struct surface_rays *rays);
 
 /* Finds the nearest visible front, or either side of a double-sided material. False: none. */

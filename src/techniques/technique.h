@@ -20,7 +20,7 @@ struct technique_desc {
     int width, height;
     const struct light_layout *lights;
     bool specular; /* some materials are specular: the G-buffer has a specular target */
-    bool medium;   /* frames have a medium, which absorbs light */
+    bool medium;   /* frames have a medium, which attenuates light */
 };
 
 /* A named choice of settings. */

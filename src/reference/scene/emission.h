@@ -53,7 +53,7 @@ struct arrival {
 void emission_init(struct emission *emission, const struct emitters *emitters,
                    const struct geometry *geometry, const struct hit_table *table, int ray_count);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void emission_free(struct emission *emission);
 
 /* True if the n-th light has more than one place. */

@@ -55,7 +55,7 @@ void hit_table_init(struct hit_table *table, const struct scene *scene,
  * Both sides of glass are visible. False: the scene has neither, or all surfaces are Lambertian. */
 bool hit_table_find_smooth(struct hit_table *table);
 
-/* Accepts zeroed tables. */
+/* Accepts a zeroed object. */
 void hit_table_free(struct hit_table *table);
 
 /* Computes the surface for a ray in `ray_direction`. */

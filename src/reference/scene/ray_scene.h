@@ -1,4 +1,4 @@
-/* Traces rays against the scene's triangles. Only this file uses Embree.
+/* Traces rays against the scene's triangles. Only ray_scene.c and embree.h use Embree.
  *
  * Holes of alpha masks pass every ray; other surfaces block from both sides. Only the camera does
  * not see backs of single-sided triangles. Panes pass light straight: shadow rays multiply by their

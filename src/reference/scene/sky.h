@@ -16,7 +16,7 @@ struct sky {
 /* Builds the tables. False: the environment is black. */
 bool sky_init(struct sky *sky, const struct environment *environment);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void sky_free(struct sky *sky);
 
 /* Returns a directional light for two numbers in [0, 1); its mean is the whole environment.

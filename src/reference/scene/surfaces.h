@@ -27,7 +27,7 @@ struct surfaces {
 void surfaces_init(struct surfaces *surfaces, const struct hit_table *table,
                    const struct emitters *emitters);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void surfaces_free(struct surfaces *surfaces);
 
 /* Returns an area light for two numbers in [0, 1); its mean is the whole list. density: of its

@@ -14,17 +14,17 @@ struct scene_gpu {
     struct buffer positions, normals, uvs[MAPPINGS_MAX], colors, indices, materials;
     struct texture *textures;
     int texture_count;
-    float (*glow)[3]; /* emission of each material, as in its block */
-    bool smooth_black;
-    struct texture blank;               /* smooth materials scatter no light */
-    struct texture lobes, lobe_albedos; /* for textures that a material lacks */
-    struct texture slides;              /* scene/gpu/lobes.h, if some material is not plain */
-    struct texture sky;        /* RGBA16F, one layer each, in its upper left corner; or none */
-    GLuint shaded_vertices;    /* RGB32F, texels of the scene's environment; or none */
-    const struct scene *scene; /* vertex array of all buffers except the last two */
+    float (*glow)[3];                   /* emission of each material, as in its block */
+    bool smooth_black;                  /* smooth materials scatter no light */
+    struct texture blank;               /* for textures that a material lacks */
+    struct texture lobes, lobe_albedos; /* scene/gpu/lobes.h, if some material is not plain */
+    struct texture slides;     /* RGBA16F, one layer each, in its upper left corner; or none */
+    struct texture sky;        /* RGB32F, texels of the scene's environment; or none */
+    GLuint shaded_vertices;    /* vertex array of all buffers except the last two */
+    const struct scene *scene; /* must outlive the copy */
     struct geometry_batch *batches;
     int batch_count;
-    bool has_masked; /* must outlive the copy */
+    bool has_masked; /* batches with an alpha mask exist */
     uint32_t opaque_indices;
     struct culling culling;
     struct caster_bvh panes;

@@ -5,8 +5,8 @@
  * constant radiance on its front, so its intensity falls off as the cosine.
  *
  * A light with a size equals many points spread uniformly over its shape (emitter_piece). From afar
- * it equals one point at its centre. Points of a sphere or rectangle emit like area lights and
- * spots; a sun's points are directions of a cap. */
+ * it equals one point at its centre. Points of a sphere are area lights, points of a sun are
+ * directions of a cap, other points keep the light's type. */
 #ifndef SCENE_LIGHTS_EMITTER_H
 #define SCENE_LIGHTS_EMITTER_H
 
@@ -50,7 +50,7 @@ struct emitters {
 struct emitters emitters_copy(const struct emitters *emitters);
 bool emitters_same(const struct emitters *a, const struct emitters *b);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void emitters_free(struct emitters *emitters);
 
 /* Returns a new light: at the origin, downwards, 1 W/sr (1 W/m2), without a size. A spot's cone

@@ -23,7 +23,7 @@ enum { LAMP_LOOKS = 1 << 24 };
 void lamp_triangles_add(struct lamp_triangles *triangles, const struct scene *scene,
                         const struct primitive *primitive, const float world[16]);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void lamp_triangles_free(struct lamp_triangles *triangles);
 
 /* Returns the sum of area x (R + G + B), W/sr. */

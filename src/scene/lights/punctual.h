@@ -5,9 +5,9 @@
 
 #include "scene/scene.h"
 
-/* Multiplies the intensity of these lights, also animated, by the file's extras and by scale (0:
- * 1). It logs a note without either factor if Blender 3 wrote both kinds of light. Error: a scale
- * without these lights. */
+/* Multiplies the intensity of these lights, also animated, by the file's extras and by scale
+ * (0 is 1). It logs a note without either factor if Blender 3 wrote both kinds of light. Error: a
+ * scale without these lights. */
 bool punctual_follow(struct scene *scene, float scale);
 
 #endif

@@ -26,7 +26,7 @@ struct stackless_bvh_desc {
 void stackless_bvh_init(struct stackless_bvh *stackless, const struct bvh *tree,
                         const struct stackless_bvh_desc *desc);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void stackless_bvh_free(struct stackless_bvh *stackless);
 
 #endif
