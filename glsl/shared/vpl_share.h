@@ -5,7 +5,7 @@
 #include "shared/light.h"
 
 struct vpl_share {
-    /* What one VPL represents: solid angle, sr; of a directional light area, m2. */
+    /* Measure of one VPL: solid angle, sr; of a directional light area, m2. */
     float measure;
     float reach; /* reach of the near field, in spacings of VPLs */
     float unused0, unused1;

@@ -28,7 +28,7 @@ struct frame {
     const struct light_group *groups;      /* layout.groups light groups; NULL for direct light */
     /* Directions of an environment's light samples (shared/sky.h). */
     const struct texture *sky_pieces;
-    /* Bounds and radius of the scene; culls views of other lights. */
+    /* Bounds and radius of the scene, for views of other lights. */
     const struct geometry *geometry;
     /* Camera pixels: sample assignment (passes/picture/antialias.h) and edge samples
      * (lib/edge_sample.glsl). */

@@ -15,7 +15,7 @@
 /* Most interfaces of a chain. */
 enum { SMOOTH_MOST = 32 };
 
-/* Returns the reflectance of an interface by the cosine of the angle of incidence. 1: total
+/* Returns the reflectance of an interface by the cosine of the angle of incidence; 1 is total
  * reflection. from_to: index of refraction on the incoming side over that on the other side. */
 float smooth_reflectance(float cosine, float from_to);
 

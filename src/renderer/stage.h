@@ -13,7 +13,7 @@ struct stage_desc {
     const struct file_bytes
         *bytes; /* contents in place of the file, as in scene_load_bytes; NULL: reads the file */
     struct scene_choice choice;
-    /* As in scene/placing.h; NULL: the first camera, all lights. They must outlive the stage. */
+    /* Texts of scene/placing.h; NULL: the first camera, all lights. They must outlive the stage. */
     const char *camera, *light;
     const char *clip; /* as in scene/clips.h; NULL: the default */
     struct environment_desc environment;

@@ -26,7 +26,7 @@ struct vpl_maps {
 
 bool vpl_maps_init(struct vpl_maps *maps, const struct vpl_maps_desc *desc);
 
-/* Prepares maps of every triangle, `batch` at once, as a baseline. `paraboloid` is the caller's, who
+/* Prepares maps of every triangle, `batch` at once, as a baseline. The caller owns `paraboloid` and
  * frees it, also after an error. */
 bool vpl_maps_init_true(struct vpl_maps *maps, struct paraboloid_pass *paraboloid,
                         const struct technique_desc *desc, int batch);

@@ -48,8 +48,7 @@ void scene_gpu_free(struct scene_gpu *gpu);
 void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, bool unlit_too,
                         float scale);
 
-/* Sets whether smooth materials (material_smooth_kind) scatter no light, because caustics carry
- * it. */
+/* black: smooth materials (material_smooth_kind) scatter no light, because caustics carry it. */
 void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black);
 
 /* Draw the batches that the views may see, with shaded_vertices bound. In order: all; masked;

@@ -95,8 +95,8 @@ float emitter_cone(const struct emitter *emitter, float cos_angle);
  * KHR_lights_punctual recommends; 1 without a range. distance: metres. */
 float emitter_in_range(const struct emitter *emitter, float distance);
 
-/* Returns the light's solid angle, sr: 2 pi (1 - cos outer) for a spot, 4 pi for a point, 2 pi for
- * an area light, 0 for a directional light. */
+/* Returns the light's solid angle, sr. Spot: 2 pi (1 - cos outer); point: 4 pi; area light: 2 pi;
+ * directional light: 0. */
 double emitter_solid_angle(const struct emitter *emitter);
 
 /* Returns the light's flux, mean of RGB, W, without its range. A directional light counts through

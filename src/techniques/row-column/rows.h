@@ -29,7 +29,7 @@ struct rows_pass {
 bool rows_pass_init(struct rows_pass *pass, const struct rows_desc *desc);
 void rows_pass_free(struct rows_pass *pass);
 
-/* Picks one random pixel in each cell of a grid, into pass->pixels. Timer "rows". */
+/* Samples one random pixel in each cell of a grid, into pass->pixels. Timer "rows". */
 void rows_pass_pick(struct rows_pass *pass, const struct frame *frame,
                     const struct gbuffer *gbuffer, uint32_t seed);
 
