@@ -21,8 +21,8 @@ struct basis_pass {
     struct buffer params[4]; /* one a group */
 };
 
-/* The Fourier series of a step at 0, 1/2 + 2 sum_k sin(c_k t) / c_k [Dong 2011 §5.2]. `zero` is its
- * last root before the step, `full` its minimum after the peak. It is almost linear in between. */
+/* The Fourier series of a step at 0, 1/2 + 2 sum_k sin(c_k t) / c_k [Dong 2011 §5.2]. `zero` is
+ * its last root before the step, `full` its minimum after the peak; between it is almost linear. */
 struct series_step {
     double zero, full;
 };
