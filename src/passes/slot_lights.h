@@ -13,7 +13,7 @@ struct slot_lights {
 void slot_lights_init(struct slot_lights *lights, const struct light_layout *layout);
 void slot_lights_free(struct slot_lights *lights);
 
-/* Allocates the frame's lights to `slots` slots by flux; returns the lights of each slot. */
+/* Allocates the frame's lights to `slots` slots by flux. Returns the number of lights a slot. */
 int slot_lights_allocate(const struct slot_lights *lights, const struct frame *frame, int slots);
 
 /* Sets lights first to first + count - 1 of the slot as uniforms LOCATION_SLOT_LIGHT_COUNT and

@@ -8,7 +8,7 @@
  * smooth metal stay noisy. A medium attenuates all segments; the layer airlight has single
  * scattering (reference/airlight.h). Without `smooth` glass and mirrors are opaque specular
  * surfaces. Shading normals have no terminator correction. A surface reflects only between
- * directions on one side of its triangle. Cost: pixels x samples x paths x bounces rays, twice with
+ * directions on one side of its triangle. Cost: pixels x samples x paths x bounces rays, plus
  * shadow rays. */
 #ifndef REFERENCE_PATH_TRACER_H
 #define REFERENCE_PATH_TRACER_H

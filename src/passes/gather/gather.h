@@ -25,8 +25,7 @@ struct gather_desc {
     int together;
     /* RECEIVERS_...; RECEIVERS_ADAPTIVE: pixels of lists with pattern `interleave`. */
     int receivers;
-    /* Slots of the pattern that one entry of each list gathers, along each side. 0: the list does
-     * not gather. */
+    /* Number of adjacent slots that one entry of each list gathers. 0: the list does not gather. */
     int list_slots[LIST_KINDS];
     struct visibility_desc visibility;
     int clamp;         /* GATHER_CLAMP_... */
