@@ -1,4 +1,4 @@
-/* passes/picture/antialias.h to its shaders. */
+/* Parameters of passes/picture/antialias.h. */
 #ifndef SHARED_ANTIALIAS_H
 #define SHARED_ANTIALIAS_H
 
@@ -8,11 +8,11 @@
 #define UNIT_SAMPLE_NORMAL (UNIT_OWN + 1)
 
 #define SAMPLES_MAX 16
-#define SAMPLES_PER_LAYER_MIN 4 /* which every driver has */
+#define SAMPLES_PER_LAYER_MIN 4 /* every driver has 4 */
 
-/* Of arrays a row has 16 bytes whatever it holds: x and y of it count. */
+/* A row of an array has 16 bytes; only x and y are used. */
 struct antialias_params {
-    vec4 places[SAMPLES_MAX]; /* of the sample from the pixel's centre, pixels */
+    vec4 places[SAMPLES_MAX]; /* offset of the sample from the pixel's centre, pixels */
     vec4 shifts[SAMPLES_MAX / SAMPLES_PER_LAYER_MIN]; /* of each layer, in clip space */
 };
 PASS_BLOCK(antialias_params, 320)

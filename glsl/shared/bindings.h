@@ -1,11 +1,12 @@
-/* Where C and GLSL meet: the numbers of uniform blocks, texture units, attributes, targets and uniforms. */
+/* Binding numbers that C and GLSL share: uniform blocks, texture units, attributes, targets,
+ * uniforms. */
 #ifndef SHARED_BINDINGS_H
 #define SHARED_BINDINGS_H
 
-/* Uniform blocks. GL promises 84. */
+/* Uniform blocks. OpenGL guarantees 84. */
 #define BLOCK_VIEW 0
 #define BLOCK_LIGHTS 1
-#define BLOCK_PASS 2 /* the parameters of the pass */
+#define BLOCK_PASS 2 /* parameters of the pass */
 #define BLOCK_MATERIAL 3
 #define BLOCK_MAPS 4
 #define BLOCK_VPLS 5
@@ -17,14 +18,14 @@
 #define BLOCK_LIGHT_RECTANGLES 11
 #define BLOCK_MEDIUM 12
 
-/* Storages and images, which shaders write. GL promises 8 each to compute shaders. A screen pass that is dispatched
- * stores to its targets from IMAGE_SCREEN_TARGETS on, at most five, and may have the images before (gl/screen.h); only
- * other compute shaders have those after. */
+/* Storage blocks and images, which shaders write. OpenGL guarantees 8 of each to compute shaders. A
+ * dispatched screen pass stores to at most five targets from IMAGE_SCREEN_TARGETS on, and may use
+ * the images before (gl/screen.h). Only other compute shaders use the images after. */
 #define STORAGE_LIST_COUNTS 0
 #define STORAGE_SERIES_RANGES 1
 #define STORAGE_TREE_KEYS 2
-#define STORAGE_SCREEN_ROWS 3  /* of screen passes that are dispatched */
-#define STORAGE_SCREEN_QUEUE 4 /* likewise */
+#define STORAGE_SCREEN_ROWS 3  /* of dispatched screen passes */
+#define STORAGE_SCREEN_QUEUE 4 /* of dispatched screen passes */
 #define STORAGE_ELEMENT_CELLS 5
 #define STORAGE_ELEMENTS 6
 #define STORAGE_ELEMENT_LINKS 7
@@ -37,10 +38,11 @@
 #define IMAGE_TREE_NODES 6
 #define IMAGE_CUTS 7
 
-/* Texture units. GL promises 96, and 16 samplers to a stage. What several passes sample has a number of its own here.
- * What one pass alone samples is numbered from UNIT_OWN on in that pass's header, shared/PASS.h: the passes share these
- * numbers, for a program includes own units of one header. An array takes a number for each element. test/shaders/check
- * and debug contexts (gl/context/samplers.c) check that no two samplers of a program share a unit. */
+/* Texture units. OpenGL guarantees 96, and 16 samplers a stage. Textures of several passes have a
+ * number here. Those of one pass are numbered from UNIT_OWN on in shared/PASS.h; passes share these
+ * numbers, because a program includes own units of one header. An array takes a number for each
+ * element. test/shaders/check and debug contexts (gl/context/samplers.c) check that no two samplers
+ * of a program share a unit. */
 #define UNIT_BASE_COLOR 1 /* of a material, with the next three */
 #define UNIT_EMISSION 2
 #define UNIT_METAL_ROUGHNESS 3
@@ -50,7 +52,7 @@
 #define UNIT_GBUFFER_ALBEDO 7
 #define UNIT_GBUFFER_EMISSION 8
 #define UNIT_GBUFFER_SPECULAR 9
-#define UNIT_RSM_DEPTH 10 /* LIGHT_MAP_KINDS of each: shared/light.h */
+#define UNIT_RSM_DEPTH 10 /* LIGHT_MAP_KINDS of each (shared/light.h) */
 #define UNIT_RSM_NORMAL 12
 #define UNIT_RSM_ALBEDO 14
 #define UNIT_LOBES 16
@@ -88,11 +90,11 @@
 #define UNIT_LOBE_ALBEDOS 49
 #define UNIT_TRIANGLE_ALBEDOS 50
 #define UNIT_PANES 51
-#define UNIT_SKY_PIECES 52 /* shared/sky.h */
-#define UNIT_RSM_SPECULAR 53 /* as UNIT_RSM_DEPTH */
+#define UNIT_SKY_PIECES 52   /* shared/sky.h */
+#define UNIT_RSM_SPECULAR 53 /* LIGHT_MAP_KINDS of them */
 #define UNIT_OWN 64
 
-/* Attributes of the scene's vertices. UV is of a material's first mapping, the others of the further ones. */
+/* Attributes of the scene's vertices. UV is the first mapping of a material, the others follow. */
 #define ATTRIBUTE_POSITION 0
 #define ATTRIBUTE_NORMAL 1
 #define ATTRIBUTE_UV 2
@@ -101,14 +103,14 @@
 #define ATTRIBUTE_UV_2 5
 #define ATTRIBUTE_UV_3 6
 
-/* Attributes of VPLs drawn as points, in the order of struct vpl; and of what they are made of. */
+/* Attributes of VPLs drawn as points, in the order of struct vpl; and of their sample points. */
 #define ATTRIBUTE_VPL_POSITION 0
 #define ATTRIBUTE_VPL_NORMAL 1
 #define ATTRIBUTE_VPL_FLUX 2
 #define ATTRIBUTE_VPL_POINT 0
 #define ATTRIBUTE_ROW_PLACE 0
 
-/* Targets: the one of most shaders, and those of shaders that write several. */
+/* Targets: that of most shaders, and those of shaders with several. */
 #define TARGET_RESULT 0
 #define TARGET_GBUFFER_NORMAL 0
 #define TARGET_GBUFFER_ALBEDO 1
@@ -128,8 +130,8 @@
 #define TARGET_BOUNCE_FLUX 2
 #define TARGET_BOUNCE_NEXT 3
 
-/* Uniforms, which change from draw to draw: all else is in blocks. */
-#define LOCATION_SLOT 0 /* of an interleaving pattern */
+/* Uniforms that change between draws; all others are in blocks. */
+#define LOCATION_SLOT 0 /* slot of an interleaving pattern */
 #define LOCATION_SLOT_WEIGHT 1
 #define LOCATION_FIRST_MAP 2
 #define LOCATION_FIRST_LAYER 3
@@ -142,7 +144,7 @@
 #define LOCATION_OF_PANES 10
 #define LOCATION_NEAR_SHIFT 10
 #define LOCATION_CAMERA_RANGE 11
-#define LOCATION_SCREEN_AREA 12 /* of screen passes that are dispatched */
+#define LOCATION_SCREEN_AREA 12 /* of dispatched screen passes */
 #define LOCATION_SCREEN_ADDS 14
 #define LOCATION_SCREEN_ROW 15
 #define LOCATION_SKY_LAYERS 13  /* first and count */

@@ -1,4 +1,4 @@
-/* passes/lights/bounce.h to its shaders. */
+/* Parameters of passes/lights/bounce.h. */
 #ifndef SHARED_BOUNCE_H
 #define SHARED_BOUNCE_H
 
@@ -10,33 +10,33 @@
 #define UNIT_PATH_NEXT (UNIT_OWN + 3)
 #define UNIT_PATH_AREAS (UNIT_OWN + 4)
 #define UNIT_PATH_NUMBERS (UNIT_OWN + 5)
-#define UNIT_PATH_RESULTS (UNIT_OWN + 6) /* what the pass before has of each path */
+#define UNIT_PATH_RESULTS (UNIT_OWN + 6) /* results of the previous pass, one texel a path */
 
-/* So many paths share their light out to each VPL: path (i, 0) leaves VPL i, and those of the other rows only light. Textures
- * of paths have a row for each. */
+/* Paths that share their light with each VPL, and rows of path textures. Path (i, 0) leaves VPL i;
+ * paths of other rows leave only light. */
 #define BOUNCE_ROWS 4
 
-/* A path that starts by importance tries so many walks, and leaves their light at one place. */
+/* Walks that a path by importance tries; it leaves their light at one place. */
 #define BOUNCE_TRIES 4
 
-/* So many VPLs share out the light of their paths among them: a multiple of what pixels take at once. */
+/* VPLs in a pool that share the light of their paths: a multiple of the VPLs of a pixel. */
 #define BOUNCE_POOL 512
 
-/* A path's numbers: which VPL it begins at and where it leaves its light, and then the directions of its first
- * WALK_SURE rays. */
+/* A path's numbers: choice of its VPL and of its end, then the directions of its first WALK_SURE
+ * rays. */
 #define BOUNCE_NUMBER_CHOICE 0
 #define BOUNCE_NUMBER_RAYS 1
 
-/* How much room a VPL has is told by so many runs of those beside it, of at most so many in all. */
+/* Runs of neighbouring VPLs from which a VPL's area is estimated, and most VPLs in all runs. */
 #define BOUNCE_RUNS 8
 #define BOUNCE_PARTNERS 2048
 
 struct bounce_params {
-    int vpls, later; /* of the first bounce; those that paths leave */
+    int vpls, later; /* VPLs of the first bounce; VPLs that paths leave */
     int bounces;
-    float start;  /* above a VPL of the light's own map, metres */
-    float radius; /* of the scene */
-    int tries; /* walks of a path, at most BOUNCE_TRIES */
+    float start;  /* offset above a VPL of the light's RSM, metres */
+    float radius; /* scene radius, metres */
+    int tries;    /* walks of a path, at most BOUNCE_TRIES */
     float unused0, unused1;
 };
 PASS_BLOCK(bounce_params, 32)

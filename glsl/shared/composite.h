@@ -1,4 +1,4 @@
-/* passes/picture/composite.h to its shaders. */
+/* Parameters of passes/picture/composite.h. */
 #ifndef SHARED_COMPOSITE_H
 #define SHARED_COMPOSITE_H
 
@@ -14,24 +14,24 @@
 #define UNIT_LAYER_SUMS (UNIT_OWN + 7) /* LAYERS of them */
 
 struct composite_params {
-    int layer;      /* what to write, LAYER_... */
-    int samples;    /* of a pixel */
+    int layer;      /* layer to write, LAYER_... */
+    int samples;    /* samples of a pixel */
     float indirect; /* radiance of a white surface per stored irradiance */
     float scale;    /* radiance per stored radiance */
     float exposure; /* factor */
-    BOOL filmic;    /* tone map; else values are clamped */
-    float
-        weight; /* of the pass, where its layer is added to a sum; of a sum; 0: a layer as it is */
-    float sky_strength; /* factor of its texels; 0: it is not seen */
+    BOOL filmic;    /* filmic tone map; else values are clamped */
+    /* Weight of a pass when added to a sum, or of the sum. 0: the layer is written as it is. */
+    float weight;
+    float sky_strength; /* factor of the environment's texels; 0: invisible */
     float sky_turn;     /* radians */
     int background;     /* BACKGROUND_... */
     float unused0, unused1;
-    vec3 background_colour; /* light of the display */
+    vec3 background_colour; /* display values */
     float unused2;
 };
 PASS_BLOCK(composite_params, 64)
 
-/* Behind all surfaces: the sky or black; nothing, which alpha tells; a colour. */
+/* Behind all surfaces: the environment or black; nothing, alpha 0; a colour. */
 #define BACKGROUND_SCENE 0
 #define BACKGROUND_NONE 1
 #define BACKGROUND_COLOUR 2
@@ -43,16 +43,16 @@ PASS_BLOCK(composite_params, 64)
 #define LAYER_NORMAL 4
 #define LAYER_DEPTH 5
 #define LAYERS_PLAIN 6
-#define LAYER_SPECULAR 6 /* of scenes whose materials are not all plain, and those below */
+#define LAYER_SPECULAR 6 /* first layer of scenes with materials that are not plain */
 #define LAYER_DIRECT_SPECULAR 7
 #define LAYER_INDIRECT_SPECULAR 8
-#define LAYER_AIRLIGHT 9 /* of a medium */
-#define LAYER_CAUSTIC 10 /* of smooth surfaces, on others */
-#define LAYER_VOLUME 11  /* likewise, in a medium */
+#define LAYER_AIRLIGHT 9 /* with a medium */
+#define LAYER_CAUSTIC 10 /* caustics on surfaces */
+#define LAYER_VOLUME 11  /* caustics in a medium */
 #define LAYERS 12
 
-/* For glass and mirrors, which show it (passes/caustics/glass.h): what a pixel's middle sends, without the medium; A: the
- * part of it that is indirect light. Not among the layers. */
+/* Not a layer of files. Input of glass and mirrors (passes/caustics/glass.h): radiance of the
+ * pixel's centre, without the medium. A: its indirect fraction. */
 #define LAYER_SENT 12
 
 #endif

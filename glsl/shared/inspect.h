@@ -1,10 +1,10 @@
-/* What inspect/ shares with its shaders. */
+/* Parameters that inspect/ shares with its shaders. */
 #ifndef SHARED_INSPECT_H
 #define SHARED_INSPECT_H
 
 #include "shared/types.h"
 
-/* inspect/inspect.h to its shaders. */
+/* Parameters of inspect/inspect.h. */
 #define UNIT_INSPECTED_LAYERS (UNIT_OWN + 0)
 #define UNIT_INSPECTED_PLANE (UNIT_OWN + 1)
 
@@ -20,37 +20,37 @@
 #define INSPECT_DIMMED 9
 #define INSPECT_VISIBILITY 10
 
-/* Soft shadows: what a VAL lights, cannot light as it lies behind it or is turned away, and how dark its shadow is. */
+/* Soft shadows: lit by a VAL; behind the VAL or turned away; darkest shadow. */
 #define INSPECT_LIT 0.95, 0.95, 0.95
 #define INSPECT_TURNED_AWAY 0.36, 0.42, 0.52
 #define INSPECT_SHADOW 0.08
 
 struct inspect_params {
-    int kind; /* what is shown, INSPECT_... */
+    int kind; /* INSPECT_... */
     int first_layer, layer_count;
-    int columns, rows; /* layers shown at once, as a sheet */
-    float gap;         /* dark between cells, pixels */
-    vec2 cell;         /* of the sheet, pixels; 0: one layer, pixel by pixel */
-    vec3 center;       /* of the scene's bounding sphere */
+    int columns, rows; /* of a contact sheet of layers */
+    float gap;         /* dark gap between cells, pixels */
+    vec2 cell;         /* cell of the sheet, pixels; 0: one layer, pixel by pixel */
+    vec3 center;       /* centre of the scene's bounding sphere */
     float radius;      /* metres */
-    float exposure;    /* factor on irradiance */
+    float exposure;    /* factor of irradiance */
     float unused0, unused1, unused2;
 };
 STD140_SIZE(inspect_params, 64)
 
-/* inspect/marks.h to its shaders. */
+/* Parameters of inspect/marks.h. */
 struct mark_params {
     vec2 picture;        /* size, pixels */
-    float size;          /* of a point or width of a line, pixels */
-    float flux_scale;    /* of a usual VPL, 1/W */
+    float size;          /* size of a point or width of a line, pixels */
+    float flux_scale;    /* of a typical VPL, 1/W */
     float normal_length; /* metres */
-    BOOL by_cluster;     /* colour: by the VAL, not by the flux */
-    int chosen;          /* VAL that stands out; -1 = none, and then all are as bright */
-    BOOL only_chosen;    /* no other is drawn */
+    BOOL by_cluster;     /* colour by VAL; else by flux */
+    int chosen;          /* highlighted VAL; -1: none, and all are equally bright */
+    BOOL only_chosen;    /* draws only the chosen VAL */
 };
 STD140_SIZE(mark_params, 32)
 
-/* inspect/probe.h to its shader. */
+/* Parameters of inspect/probe.h. */
 struct probe_params {
     vec3 position; /* of a surface */
     float unused0;
@@ -59,14 +59,14 @@ struct probe_params {
 };
 STD140_SIZE(probe_params, 32)
 
-/* inspect/screen.h to its shader. */
+/* Parameters of inspect/screen.h. */
 #define UNIT_LEFT_PICTURE (UNIT_OWN + 0)
 #define UNIT_RIGHT_PICTURE (UNIT_OWN + 1)
 
 struct screen_params {
     vec2 corner, size; /* of the picture in the window, pixels */
-    float split;       /* where the right picture begins, over the width */
-    float difference;  /* 1: of the two, in place of them */
+    float split;       /* left edge of the right picture, over the width */
+    float difference;  /* 1: shows the difference of both */
     float unused0, unused1;
 };
 STD140_SIZE(screen_params, 32)

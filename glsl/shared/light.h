@@ -1,15 +1,15 @@
-/* The scene's lights, and the views from them: one of a spot or a directional light, six of a point
- * light. What the views see lies in arrays of maps, a layer each: one array of single views and one
- * of faces, which are half as large. */
+/* The scene's lights and their views: one of a spot or directional light, six of a point light.
+ * Views have arrays of maps, one layer each: one array of single views, and one of faces with half
+ * the size. */
 #ifndef SHARED_LIGHT_H
 #define SHARED_LIGHT_H
 
 #include "shared/view.h"
 
 #define LIGHTS_MAX 64
-#define LIGHT_VIEWS_MAX 384 /* six of each light: the block then has 63 KiB */
+#define LIGHT_VIEWS_MAX 384 /* six a light: the block then has 63 KiB */
 
-/* Kinds of views, and of arrays of maps. The single views come first. */
+/* Kinds of views and of arrays of maps. Single views come first. */
 #define LIGHT_MAP_SINGLE 0
 #define LIGHT_MAP_FACE 1
 #define LIGHT_MAP_KINDS 2
@@ -28,26 +28,27 @@
 #define LIGHT_ROWS 9
 
 struct light {
-    vec3 intensity; /* W/sr, of a directional light W/m2 */
-    float measure;  /* what it shines into: solid angle, sr; of a directional light area, m2 */
+    vec3 intensity; /* W/sr; of a directional light W/m2 */
+    float measure;  /* of its domain: solid angle, sr; of a directional light area, m2 */
     vec3 position;
     int type;       /* LIGHT_TYPE_... */
-    vec3 direction; /* with right and up orthonormal */
+    vec3 direction; /* orthonormal with right and up */
     int first_view;
     vec3 right;
     float cos_inner;
     vec3 up;
     float cos_outer;
-    vec3 radiance; /* of a white surface, for an irradiance over intensity of 1 / direct_scale */
-    float direct_scale; /* squared scene radius, m2: keeps numbers apart from the scene's units */
+    vec3 radiance; /* of a white surface, for irradiance over intensity of 1 / direct_scale */
+    /* Squared scene radius, m2: keeps numbers independent of the scene's units. */
+    float direct_scale;
     int view_count;
     int shape;           /* LIGHT_SHAPE_... */
-    float width, height; /* struct emitter's size */
+    float width, height; /* as in struct emitter */
     float extent;        /* area of the shape, m2; of a cap solid angle, sr */
     int first_map;  /* of its own maps: one, or six of a point light (visibility/light_map.glsl) */
-    float map_unit; /* what a depth of 1 means there, metres */
-    float range_inverse2;            /* 1 / m2; 0 = its light ends nowhere */
-    int slide;                       /* layer of the slides; -1 = none */
+    float map_unit; /* distance of depth 1 in them, metres */
+    float range_inverse2;            /* 1/m2; 0: unbounded */
+    int slide;                       /* layer of the slides; -1: none */
     float slide_scale;               /* emitter_slide_scale */
     float slide_width, slide_height; /* texels */
 };
@@ -59,12 +60,12 @@ struct light_view {
     STRUCT(view) view;
     int light;
     int kind;  /* LIGHT_MAP_... */
-    int layer; /* of its kind's maps */
+    int layer; /* layer in its kind's maps */
     int unused;
 };
 STD140_SIZE(light_view, 16 * LIGHT_VIEW_ROWS)
 
-/* lib/light.glsl reads it. */
+/* Block of lib/light.glsl. */
 struct light_block {
     STRUCT(light) sources[LIGHTS_MAX];
     STRUCT(light_view) views[LIGHT_VIEWS_MAX];

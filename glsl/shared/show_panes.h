@@ -1,11 +1,11 @@
-/* passes/picture/show_panes.h to its shader. */
+/* Parameters of passes/picture/show_panes.h. */
 #ifndef SHARED_SHOW_PANES_H
 #define SHARED_SHOW_PANES_H
 
 #include "shared/types.h"
 
-#define PANE_LAYERS 8 /* that a pixel sees at most */
-#define UNIT_BEHIND_IN_SCATTER (UNIT_OWN + 0) /* of a medium, with the next one */
+#define PANE_LAYERS 8                         /* most visible panes of a pixel */
+#define UNIT_BEHIND_IN_SCATTER (UNIT_OWN + 0) /* of the medium; also the next */
 #define UNIT_BEHIND_TRANSMITTANCE (UNIT_OWN + 1)
 #define UNIT_PANES_SKY (UNIT_OWN + 2)
 

@@ -1,9 +1,9 @@
-/* What C fills and GLSL reads, written once. Blocks have the layout std140, in which C's structs come
- * out alike if a vec3 begins at a multiple of 16 bytes and a scalar follows it, a vec2 at a multiple
- * of 8, and the whole is a multiple of 16: the size is told beside each struct.
+/* Definitions that C fills and GLSL reads. Blocks have the layout std140. C's structs match it
+ * under three conditions. A vec3 begins at a multiple of 16 bytes and a scalar follows it. A vec2
+ * begins at a multiple of 8. The size is a multiple of 16, and is checked beside each struct.
  *
- * Where C fills an array of structs, GLSL declares rows (vec4) and makes structs of them: OpenGL names
- * each member of each element, and drivers keep thousands of names for every program. */
+ * For arrays of structs GLSL declares rows (vec4) and makes structs of them. Otherwise OpenGL names
+ * each member of each element, and drivers keep thousands of names in every program. */
 #ifndef SHARED_TYPES_H
 #define SHARED_TYPES_H
 

@@ -1,8 +1,7 @@
-/* A camera's or light's view: how world points become texels and back.
+/* View of a camera or light: transforms between world points and texels.
  *
- * Depth is reversed: near / z for a perspective view, 1 - z / far for an orthographic one; 0 is far,
- * where nothing was drawn. With float depth the relative error of z is then 1e-7 everywhere.
- */
+ * Depth is reversed: near / z for a perspective view, 1 - z / far for an orthographic one; 0 is the
+ * far plane. With float depth the relative error of z is then 1e-7 everywhere. */
 #ifndef SHARED_VIEW_H
 #define SHARED_VIEW_H
 
@@ -16,8 +15,8 @@ struct view {
     BOOL orthographic;
     vec3 up; /* from the axis to the top edge */
     float unused;
-    vec3 forward; /* to the middle of the picture, at z = 1 */
-    float far;    /* where depth is 1 if linear, metres: 1 m but for an orthographic view */
+    vec3 forward; /* to the picture's centre, at z = 1 */
+    float far;    /* distance of linear depth 1, metres: 1 m except for an orthographic view */
 };
 STD140_SIZE(view, 128)
 

@@ -1,10 +1,10 @@
-/* Passes of volumes (passes/volume/) to their shaders. */
+/* Parameters of passes/volume/. */
 #ifndef SHARED_VOLUME_H
 #define SHARED_VOLUME_H
 
 #include "shared/types.h"
 
-/* Textures of struct volume. The coefficients come last: up to VOLUME_COEFFICIENTS_MAX. */
+/* Textures of struct volume. Up to VOLUME_COEFFICIENTS_MAX coefficients come last. */
 #define UNIT_VOLUME_SURFACES (UNIT_OWN + 0)
 #define UNIT_VOLUME_RADIOSITY (UNIT_OWN + 1)
 #define UNIT_VOLUME_BACK (UNIT_OWN + 2)
@@ -15,10 +15,10 @@
 #define UNIT_VOLUME_NEIGHBOURS (UNIT_OWN + 14)
 #define UNIT_VOLUME_TURNED_SURFACES (UNIT_OWN + 15)
 #define UNIT_VOLUME_TURNED_RADIOSITY (UNIT_OWN + 16)
-/* Maps of depth from lights, LIGHT_MAP_KINDS of them. */
+/* Depth maps of lights, LIGHT_MAP_KINDS of them. */
 #define UNIT_VOLUME_SHADOWS (UNIT_OWN + 12)
 
-/* The others follow, where a volume has them: the back's, the albedo's, and two of turned points. */
+/* Optional targets follow: back, albedo, and two of turned points. */
 #define TARGET_VOLUME_SURFACES 0
 #define TARGET_VOLUME_RADIOSITY 1
 #define TARGET_VOLUME_BACK 2
@@ -28,18 +28,19 @@
 #define ATTRIBUTE_POINT_NORMAL 1
 #define ATTRIBUTE_POINT_ALBEDO 2
 
-/* Pixels along each side of the picture that are reprojected. */
+/* Pixels along each side of the reprojected picture. */
 #define VOLUME_PIXELS 512
 
-/* What a voxel's rays gather. */
+/* Channels that a voxel's rays gather. */
 #define VOLUME_VISIBILITY 1 /* channels */
 #define VOLUME_RADIANCE 3
 
-/* Distances to the nearest occupied voxel are known up to here, voxels along the axis of the greatest difference. */
+/* Greatest known distance to an occupied voxel, in voxels along the axis of the greatest
+ * difference. */
 #define VOLUME_DISTANCE_MAX 8
-/* Empty voxels up to here have coefficients: no surface reads others. */
+/* Greatest distance of empty voxels with coefficients; no surface reads others. */
 #define VOLUME_SHELL 2
-/* Added to the distance of those that no surface reads all the same. */
+/* Offset of the distance of voxels within it that no surface reads. */
 #define VOLUME_IDLE 16
 
 struct volume_params {
@@ -47,12 +48,12 @@ struct volume_params {
     float voxel;      /* side of a voxel, metres */
     vec3 cells;       /* voxels along each axis */
     int columns_log2; /* slices in a row of the atlas */
-    int rays;         /* of a voxel */
-    float distance;   /* that a ray goes at most, voxels */
+    int rays;         /* rays of a voxel */
+    float distance;   /* greatest length of a ray, voxels */
     float irradiance_scale;
     float unused;
-    vec2 atlas; /* its texels */
-    vec2 turn;  /* of rays, another in each pass: from 0 to 1 */
+    vec2 atlas; /* size, texels */
+    vec2 turn;  /* rotation of rays in the pass, from 0 to 1 */
 };
 PASS_BLOCK(volume_params, 64)
 

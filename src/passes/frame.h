@@ -1,5 +1,5 @@
-/* What every pass of one frame gets. Passes exchange the structs of the headers in this folder: targets.h, maps.h,
- * vpls.h, lists.h, slot_lights.h. No pass includes another. */
+/* Data that every pass of a frame gets. Passes exchange the structs of this folder's headers:
+ * targets.h, maps.h, vpls.h, lists.h, slot_lights.h. No pass includes another. */
 #ifndef PASSES_FRAME_H
 #define PASSES_FRAME_H
 
@@ -12,53 +12,59 @@ struct gbuffer;
 
 struct frame {
     struct timers *timers;
-    const struct buffer *view; /* for BLOCK_VIEW */
-    const struct view *camera; /* what it holds */
+    const struct buffer *view; /* block BLOCK_VIEW */
+    const struct view *camera; /* contents of `view` */
     struct camera_range camera_range;
-    const struct gbuffer *gbuffer; /* the camera's, where lights follow it; else NULL */
-    bool of_panes;                 /* the G-buffer that is lit is that of panes */
-    /* Lights: for a direct method the lights that shine, for a technique the light samples from which reflected light
-     * starts. */
-    const struct buffer *lights;  /* for BLOCK_LIGHTS */
-    const struct texture *direct; /* of the camera's pixels (direct/direct.h) */
-    const struct buffer *medium;  /* for BLOCK_MEDIUM; NULL where there is neither it nor a pane */
+    const struct gbuffer *gbuffer; /* of the camera, if lights depend on it; else NULL */
+    bool of_panes;                 /* the lit G-buffer is that of panes */
+    /* Lights: the shining lights for a direct method; for a technique the light samples that
+     * reflected light starts from. */
+    const struct buffer *lights;  /* block BLOCK_LIGHTS */
+    const struct texture *direct; /* direct light of the camera's pixels (direct/direct.h) */
+    const struct buffer *medium;  /* block BLOCK_MEDIUM; NULL without medium and panes */
     const struct scene_gpu *scene;
     const struct emitters *emitters;
-    const struct light_block *light_block; /* of the emitters: what the buffer holds */
-    struct light_layout layout;            /* of the lights' maps */
-    const struct light_group *groups;      /* layout.groups of them; NULL for direct light */
-    const struct texture *sky_pieces;      /* of light samples (shared/sky.h) */
-    const struct geometry *geometry; /* the scene's bounds and radius; for views of other lights */
-    /* Of the camera's pixels: sample assignment (passes/picture/antialias.h), and edge samples
+    const struct light_block *light_block; /* contents of `lights` */
+    struct light_layout layout;            /* layout of the lights' maps */
+    const struct light_group *groups;      /* layout.groups light groups; NULL for direct light */
+    /* Directions of an environment's light samples (shared/sky.h). */
+    const struct texture *sky_pieces;
+    /* Bounds and radius of the scene, for views of other lights. */
+    const struct geometry *geometry;
+    /* Camera pixels: sample assignment (passes/picture/antialias.h) and edge samples
      * (lib/edge_sample.glsl). */
     const struct texture *assignment, *edge_samples;
-    int pass; /* number of the pass, each with other light samples; 0: the first, or the only one */
-    float irradiance_scale; /* stored irradiance = W/m2 times this: a power of two that
-                                           keeps half floats in range at every scale of scene and light */
+    int pass; /* index of the pass, 0 for the first or only one; each has other light samples */
+    /* Stored irradiance over W/m2: a power of two that keeps half floats in range at every scale of
+     * scene and light. */
+    float irradiance_scale;
 };
 
-/* From 0 to 1, 0 in the first pass: multiples of the golden ratio, for numbers of pixels that are others in each pass. */
+/* Returns the pass's rotation in [0, 1): multiples of the golden ratio, 0 in the first pass. Pixels
+ * add it to their sample numbers. */
 float frame_turn(const struct frame *frame);
 
-/* Defines of a program that evaluates lights, with a semicolon at the end: a medium, and slides of spots. */
+/* Returns defines of a program that evaluates lights, each followed by a semicolon: HAS_MEDIUM,
+ * HAS_SLIDES. */
 const char *light_defines(bool has_medium, bool has_slides);
 
-/* Adds what programs of a medium read: its block, and the tree of panes. */
+/* Binds the medium's block and the tree of panes. Binds nothing without medium and panes. */
 void frame_add_medium(const struct frame *frame, struct pass_state *state);
 
-/* Adds what a program that evaluates lights reads of both. */
+/* Binds the medium and the spots' slides, for a program that evaluates lights. */
 void frame_add_light(const struct frame *frame, struct pass_state *state);
 
-/* Lets what is drawn by one of the programs end where the camera's range does (passes/picture/camera_range.glsl). */
+/* Clips the pass's geometry at the camera's near and far limits
+ * (passes/picture/camera_range.glsl). */
 void frame_cut_by_range(const struct frame *frame, struct pass_state *state);
 
-/* The camera's view, of that many layers; the margin is draw_views'. */
+/* Returns the camera's view for `layers` layers; `margin` as in struct draw_views, NDC. */
 struct draw_views frame_camera_views(const struct frame *frame, int layers, float margin);
 
-/* The lights' of that kind. */
+/* Returns the lights' views of `kind`, LIGHT_MAP_.... */
 struct draw_views frame_light_views(const struct frame *frame, int kind);
 
-/* Sets what lib/light_target.glsl needs to draw views of that kind; returns how many there are. */
+/* Sets the uniforms of lib/light_target.glsl for views of `kind`; returns their number. */
 int frame_target_views(const struct frame *frame, GLuint program, int kind);
 
 #endif

@@ -1,5 +1,5 @@
-/* Some pixels of a picture and edge samples of some, as a list for each level (PIXEL_LEVEL_...) or of points
- * (LIST_EDGE_SAMPLES) and place of the n x n pattern. */
+/* Lists of adaptive pixels and edge samples: one for each kind (PIXEL_LEVEL_... or
+ * LIST_EDGE_SAMPLES) and each place of the n x n pattern. */
 #ifndef PASSES_LISTS_H
 #define PASSES_LISTS_H
 
@@ -8,23 +8,24 @@
 #include "gl/texture.h"
 
 struct pixel_lists {
-    struct texture
-        pixels; /* R32UI, x | y << 16, in tiles, twice as large as a picture's; a list fills its tile
-                              row by row: of one level from its begin, of the other from the end of its first
-                              half, of points from there on */
-    struct texture texels;             /* R32UI, of each pixel of the picture its texel in the lists
-                              (passes/gather/list_texel.glsl); 0 where no list has it */
-    struct texture edge_sample_texels; /* likewise of its edge sample */
-    struct buffer counts;              /* of the lists: uint */
+    /* R32UI, x | y << 16, in tiles of twice the picture's area. Lists fill their tile row by row.
+     * Edge pixels begin at the start, edge samples at the second half. Detail pixels run backwards
+     * from the end of the first half. */
+    struct texture pixels;
+    /* R32UI: list texel of each pixel (passes/gather/list_texel.glsl). 0: in no list. */
+    struct texture texels;
+    struct texture edge_sample_texels; /* R32UI: list texel of each pixel's edge sample */
+    struct buffer counts;              /* entries of each list, uint */
     int interleave, tile_width, tile_height;
 };
 
-/* From a picture's size to that of the tiles of its lists, all of them: along its shorter side twice as large, as
- * textures have a limit. */
+/* Changes a picture's size to that of its list tiles. It rounds up to the pattern and doubles the
+ * shorter side, because textures have a limit. */
 void pixel_lists_size(int size[2], int interleave);
 
-/* What a pass over such RECEIVERS_ binds, for passes/gather/receiver.glsl; lists are not read for all. And the draw
- * of one place's list of a kind, after LOCATION_SLOT is set. */
+/* pixel_lists_add binds the textures of passes/gather/receiver.glsl for `receivers`, RECEIVERS_....
+ * RECEIVERS_ALL needs none. pixel_lists_draw draws the list of one place and kind, after
+ * LOCATION_SLOT is set. */
 void pixel_lists_add(struct pass_state *state, const struct pixel_lists *lists, int receivers);
 void pixel_lists_draw(const struct pixel_lists *lists, int list);
 

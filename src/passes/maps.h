@@ -1,4 +1,4 @@
-/* What is seen from lights and VALs, and what filters make of it. */
+/* Maps seen from lights and VALs, and their filtered forms. */
 #ifndef PASSES_MAPS_H
 #define PASSES_MAPS_H
 
@@ -11,39 +11,39 @@ struct map_views {
     int count;
 };
 
-/* Map depth |q| / z_far of the nearest caster; 1 where there is none. D16, one layer a view. */
+/* Map depth |q| / z_far of the nearest caster, D16; 1: no caster. One layer a view. */
 struct depth_maps {
     struct texture depth;
-    struct texture normal; /* RG16, of the caster in the map's frame, octahedral; or none */
+    struct texture normal; /* RG16, octahedral: the caster's normal in the map's frame; or none */
     GLuint framebuffer;
     int size, count;
 };
 
-/* What lights see along their own axes: linear depth over the light's map_unit, 1 where nothing is
+/* Depth along the light's own axes, linear, over the light's map_unit; 1: no caster
  * (passes/visibility/light_map.glsl). R32F, one layer a map. */
 struct light_maps {
     struct texture depth;
     int size, count;
 };
 
-/* Summed area tables of what filters average over maps of depth: R32UI to RGBA32UI, a border of zeros and
- * then a texel for each of the map; texel (x, y) has the sums over all before column x and row y, modulo
- * 2^32 (shared/maps.h). One layer a map, of Fourier bases several. */
+/* Summed-area tables over depth maps, R32UI to RGBA32UI (shared/maps.h). Texel (x, y) is the sum
+ * over all columns before x and rows before y, modulo 2^32; the border is 0. One layer a map;
+ * several for Fourier bases. */
 struct sum_maps {
     struct texture sums;
-    int size, count; /* of the maps: the texture is one texel larger */
+    int size, count; /* of the maps; the texture is one texel larger */
 };
 
-/* Nearest and farthest depth in squares of a map of depth, RG32F; level l has squares of 2^(l + 1) texels,
- * the last of a row also what is left over (shared/maps.h). One layer a map. */
+/* Nearest and farthest depth in squares of a depth map, RG32F (shared/maps.h). Level l has squares
+ * of 2^(l + 1) texels; the last of a row also covers the remainder. One layer a map. */
 struct depth_bounds {
     struct texture bounds;
     int size, count; /* of the maps */
     int levels;
 };
 
-/* Fourier bases of the depth maps with MIP maps; layer g x count + k is group g (four terms) of map
- * k, whose depths its range makes the argument of (passes/visibility/series.glsl). */
+/* Fourier bases of the depth maps, with mip levels. Layer g x count + k is group g (four terms) of
+ * map k. The map's range scales depth to the argument (passes/visibility/series.glsl). */
 struct basis_maps {
     struct texture cos, sin;     /* RGBA8, (b + 1) / 2 */
     struct texture z_cos, z_sin; /* RGBA16F */
@@ -52,7 +52,7 @@ struct basis_maps {
     int size, count, groups, terms;
 };
 
-/* R8: the visibility of map k at the centre of each block of block x block pixels, in layer k. */
+/* Visibility of map k at the centre of each block of block x block pixels: R8, layer k. */
 struct block_visibilities {
     struct texture texture;
     GLuint framebuffer;

@@ -1,4 +1,5 @@
-/* Smooth surfaces of a geometry for shaders that trace rays (src/passes/caustics/chain.glsl), and a light's view of them. */
+/* Smooth surfaces (glass, mirrors) of a geometry: their buffers for shaders that trace rays
+ * (src/passes/caustics/chain.glsl), and the view of a light that covers them. */
 #ifndef PASSES_SMOOTH_SURFACES_H
 #define PASSES_SMOOTH_SURFACES_H
 
@@ -10,11 +11,11 @@
 struct smooth_surfaces {
     const struct scene *scene;
     bool has_glass;
-    uint32_t *vertices; /* of the geometry, those of smooth triangles */
+    uint32_t *vertices; /* vertices of smooth triangles in the geometry */
     uint32_t vertex_count;
-    unsigned painted; /* of the geometry, that they are of */
+    unsigned painted; /* value of geometry->painted for `rows` and `materials` */
     struct buffer rows, materials;
-    const struct scene_gpu *gpu; /* that it last followed */
+    const struct scene_gpu *gpu; /* scene_gpu of the last smooth_surfaces_follow */
 };
 
 /* Error: out of GPU memory. */
@@ -22,18 +23,19 @@ bool smooth_surfaces_init(struct smooth_surfaces *surfaces, const struct scene *
                           const struct geometry *geometry);
 void smooth_surfaces_free(struct smooth_surfaces *surfaces);
 
-/* Takes over where the geometry and its copy are now. */
+/* Updates the buffers to the geometry's current pose and its GPU copy. */
 void smooth_surfaces_follow(struct smooth_surfaces *surfaces, const struct scene_gpu *gpu,
                             const struct geometry *geometry);
 
-/* Adds what the shaders read. */
+/* Binds the buffers for shaders. */
 void smooth_surfaces_add(const struct smooth_surfaces *surfaces, struct pass_state *state);
 
-/* The middle of their bounds; only where there are any. */
+/* Writes the centre of the surfaces' bounds, metres. vertex_count must not be 0. */
 void smooth_surfaces_middle(const struct smooth_surfaces *surfaces, const struct geometry *geometry,
                             float middle[3]);
 
-/* Fits the view of `side` texels to the smooth surfaces, and to a spot's cone. False: the light does not reach them. */
+/* Fits a light's view of side x side texels to the smooth surfaces and a spot's cone. False: the
+ * light does not reach them. */
 bool smooth_surfaces_fit(const struct smooth_surfaces *surfaces, const struct geometry *geometry,
                          const struct emitter *light, int side, struct caustics_params *params);
 

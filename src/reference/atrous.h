@@ -1,12 +1,10 @@
-/* An edge-avoiding a-trous wavelet filter: [Dammertz et al. 2010, Edge-Avoiding A-Trous Wavelet
- * Transform for Fast Global Illumination Filtering]; steered by the light's variance as in [Schied
- * et al. 2017, Spatiotemporal Variance-Guided Filtering], over space alone.
+/* An edge-avoiding a-trous wavelet filter [Dammertz et al. 2010, Edge-Avoiding A-Trous Wavelet
+ * Transform for Fast Global Illumination Filtering]. As in [Schied et al. 2017, Spatiotemporal
+ * Variance-Guided Filtering] the light's variance controls it, without time.
  *
- * Each level weights 5 x 5 pixels, 2^level apart, by a B3 spline, by how near they lie to the
- * pixel's tangent plane, by their normals, and by how their light differs in units of its noise. A
- * weight depends on two pixels in the same way from either side, but for the distance to the plane;
- * so that little energy is lost.
- */
+ * Each level weights 5 x 5 pixels, 2^level apart. The weight is a B3 spline times similarity of
+ * plane, normal, and light in units of its noise. Except for the plane, weights are symmetric, so
+ * little energy is lost. Cost: levels x 25 x pixels. */
 #ifndef REFERENCE_ATROUS_H
 #define REFERENCE_ATROUS_H
 
@@ -15,36 +13,36 @@
 #include "base/unit.h"
 
 struct atrous_guide {
-    vec3s position, normal; /* metres; unit, or zero where nothing is seen: such pixels stay out */
-    float pixel_size;       /* there, metres */
+    vec3s position, normal; /* metres; unit, or zero without a surface: such pixels are ignored */
+    float pixel_size;       /* size of the pixel at the surface, metres */
     bool is_lonely;         /* set by atrous_find_lonely() */
 };
 
 struct atrous_pixel {
     vec3s light;
-    float variance; /* of the mean over the channels */
+    float variance; /* of the mean over RGB */
 };
 
 struct atrous_desc {
     int width, height;
-    const struct atrous_guide *guides; /* of each pixel */
+    const struct atrous_guide *guides; /* one a pixel */
     int levels;
-    /* Levels at first that do not compare light. Few paths differ by more than their variance tells,
-     * and what is bright and rare would be lost. */
+    /* Number of first levels that do not compare light. With few paths, differences exceed their
+     * estimated variance, and rare bright light would be lost. */
     int blind_levels;
-    int threads; /* 0 = all cores; does not change the result */
+    int threads; /* 0: all cores; the result does not depend on it */
 };
 
-/* Marks the pixels whose neighbours mostly show other surfaces: leaves, mouldings, edges. They take
- * light from less like ones, for their own is but a few paths'. */
+/* Marks pixels whose neighbours mostly show other surfaces: leaves, mouldings, edges. They accept
+ * less similar neighbours, because they have only a few paths of their own. */
 void atrous_find_lonely(int width, int height, struct atrous_guide *guides);
 
-/* Filters in place. From level to level the variance falls as though pixels were independent, which
- * keeps more of the light's edges than its true one, and is too small for anything else. */
+/* Filters in place. From level to level the variance falls as for independent pixels. This keeps
+ * more edges of light than the true variance, but is too small for other uses. */
 void atrous_filter(const struct atrous_desc *desc, struct atrous_pixel *pixels);
 
-/* Replaces the variances by what the neighbours of the same surface tell: means of theirs over 7 x 7
- * pixels; or, where `known` is false, the spread of the light itself. */
+/* Replaces variances by means over 7 x 7 pixels of the same surface. Without `known` they are
+ * estimated from the spread of the light. */
 void atrous_estimate_variance(const struct atrous_desc *desc, bool known,
                               struct atrous_pixel *pixels);
 

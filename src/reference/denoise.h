@@ -1,12 +1,10 @@
-/* A path-traced picture without most of its noise.
+/* Removes most noise of a path-traced picture.
  *
- * The indirect light is filtered (reference/atrous.h), as irradiance: what the albedo draws stays
- * sharp. Surfaces are told apart by the positions and normals that the samples themselves saw. The
- * noise is known from the streams of samples; of a single one it is guessed from the neighbours. The
- * direct light stays as it is: that of points has the noise of edges within pixels, which a filter over
- * pixels only makes wider; that of lights with a size stays noisy. So does specular light: what a mirror
- * shows has edges that no position or normal of the mirror tells.
- */
+ * Indirect light is filtered as irradiance (reference/atrous.h), so textures stay sharp. Positions
+ * and normals of the samples separate surfaces. The spread of the sample streams gives the noise; a
+ * single stream's noise is estimated from neighbours. Direct light is not filtered: noise of points
+ * is at edges within pixels, which a filter would widen, and lights with a size stay noisy.
+ * Specular light is not filtered either, because edges in a mirror are not edges of the mirror. */
 #ifndef REFERENCE_DENOISE_H
 #define REFERENCE_DENOISE_H
 
@@ -16,14 +14,14 @@
 struct denoise_desc {
     const struct film_pixel *pixels;
     const struct primary_rays *primary;
-    int samples, paths;   /* of each pixel, of indirect light from each sample */
-    int threads;          /* 0 = all cores */
-    int specular_channel; /* where CHANNELS_OF_SPECULAR begin; 0 = there are none */
-    int airlight_channel; /* the same of CHANNELS_OF_AIRLIGHT */
+    int samples, paths;   /* samples of a pixel; paths of indirect light of a sample */
+    int threads;          /* 0: all cores */
+    int specular_channel; /* first channel of CHANNELS_OF_SPECULAR; 0: none */
+    int airlight_channel; /* first channel of CHANNELS_OF_AIRLIGHT; 0: none */
 };
 
-/* image: developed from the pixels. Writes the indirect layer and beauty; the standard errors stay
- * those of the light before. */
+/* Filters `image`, developed from the pixels: indirect layer and beauty. Standard errors stay those
+ * of the unfiltered light. */
 void denoise(const struct denoise_desc *desc, struct image *image);
 
 #endif

@@ -1,6 +1,6 @@
-/* The geometry term between a receiver and a virtual point light, cos_i cos_x / d^2, and how it is
- * bounded where the two are near. It grows with the cosines and falls with distance and area, so that
- * bounds of these bound it too. */
+/* The geometry term between a receiver and a virtual point light, cos_i cos_x / d^2, and its bounds
+ * at short distance. It grows with the cosines and falls with distance and area, so bounds of these
+ * bound it too. */
 #ifndef REFERENCE_GEOMETRY_TERM_H
 #define REFERENCE_GEOMETRY_TERM_H
 
@@ -19,7 +19,8 @@ struct geometry_term {
     float clamp_value; /* 1/m2 */
 };
 
-/* Of the product of both cosines, the squared distance in m2, and the VPL's area in m2. */
+/* Returns the term. cosines: product of both cosines. distance2: squared distance, m2. area: of the
+ * VPL, m2. */
 static inline float geometry_term(const struct geometry_term *term, float cosines, float distance2,
                                   float area) {
     switch (term->bound) {

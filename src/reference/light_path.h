@@ -1,4 +1,4 @@
-/* One ray of light through glass and mirrors, and what it leaves in the picture. */
+/* Traces one light ray through glass and mirrors, and its deposits in the picture. */
 #ifndef REFERENCE_LIGHT_PATH_H
 #define REFERENCE_LIGHT_PATH_H
 
@@ -11,7 +11,7 @@ struct light_path_scene {
     const struct ray_scene *rays;
     const struct emission *emission;
     struct camera_link link;
-    bool straight; /* light_tracer_desc's */
+    bool straight; /* as in struct light_tracer_desc */
 };
 
 struct light_deposits {
@@ -19,7 +19,7 @@ struct light_deposits {
     int count, room;
 };
 
-/* Follows a ray with that flux. */
+/* Follows the ray with its flux. It appends deposits and adds to `balance`. */
 void light_path_trace(const struct light_path_scene *scene, const struct light_ray *ray,
                       struct sampler *sampler, struct light_deposits *deposits,
                       struct light_balance *balance);

@@ -1,12 +1,11 @@
-/* Where rays of light first meet the scene: vertices that many paths share.
+/* First hits of light rays: vertices that many paths share, as the virtual point lights of [Keller
+ * 1997, Instant Radiosity].
  *
- * They are the virtual point lights of [Keller 1997, Instant Radiosity], but so many that each path
- * takes another one, and weighted so that none stands out. A stream of samples has vertices of its
- * own, so that streams stay independent; a pixel's walk through them is shifted by its own random
- * bits. A pixel that takes more paths than there are vertices sees some again, which costs it no
- * bias, only convergence beyond some 0.01 % of noise. Each light has as many as its share of the
- * flux, dealt so that every run of vertices has some of all.
- */
+ * There are enough that each path takes another one, weighted so that none stands out. Each stream
+ * of samples has its own vertices, so streams stay independent. A pixel's walk through them is
+ * shifted by its own random bits. Pixels with more paths than vertices reuse some, without bias,
+ * but do not converge below about 0.01 % noise. Each run of vertices has all lights in proportion
+ * to their flux. */
 #ifndef REFERENCE_LIGHT_VERTICES_H
 #define REFERENCE_LIGHT_VERTICES_H
 
@@ -16,14 +15,14 @@
 enum { LIGHT_VERTEX_COUNT = 1 << 16 };
 
 struct light_vertex {
-    vec3s position, normal; /* geometric, on the light's side */
+    vec3s position, normal; /* geometric normal, on the light's side */
     vec3s radiance;         /* reflected by a Lambertian surface, W/(sr m2) */
-    float density;          /* of light rays there, 1/m2; 0 where none is reflected */
-    float found;            /* struct arrival's */
-    bool diffuse;           /* else what it reflects is in a light_specular */
+    float density;          /* density of light rays there, 1/m2; 0: reflects none */
+    float found;            /* as in struct arrival */
+    bool diffuse;           /* else the reflection is in a light_specular */
 };
 
-/* Of a vertex that reflects otherwise to everyone: the surface and what comes to it. */
+/* A vertex with view-dependent reflection: surface and arriving light. */
 struct light_specular {
     struct hit hit;
     struct arrival arrival;
@@ -31,15 +30,16 @@ struct light_specular {
 
 struct light_vertices {
     struct light_vertex *items;
-    struct light_specular *specular; /* of each; NULL where all surfaces are diffuse */
+    struct light_specular *specular; /* one a vertex; NULL if all surfaces are diffuse */
 };
 
-/* Traces the emission's LIGHT_VERTEX_COUNT rays on some threads (0 = all cores). */
+/* Traces the emission's LIGHT_VERTEX_COUNT rays. threads 0: all cores. The caller calls
+ * light_vertices_free. */
 struct light_vertices light_vertices_trace(const struct emission *emission,
                                            const struct ray_scene *rays, uint32_t seed,
                                            int threads);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void light_vertices_free(struct light_vertices *vertices);
 
 #endif

@@ -1,4 +1,4 @@
-/* One path from a surface to the light. */
+/* Traces one path from a surface to the light. */
 #ifndef REFERENCE_PATH_H
 #define REFERENCE_PATH_H
 
@@ -10,8 +10,8 @@ struct path_scene {
     int bounces;
 };
 
-/* An estimate of what x reflects of light that comes over 1 to `bounces` bounces; diffuse: of a Lambertian
- * surface, irradiance over pi. lights: the vertices of the sampler's stream. */
+/* Returns an estimate of the light that x reflects over 1 to `bounces` bounces. diffuse: irradiance
+ * over pi. lights: vertices of the sampler's stream. */
 struct reflected path_indirect(const struct path_scene *scene, const struct light_vertices *lights,
                                const struct hit *x, struct sampler *sampler);
 

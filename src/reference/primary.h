@@ -1,4 +1,4 @@
-/* Primary rays: what a camera sees at the points of a picture. */
+/* Primary rays: the surfaces that a camera shows at points of a picture. */
 #ifndef REFERENCE_PRIMARY_H
 #define REFERENCE_PRIMARY_H
 
@@ -15,18 +15,19 @@ struct primary_rays {
 struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct camera *camera,
                                     const struct geometry *geometry, int width, int height);
 
-/* The ray through a point in pixels from the top left corner: from where, and its unit direction. */
+/* Writes origin and unit direction of the ray through a point, in pixels from the top left
+ * corner. */
 void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
                  vec3s *direction);
 
-/* The surface at a point; false where there is none. seed: as of ray_scene_camera_hit. */
+/* Finds the surface at a point; false: none. seed: as in ray_scene_camera_hit. */
 bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t seed,
                  struct hit *hit);
 
-/* Along the view axis, metres. */
+/* Returns the depth along the view axis, metres. */
 float primary_depth(const struct primary_rays *primary, vec3s position);
 
-/* Height of a pixel where the depth is that, metres. */
+/* Returns the height of a pixel at `depth`, metres. */
 float primary_pixel_size(const struct primary_rays *primary, float depth);
 
 #endif

@@ -1,15 +1,15 @@
-/* One of several lights or places, picked by what it would give without its shadow, so that one shadow
- * ray stands for all [Talbot et al. 2005]. */
+/* A reservoir: samples one of several lights or places by its unshadowed light, so that one shadow
+ * ray represents all [Talbot et al. 2005]. */
 #ifndef REFERENCE_RESERVOIR_H
 #define REFERENCE_RESERVOIR_H
 
 #include "reference/scene/ray_scene.h"
 
-/* Begin with a random number in [0, 1) as `pick`, all else zero. */
+/* Start with a random number in [0, 1) as `pick` and zeros elsewhere. */
 struct reservoir {
-    float pick, sum, picked; /* the number; how bright all are, and the one that is kept */
-    struct reflected light;  /* what that one gives */
-    vec3s source;            /* from where */
+    float pick, sum, picked; /* random number; total brightness; brightness of the sample */
+    struct reflected light;  /* light of the sample */
+    vec3s source;            /* origin of this light */
 };
 
 static inline void reservoir_offer(struct reservoir *reservoir, const struct reflected *given,
@@ -26,7 +26,7 @@ static inline void reservoir_offer(struct reservoir *reservoir, const struct ref
     }
 }
 
-/* What all that was offered gives at the hit, by the shadow ray of the one. */
+/* Returns the light of everything offered, at the hit, by one shadow ray to the sample. */
 static inline struct reflected reservoir_light(const struct reservoir *reservoir,
                                                const struct ray_scene *rays,
                                                const struct hit *hit) {

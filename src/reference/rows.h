@@ -1,14 +1,14 @@
-/* The rows of a picture, on several cores, with progress and a way out. */
+/* Renders the rows of a picture on several cores, with progress and cancellation. */
 #ifndef REFERENCE_ROWS_H
 #define REFERENCE_ROWS_H
 
 #include <stdbool.h>
 
 struct rows {
-    int count, threads; /* threads 0 = all cores */
+    int count, threads; /* threads 0: all cores */
     void (*render)(void *context, int row);
-    /* done: the share of rows. Called after each row, from any of the threads but one at a time;
-     * false cancels. May be NULL. */
+    /* Called after each row with the completed fraction, from any thread, one at a time; false
+     * cancels. NULL: no report. */
     bool (*report)(void *context, double done);
     void *context;
 };

@@ -1,4 +1,4 @@
-/* From the scene's plain arrays to cglm's vectors, which can be passed by value. */
+/* Converts the scene's arrays to cglm's vectors, which are passed by value. */
 #ifndef REFERENCE_VECTOR_H
 #define REFERENCE_VECTOR_H
 

@@ -1,6 +1,6 @@
-/* What an EXR file tells of its making, as attributes that other programs read: software, comments, chromaticities,
- * worldToCamera and worldToNDC have the names and meanings of OpenEXR's standard attributes. Others begin with
- * "manylight:". Nothing depends on the day or the machine, so that the same picture is the same file. */
+/* Attributes of an EXR file that describe its making. software, comments, chromaticities,
+ * worldToCamera and worldToNDC follow OpenEXR's standard attributes; others begin with
+ * "manylight:". None depends on date or machine, so equal pictures are equal files. */
 #ifndef RENDERER_ABOUT_H
 #define RENDERER_ABOUT_H
 
@@ -9,12 +9,12 @@
 #include "scene/camera.h"
 
 struct about {
-    const char *scene;  /* its path */
-    const char *camera; /* as scene/placing.h has it; NULL = the first */
+    const char *scene;  /* path of the scene */
+    const char *camera; /* as in scene/placing.h; NULL: the first */
     const char *technique;
     const struct camera *placed;
-    const struct settings *settings; /* those that differ from the defaults are told */
-    double time;                     /* of the animation, seconds */
+    const struct settings *settings; /* only values that differ from the defaults are written */
+    double time;                     /* time of the animation, seconds */
 };
 
 void about_add(struct image *image, const struct about *about);

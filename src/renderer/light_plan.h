@@ -1,10 +1,11 @@
-/* What maps and programs are made for: by the lights, the sky and the settings that are wanted. */
+/* Plans the layouts for which maps and programs are made, by lights, environment and settings. */
 #ifndef RENDERER_LIGHT_PLAN_H
 #define RENDERER_LIGHT_PLAN_H
 
 #include "renderer/renderer.h"
 
-/* Takes what the renderer has where that is as wanted. Error: more lights than there is room for. */
+/* Fills `plan` for `desc`. It reuses the renderer's fit where nothing changed. Error: too many
+ * lights. */
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc);
 

@@ -1,26 +1,27 @@
-/* Which lights light what the camera sees something of. VPLs are placed by importance where lamps light mostly what it sees
- * nothing of: those next door, or outdoors beside a hall (lights.importance=auto). Directions of a sky lie where its light
- * comes in.
+/* Finds whether visible surfaces get light from the lamps. If lamps mostly light invisible
+ * surfaces, in another room or outdoors, VPLs are placed by importance (lights.importance=auto). It
+ * also groups an environment's directions by where light comes in.
  *
- * Asked where nothing moves, so that pictures of a clip do not change from one choice to the other. Lamps with several
- * light samples, and environments, have VPLs by importance without asking.
- */
+ * It runs only for scenes without motion, so that a clip does not switch between both. Lamps with
+ * several light samples, and environments, always have VPLs by importance. */
 #ifndef RENDERER_LIGHT_SEARCH_H
 #define RENDERER_LIGHT_SEARCH_H
 
 #include "renderer/renderer.h"
 
-/* Keeps the last answer, and a tree of triangles once somebody asks. */
+/* Returns a search that caches its last answer, and a BVH from the first question on. */
 struct light_search *light_search_create(void);
 
 /* Accepts NULL. */
 void light_search_free(struct light_search *search);
 
-/* Of the lights and the camera of `desc`, whose light samples have that layout. */
+/* True if visible surfaces get little light from the lamps of `desc`. samples: layout of the light
+ * samples. */
 bool light_search_is_unseen(struct light_search *search, const struct renderer_desc *desc,
                             const struct light_layout *samples);
 
-/* At most `count` groups of lights of the sky of `desc`; by power alone where importance is off or something moves. */
+/* Groups the environment lights of `desc` into at most `count` groups. It groups by power alone if
+ * importance is off or something moves. */
 void light_search_group_sky(struct light_search *search, struct sky_groups *groups,
                             const struct renderer_desc *desc,
                             const struct environment_lights *lights, int count);

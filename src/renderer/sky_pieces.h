@@ -1,9 +1,9 @@
-/* Directions of a sky's light samples, of which each VPL takes one, and follows a ray (src/passes/lights/sky_ray.glsl).
+/* Directions of an environment's light samples. Each VPL takes one and follows a ray
+ * (src/passes/lights/sky_ray.glsl).
  *
- * Were a group one direction, its light in a room would be luck: by day a hall under a skylight had 16 to 36 % too much with
- * one of three seeds. Rays of a group lie so that all that pass its door have the same place in the light's domain:
- * an importance map of the group is then as sharp as of one direction. Passes after the first have other directions.
- */
+ * With one direction a group, indoor light would depend on chance. All rays of a group that pass
+ * its opening have equal coordinates in the light's domain. So an importance map of the group is as
+ * sharp as for one direction. Later passes have other directions. */
 #ifndef RENDERER_SKY_PIECES_H
 #define RENDERER_SKY_PIECES_H
 
@@ -12,7 +12,8 @@
 /* Error: out of GPU memory. */
 bool sky_pieces_init(struct texture *pieces);
 
-/* Into renderer->sky_pieces, where its light samples have a sky: a row of each (shared/sky.h), zeros of other lights. */
+/* Fills renderer->sky_pieces if its light samples have an environment: one row for each sample
+ * (shared/sky.h), zeros for other lights. */
 void sky_pieces_write(const struct renderer *renderer);
 
 #endif

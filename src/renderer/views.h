@@ -1,20 +1,20 @@
-/* Between the renderer's own files. */
+/* Functions shared by the renderer's files. */
 #ifndef RENDERER_VIEWS_H
 #define RENDERER_VIEWS_H
 
 #include "renderer/renderer.h"
 
-/* The buffers of views, by what the desc says and for the pass at hand. */
+/* Writes the view buffers for renderer->desc and the current pass. */
 void renderer_write_views(struct renderer *renderer);
 
-/* How the picture is drawn and shown, as the settings have it. */
+/* Returns the picture's settings. */
 struct picture_settings renderer_picture(const struct renderer *renderer);
 
-/* A power of two near what all lights could make, inverted: exact to multiply by, and keeps half
- * floats in range whatever the units. */
+/* Returns a power of two near the inverse of all lights' greatest irradiance. It multiplies exactly
+ * and keeps half floats in range in any units. */
 float renderer_irradiance_scale(const struct renderer *renderer);
 
-/* Ambient occlusion as an output. It is made anew when somebody asks for it after forget. */
+/* Ambient occlusion as an output. After a call of `forget` the next request makes it again. */
 extern const struct drawn_output renderer_drawn_ao;
 void renderer_forget_ambient_occlusion(struct renderer *renderer);
 

@@ -1,5 +1,5 @@
-/* Lights, cameras and materials as clips change them: KHR_animation_pointer. Without a clip that does, each is as the
- * file has it. */
+/* Lights, cameras and materials that clips change (KHR_animation_pointer). Each returns the file's
+ * value if no playing clip changes it. time: seconds. */
 #ifndef SCENE_ANIMATED_H
 #define SCENE_ANIMATED_H
 
@@ -8,21 +8,21 @@
 struct scene_light animated_light(const struct scene *scene, int light, double time);
 struct scene_camera animated_camera(const struct scene *scene, int camera, double time);
 
-/* What a change of materials makes another. */
+/* Effect of a change of materials. */
 enum animated_change {
     ANIMATED_NOTHING,
     ANIMATED_COLORS,  /* colours and numbers */
-    ANIMATED_OPACITY, /* where surfaces have holes, too */
+    ANIMATED_OPACITY, /* also the holes of surfaces */
 };
 
-/* Keeps the file's materials where clips change some, and makes those as bright as they ever get: lamps are found by
- * that. */
+/* Keeps a copy of the file's materials if clips change some. It gives each its greatest emission,
+ * because lamps are found by emission. */
 void animated_keep_materials(struct scene *scene);
 
-/* Lets lamps shine as their materials do. Lamps of several materials stay as they are. */
+/* Sets lamps to their materials' emission. Lamps of several materials stay unchanged. */
 void animated_follow_materials(struct scene *scene);
 
-/* Makes the scene's materials those of a time. */
+/* Sets the scene's materials to a time, seconds. Returns the greatest change. */
 enum animated_change animated_pose_materials(struct scene *scene, double time);
 
 #endif

@@ -4,18 +4,19 @@
 
 #include "scene/scene.h"
 
-/* The channel's width of numbers at a time in seconds. Before the first key and after the last one
- * their values hold. Rotations are unit quaternions, and go the short way around. */
+/* Writes the channel's numbers, channel->width of them, at a time in seconds. The first and last
+ * keys hold outside the keys. Rotations are unit quaternions and take the shorter way. */
 void channel_sample(const struct channel *channel, double time, float *out);
 
-/* Steps through the channels of the clips that play, in the order in which they act: begins with a zeroed place;
- * NULL at the end. */
+/* Returns the next channel of the playing clips, in the order in which they act. Start with a
+ * zeroed place. NULL: the end. */
 struct channel_place {
     int playing, channel;
 };
 const struct channel *scene_next_channel(const struct scene *scene, struct channel_place *place);
 
-/* Of the longest clip that plays and of all metaballs, seconds; 0 = nothing moves. */
+/* Returns the duration of the longest playing clip and of all metaballs, seconds. 0: nothing
+ * moves. */
 double scene_duration(const struct scene *scene);
 
 void clip_free(struct clip *clip);

@@ -1,8 +1,7 @@
-/* What a camera leaves out because it lies too near or too far: glTF's znear and zfar.
+/* The range of distances that a camera shows: glTF's znear and zfar.
  *
- * Renderer and path tracer cut camera rays alike; light is not cut. Where nothing that the picture shows
- * lies outside, there is nothing to cut.
- */
+ * Renderer and path tracer clip camera rays alike; light is not clipped. A range that cuts nothing
+ * visible is ignored. */
 #ifndef SCENE_CAMERA_RANGE_H
 #define SCENE_CAMERA_RANGE_H
 
@@ -11,17 +10,18 @@
 
 /* Along the camera's axis, metres. */
 struct camera_range {
-    bool cuts; /* something that would be seen lies outside */
+    bool cuts; /* something visible is outside the range */
     float near, far;
 };
 
-/* Holds for a picture of that aspect, width / height. Looks at the triangles of parts that lie partly outside;
- * what hides what does not count. */
+/* Computes the range for a picture of the aspect, width / height. It looks at the triangles of
+ * parts that are partly outside, without occlusion. */
 struct camera_range camera_range_of(const struct camera *camera, const struct geometry *geometry,
                                     float aspect);
 
-/* Lets cameras of the scene, the first 32, see all whose range holds nothing of it at time 0, and notes it: exporters write
- * constants, whatever the scene's size. Of others it notes how much of their view lies beyond zfar. */
+/* Removes the range of a camera that contains nothing of the scene at time 0, and logs it, because
+ * exporters write constants at any scale. For others it logs visible triangles beyond zfar. It
+ * checks the first 32 cameras. */
 void scene_check_ranges(struct scene *scene, const struct geometry *geometry);
 
 #endif

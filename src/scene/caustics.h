@@ -1,4 +1,4 @@
-/* Light that smooth surfaces throw onto others: what a user asks for. */
+/* Settings of caustics, the light that smooth surfaces throw onto others. */
 #ifndef SCENE_CAUSTICS_H
 #define SCENE_CAUSTICS_H
 
@@ -12,18 +12,18 @@ struct caustics_settings {
     int surface;  /* enum caustics_surface */
     int volume;   /* enum caustics_volume */
     int size;     /* rays a side of a light's view */
-    int chains;   /* of each ray through glass */
-    float step;   /* as published: between steps of a pixel's ray, metres */
-    float kernel; /* as published: the Gaussian's support over the step */
+    int chains;   /* chains of each ray, with glass */
+    float step;   /* published variant: step of a pixel's ray, metres */
+    float kernel; /* published variant: support of the Gaussian, in steps */
 };
 
 extern const struct settings_part caustics_part;
 
-/* Whether the settings ask for any, in a medium where there is one, materials are not all diffuse, and a mesh has a smooth
- * material. Such a surface then scatters no light. */
+/* True if the settings enable caustics, materials are not all diffuse, and a mesh has a smooth
+ * material. Volume caustics also need a medium. Smooth surfaces then scatter no light. */
 bool caustics_shown(const struct scene *scene, const struct settings *settings);
 
-/* Notes that light goes straight on through the scene's solid glass, where it has some. */
+/* Logs that light passes straight through the scene's solid glass, if it has some. */
 void caustics_note_straight(const struct scene *scene);
 
 #endif

@@ -1,33 +1,32 @@
-/* Which of a scene's clips play.
+/* The clips of a scene that play.
  *
- * By default all that go together: a file with a clip for each object, as Blender writes it, moves as a whole. Clips that
- * move the same thing are alternatives, as walk and run of a character are: the first of them plays. Clips that are chosen
- * all play, and the last that moves a thing moves it.
- */
+ * By default all compatible clips play, so that a file with one clip for each object, as Blender
+ * writes it, moves as a whole. Clips that move one target are alternatives, like walk and run of a
+ * character: the first plays. Chosen clips all play, and the last one that moves a target wins. */
 #ifndef SCENE_CLIPS_H
 #define SCENE_CLIPS_H
 
 #include "scene/scene.h"
 
-/* Room for clips_to_text. */
+/* Size of the text of clips_to_text. */
 enum { CLIPS_TEXT_SIZE = 256 };
 
-/* Lets those play that go together. */
+/* Plays the default clips. */
 void clips_play_default(struct scene *scene);
 
-/* Notes which clips are left out by default, if any. */
+/* Logs the clips that do not play by default, if any. */
 void clips_note_left_out(const struct scene *scene);
 
-/* Lets the clips of a list play, names or numbers and commas between; "all" or "" = the default. Error: lists the
- * clips when there is none such. */
+/* Plays the clips of a list, names or numbers separated by commas; "all" or "": the default. Error:
+ * no clip has this name; lists the clips. */
 bool clips_select(struct scene *scene, const char *text);
 
 bool clip_plays(const struct scene *scene, int n);
 
-/* How many of the clips play by default. */
+/* Returns the number of clips that play by default. */
 int clips_default_count(const struct scene *scene);
 
-/* The choice as clips_select reads it; "" = the default. Of long lists the beginning. */
+/* Writes the choice in the form of clips_select; "": the default. It truncates long lists. */
 void clips_to_text(const struct scene *scene, char text[CLIPS_TEXT_SIZE]);
 
 #endif

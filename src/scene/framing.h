@@ -1,30 +1,30 @@
-/* A camera and a light for files that bring none. */
+/* A camera and lights for files without them. */
 #ifndef SCENE_FRAMING_H
 #define SCENE_FRAMING_H
 
 #include "scene/mesh/geometry.h"
 
-/* The nodes that carry them; -1 = the scene has its own. */
+/* Nodes of the added camera and lights; -1: the scene has its own. */
 struct framing {
     int camera, light, fill;
 };
 
-/* Adds nodes for a camera, and for a spot and a dim light beside it where wants_light, where the scene
- * has none, and notes it on stderr. The lights hang on a camera that the file brings. */
+/* Adds nodes for a camera, and with wants_light for a spot and a dim fill light, if the scene lacks
+ * them. It logs this. The lights move with the file's camera, if there is one. */
 void framing_add(struct framing *framing, struct scene *scene, bool wants_light);
 
-/* Adds the lights to a scene that has some, which leave it dark (scene/darkness.h), and notes it. Once more
- * framing_place follows. */
+/* Adds the lights to a scene whose own leave it dark (scene/darkness.h), and logs it. Call
+ * framing_place again afterwards. */
 void framing_add_lights(struct framing *framing, struct scene *scene);
 
-/* Places what was added. The camera sees the whole scene, as far as its clip reaches, from above its
- * front right corner; the spot shines from above over the camera's left shoulder and lights more than
- * that, the dim light comes over the right one. In a room all are inside: the camera at one end of its
- * longest line, the lights below the ceiling. */
+/* Places the added nodes. The camera shows the whole scene over its clip, from above its front
+ * right corner. The spot is above the camera's left shoulder and covers more; the fill light is
+ * above the right. In a room the camera is at one end of the longest free line, and the lights are
+ * below the ceiling. */
 void framing_place(const struct framing *framing, struct scene *scene,
                    const struct geometry *geometry);
 
-/* Whether the scene's n-th light is one of them. */
+/* True if the scene's n-th light was added by framing. */
 bool framing_made_light(const struct scene *scene, int n);
 
 #endif

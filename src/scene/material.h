@@ -1,4 +1,4 @@
-/* What of a material the light sees: all of it, or the base colour alone. */
+/* Optical properties of materials: full, or the base colour alone. */
 #ifndef SCENE_MATERIAL_H
 #define SCENE_MATERIAL_H
 
@@ -7,11 +7,11 @@
 #include "scene/scene.h"
 #include "shared/brdf.h"
 
-/* Reflectance from straight on of what has an index of refraction of 1.5. */
+/* Reflectance at normal incidence for an index of refraction of 1.5. */
 #define DIELECTRIC_F0 ((float)BRDF_DIELECTRIC_F0)
 
-/* MATERIALS_DIFFUSE: every surface is Lambertian, its albedo the base colour, metals' too; no normal maps, and
- * unlit materials are lit. */
+/* MATERIALS_DIFFUSE: every surface is Lambertian with its base colour as albedo, metals too. Normal
+ * maps are ignored, and unlit materials are lit. */
 enum materials { MATERIALS_FULL, MATERIALS_DIFFUSE };
 
 extern const char *const materials_names[];
@@ -22,77 +22,77 @@ struct material_settings {
 
 extern const struct settings_part material_part;
 
-/* Whether the material is Lambertian under either setting, of the base colour: no metal, and without any
- * reflectance; or as rough as can be, with the reflectance that files have that do not speak of it, as plain
- * scenes have always meant it. */
+/* True if the material is Lambertian with either setting. It is not metallic and has no specular
+ * reflectance, or it has roughness 1 and glTF's default reflectance. */
 bool material_is_diffuse(const struct material *material);
 
-/* Smooth surfaces that cast caustics: glass transmits more than half of its light, mirrors are metals of roughness
- * below a tenth (chapter 8 of [Dong 2011] says "specular objects"). By the factors alone. */
+/* Smooth surfaces that cast caustics, by factors alone ("specular objects" in [Dong 2011 §8]).
+ * Glass transmits over half of its light; mirrors are metals of roughness below .1. */
 enum smooth_kind { SMOOTH_NONE, SMOOTH_GLASS, SMOOTH_MIRROR };
 enum smooth_kind material_smooth_kind(const struct material *material);
 
-/* Whether that alpha is a hole of its mask. Interpolated ones are a rounding off. */
+/* True if alpha is a hole of the mask. Interpolation may round alpha by ALPHA_SLACK. */
 #define ALPHA_SLACK 1e-4F
 static inline bool material_is_hole(const struct material *material, float alpha) {
     return material->alpha_mask && alpha < material->alpha_cutoff - ALPHA_SLACK;
 }
 
-/* Share of the light that enters and is not scattered. */
+/* Returns the fraction of entering light that is not scattered. */
 float material_transmits(const struct material *material);
 
-/* Whether light goes straight through: blended surfaces and glass, unless they shine. */
+/* True if light passes straight through: blended surfaces and glass, unless they emit. */
 bool material_lets_pass(const struct material *material);
 
-/* The same of surfaces that the frame takes out of its triangles: blended ones of one alpha, and glass. */
+/* True for surfaces that the frame removes from its triangles: blended ones of constant alpha, and
+ * glass. */
 bool material_is_pane(const struct material *material);
 
-/* What a surface that lets light pass makes of its base colour: past it goes base, and through it glass times what its two
- * faces do not reflect. */
+/* Colour of a surface that light passes: light beside it is times base, light through it times
+ * glass and the transmittance of its two faces. */
 struct pane_color {
     vec3s glass;
     float base, index;
 };
-/* Of a plate between parallel faces, with all reflections within; of a negative index one face of a solid. */
+/* Returns the transmittance of a plate with parallel faces, including internal reflections; with a
+ * negative index, of one face of a solid. */
 float material_plate_passes(float index, float cosine);
 
 struct pane_color material_pane_color(const struct material *material, vec4s base_color);
 
-/* What a surface that lets light pass does to it, by its base colour there and the cosine of the angle. */
+/* Effect of a pane on light, by its base colour and the cosine of the angle of incidence. */
 struct passing {
-    vec3s passes; /* share of the light that goes straight on */
-    float covers; /* share by which the surface's own light counts */
+    vec3s passes; /* fraction of light that passes straight through */
+    float covers; /* fraction of the surface's own light that counts */
 };
 struct passing material_passing(const struct material *material, vec4s base_color, float cosine);
 
-/* How a surface reflects at one place, besides its base colour: the reflectance, from straight on and
- * grazing, is of what is no metal. */
+/* Reflection at one point besides the base colour. f0 and f90 are the dielectric part's. */
 struct reflectance {
     float metalness, roughness;
     vec3s f0;
     float f90;
 };
 
-/* By the material's factors alone; and by what its metal-roughness texture has there, which it may not
- * have: it is then white. */
+/* Return the reflectance by the material's factors alone; and with a texel of its metal-roughness
+ * texture, white without one. */
 struct reflectance material_reflectance(const struct material *material);
 struct reflectance material_reflectance_at(const struct material *material, vec4s texel);
 
-/* The grazing reflectance of what files give no other one, by the greatest one from straight on. */
+/* Returns the default grazing reflectance for the greatest reflectance at normal incidence. */
 float reflectance_grazing(float f0);
 
-/* How much of light that comes evenly a surface of that base colour reflects in all, diffusely and not. */
+/* Returns the fraction of uniform light that a surface reflects, diffuse plus specular. */
 vec3s material_reflects(const struct material *material, vec3s base_color,
                         const struct reflectance *reflectance);
 
-/* The mean share of even light that enters what is no metal, to be reflected diffusely. */
+/* Returns the fraction of uniform light that enters a dielectric, for diffuse reflection. */
 float reflectance_transmits(const struct reflectance *reflectance);
 
-/* Whether all that meshes have are, and none has a normal map or is unlit: both settings make the same
- * picture. */
+/* True if all materials of meshes are diffuse, without normal maps, and lit. Both settings then
+ * give equal pictures. */
 bool materials_are_plain(const struct scene *scene);
 
-/* Whether a material's textures do not all lie alike. */
+/* True if some material's textures have different mappings. */
 bool materials_have_mappings(const struct scene *scene);
 
 #endif

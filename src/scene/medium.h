@@ -1,4 +1,4 @@
-/* The participating medium that a picture shows: the one of the scene's file, or one of the user's settings. */
+/* The participating medium of a picture: that of the scene's file or of the settings. */
 #ifndef SCENE_MEDIUM_H
 #define SCENE_MEDIUM_H
 
@@ -6,18 +6,18 @@
 #include "scene/scene.h"
 
 struct medium_settings {
-    float scatter, absorb; /* optical depth of the scene's radius; both 0: the scene's medium */
+    float scatter, absorb; /* optical depth over the scene's radius; both 0: the scene's medium */
     float g;
     bool scene;
-    int steps; /* of the airlight of one light along a pixel's ray */
+    int steps; /* airlight steps of one light along a pixel's ray */
 };
 
 extern const struct settings_part medium_part;
 
-/* Whether it scatters or absorbs. */
+/* True if the medium scatters or absorbs. */
 bool medium_exists(const struct medium *medium);
 
-/* The medium that the settings choose for a scene of that radius, metres. */
+/* Returns the medium for a scene of `radius`, metres. */
 struct medium medium_of(const struct scene *scene, const struct settings *settings, float radius);
 
 #endif

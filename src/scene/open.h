@@ -1,4 +1,4 @@
-/* From a file to a scene that can be shown. */
+/* Opens a file as a scene that is ready to render. */
 #ifndef SCENE_OPEN_H
 #define SCENE_OPEN_H
 
@@ -8,20 +8,20 @@
 
 struct scene_open_desc {
     const struct file_bytes
-        *bytes; /* in place of the file, as of scene_load_bytes; NULL = the file */
+        *bytes; /* contents in place of the file, as in scene_load_bytes; NULL: reads the file */
     struct scene_choice choice;
-    const char *light; /* those that shine, as scene/placing.h has it; NULL = all */
-    const char *clip;  /* those that play, as scene/clips.h has it; NULL = the default */
+    const char *light; /* lights, as in scene/placing.h; NULL: all */
+    const char *clip;  /* clips, as in scene/clips.h; NULL: the default */
     struct environment_desc environment;
-    float punctual_scale; /* as of scene/lights/punctual.h; 0 = 1 */
-    bool may_be_empty;    /* a scene without triangles opens; its geometry stays zeroed */
+    float punctual_scale; /* as in scene/lights/punctual.h; 0: 1 */
+    bool may_be_empty;    /* opens a scene without triangles; its geometry stays zeroed */
 };
 
-/* Loads the file, changes of it what desc says, unless that is NULL, lays out the triangles of time
- * 0, moves all to the origin where it lies far out (scene/recentre.h) and gives it the camera and the
- * light that it lacks (scene/framing.h, scene/darkness.h), but no light where light names all that
- * shine. Triangles are laid out once; of scenes far out
- * twice, and once more of dark ones. Error: names file, object and reason; both are then zeroed. */
+/* Loads the file with the changes of `desc` (NULL: none) and lays out the triangles of time 0. A
+ * scene far from the origin is moved there (scene/recentre.h). Missing camera and lights are added
+ * (scene/framing.h, scene/darkness.h), but no lights if desc->light names all. Triangles are laid
+ * out once; twice far from the origin; once more for dark scenes. Error: names file, object and
+ * reason; both are then zeroed. */
 bool scene_open(struct scene *scene, struct geometry *geometry, const char *path,
                 const struct scene_open_desc *desc);
 

@@ -1,9 +1,8 @@
-/* A few triangles that are drawn by the very programs that a scene is drawn by: for whoever wants those
- * compiled before the scene itself is drawn.
+/* A few triangles that use exactly the programs of a scene, to compile these before the scene is
+ * drawn.
  *
- * Two triangles of each material, across the scene; textures of few texels, which are sampled as the scene's
- * are; the texels of the scene's sky, which must live as long.
- */
+ * It has two triangles of each material across the scene, and small textures with the scene's
+ * sampling. It shares the texels of the scene's environment, which must outlive it. */
 #ifndef SCENE_STAND_IN_H
 #define SCENE_STAND_IN_H
 
@@ -13,13 +12,13 @@
 struct stand_in {
     struct scene scene;
     struct geometry geometry;
-    struct environment sky; /* the scene's, as it was turned and strong then; with its texels */
+    struct environment sky; /* copy of the scene's turn and strength; shares its texels */
 };
 
 void stand_in_init(struct stand_in *stand_in, const struct scene *scene,
                    const struct geometry *geometry);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void stand_in_free(struct stand_in *stand_in);
 
 #endif

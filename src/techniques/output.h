@@ -1,37 +1,38 @@
-/* Outputs of a frame, for the viewer and --aov: the renderer and the technique each add rows to a list. output_find
- * finds a row by its name, output_vpls and output_vals by its kind; NULL: there is none. */
+/* Outputs of a frame, for the viewer and --aov. The renderer and the technique each add rows to a
+ * list. */
 #ifndef TECHNIQUES_OUTPUT_H
 #define TECHNIQUES_OUTPUT_H
 
 #include "passes/visibility/visibility.h"
 
-/* What is shown of an output, and what its source is. src/inspect/inspect.c draws each kind (mode_of, texture_of). */
+/* Kinds of output, with the type of their source. src/inspect/inspect.c draws each (mode_of,
+ * texture_of). */
 enum output_kind {
-    OUTPUT_NORMAL,       /* struct gbuffer: its layers of world normals, where a surface is */
-    OUTPUT_ALBEDO,       /* struct texture: layers, square root of the albedo */
-    OUTPUT_DEPTH,        /* struct texture: layers, reversed depth from the camera */
-    OUTPUT_SINGLE_DEPTH, /* struct texture: a layer for each light of one view */
-    OUTPUT_FACE_DEPTH,   /* struct texture: a layer for each face of lights of six */
+    OUTPUT_NORMAL, /* struct gbuffer: world normals of each layer; nothing without a surface */
+    OUTPUT_ALBEDO, /* struct texture: layers of square roots of albedo */
+    OUTPUT_DEPTH,  /* struct texture: layers of reversed camera depth */
+    OUTPUT_SINGLE_DEPTH, /* struct texture: one layer for each light with one view */
+    OUTPUT_FACE_DEPTH,   /* struct texture: one layer for each face of lights with six views */
     OUTPUT_IRRADIANCE,   /* struct irradiance */
     OUTPUT_VPLS,         /* struct vpl_buffer */
     OUTPUT_VALS,         /* struct val_output */
-    OUTPUT_VISIBILITY,   /* struct val_output: which of the VALs' light arrives */
+    OUTPUT_VISIBILITY,   /* struct val_output: visible fraction of the VALs' light */
     OUTPUT_MAP_DEPTH,    /* struct depth_maps */
     OUTPUT_BASIS,        /* struct texture: layers of paraboloid maps in [0, 1] */
-    OUTPUT_SIGNED_BASIS, /* struct texture: the same in [-1, 1] */
+    OUTPUT_SIGNED_BASIS, /* struct texture: layers of paraboloid maps in [-1, 1] */
     OUTPUT_AO,           /* struct drawn_output */
     OUTPUT_AIRLIGHT,     /* struct texture: radiance times irradiance_scale */
     OUTPUT_RADIANCE,     /* struct texture: radiance */
     OUTPUT_VOXELS,       /* struct drawn_output: radiosity times irradiance_scale */
-    OUTPUT_KINDS,        /* new kinds stand before it */
+    OUTPUT_KINDS,        /* number of kinds; add new ones above */
 };
 
-/* Virtual area lights, and how the maps from them are looked up. Textures are M x 1. */
+/* Virtual area lights, and lookups of their maps. Textures are M x 1. */
 struct val_output {
-    const struct texture *positions, *normals, *fluxes; /* position w: how many VPLs */
+    const struct texture *positions, *normals, *fluxes; /* position w: number of VPLs */
     const struct texture *extremes; /* bounding rectangles: max s, max t, -min s, -min t */
-    const struct visibility_desc *visibility; /* by blocks, where they look up */
-    struct visibility_inputs maps;            /* bases NULL where they are not made */
+    const struct visibility_desc *visibility; /* lookup by visibility blocks, if enabled */
+    struct visibility_inputs maps;            /* bases NULL without basis maps */
 };
 
 struct frame;
@@ -49,10 +50,10 @@ struct drawn_output {
 };
 
 struct output {
-    const char *name; /* a word for command lines: "rsm-normal" */
+    const char *name; /* name on the command line, for example "rsm-normal" */
     const char *help;
     enum output_kind kind;
-    const void *source; /* of the technique or renderer, until it changes or is freed */
+    const void *source; /* owned by the technique or renderer; valid until it changes or is freed */
 };
 
 enum { OUTPUTS_MAX = 32 };
@@ -64,10 +65,10 @@ struct output_list {
 
 void output_add(struct output_list *list, const struct output *output);
 
-/* NULL where there is none of the name, as of NULL. */
+/* Returns the output of this name; NULL if there is none or `name` is NULL. */
 const struct output *output_find(const struct output_list *list, const char *name);
 
-/* The first of its kind; NULL where there is none. */
+/* Return the first output of the kind; NULL if there is none. */
 const struct vpl_buffer *output_vpls(const struct output_list *list);
 const struct val_output *output_vals(const struct output_list *list);
 

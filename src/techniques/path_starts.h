@@ -1,10 +1,10 @@
-/* Where paths of light start that bring later bounces: places that lights shine on, dense where their light comes to what
- * the picture shows by more than one bounce.
+/* Makes the starts of light paths for later bounces: lit points, dense where their light reaches
+ * the picture after more than one bounce.
  *
- * VPLs of the first bounce are no such places: they are few, and those that the picture does not see may have sixteen times
- * the light of an even share. One path from the ground before a window then brings more light than the room has. Starts have
- * an importance map of later bounces (passes/lights/importance_map.h), and at most twice the light of an even share.
- */
+ * VPLs of the first bounce are unsuitable. They are few, and invisible ones may have 16 times the
+ * light of an equal share. One path from the ground outside a window then carries more light than
+ * the room. Starts have an importance map of later bounces (passes/lights/importance_map.h), and at
+ * most twice the light of an equal share. */
 #ifndef TECHNIQUES_PATH_STARTS_H
 #define TECHNIQUES_PATH_STARTS_H
 
@@ -13,24 +13,24 @@
 
 struct path_starts_desc {
     struct caster_pool *casters; /* must outlive the pass */
-    int lights;                  /* of the frame's layout, at least 1 */
-    int count;                   /* of starts, one or more for each path */
+    int lights;                  /* lights of the frame's layout, at least 1 */
+    int count;                   /* number of starts, at least one a path */
     int bounces;                 /* more than 1 */
     int seed;
-    bool medium, slides, sky_rays; /* as VPLs have them */
+    bool medium, slides, sky_rays; /* as in struct vpl_desc */
 };
 
 struct path_starts {
     struct importance_map_pass importance;
     struct vpl_pass places;
-    struct vpl_buffer vpls; /* count */
+    struct vpl_buffer vpls; /* `count` starts */
 };
 
-/* Error: as importance_map_pass_init. */
+/* Error: that of importance_map_pass_init. */
 bool path_starts_init(struct path_starts *starts, const struct path_starts_desc *desc);
 void path_starts_free(struct path_starts *starts);
 
-/* Fills starts->vpls for frame->gbuffer. `rays` have a tree and albedos. */
+/* Fills starts->vpls for frame->gbuffer. `rays` needs a tree and albedos. */
 void path_starts_render(struct path_starts *starts, const struct frame *frame,
                         const struct gbuffer rsm[LIGHT_MAP_KINDS], const struct light_rays *rays);
 

@@ -1,12 +1,13 @@
-/* What glass and mirrors show: rays from their pixels through smooth surfaces, by the scene's BVH.
+/* Renders glass and mirrors: rays from their pixels through smooth surfaces, by the scene's BVH.
  *
- * A ray divides at the first glass as light rays do (caustics.h); numbers pick at later surfaces. A place that the picture
- * shows has the light that the frame has found there, by bilinear interpolation. Elsewhere shadow rays find direct light of
- * all light samples, and rays by the cosine one bounce of indirect light, with the noise of few rays. In a medium segments
- * have airlight by few steps.
+ * A ray divides at the first glass, as light rays do (caustics.h); random numbers choose at later
+ * surfaces. A ray that ends at a visible point takes the light of the frame there, interpolated
+ * bilinearly. Elsewhere shadow rays test all light samples, and cosine-distributed rays estimate
+ * one indirect bounce, with noise. In a medium each segment gets airlight by a few steps.
  *
- * Not seen: caustics of places outside the picture, textures there (triangles have their mean colour), highlights of
- * rough metal turned to the smooth surface, later bounces there. Cost: pixels of glass, times chains and their surfaces. */
+ * Missing outside the picture: caustics, textures (triangles have their mean colour), highlights of
+ * rough metal turned to the smooth surface, and further bounces. Cost: pixels of glass x chains x
+ * surfaces of a chain. */
 #ifndef PASSES_GLASS_H
 #define PASSES_GLASS_H
 
@@ -22,7 +23,7 @@ struct glass_desc {
     int width, height;
     int chains;
     enum materials materials;
-    bool medium, sky; /* frames have one */
+    bool medium, sky; /* frames have a medium; an environment */
     const struct scene *scene;
     const struct geometry *geometry;
 };
@@ -33,26 +34,27 @@ struct glass_pass {
     struct texture screen; /* RGBA32F, LAYER_SENT of passes/picture/composite.h */
     GLuint screen_framebuffer;
     struct buffer triangles, params;
-    unsigned painted; /* of the geometry, that the triangles are of */
-    float (*glow)[3]; /* of materials, likewise */
+    unsigned painted; /* value of geometry->painted for `triangles` */
+    float (*glow)[3]; /* emission of each material when `triangles` were written */
 };
 
 /* Error: out of GPU memory; shaders. */
 bool glass_pass_init(struct glass_pass *pass, const struct glass_desc *desc);
 void glass_pass_free(struct glass_pass *pass);
 
-/* Error: out of GPU memory; all is as it was. */
+/* Error: out of GPU memory; the pass stays unchanged. */
 bool glass_pass_resize(struct glass_pass *pass, int width, int height);
 
 struct glass_inputs {
     const struct smooth_surfaces *surfaces;
     const struct caster_bvh *tree;
-    const struct environment *sky; /* where desc.sky */
-    GLuint framebuffer;            /* RGBA32F; pixels of smooth surfaces are written: radiance, and
-                                      1 + the part of it that is indirect light */
+    const struct environment *sky; /* required with desc.sky */
+    /* RGBA32F target; pixels of smooth surfaces get radiance, and 1 + its indirect fraction in
+     * A. */
+    GLuint framebuffer;
 };
 
-/* Once the screen is filled. Timer "glass". */
+/* Renders glass into inputs->framebuffer. Call it after filling `screen`. Timer "glass". */
 void glass_pass_render(struct glass_pass *pass, const struct frame *frame,
                        const struct gbuffer *gbuffer, const struct glass_inputs *inputs);
 

@@ -1,9 +1,8 @@
-/* Finds the pixels that a blur cannot help: those with few like neighbours, as on leaves and
- * mouldings. They gather more lights, and are blurred less: the fewer neighbours are like, the more.
+/* Lists adaptive pixels: pixels with few similar neighbours, for example on leaves and mouldings.
+ * They gather more lights and get a smaller blur.
  *
- * Such pixels lie scattered, and a software rasteriser (as a wave of a GPU) takes as long for one of
- * eight neighbours as for all: so lists hold them, and they are drawn side by side.
- */
+ * Adaptive pixels are scattered, and a SIMD group takes as long for one pixel as for all its lanes.
+ * Lists let a pass draw them side by side. */
 #ifndef PASSES_ADAPTIVE_H
 #define PASSES_ADAPTIVE_H
 
@@ -15,20 +14,22 @@ struct gbuffer;
 struct adaptive_desc {
     int width, height;
     int interleave; /* n of the lists' pattern, at most 8 */
-    int radius;     /* of the four neighbours that are asked, pixels along x and y */
+    int radius;     /* distance to the four diagonal neighbours, pixels along x and y */
     float distance; /* as in struct blur_desc */
     float cosine;
-    float share; /* of like neighbours, below which a pixel is adaptive */
-    /* At most cosine. What lies between is gentle relief, which has neighbours that are unlike on all sides, and needs
-     * no more than an edge does: it makes no PIXEL_LEVEL_DETAIL. */
+    float share; /* fraction of similar neighbours below which a pixel is adaptive */
+    /* At most `cosine`. Angles between both are gentle relief, which needs the level of an edge and
+     * not PIXEL_LEVEL_DETAIL. */
     float sharp_cosine;
-    int block; /* pixels a side of a block that shares its visibility; pixels without one are adaptive; 0: none does */
+    /* Side of a visibility block, pixels. A pixel without a matching block is adaptive. 0: no
+     * blocks. */
+    int block;
 };
 
 struct adaptive_pass {
     struct adaptive_desc desc;
     GLuint program;
-    GLuint framebuffer; /* of list texels */
+    GLuint framebuffer; /* target for list texels */
     struct pixel_lists lists;
     struct buffer params;
 };

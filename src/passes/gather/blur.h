@@ -1,10 +1,9 @@
 /* Geometry-aware blur of the irradiance [Dong 2009 §6; Laine et al. 2007].
  *
- * Neighbours count where |x - x'| < alpha and n . n' > beta. A first draw puts the interleaved
- * tiles back into picture order, with the place and normal of each pixel in the same texel: a tap
- * is then one fetch. The end taps have half weight: a window of 2 r + 1 taps then holds each place
- * of a pattern of 2 r pixels equally and is centred.
- */
+ * A neighbour counts if |x - x'| < alpha and n . n' > beta. A first draw reorders the interleaved
+ * tiles and packs position and normal of each pixel into one texel, so a tap is one fetch. End taps
+ * have half weight: a window of 2 r + 1 taps is centred and holds each place of a pattern of 2 r
+ * pixels equally. Cost: pixels x taps along x, then along y. */
 #ifndef PASSES_BLUR_H
 #define PASSES_BLUR_H
 
@@ -15,16 +14,19 @@ struct pixel_lists;
 
 struct blur_desc {
     int width, height;
-    int radius;                       /* taps to each side; 0 only puts the tiles in order */
-    float distance;                   /* alpha, over the picture's height at the pixel's depth */
-    float cosine;                     /* beta */
-    float detail_cosine;              /* of PIXEL_LEVEL_DETAIL, if larger */
-    bool adaptive;                    /* there are pixels of lists */
-    float level_radius[PIXEL_LEVELS]; /* theirs, smaller; half an edge's where light is steep */
-    float level_weight[PIXEL_LEVELS]; /* how many times as many lights as others they have */
-    bool specular; /* what is smooth, of a G-buffer with its target, is of the first level */
-    bool square;   /* over all taps of the square at once, as published; else along x, then y */
-    /* Another blur of this size, not square or as square, whose taps it may overwrite; outlives it. NULL: own taps. */
+    int radius;          /* taps on each side; 0: reorders the tiles without blur */
+    float distance;      /* alpha, over the picture's height at the pixel's depth */
+    float cosine;        /* beta */
+    float detail_cosine; /* beta of PIXEL_LEVEL_DETAIL, if larger */
+    bool adaptive;       /* inputs have lists */
+    /* Radius of each level, smaller than `radius`; half of the edge's where irradiance is steep. */
+    float level_radius[PIXEL_LEVELS];
+    /* Weight of each level: lights of its pixels over lights of a planar pixel. */
+    float level_weight[PIXEL_LEVELS];
+    bool specular; /* pixels of smooth surfaces take the first level; needs the specular target */
+    bool square;   /* blurs the whole square at once, as published; else along x, then y */
+    /* Another blur of this size and kind (square or not) whose taps this one overwrites. It outlives
+     * this blur. NULL: own taps. */
     const struct blur_pass *lender;
 };
 
@@ -34,13 +36,13 @@ struct blur_pass {
     struct blur_axis {
         GLuint program;
         struct buffer params;
-    } along_x, along_y; /* where square, along_y alone, of all rows */
+    } along_x, along_y; /* with desc.square: along_y alone, for all rows */
     struct irradiance taps,
-        half; /* RGBA32UI, src/passes/gather/blur_tap.glsl; half: not where square */
+        half; /* RGBA32UI, src/passes/gather/blur_tap.glsl; `half` only without desc.square */
     struct irradiance blurred;
 };
 
-/* What is blurred: where lists is not NULL, their pixels have another estimate, in their tiles. */
+/* Input of the blur. With `lists`, their pixels take their own estimate from `adaptive`. */
 struct blur_inputs {
     const struct irradiance *source;
     const struct pixel_lists *lists;
@@ -50,7 +52,7 @@ struct blur_inputs {
 bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc);
 void blur_pass_free(struct blur_pass *pass);
 
-/* From the inputs to pass->blurred. Timer "blur". */
+/* Blurs inputs->source into pass->blurred. Timer "blur". */
 void blur_pass_render(const struct blur_pass *pass, const struct frame *frame,
                       const struct gbuffer *gbuffer, const struct blur_inputs *inputs);
 

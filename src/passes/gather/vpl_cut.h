@@ -1,9 +1,8 @@
-/* Cuts through a tree over VPLs, one for each block of pixels: as few nodes as stand for all VPLs with an error that a
- * bound keeps small at every point of the block [Walter et al. 2006; Lin and Yuksel 2020].
+/* Finds a cut through the VPL tree for each block of pixels [Walter et al. 2006; Lin and Yuksel
+ * 2020]. Its few nodes replace all VPLs with a bounded error at every point of the block.
  *
- * The bound is that of the geometry term, between the box of the block's points with the cone of their normals and
- * those of the node. Visibility counts as 1. Cost: blocks x nodes^2.
- */
+ * The bound is that of the geometry term between the block and the node, each with a bounding box
+ * and a normal cone. Visibility counts as 1. Cost: blocks x nodes^2. */
 #ifndef PASSES_VPL_CUT_H
 #define PASSES_VPL_CUT_H
 
@@ -14,13 +13,13 @@ struct gbuffer;
 
 struct vpl_cut_desc {
     int width, height; /* of the picture */
-    int block;         /* pixels a side */
-    int nodes;         /* at most; of pixels of lists CUT_NODES_MAX */
-    float tolerance;   /* of a node's error, over the sum that is not shadowed */
+    int block;         /* side of a block, pixels */
+    int nodes;         /* most nodes of a cut; list pixels have CUT_NODES_MAX */
+    float tolerance;   /* error of a node, over the unshadowed sum */
     int clamp;         /* GATHER_CLAMP_...; balls count as disks */
     float clamp_value; /* as in struct gather_desc */
-    bool later;        /* VPLs of later bounces come too */
-    int later_clamp;   /* theirs */
+    bool later;        /* also cuts VPLs of later bounces */
+    int later_clamp;   /* GATHER_CLAMP_... of later bounces */
 };
 
 struct vpl_cut_pass {

@@ -1,4 +1,4 @@
-/* What each triangle of the scene reflects, as rays of light look it up. */
+/* Uploads the albedo of each triangle, for light rays. */
 #ifndef PASSES_ALBEDOS_H
 #define PASSES_ALBEDOS_H
 
@@ -9,14 +9,14 @@
 struct albedos_desc {
     const struct scene *scene;
     enum materials materials;
-    bool smooth_black; /* glass and mirrors reflect nothing: caustics carry their light */
+    bool smooth_black; /* glass and mirrors have albedo 0, because caustics carry their light */
 };
 
 struct albedos {
     struct albedos_desc desc;
     struct buffer
         buffer;       /* struct triangle_albedo of each triangle; texels: UNIT_TRIANGLE_ALBEDOS */
-    unsigned painted; /* the geometry's, that they are of */
+    unsigned painted; /* value of geometry->painted for `buffer` */
 };
 
 /* Error: driver, memory. */
@@ -24,8 +24,8 @@ bool albedos_init(struct albedos *albedos, const struct albedos_desc *desc,
                   const struct geometry *geometry);
 void albedos_free(struct albedos *albedos);
 
-/* Follows a change of the geometry's triangles. Where memory for metaballs that have grown is lacking, triangles without an
- * albedo are black. */
+/* Follows a change of the geometry's triangles. If memory for grown metaballs is lacking, triangles
+ * without an albedo are black. */
 void albedos_follow(struct albedos *albedos, const struct geometry *geometry);
 
 #endif

@@ -1,9 +1,9 @@
-/* Area lights that stand for clusters of VPLs [Prutkin 2012 §5], from the clusters' sums on the GPU.
+/* Makes area lights of VPL clusters [Prutkin 2012 §5], from the clusters' sums on the GPU.
  *
- * A second scatter of the VPLs adds up second moments; then vertex j becomes light j, in the place of all
- * VPLs of its cluster: their mean position and normal and the sum of their fluxes, with the rectangle of the
- * same moments or a disk of the same area. The paper leaves open how "spatial extent" is told.
- */
+ * A second scatter of the VPLs sums second moments. Light j then replaces all VPLs of cluster j.
+ * It has their mean position and normal and the sum of their fluxes. Its shape is the rectangle
+ * with their moments, or a disk of that area. The paper leaves the computation of "spatial extent"
+ * open. */
 #ifndef PASSES_CLUSTER_LIGHT_H
 #define PASSES_CLUSTER_LIGHT_H
 
@@ -29,7 +29,7 @@ bool cluster_light_pass_init(struct cluster_light_pass *pass,
                              const struct cluster_light_desc *desc);
 void cluster_light_pass_free(struct cluster_light_pass *pass);
 
-/* From VPLs with C(i), and the means of those clusters. Timer "lights of clusters". */
+/* Makes lights of VPLs with C(i) and their clusters' `means`. Timer "lights of clusters". */
 void cluster_light_pass_render(const struct cluster_light_pass *pass, const struct frame *frame,
                                const struct vpl_buffer *vpls, const struct val_targets *means);
 

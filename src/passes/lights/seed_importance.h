@@ -1,9 +1,9 @@
-/* Where clusters begin, by what VPLs would give to the picture: bidirectional importance [Prutkin 2012 §4;
- * Ritschel et al. 2011].
+/* Chooses initial cluster centres by the VPLs' contribution to the picture: bidirectional
+ * importance [Prutkin 2012 §4; Ritschel et al. 2011].
  *
- * VPLs add their importance up in cells of the square that their points lie in, which by flux is the domain of their
- * light. Halton points are warped by it. It depends on the camera. Cost: VPLs x 256 pixels.
- */
+ * VPLs add their importance to cells of the unit square of their points, which by flux is their
+ * light's domain. The cells warp Halton points. Seeds depend on the camera. Cost: VPLs x 256
+ * pixels. */
 #ifndef PASSES_SEED_IMPORTANCE_H
 #define PASSES_SEED_IMPORTANCE_H
 
@@ -16,15 +16,15 @@ struct vpl_buffer;
 
 struct seed_importance_desc {
     int count;         /* of clusters */
-    float clamp_value; /* of the geometry term, times the squared scene radius */
+    float clamp_value; /* bound of the geometry term, times the squared scene radius */
 };
 
 struct seed_importance_pass {
     struct seed_importance_desc desc;
     GLuint value_program, number_program, seed_program;
-    struct texture values, numbers; /* a texel a cell; R32F */
+    struct texture values, numbers; /* R32F, one texel a cell */
     GLuint value_framebuffer, number_framebuffer;
-    struct texture seeds; /* count x 1, R32F: numbers of VPLs, or -1 */
+    struct texture seeds; /* count x 1, R32F: VPL numbers, or -1 */
     GLuint seed_framebuffer;
     struct buffer params;
 };
@@ -33,7 +33,8 @@ bool seed_importance_pass_init(struct seed_importance_pass *pass,
                                const struct seed_importance_desc *desc);
 void seed_importance_pass_free(struct seed_importance_pass *pass);
 
-/* Fills pass->seeds. `points` has ATTRIBUTE_VPL_POINT of the VPLs (passes/lights/vpl.h). Timer "importance". */
+/* Fills pass->seeds. `points` is a vertex array with ATTRIBUTE_VPL_POINT (passes/lights/vpl.h).
+ * Timer "importance". */
 void seed_importance_pass_render(const struct seed_importance_pass *pass, const struct frame *frame,
                                  const struct gbuffer *gbuffer, const struct vpl_buffer *vpls,
                                  GLuint points);

@@ -1,10 +1,9 @@
-/* A perfect binary tree over VPLs, built anew with each frame's: sorted along a Z-order curve of places and normals,
- * then level by level what holds all VPLs below a node, and the one that stands for them [Walter et al. 2005; Lin and
- * Yuksel 2020].
+/* Builds a perfect binary tree over each frame's VPLs [Walter et al. 2005; Lin and Yuksel 2020].
  *
- * Nodes light with the power of all their VPLs. Pixels come in sets, each with VPLs of its own to stand for nodes,
- * picked by flux: the mean over pixels side by side is that of many VPLs. Cost: N log^2 N to sort, and sets x N.
- */
+ * VPLs are sorted along a Z-order curve of positions and normals. Then each level gets the bounds
+ * of its nodes and a representative VPL. A node has the power of all its VPLs. Each set of pixels
+ * has its own representatives, chosen by flux, so the mean over neighbouring pixels is that of many
+ * VPLs. Cost: N log^2 N to sort, and sets x N. */
 #ifndef PASSES_VPL_TREE_H
 #define PASSES_VPL_TREE_H
 
@@ -27,7 +26,7 @@ struct vpl_tree_pass {
 bool vpl_tree_pass_init(struct vpl_tree_pass *pass, const struct vpl_tree_desc *desc);
 void vpl_tree_pass_free(struct vpl_tree_pass *pass);
 
-/* Fills pass->tree, which reads the VPLs too. Timer "tree". */
+/* Builds pass->tree, which also refers to the VPLs. Timer "tree". */
 void vpl_tree_pass_render(struct vpl_tree_pass *pass, const struct frame *frame,
                           const struct vpl_buffer *vpls);
 

@@ -1,8 +1,9 @@
-/* How much VPLs count in the means of clusters: by what they would give to the picture where nothing
- * is between, which is importance [Prutkin 2012 §4; Ritschel et al. 2011]. Most VPLs of a lamp next door, of a sky, or of further
- * bounces give nothing to what the camera sees; where all count alike most VALs are theirs. What is between is not asked:
- * rays told no more (docs/notes/clustering.md). It depends on the camera. Cost: VPLs x 64 pixels.
- */
+/* Weights VPLs in the means of clusters by their unoccluded contribution to the picture, their
+ * importance [Prutkin 2012 §4; Ritschel et al. 2011].
+ *
+ * Most VPLs of a lamp next door, an environment or later bounces light nothing visible. With equal
+ * weights they would take most VALs. Visibility is not tested, because rays do not improve the
+ * result (docs/notes/clustering.md). Weights depend on the camera. Cost: VPLs x 64 pixels. */
 #ifndef PASSES_VPL_WEIGHT_H
 #define PASSES_VPL_WEIGHT_H
 

@@ -1,8 +1,10 @@
-/* Airlight with shadows: what a medium scatters once from the lights towards the camera, and what it lets pass.
+/* Renders airlight with shadows: single scattering of a medium towards the camera, and
+ * transmittance.
  *
- * For each pixel and light, steps along the ray look up the light's shadow map [Dong 2011 §8.2 names Wyman and Ramsey's
- * shadow volumes instead]. Steps are even in the angle seen from the light [Kulla and Fajardo 2012]. Pixels of an 8x8
- * pattern step at different places, and a blur by depth joins them. The cost is steps times lights times pixels. */
+ * For each pixel and light, steps along the ray look up the light's shadow map. The shadow volumes
+ * of Wyman and Ramsey that [Dong 2011 §8.2] names are not used. Steps are equiangular, seen from
+ * the light [Kulla and Fajardo 2012]. The pixels of an 8x8 pattern step at different distances, and
+ * a depth-aware blur joins them. Cost: steps x lights x pixels. */
 #ifndef PASSES_AIRLIGHT_H
 #define PASSES_AIRLIGHT_H
 
@@ -16,8 +18,8 @@ struct gbuffer;
 
 struct airlight_desc {
     int width, height;
-    int steps;          /* of a light; light samples of one light share them, at least 8 each */
-    bool slides, panes; /* lights may have some; the scene has some */
+    int steps;          /* steps of a light; its light samples share them, at least 8 each */
+    bool slides, panes; /* lights may have slides; the scene has panes */
 };
 
 struct airlight_pass {
@@ -33,11 +35,11 @@ struct airlight_pass {
 bool airlight_pass_init(struct airlight_pass *pass, const struct airlight_desc *desc);
 void airlight_pass_free(struct airlight_pass *pass);
 
-/* Error: out of GPU memory; all is as it was. */
+/* Error: out of GPU memory; the pass stays unchanged. */
 bool airlight_pass_resize(struct airlight_pass *pass, int width, int height);
 
-/* Fills in_scatter and transmittance for a frame with a medium. maps: shadow maps of the frame's lights; whole: what its
- * groups of lights are samples of. Timer "airlight". */
+/* Fills in_scatter and transmittance for a frame with a medium. `maps` are the shadow maps of the
+ * frame's lights. `whole` holds the lights that the groups are samples of. Timer "airlight". */
 void airlight_pass_render(const struct airlight_pass *pass, const struct frame *frame,
                           const struct gbuffer *gbuffer, const struct texture maps[LIGHT_MAP_KINDS],
                           const struct emitters *whole);

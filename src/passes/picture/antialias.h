@@ -1,11 +1,10 @@
-/* Which surfaces the pixel's samples see: antialiasing of what was shaded once a pixel [Chajdas et
- * al. 2011, Subpixel Reconstruction Antialiasing].
+/* Assigns the samples of a pixel to shaded pixels: antialiasing of a picture shaded once a pixel
+ * [Chajdas et al. 2011, Subpixel Reconstruction Antialiasing].
  *
- * Depth and normals are drawn with several samples a pixel: in as few layers as the driver's most samples allow, of four
- * at least, which every driver has, each shifted by its own part of a pixel. Each sample is given to the one of the 3 x 3 pixels
- * around it whose surface, taken as a plane, it lies on best; that pixel's shading and albedo are
- * then the sample's, and a picture is the mean over samples (src/passes/picture/layer.glsl).
- */
+ * Depth and normals are drawn with several samples a pixel, in the fewest layers that the driver's
+ * sample count allows (at least 4 a layer). Each layer has its own subpixel shift. A sample goes to
+ * the pixel of the 3 x 3 around it whose surface, as a plane, fits best. It takes that pixel's
+ * shading and albedo; a picture is the mean over samples (src/passes/picture/layer.glsl). */
 #ifndef PASSES_ANTIALIAS_H
 #define PASSES_ANTIALIAS_H
 
@@ -18,36 +17,38 @@ struct gbuffer;
 
 struct antialias_desc {
     int width, height;
-    int samples; /* at least so many, at most 16; 1 = centres alone, nothing drawn */
+    int samples; /* least samples a pixel, at most 16; 1: centres alone, nothing is drawn */
 };
 
-/* How samples are drawn: the triangles of the scene once for each layer. */
+/* Layers of samples; each draws all triangles of the scene. */
 struct sample_layers {
     int layers, samples_of_layer;
 };
 
-/* The fewest layers of 4, 8 or 16 samples each that have as many samples, where a driver has at most `most` in one. */
+/* Returns the fewest layers of 4, 8 or 16 samples each that hold `samples`; the driver allows
+ * `most` in one layer. */
 struct sample_layers sample_layers(int samples, int most);
 
 struct antialias_pass {
     struct antialias_desc desc;
     GLuint solid_program, masked_program, edge_program, assignment_program;
     struct sample_layers layers;
-    int samples;                    /* drawn: whole layers, or the one centre */
-    struct texture depths, normals; /* D32F; RGBA8, 0.5 + 0.5 n: a layer of samples after another */
-    struct pixel_mask edges;        /* pixels with one */
-    struct texture
-        assignment; /* RG32UI, passes/picture/sample_assignment.glsl; 0 = itself; 1 x 1 if samples is 1 */
-    struct texture edge_samples; /* RGBA32UI, lib/edge_sample.glsl; likewise */
+    int samples; /* samples drawn: whole layers, or 1 */
+    /* D32F; RGBA8, 0.5 + 0.5 n: one layer of samples after another. */
+    struct texture depths, normals;
+    struct pixel_mask edges; /* pixels with an edge */
+    /* RG32UI, passes/picture/sample_assignment.glsl. 0: the pixel itself. 1 x 1 if samples is 1. */
+    struct texture assignment;
+    struct texture edge_samples; /* RGBA32UI, lib/edge_sample.glsl; 1 x 1 if samples is 1 */
     GLuint sample_framebuffer, assignment_framebuffer;
     struct buffer params;
 };
 
-/* Error: shaders; memory. */
+/* Error: shaders, memory. */
 bool antialias_pass_init(struct antialias_pass *pass, const struct antialias_desc *desc);
 void antialias_pass_free(struct antialias_pass *pass);
 
-/* Fills pass->assignment. Timer "antialias". */
+/* Fills pass->assignment and pass->edge_samples. Timer "antialias". */
 void antialias_pass_render(const struct antialias_pass *pass, const struct frame *frame,
                            const struct gbuffer *gbuffer);
 

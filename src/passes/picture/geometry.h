@@ -1,9 +1,8 @@
-/* Draws the scene's surfaces into a G-buffer: the camera's, or the lights'.
+/* Draws the scene's surfaces into a G-buffer of the camera or the lights.
  *
  * The lights' G-buffer is the reflective shadow map [Dong 2009 §6; Dachsbacher and Stamminger
- * 2005]: one map of a spot or a directional light, six of a point light, which the papers keep in a
- * cube map.
- */
+ * 2005]. A spot or directional light has one map, a point light six, which the papers keep in a
+ * cube map. */
 #ifndef PASSES_GEOMETRY_H
 #define PASSES_GEOMETRY_H
 
@@ -15,9 +14,9 @@ struct geometry_pass {
     GLuint camera_program, light_program;
 };
 
-/* What the camera's G-buffers have; of lights', has_specular: materials are not all plain. facets, where
- * they are: what lights see sends light on as its triangles, and not as the smooth surface that shading
- * normals tell of. has_mappings: materials_have_mappings. */
+/* Targets of the camera's G-buffer, and options. has_specular: for lights' maps, too, if some
+ * material is not plain. facets: lights' maps have triangle normals, not shading normals.
+ * has_mappings: that of materials_have_mappings. */
 struct geometry_desc {
     bool has_emission, has_specular, has_mappings, facets;
 };
@@ -25,11 +24,11 @@ struct geometry_desc {
 bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc);
 void geometry_pass_free(struct geometry_pass *pass);
 
-/* Clears and fills the G-buffer as the camera sees it. Timer "gbuffer". */
+/* Clears and fills the camera's G-buffer. Timer "gbuffer". */
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer *gbuffer);
 
-/* Clears and fills the map of each view from a light. Timer "rsm". */
+/* Clears and fills the map of each light's view. Timer "rsm". */
 void geometry_pass_render_lights(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer rsm[LIGHT_MAP_KINDS]);
 

@@ -1,7 +1,6 @@
-/* Visibility once per block of pixels and VAL. Soft shadows of area lights are smooth, so that one
- * lookup can serve a block; the gather takes the nearest block on the same surface, and looks
- * itself up where there is none. With 7 x 7 blocks 30 lookups per 49 pixels take the place of 784.
- */
+/* Tests visibility once per VAL and block of pixels. Soft shadows of area lights are smooth, so one
+ * lookup serves a block. The gather takes the nearest block on the same surface and tests its own
+ * visibility without one. With 7 x 7 blocks 30 lookups replace 784 per 49 pixels. */
 #ifndef PASSES_BLOCK_VISIBILITY_H
 #define PASSES_BLOCK_VISIBILITY_H
 
@@ -13,7 +12,7 @@ struct gbuffer;
 
 struct block_visibility_desc {
     int width, height; /* of the picture */
-    int block;         /* pixels a side */
+    int block;         /* side of a block, pixels */
     struct visibility_desc visibility;
 };
 

@@ -1,5 +1,5 @@
-/* Nearest and farthest depths in squares of maps of depth, as a pyramid [Dong 2011 §7.3.3]: what lies in
- * any window is bounded by four fetches. */
+/* Builds a pyramid of nearest and farthest depths in squares of depth maps [Dong 2011 §7.3.3].
+ * Four fetches bound the depths in any window. */
 #ifndef PASSES_DEPTH_BOUNDS_H
 #define PASSES_DEPTH_BOUNDS_H
 
@@ -15,11 +15,11 @@ struct depth_bounds_pass {
     struct buffer params[DEPTH_BOUNDS_LEVELS_MAX];
 };
 
-/* For `count` maps of size x size texels, two at least. */
+/* Makes the pass for `count` maps of size x size texels, size >= 2. */
 bool depth_bounds_pass_init(struct depth_bounds_pass *pass, int size, int count);
 void depth_bounds_pass_free(struct depth_bounds_pass *pass);
 
-/* From depth to pass->maps. Timer "depth bounds". */
+/* Fills pass->maps from `depth`. Timer "depth bounds". */
 void depth_bounds_pass_render(const struct depth_bounds_pass *pass, const struct frame *frame,
                               const struct texture *depth);
 

@@ -1,5 +1,6 @@
-/* Paraboloid depth maps from VALs or VPLs [Dong 2009 §4.2, §6]: instanced draws of all casters,
- * kind by kind, into all layers of a depth array; D16, map depth |q| / z_far. With planes, normals beside. */
+/* Renders paraboloid depth maps from VALs or VPLs [Dong 2009 §4.2, §6]: D16, map depth |q| /
+ * z_far. Instanced draws render all casters, kind by kind, into all layers. With planes also
+ * normals. */
 #ifndef PASSES_PARABOLOID_H
 #define PASSES_PARABOLOID_H
 
@@ -10,16 +11,16 @@ struct frame;
 
 struct paraboloid_desc {
     struct caster_pool *casters; /* must outlive the pass */
-    struct caster_desc caster;   /* which of them the maps show */
+    struct caster_desc caster;   /* casters that the maps show */
     int size, count;
-    bool planes; /* the maps tell how casters are tilted, too */
+    bool planes; /* maps also have the casters' normals */
 };
 
 struct paraboloid_pass {
     struct paraboloid_desc desc;
     const struct caster_gpu *caster;
     GLuint opaque_programs[CASTER_KIND_COUNT];
-    GLuint masked_programs[CASTER_LONG + 1]; /* no masked triangle is of a solid */
+    GLuint masked_programs[CASTER_LONG + 1]; /* solids have no masked triangles */
     struct depth_maps maps;
     struct buffer params;
 };

@@ -1,5 +1,5 @@
-/* Depth from the lights, for hard shadows of their direct light [Dong 2009 §6]: D32F reversed, a
- * layer each view. It depends on no camera. */
+/* Renders depth from the lights, for hard shadows of direct light [Dong 2009 §6]: D32F, reversed,
+ * one layer a view. It is independent of the camera. */
 #ifndef PASSES_SHADOW_MAP_H
 #define PASSES_SHADOW_MAP_H
 
@@ -10,7 +10,7 @@
 struct frame;
 
 struct shadow_map_desc {
-    int size; /* of a single view's map, texels a side */
+    int size; /* side of a view's map, texels */
     struct light_layout lights;
 };
 

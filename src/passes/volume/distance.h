@@ -1,4 +1,5 @@
-/* Finds how far each voxel is from the nearest occupied one: which voxels surfaces read, and over how many rays leap. */
+/* Finds each voxel's distance to the nearest occupied voxel, to select the voxels that surfaces
+ * read and to let rays skip empty space. */
 #ifndef PASSES_DISTANCE_H
 #define PASSES_DISTANCE_H
 
@@ -8,11 +9,11 @@ struct frame;
 struct volume;
 
 struct distance_pass {
-    GLuint programs[3]; /* for each axis */
+    GLuint programs[3]; /* one an axis */
     GLuint neighbour_program;
 };
 
-/* For volumes like that one. Error: shader. */
+/* Makes the pass for volumes like `volume`. Error: shader. */
 bool distance_pass_init(struct distance_pass *pass, const struct volume *volume);
 void distance_pass_free(struct distance_pass *pass);
 

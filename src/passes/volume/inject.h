@@ -1,5 +1,5 @@
-/* Draws points of surfaces, with the light that they reflect, into their voxels [Mavridis and Papaioannou 2011 §3.1]. A
- * voxel that a surface crosses stays empty with probability e^-k at most, where it has k points on average. */
+/* Draws surface points, with their reflected light, into voxels [Mavridis and Papaioannou 2011
+ * §3.1]. A voxel with k points on average stays empty with probability e^-k at most. */
 #ifndef PASSES_INJECT_H
 #define PASSES_INJECT_H
 
@@ -13,20 +13,21 @@ struct volume;
 
 struct inject_pass {
     GLuint program;
-    GLuint pixel_program; /* of reprojection; 0: none */
+    GLuint pixel_program; /* draws camera pixels for reprojection; 0: none */
 };
 
-/* For volumes like that one; slides: lights may have some. Error: shader. */
+/* Makes the pass for volumes like `volume`. slides: lights may have slides. Error: shader. */
 bool inject_pass_init(struct inject_pass *pass, const struct volume *volume, bool reprojects,
                       bool slides);
 void inject_pass_free(struct inject_pass *pass);
 
-/* What points are lit through: maps of the frame's lights; NULL for volumes of visibility. */
+/* Draws the points. `shadow_maps` are the maps of the frame's lights; NULL for visibility
+ * volumes. */
 void inject_pass_render(const struct inject_pass *pass, const struct frame *frame,
                         const struct volume *volume, const struct buffer *params,
                         const struct volume_points *points, const struct texture *shadow_maps);
 
-/* Adds pixels of the camera's picture [Mavridis and Papaioannou 2011 §3.2]. Timer "reproject". */
+/* Adds camera pixels [Mavridis and Papaioannou 2011 §3.2]. Timer "reproject". */
 void inject_pass_add_pixels(const struct inject_pass *pass, const struct frame *frame,
                             const struct gbuffer *gbuffer, const struct volume *volume,
                             const struct buffer *params, const struct texture *shadow_maps);

@@ -1,6 +1,6 @@
-/* Irradiance of the camera's surfaces by a volume's coefficients [Mavridis and Papaioannou 2011 §3.4]. Eight voxels
- * around a place 1.5 voxels above the surface, which the paper has as six and half a voxel; without those that are
- * occupied or behind the surface. */
+/* Reconstructs irradiance of camera surfaces from volume coefficients [Mavridis and Papaioannou
+ * 2011 §3.4]. It interpolates the eight voxels around a point 1.5 voxels above the surface, except
+ * voxels that are occupied or behind it. The paper takes six at half a voxel. */
 #ifndef PASSES_RECONSTRUCT_H
 #define PASSES_RECONSTRUCT_H
 
@@ -12,12 +12,12 @@ struct volume;
 
 struct reconstruct_pass {
     GLuint program;
-    /* Of volumes of visibility the open share of the hemisphere, in [0, 1], times irradiance_scale of the parameters.
-     * Alpha is 0 where no voxel knows. */
+    /* Visibility volumes: unoccluded fraction of the hemisphere in [0, 1], times the parameters'
+     * irradiance_scale. Alpha is 0 if no voxel has a value. */
     struct irradiance irradiance;
 };
 
-/* For volumes like that one. Error: shader, or out of GPU memory. */
+/* Makes the pass for volumes like `volume`. Error: shader, or out of GPU memory. */
 bool reconstruct_pass_init(struct reconstruct_pass *pass, const struct volume *volume, int width,
                            int height);
 void reconstruct_pass_free(struct reconstruct_pass *pass);

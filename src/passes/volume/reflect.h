@@ -1,5 +1,5 @@
-/* Light that a volume's surfaces reflect again: what they have straight from the lights, and what they reflect of the
- * light that the last march found [Mavridis and Papaioannou 2011 §3.3]. */
+/* Computes the radiosity of a volume's surfaces after a bounce: their direct light, plus reflected
+ * light of the last march [Mavridis and Papaioannou 2011 §3.3]. */
 #ifndef PASSES_REFLECT_H
 #define PASSES_REFLECT_H
 
@@ -11,11 +11,11 @@ struct volume;
 
 struct reflect_pass {
     GLuint program;
-    struct texture radiosity, turned, back; /* as the volume's */
+    struct texture radiosity, turned, back; /* as in struct volume */
     GLuint framebuffer;
 };
 
-/* For volumes like that one. Error: shader, or out of GPU memory. */
+/* Makes the pass for volumes like `volume`. Error: shader, or out of GPU memory. */
 bool reflect_pass_init(struct reflect_pass *pass, const struct volume *volume);
 void reflect_pass_free(struct reflect_pass *pass);
 

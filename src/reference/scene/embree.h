@@ -1,4 +1,5 @@
-/* Embree 3 and 4 behind one interface. Embree 4 runs the filter of a query only if the query's flags ask for it. */
+/* Embree 3 and 4 behind one interface. Embree 4 runs a query's filter only with a flag of the
+ * query. */
 #ifndef REFERENCE_SCENE_EMBREE_H
 #define REFERENCE_SCENE_EMBREE_H
 

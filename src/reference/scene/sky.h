@@ -1,5 +1,5 @@
-/* The environment as a path tracer needs it: directions picked by radiance x solid angle, a texel at a
- * time, and how likely they are. */
+/* The environment for the path tracer: samples directions by radiance x solid angle, texel by
+ * texel. */
 #ifndef REFERENCE_SCENE_SKY_H
 #define REFERENCE_SCENE_SKY_H
 
@@ -9,21 +9,21 @@
 
 struct sky {
     const struct environment *environment;
-    struct alias rows, *columns; /* of each row that is not black */
-    double power;                /* the integral of the sum over RGB over all directions */
+    struct alias rows, *columns; /* one for each row that is not black */
+    double power;                /* integral of R + G + B over all directions */
 };
 
-/* False where it is black: nothing can be picked then. */
+/* Builds the tables. False: the environment is black. */
 bool sky_init(struct sky *sky, const struct environment *environment);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void sky_free(struct sky *sky);
 
-/* The directional light that the whole sky is on average, from the direction that two numbers in [0, 1)
- * pick; with which density they do, 1/sr. */
+/* Returns a directional light for two numbers in [0, 1); its mean is the whole environment.
+ * density: of its direction, 1/sr. */
 struct emitter sky_piece(const struct sky *sky, const float place[2], double *density);
 
-/* The density with which a direction to the sky, unit, is picked. */
+/* Returns the density of a unit direction, 1/sr. */
 double sky_density(const struct sky *sky, const float direction[3]);
 
 #endif

@@ -1,5 +1,4 @@
-/* Emissive surfaces as a path tracer needs them: points picked by how much light leaves there, a triangle
- * at a time, and how likely they are. */
+/* Emissive surfaces for the path tracer: samples points by their emission, triangle by triangle. */
 #ifndef REFERENCE_SCENE_SURFACES_H
 #define REFERENCE_SCENE_SURFACES_H
 
@@ -9,37 +8,37 @@
 
 struct surfaces {
     const struct hit_table *table;
-    bool *shines; /* each triangle of the scene's: it is of a lamp that shines; NULL: none does */
-    int *
-        first; /* each triangle's first in the list, of which a double-sided one has two; -1 = it is
-                     a light for itself, or does not shine; NULL: all are */
+    bool *shines; /* for each triangle: belongs to a shining lamp; NULL: none does */
+    /* First item of each triangle in the list; double-sided ones have two. -1: a light of its own,
+     * or dark. NULL: all are. */
+    int *first;
     struct surface_triangle {
         uint32_t triangle;
         bool back;
-        float density; /* with which its points are picked, 1/m2 */
+        float density; /* density of its points, 1/m2 */
     } * list;
     int count;
-    struct alias alias; /* of the list */
-    double flux;        /* over pi, the mean of RGB, W */
+    struct alias alias; /* over the list */
+    double flux;        /* over pi, mean of RGB, W */
 };
 
-/* Those of the scene's surfaces whose lamps are among the emitters; in the list where those only stand in
- * for them. */
+/* Finds the scene's surfaces whose lamps are among the emitters. The list has those that emitters
+ * only approximate. */
 void surfaces_init(struct surfaces *surfaces, const struct hit_table *table,
                    const struct emitters *emitters);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void surfaces_free(struct surfaces *surfaces);
 
-/* The area light that the whole list is on average, from the point that two numbers in [0, 1) pick; with
- * which density they do, 1/m2. */
+/* Returns an area light for two numbers in [0, 1); its mean is the whole list. density: of its
+ * point, 1/m2. */
 struct emitter surfaces_piece(const struct surfaces *surfaces, const float place[2],
                               double *density);
 
-/* The density with which a point that a ray met is picked; 0: it is of none in the list. */
+/* Returns the density of a hit point, 1/m2; 0: not in the list. */
 float surfaces_density(const struct surfaces *surfaces, const struct hit *hit);
 
-/* What the camera sees of a surface's own light. */
+/* Returns the emission that the camera sees, W/(sr m2). */
 vec3s surfaces_glow(const struct surfaces *surfaces, const struct hit *hit);
 
 #endif

@@ -1,17 +1,16 @@
-/* glTF 2.0 files through tinygltf.
+/* Loads glTF 2.0 files through tinygltf.
  *
- * tinygltf parses; nothing it hands out is trusted. Files that a .gltf names are read only from below
- * a root: scene/read_rules.h.
- */
+ * Output of tinygltf is not trusted. Files named by a .gltf are read only below a root
+ * (scene/read_rules.h). */
 #ifndef SCENE_GLTF_GLTF_H
 #define SCENE_GLTF_GLTF_H
 
 #include "base/file/file.h"
 #include "scene/scene.h"
 
-/* Fills a zeroed scene with what the file holds, and its path. bytes: what the file would hold, or NULL; path then tells the
- * folder, and without a folder it is a name for messages. On an error, which names file and
- * object, the scene is left half-built for scene_free. */
+/* Fills a zeroed scene with the file's contents and path. bytes: contents in place of the file, or
+ * NULL. With `bytes`, path gives the folder of named files; without a folder it is only a name for
+ * messages. Error: names file and object; the caller must then call scene_free. */
 bool gltf_load(struct scene *scene, const char *path, const struct file_bytes *bytes,
                const struct scene_choice *choice);
 

@@ -1,4 +1,4 @@
-/* Compressed data of glTF files: bridges to the libraries that unpack them. */
+/* Decompresses data of glTF files, by bridges to other libraries. */
 #ifndef SCENE_GLTF_UNPACK_H
 #define SCENE_GLTF_UNPACK_H
 
@@ -14,34 +14,33 @@ enum packed_filter {
     FILTER_COLOR
 };
 
-/* EXT_meshopt_compression and KHR_meshopt_compression, of one buffer view. */
+/* A buffer view with EXT_meshopt_compression or KHR_meshopt_compression. */
 struct packed_view {
     const unsigned char *bytes;
     size_t size;
-    size_t count, stride; /* of what is in it, unpacked */
+    size_t count, stride; /* of the unpacked elements; stride in bytes */
     enum packed_mode mode;
     enum packed_filter filter;
 };
 
-/* Writes count x stride bytes. Error: sizes that the mode or the filter does not have, or bytes that
- * are not such data. */
+/* Writes count x stride bytes. Error: invalid sizes for mode or filter, or invalid data. */
 bool unpack_meshopt(const struct packed_view *view, unsigned char *to);
 
-/* The same of attributes whose stream is of version 1, without the filter. */
-enum { MESHOPT_V1 = 0xa1 }; /* the first byte */
+/* Unpacks attributes with a stream of version 1, without the filter. */
+enum { MESHOPT_V1 = 0xa1 }; /* first byte of the stream */
 bool unpack_meshopt_v1(const struct packed_view *view, unsigned char *to);
 
 /* Undoes the colour filter in place. */
 void unpack_meshopt_color(const struct packed_view *view, unsigned char *to);
 
-/* A mesh of KHR_draco_mesh_compression. */
+/* A mesh with KHR_draco_mesh_compression. */
 struct packed_mesh;
 
-/* How many triangles the data say that they have, before any memory is taken for them. Error: these are
- * no such data. */
+/* Reads the triangle count from the header, before memory is allocated. Error: invalid data. */
 bool unpack_draco_size(const unsigned char *bytes, size_t size, size_t *triangles);
 
-/* NULL and an error: these are no such data, or others than so many triangles. */
+/* Unpacks a mesh. The caller calls packed_mesh_free. Error, NULL: invalid data, or another number
+ * of triangles. */
 struct packed_mesh *unpack_draco(const unsigned char *bytes, size_t size, size_t triangles);
 
 /* Accepts NULL. */
@@ -49,12 +48,12 @@ void packed_mesh_free(struct packed_mesh *packed);
 
 size_t packed_mesh_points(const struct packed_mesh *packed);
 
-/* Writes the numbers of all points, of a type of scene/gltf/accessor.h. Error: there is no such
+/* Writes the attribute of all points. component_type: of scene/gltf/accessor.h. Error: unknown
  * attribute. */
 bool packed_mesh_attribute(const struct packed_mesh *packed, int id, int component_type,
                            int components, void *to);
 
-/* Writes three a triangle. Error: there are more points than the type counts. */
+/* Writes three indices a triangle. Error: more points than the type can index. */
 bool packed_mesh_indices(const struct packed_mesh *packed, int component_type, void *to);
 
 #endif

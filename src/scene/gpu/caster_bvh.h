@@ -1,6 +1,6 @@
-/* The scene's triangles as rays of shaders meet them: a buffer texture for UNIT_BVH, as
- * scene/mesh/stackless_bvh.h lays it out. All triangles hide light, from both sides, but where
- * an alpha mask has a hole; panes have a tree of their own, for UNIT_PANES. */
+/* The scene's triangles for rays of shaders: a buffer texture for UNIT_BVH in the layout of
+ * scene/mesh/stackless_bvh.h. All triangles block light from both sides, except holes of alpha
+ * masks. Panes have a BVH of their own, for UNIT_PANES. */
 #ifndef SCENE_GPU_CASTER_BVH_H
 #define SCENE_GPU_CASTER_BVH_H
 
@@ -9,12 +9,12 @@
 
 struct caster_bvh {
     struct buffer buffer;
-    unsigned pose; /* of the geometry, that it is of */
-    bool of_panes; /* scene/mesh/pane_triangles.h; set before the first time */
+    unsigned pose; /* pose of the geometry at the last build */
+    bool of_panes; /* only panes (scene/mesh/pane_triangles.h); set it before the first update */
 };
 
-/* Makes it of where the geometry is now; zeroed before the first time. Error: out of GPU memory, or more triangles than a
- * buffer texture has room for; the tree must then be freed. */
+/* Builds the BVH for the geometry's current pose; zeroed before the first call. Error: out of GPU
+ * memory, or more triangles than a buffer texture allows; the caller must then free it. */
 bool caster_bvh_update(struct caster_bvh *tree, const struct scene *scene,
                        const struct geometry *geometry);
 void caster_bvh_free(struct caster_bvh *tree);

@@ -1,5 +1,5 @@
-/* A caster (scene/mesh/caster.h) with its copy on the GPU, drawn for depth alone: all opaque
- * triangles at once, those with an alpha mask batch by batch. */
+/* A caster (scene/mesh/caster.h) and its GPU copy, drawn for depth alone: all opaque triangles at
+ * once, masked ones batch by batch. */
 #ifndef SCENE_GPU_CASTER_GPU_H
 #define SCENE_GPU_CASTER_GPU_H
 
@@ -8,25 +8,26 @@
 
 struct caster_gpu {
     struct caster caster;
-    struct buffer positions, uvs; /* uvs, the base colour's, only where there is an alpha mask */
-    struct buffer indices;        /* of all lists, in the order of their kinds */
+    struct buffer positions, uvs; /* uvs of the base colour; only with alpha masks */
+    struct buffer indices;        /* indices of all lists, in the order of their kinds */
     GLuint vertices;              /* vertex array of positions and uvs */
-    unsigned pose;                /* of the geometry, that was uploaded last */
+    unsigned pose;                /* pose of the geometry at the last upload */
 };
 
-/* Makes the caster of the geometry as it is posed now, and uploads it. Error: out of GPU memory. */
+/* Makes the caster of the geometry's current pose and uploads it. Error: out of GPU memory. */
 bool caster_gpu_init(struct caster_gpu *gpu, const struct geometry *geometry,
                      const struct caster_desc *desc);
 void caster_gpu_free(struct caster_gpu *gpu);
 
-/* Uploads the parts of the geometry that have moved since the last upload; all, into new buffers,
- * where its arrays were laid out anew. Error: out of GPU memory; the copy must then be freed. */
+/* Uploads parts of the geometry that moved since the last upload. If its arrays were laid out
+ * again, it uploads all into new buffers. Error: out of GPU memory; the caller must then free the
+ * copy. */
 bool caster_gpu_update(struct caster_gpu *gpu, const struct geometry *geometry);
 
 bool caster_gpu_has_masked(const struct caster_gpu *gpu);
 
-/* With vertex array vertices: the triangles of a kind; the masked ones, of which none is of a solid, bind the scene's
- * BLOCK_MATERIAL and UNIT_BASE_COLOR. */
+/* Triangles of a kind, drawn with gpu->vertices bound. Masked triangles, of which none is solid,
+ * bind the scene's BLOCK_MATERIAL and UNIT_BASE_COLOR. */
 struct caster_draw {
     enum caster_kind kind;
     int instances;

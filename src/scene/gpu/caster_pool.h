@@ -1,9 +1,8 @@
-/* The casters of one geometry, by what they are made for.
+/* Shares the casters of one geometry by their description.
  *
- * Simplifying a large scene takes seconds. So whoever asks for a caster that is there
- * already shares it, and of those that nobody uses the last one stays until another is asked for:
- * what is made anew with the same casters, and what goes back and forth between two, finds them.
- */
+ * Simplifying a large scene takes seconds, so users with equal descriptions share a caster. The
+ * last unused one is kept until another is acquired. Rebuilt users, and users that alternate
+ * between two descriptions, find theirs again. */
 #ifndef SCENE_GPU_CASTER_POOL_H
 #define SCENE_GPU_CASTER_POOL_H
 
@@ -15,29 +14,30 @@ struct caster_pool;
 /* Scene and geometry must outlive the pool. */
 struct caster_pool *caster_pool_create(const struct scene *scene, const struct geometry *geometry);
 
-/* All casters have been released. Accepts NULL. */
+/* Requires that all casters are released. Accepts NULL. */
 void caster_pool_free(struct caster_pool *pool);
 
-/* Whether to acquire such a caster makes none, be the geometry posed as it may. */
+/* True if the pool holds a caster of this description, in any pose. */
 bool caster_pool_has(const struct caster_pool *pool, const struct caster_desc *desc);
 
-/* The caster is that of the pose in which it was first acquired, moved to the present one. Of one that may
- * stray, where nothing ever moves, the eye is the scene's first camera, whatever desc has; exact casters have none: near
- * a map's centre fronts are left out, and backs are all that blocks. Error: out of GPU memory. */
+/* Returns a caster, built in the pose at its first acquisition and moved to the current one. With
+ * an error bound and a static scene, the eye is the scene's first camera, whatever desc.eye is.
+ * Exact casters have none: near a map's centre fronts are left out, and only backs block. Error:
+ * out of GPU memory. */
 bool caster_pool_acquire(struct caster_pool *pool, const struct caster_gpu **caster,
                          const struct caster_desc *desc);
 
 /* Accepts a pointer to NULL. */
 void caster_pool_release(struct caster_pool *pool, const struct caster_gpu **caster);
 
-/* The same with the tree for rays, of which there is one. Error: caster_bvh_update's. */
+/* Returns the shared BVH for rays. Error: that of caster_bvh_update. */
 bool caster_pool_acquire_tree(struct caster_pool *pool, const struct caster_bvh **tree);
 
 /* Accepts a pointer to NULL, of any pool. */
 void caster_pool_release_tree(struct caster_pool *pool, const struct caster_bvh **tree);
 
-/* After geometry_pose: moves the casters that are in use. Error: out of GPU memory; the pool
- * must then be freed. */
+/* Moves the casters in use; call it after geometry_pose. Error: out of GPU memory; the caller must
+ * then free the pool. */
 bool caster_pool_update(struct caster_pool *pool);
 
 #endif

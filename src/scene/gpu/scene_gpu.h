@@ -1,5 +1,5 @@
-/* The scene's copy on the GPU, and how it is drawn: batch by batch with the batch's material, or
- * for depth alone. Shadow casters are apart (scene/gpu/caster_gpu.h). */
+/* The scene's GPU copy and its drawing: batch by batch with materials, or for depth alone. Shadow
+ * casters are separate (scene/gpu/caster_gpu.h). */
 #ifndef SCENE_GPU_SCENE_GPU_H
 #define SCENE_GPU_SCENE_GPU_H
 
@@ -14,22 +14,22 @@ struct scene_gpu {
     struct buffer positions, normals, uvs[MAPPINGS_MAX], colors, indices, materials;
     struct texture *textures;
     int texture_count;
-    float (*glow)[3]; /* of each material: what its block has */
-    bool smooth_black;
-    struct texture blank;               /* for what a material has not */
-    struct texture lobes, lobe_albedos; /* scene/gpu/lobes.h, where materials are not all plain */
-    struct texture slides;     /* RGBA16F, a layer each, in its upper left corner; or none */
-    struct texture sky;        /* RGB32F, the texels of the scene's environment; or none */
-    GLuint shaded_vertices;    /* vertex array of all but the last two */
-    const struct scene *scene; /* must outlive this */
+    float (*glow)[3];                   /* emission of each material, as in its block */
+    bool smooth_black;                  /* smooth materials scatter no light */
+    struct texture blank;               /* for textures that a material lacks */
+    struct texture lobes, lobe_albedos; /* scene/gpu/lobes.h, if some material is not plain */
+    struct texture slides;     /* RGBA16F, one layer each, in its upper left corner; or none */
+    struct texture sky;        /* RGB32F, texels of the scene's environment; or none */
+    GLuint shaded_vertices;    /* vertex array of all buffers except the last two */
+    const struct scene *scene; /* must outlive the copy */
     struct geometry_batch *batches;
     int batch_count;
-    bool has_masked; /* batches with an alpha mask */
+    bool has_masked; /* batches with an alpha mask exist */
     uint32_t opaque_indices;
     struct culling culling;
     struct caster_bvh panes;
-    unsigned pose;             /* of the geometry, that was uploaded last */
-    int16_t (*normal_room)[4]; /* for the conversion of a part's */
+    unsigned pose;             /* pose of the geometry at the last upload */
+    int16_t (*normal_room)[4]; /* conversion buffer of a part's normals */
     uint32_t normal_room_size;
 };
 
@@ -37,29 +37,30 @@ struct scene_gpu {
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
                     const struct geometry *geometry);
 
-/* Uploads the parts of the geometry that have moved since the last upload; all, into new buffers,
- * where its arrays were laid out anew. Error: out of GPU memory; the copy must then be freed. */
+/* Uploads parts of the geometry that moved since the last upload. If its arrays were laid out
+ * again, it uploads all into new buffers. Error: out of GPU memory; the caller must then free the
+ * copy. */
 bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry);
 void scene_gpu_free(struct scene_gpu *gpu);
 
-/* Lets those materials glow, times scale, of which a lamp is among the emitters, and perhaps those that
- * are unlit. */
+/* Sets the emission of materials with a lamp among the emitters, and with unlit_too of unlit ones,
+ * times `scale`. Other materials do not emit. */
 void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, bool unlit_too,
                         float scale);
 
-/* Whether smooth materials (material_smooth_kind) scatter no light, and send it on as caustics alone. */
+/* black: smooth materials (material_smooth_kind) scatter no light, because caustics carry it. */
 void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black);
 
-/* With vertex array shaded_vertices, what the views may see of: all batches; those with an alpha mask;
- * the others with one side or two; all others, for depth alone. The first two bind BLOCK_MATERIAL and
- * the textures. */
+/* Draw the batches that the views may see, with shaded_vertices bound. In order: all; masked;
+ * unmasked with one side or two; all unmasked, for depth alone. The first two bind BLOCK_MATERIAL
+ * and the textures. */
 void scene_gpu_draw_shaded(const struct scene_gpu *gpu, const struct draw_views *views);
 void scene_gpu_draw_masked(const struct scene_gpu *gpu, const struct draw_views *views);
 void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided,
                           const struct draw_views *views);
 void scene_gpu_draw_opaque(const struct scene_gpu *gpu, const struct draw_views *views);
 
-/* Binds BLOCK_MATERIAL and its textures, or a blank one: UNIT_BASE_COLOR, UNIT_EMISSION,
+/* Binds BLOCK_MATERIAL and the material's textures, or a blank one: UNIT_BASE_COLOR, UNIT_EMISSION,
  * UNIT_METAL_ROUGHNESS, UNIT_NORMAL_MAP. */
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material);
 

@@ -1,29 +1,28 @@
-/* Emissive surfaces as lights of the scene.
+/* Converts emissive surfaces to lights of the scene.
  *
- * Blender and most others write lamps so, and no area light: a plane with an emissive material. The
- * front shines, and of a double-sided material the back too. What is one rectangle or disk of one
- * colour is a light that is just so. Any other shape, or one with a texture, is stood in for by a few
- * rectangles (scene/lights/lamp_parts.h), and so are together the least powerful where there are many. What deforms
- * stays dark and is named in a note.
+ * Blender and most other tools export lamps as emissive planes, not as area lights. The front
+ * emits, and with a double-sided material the back too. A rectangle or disk of one colour becomes
+ * one area light. Other shapes, and textured ones, are replaced by a few rectangles
+ * (scene/lights/lamp_parts.h), as are the least powerful surfaces together. Surfaces that deform
+ * stay dark, and a note names them.
  *
- * Islands of a primitive (scene/lights/islands.h) are surfaces of their own: tools join panels. A lamp is
- * what shines as one: a surface, or those that share their stand-ins.
- */
+ * Islands of a primitive (scene/lights/islands.h) are separate surfaces, because tools join panels.
+ * A lamp is one surface, or several that share their rectangles. */
 #ifndef SCENE_LIGHTS_EMISSIVE_H
 #define SCENE_LIGHTS_EMISSIVE_H
 
 #include "scene/mesh/geometry.h"
 
-/* So many at most, of which these stand in for one surface at most, and for the least powerful
- * together: fewer than shine at once, as all views of lights have room. */
+/* Most lights in all; most rectangles of one surface; most of the least powerful together. Fewer
+ * than LIGHTS_MAX, because views of lights need room. */
 enum { EMISSIVE_LIGHTS_MAX = 32, STAND_INS_MAX = 6, STAND_INS_OF_REST = 8 };
 
-/* Adds a node with a light below each node with such a surface, under its name; and fills
+/* Adds a light node below each node with an emissive surface, under its name. It fills
  * scene->surfaces. */
 void emissive_add_lights(struct scene *scene);
 
-/* The triangles that a surface has in the geometry: the first, and the one after the last; none where the
- * geometry shows none of its primitive. */
+/* Triangles of a surface in the geometry: first, one past the last. Empty if the geometry does not
+ * show its primitive. */
 struct emissive_span {
     uint32_t first, end;
 };

@@ -1,13 +1,12 @@
-/* An emitter: a light of the scene placed in the world, and its radiometry.
+/* Emitters: lights of the scene placed in the world, and their radiometry.
  *
- * KHR_lights_punctual: candela is read as W/sr, lux as W/m2. A spot's cone falls off as
- * clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2. An area light has the same
- * radiance in all directions on its front, so that its intensity falls off as the cosine.
+ * KHR_lights_punctual: candela is read as W/sr, lux as W/m2. A spot falls off as
+ * clamp((cos a - cos outer) / max(0.001, cos inner - cos outer), 0, 1)^2. An area light has
+ * constant radiance on its front, so its intensity falls off as the cosine.
  *
- * A light with a size is many without, spread evenly over its shape (emitter_piece): from far away
- * all are as one in the middle. A sphere's and a rectangle's pieces are those of area lights and of
- * spots; the sun's come from a cap of directions.
- */
+ * A light with a size equals many points spread uniformly over its shape (emitter_piece). From afar
+ * it equals one point at its centre. Points of a sphere are area lights, points of a sun are
+ * directions of a cap, other points keep the light's type. */
 #ifndef SCENE_LIGHTS_EMITTER_H
 #define SCENE_LIGHTS_EMITTER_H
 
@@ -16,17 +15,18 @@
 
 struct emitter {
     enum emitter_type type;
-    int number;                 /* of the scene's light nodes, in node order; -1 = it was added */
-    float intensity[3];         /* W/sr on the axis; W/m2 for a directional light */
-    float size[2];              /* along right and up, m; without the second the diameter of a disk,
-                                   of a point's sphere, or the angle across a directional light, rad */
+    int number;         /* number of its light node, in node order; -1: added */
+    float intensity[3]; /* W/sr on the axis; W/m2 for a directional light */
+    /* Along right and up, metres. With the second 0: the diameter of a disk or of a point's sphere,
+     * or the angle across a directional light, radians. */
+    float size[2];
     float position[3];          /* spot and point */
-    float direction[3];         /* unit: where it shines */
-    float right[3], up[3];      /* with -direction a right-handed orthonormal frame */
+    float direction[3];         /* unit direction of the axis */
+    float right[3], up[3];      /* right-handed orthonormal frame with -direction */
     float cos_inner, cos_outer; /* spot */
-    float range;               /* where its light ends, m, as of KHR_lights_punctual; 0 = nowhere */
-    int lamp, stands_in;       /* as struct scene_light has them */
-    const struct slide *slide; /* of a spot, the scene's; NULL = none */
+    float range; /* greatest distance of its light, metres (KHR_lights_punctual); 0: infinite */
+    int lamp, stands_in;       /* as in struct scene_light */
+    const struct slide *slide; /* slide of a spot, owned by the scene; NULL: none */
 };
 
 enum emitter_shape {
@@ -34,73 +34,73 @@ enum emitter_shape {
     EMITTER_IS_RECTANGLE,
     EMITTER_IS_DISK,
     EMITTER_IS_SPHERE,
-    EMITTER_IS_CAP, /* of directions */
+    EMITTER_IS_CAP, /* cap of directions */
 };
 
-/* In the order of enum emitter_type, NULL at the end. */
+/* Names by enum emitter_type, null-terminated. */
 extern const char *const emitter_type_names[];
 
-/* What shines at one time. */
+/* Lights that shine at one time. */
 struct emitters {
     struct emitter *items;
     int count;
-    const struct environment *sky; /* the scene's, where it shines; else NULL */
+    const struct environment *sky; /* the scene's, if it shines; else NULL */
 };
 
 struct emitters emitters_copy(const struct emitters *emitters);
 bool emitters_same(const struct emitters *a, const struct emitters *b);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void emitters_free(struct emitters *emitters);
 
-/* A light that no file has: in the origin, downwards, 1 W/sr (1 W/m2), without a size; a spot's cone
- * reaches to 45 degrees, as glTF has it. */
+/* Returns a new light: at the origin, downwards, 1 W/sr (1 W/m2), without a size. A spot's cone
+ * reaches to 45 degrees, as in glTF. */
 struct emitter emitter_new(enum emitter_type type);
 
-/* Places the light of the scene's n-th light node (in node order). Asserts that there is one. */
+/* Places the light of the scene's n-th light node, which must exist. time: seconds. */
 void emitter_place(struct emitter *emitter, const struct scene *scene, int n, double time);
 
-/* All lights of the scene, and its sky: the nodes are walked once. */
+/* Returns all lights of the scene and its environment. The caller calls emitters_free. */
 struct emitters emitters_place(const struct scene *scene, double time);
 
-/* Turns the light: its frame is made of the direction, which need not be unit. */
+/* Rotates the light to `direction`, which need not be unit. */
 void emitter_aim(struct emitter *emitter, const float direction[3]);
 
-/* The n of a light by name or number in text; -1 and an error when there is none such. */
+/* Returns the light node's n by name or number in `text`. Error, -1: unknown light. */
 int emitter_find(const struct scene *scene, const char *text);
 
 int emitter_node_count(const struct scene *scene);
 
 enum emitter_shape emitter_shape(const struct emitter *emitter);
 
-/* Area of the shape, m2; of a cap solid angle, sr; 0 of a point. */
+/* Returns the area of the shape, m2; the solid angle of a cap, sr; 0 for a point. */
 double emitter_extent(const struct emitter *emitter);
 
-/* The light without a size that shines from one place of the shape as the whole one does: places are
- * two numbers in [0, 1), even in the shape's area, and what pieces give is on average what the light
- * gives. A point's is itself. */
+/* Returns the point light that represents the whole light from one place of the shape. `place` has
+ * two numbers in [0, 1), uniform over the shape's area; the mean over places is the light. A point
+ * returns itself. */
 struct emitter emitter_piece(const struct emitter *emitter, const float place[2]);
 
-/* The place, as emitter_piece has it, that a ray of that unit direction comes to, and how far from its
- * origin, m, infinite for a directional light; false where it misses, or comes to its back. The side of a sphere
- * that the ray comes to first. */
+/* Finds the place, as for emitter_piece, where a ray with a unit direction meets the light. On a
+ * sphere it is the nearer side. distance: from the origin, metres; infinite for a directional
+ * light. False: it misses, or meets the back. */
 bool emitter_meet(const struct emitter *emitter, const float origin[3], const float direction[3],
                   float place[2], float *distance);
 
-/* The falloff in [0, 1] for the cosine of the angle to the axis: a spot's cone, an area light's
- * cosine; 1 for the other types. */
+/* Returns the falloff in [0, 1] by the cosine of the angle to the axis: a spot's cone, an area
+ * light's cosine; 1 for other types. */
 float emitter_cone(const struct emitter *emitter, float cos_angle);
 
-/* What is left at so many metres from it of the light that would come to there, in [0, 1]: 1 - (distance / range)^4, as
- * KHR_lights_punctual recommends; 1 without a range. */
+/* Returns the attenuation by the light's range in [0, 1]: 1 - (distance / range)^4, as
+ * KHR_lights_punctual recommends; 1 without a range. distance: metres. */
 float emitter_in_range(const struct emitter *emitter, float distance);
 
-/* Solid angle the light shines into, steradians: 2 pi (1 - cos outer) for a spot, 4 pi for a point,
- * 2 pi for an area light, 0 for a directional light. */
+/* Returns the light's solid angle, sr. Spot: 2 pi (1 - cos outer); point: 4 pi; area light: 2 pi;
+ * directional light: 0. */
 double emitter_solid_angle(const struct emitter *emitter);
 
-/* Flux of the light, the mean of RGB, W, however far it comes: of a directional light, through the cross section of a
- * sphere of that radius, metres. */
+/* Returns the light's flux, mean of RGB, W, without its range. A directional light counts through
+ * the cross section of a sphere of `radius`, metres. */
 double emitter_flux(const struct emitter *emitter, float radius);
 
 #endif

@@ -1,10 +1,9 @@
-/* What lies around a scene, infinitely far away: a sky, as a panorama in latitude and longitude.
+/* Environments at infinite distance: a sky as a panorama in latitude and longitude.
  *
- * Texels are patches of even radiance, within which nothing is interpolated, so that what is seen and
- * what lights a scene are the same. The picture's top is +Y. From its left to its right the azimuth
- * atan2(z, x) goes from -pi to pi: the left edge, u = 0, lies at -X, a quarter on is -Z, the middle is
- * +X, three quarters +Z. A turn moves what lies at +Z towards +X, right-handed about +Y.
- */
+ * Texels have constant radiance without interpolation, so that camera and lighting agree. The top
+ * of the picture is +Y. From left to right the azimuth atan2(z, x) goes from -pi to pi. The left
+ * edge is -X, then follow -Z, the centre +X, and +Z. A turn moves +Z towards +X, right-handed about
+ * +Y. */
 #ifndef SCENE_LIGHTS_ENVIRONMENT_H
 #define SCENE_LIGHTS_ENVIRONMENT_H
 
@@ -12,47 +11,46 @@
 
 struct environment {
     char *path;
-    int width, height; /* width = 2 height, or about */
-    float (
-        *texels)[3]; /* linear RGB from the top row on, W/(sr m2) where strength is 1; finite, none
-                           negative */
-    float turn;      /* degrees */
-    float strength;  /* a factor */
+    int width, height; /* width about 2 height */
+    /* Linear RGB from the top row, W/(sr m2) at strength 1; finite, not negative. */
+    float (*texels)[3];
+    float turn;     /* degrees */
+    float strength; /* factor */
 };
 
-/* Without a turn, of strength 1. Numbers that are negative or none become 0, infinite ones 65504, and a
- * note counts their texels. Error: names the file and what is wrong with it: it cannot be read, or is no
- * linear picture twice as wide as high, nor an EXR of six squares whose envmap attribute says cube; under
- * --strict also where a number would be replaced. */
+/* Loads a file, with turn 0 and strength 1. Negative numbers and NaN become 0, infinite ones
+ * 65504; a note counts their texels. Error: names the file and the reason. It is unreadable, not
+ * linear, or neither twice as wide as high nor an EXR cube map. With --strict replaced numbers are
+ * errors. */
 bool environment_load(struct environment *environment, const char *path);
 
 /* Accepts NULL. */
 void environment_free(struct environment *environment);
 
-/* The column and row of the texel where the direction, which need not be unit, leads. */
+/* Writes column and row of the texel in `direction`, which need not be unit. */
 void environment_texel(const struct environment *environment, const float direction[3], int *x,
                        int *y);
 
-/* The radiance that comes from there. */
+/* Writes the radiance from `direction`, W/(sr m2). */
 void environment_radiance(const struct environment *environment, const float direction[3],
                           float radiance[3]);
 
-/* The other way round: the unit direction of a point of the picture, in texels from its top left corner. */
+/* Writes the unit direction of a point of the picture, in texels from its top left corner. */
 void environment_direction(const struct environment *environment, double x, double y,
                            float direction[3]);
 
-/* Of each texel of a row, sr. */
+/* Returns the solid angle of each texel of row y, sr. */
 double environment_solid_angle(const struct environment *environment, int y);
 
-/* What a scene's environment is to be instead, or how to change it. */
+/* Replacement of a scene's environment, or changes to it. */
 struct environment_desc {
-    const char *path; /* NULL = its own */
-    float turn;       /* degrees more */
-    float strength;   /* times as strong; 0 = 1 */
+    const char *path; /* NULL: the scene's own */
+    float turn;       /* added degrees */
+    float strength;   /* factor; 0: 1 */
 };
 
-/* Frees what *environment points to and makes it what is wanted; NULL is none. Error: the file's, and
- * where there is none to be changed. */
+/* Changes *environment as described and frees what it replaces; NULL: none. Error: that of the
+ * file, or no environment to change. */
 bool environment_follow(struct environment **environment, const struct environment_desc *desc);
 
 #endif

@@ -1,20 +1,18 @@
-/* Parts of a primitive that do not touch each other: panels of one material that a tool joined.
+/* Parts of a primitive that do not touch: for example panels of one material that a tool joined.
  *
- * Triangles touch where a corner of one lies at a corner of the other, whether they share the vertex or
- * not.
- */
+ * Triangles touch if corners have equal positions, with or without a shared vertex. */
 #ifndef SCENE_LIGHTS_ISLANDS_H
 #define SCENE_LIGHTS_ISLANDS_H
 
 #include "scene/scene.h"
 
-/* Island i, from 0 on, has the primitive's indices from ends[i] to ends[i + 1]. free() frees ends. */
+/* Island i has the primitive's indices ends[i] to ends[i + 1] - 1. The caller frees `ends`. */
 struct islands {
     int *ends;
     int count;
 };
 
-/* Moves the triangles of each island together, in the order of their first ones. */
+/* Sorts the triangles by island, in the order of their first triangles. */
 void islands_init(struct islands *islands, struct primitive *primitive);
 
 #endif

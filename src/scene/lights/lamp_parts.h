@@ -1,16 +1,15 @@
-/* An emissive surface of any shape as a handful of rectangles that shine as it does from afar.
+/* Approximates an emissive surface by a few rectangles that emit like it from afar.
  *
- * Triangles near each other that face alike make a rectangle: of their middle, their mean normal, and
- * the second moments of their area, with all their flux. It lies before the foremost of their corners,
- * so that the surface does not stand in its own light.
- */
+ * Nearby triangles with similar normals form a rectangle of their centre, mean normal, second
+ * moments of area and total flux. It is in front of their foremost corner, so that the surface does
+ * not shadow it. */
 #ifndef SCENE_LIGHTS_LAMP_PARTS_H
 #define SCENE_LIGHTS_LAMP_PARTS_H
 
 struct lamp_triangle {
     double corners[3][3];
-    double radiance[3]; /* the mean over it */
-    double normal[3];   /* unit, where it shines */
+    double radiance[3]; /* mean over the triangle, W/(sr m2) */
+    double normal[3];   /* unit, on the emitting side */
     double area;        /* above 0 */
 };
 
@@ -20,7 +19,7 @@ struct lamp_part {
     float radiance[3];
 };
 
-/* Makes `most` at most; returns how many. */
+/* Makes at most `most` rectangles; returns their number. */
 int lamp_parts_make(const struct lamp_triangle *triangles, int count, struct lamp_part *parts,
                     int most);
 

@@ -1,4 +1,4 @@
-/* The triangles of emissive surfaces, in the world. */
+/* Triangles of emissive surfaces in the world. */
 #ifndef SCENE_LIGHTS_LAMP_TRIANGLES_H
 #define SCENE_LIGHTS_LAMP_TRIANGLES_H
 
@@ -10,26 +10,26 @@
 struct lamp_triangles {
     struct lamp_triangle *items;
     int count;
-    bool has_detail;             /* a texture's, over one of them */
-    uint32_t looks;              /* how many texels may still be looked at closely */
-    const float *srgb_to_linear; /* texture_decode_table's */
+    bool has_detail;             /* a texture varies over some triangle */
+    uint32_t looks;              /* texels that may still be sampled finely */
+    const float *srgb_to_linear; /* table of texture_decode_table */
 };
 
-/* Looks for all surfaces of a scene, however often each is there. */
+/* Most texel samples for all surfaces of a scene, at any number of instances. */
 enum { LAMP_LOOKS = 1 << 24 };
 
-/* Adds those of a primitive that shine: of both sides, where the material has two. What textures say is
- * averaged over each. */
+/* Adds the emitting triangles of a primitive: on both sides if the material has two. Textures are
+ * averaged over each triangle. */
 void lamp_triangles_add(struct lamp_triangles *triangles, const struct scene *scene,
                         const struct primitive *primitive, const float world[16]);
 
-/* Accepts zeroed ones. */
+/* Accepts a zeroed object. */
 void lamp_triangles_free(struct lamp_triangles *triangles);
 
-/* Area x the sum of RGB, W/sr. */
+/* Returns the sum of area x (R + G + B), W/sr. */
 double lamp_triangles_power(const struct lamp_triangles *triangles);
 
-/* The radiance that all of them have all over, W/(sr m2); false where there is none. */
+/* Writes the radiance if it is constant over all triangles, W/(sr m2). False: it varies. */
 bool lamp_triangles_color(const struct lamp_triangles *triangles, float radiance[3]);
 
 #endif

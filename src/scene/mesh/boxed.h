@@ -1,24 +1,25 @@
-/* The part of a triangle that lies in a box. */
+/* Clips triangles to a box. */
 #ifndef SCENE_MESH_BOXED_H
 #define SCENE_MESH_BOXED_H
 
 #include "scene/mesh/corners.h"
 
 struct box {
-    float low[3], high[3]; /* metres; infinite: no end */
+    float low[3], high[3]; /* metres; infinite: unbounded */
 };
 
-/* Whether the box ends anywhere. */
+/* True if some side is finite. */
 bool box_ends(const struct box *box);
 
-/* Whether both corners of a smaller box lie in it. */
+/* True if the box contains both corners of a smaller box. */
 bool box_holds(const struct box *box, const float low[3], const float high[3]);
 
-/* The part's share of the triangle's area. */
+/* Returns the fraction of the triangle's area inside the box. */
 double boxed_share(const struct box *box, const struct geometry *geometry, const uint32_t index[3]);
 
-/* The weights of a place in the part that is uniform where x and y are, in [0, 1): corners_spread's of a triangle that the
- * box holds. False where the triangle has no part in the box. */
+/* Writes barycentric weights of a point inside the box: uniform over the area for uniform x and y
+ * in [0, 1). For a triangle inside it equals corners_spread. False: no part of the triangle is
+ * inside. */
 bool boxed_spread(float weight[3], const struct box *box, const struct geometry *geometry,
                   const uint32_t index[3], double x, double y);
 

@@ -1,7 +1,6 @@
-/* Triangles for rays: a binary tree of boxes, built on all cores. A node is split where the surface area heuristic over
- * bins has its least, and is a leaf where no split saves more than it costs [Wald 2007]. What shaders walk is laid out of it (scene/mesh/stackless_bvh.h); the path tracer has Embree
- * (reference/scene/ray_scene.h).
- */
+/* A bounding volume hierarchy of triangles, built on all cores by binned surface area heuristic
+ * [Wald 2007]. Shaders use its layout in scene/mesh/stackless_bvh.h; the path tracer uses Embree
+ * (reference/scene/ray_scene.h). */
 #ifndef SCENE_MESH_BVH_H
 #define SCENE_MESH_BVH_H
 
@@ -10,11 +9,11 @@
 
 #include "base/unit.h"
 
-/* By its corners: the front is where they go counter-clockwise. */
+/* A triangle; its front is counter-clockwise. */
 struct bvh_triangle {
-    vec3s corner, edges[2]; /* from the corner to the two others, metres */
-    uint32_t opaque[2];     /* which of its 64 parts are (scene/mesh/opacity.h) */
-    uint32_t number;        /* in the geometry */
+    vec3s corner, edges[2]; /* corner; edges to the other corners, metres */
+    uint32_t opaque[2];     /* bit mask of its 64 opaque parts (scene/mesh/opacity.h) */
+    uint32_t number;        /* number in the geometry */
 };
 
 struct bvh_box {
@@ -23,19 +22,19 @@ struct bvh_box {
 
 struct bvh_node {
     struct bvh_box box;
-    uint32_t first; /* triangle of a leaf; else the first of two children, which are contiguous */
-    uint32_t count; /* 0: no leaf */
+    uint32_t first; /* leaf: first triangle; else the first of two adjacent children */
+    uint32_t count; /* triangles of a leaf; 0: inner node */
 };
 
 struct bvh {
-    struct bvh_triangle *triangles; /* leaf by leaf */
-    struct bvh_node *nodes;         /* the root first */
+    struct bvh_triangle *triangles; /* in the order of the leaves */
+    struct bvh_node *nodes;         /* root first */
     uint32_t count, node_count;
 };
 
 float bvh_box_half_surface(const struct bvh_box *box);
 
-/* Takes the triangles, an array of the heap. */
+/* Builds the tree. It takes ownership of `triangles`, a heap array. */
 void bvh_init(struct bvh *tree, struct bvh_triangle *triangles, uint32_t count);
 void bvh_free(struct bvh *tree);
 

@@ -1,27 +1,25 @@
-/* Shadow casters for paraboloid maps: few triangles, and those with long edges apart.
+/* Shadow casters for paraboloid maps: simplified triangles, with long ones in separate lists.
  *
- * A paraboloid map bends straight lines, but a rasteriser draws them straight, so that a large
- * triangle ends up in the wrong place. Long triangles therefore are drawn by a program that bends
- * their edges as each map does (paraboloid_long.geom), which for all would cost too much. Which are long is told by rank, not by a length: it depends neither on the scene's units nor
- * on a plain that surrounds a room.
+ * A paraboloid map bends straight lines, but a rasteriser draws them straight, so large triangles
+ * would be misplaced. A costly shader bends the edges of long triangles as each map does
+ * (paraboloid_long.geom). Long triangles are chosen by rank, not by length, so neither units nor a
+ * ground plane matter.
  *
- * Of what is solid (solid.h) a map need not show the faces that are turned away: such triangles have lists of their own.
- *
- * Vertices are the geometry's own: when it moves, the triangles stay.
- */
+ * Maps may skip back faces of solids (solid.h), which have lists of their own. Vertices are those
+ * of the geometry, so motion keeps the triangles. */
 #ifndef SCENE_MESH_CASTER_H
 #define SCENE_MESH_CASTER_H
 
 #include "scene/mesh/geometry.h"
 
-/* Triangles in the order of the geometry's, in its batches. */
+/* Triangles in the order of the geometry and its batches. */
 struct caster_list {
     uint32_t *indices;
     uint32_t index_count, opaque_index_count;
-    struct geometry_batch *batches; /* as many as the geometry has; some may be empty */
+    struct geometry_batch *batches; /* as many as in the geometry; some may be empty */
 };
 
-/* Those of a solid cast from their fronts alone, seen from the open. */
+/* Triangles of solids cast only from their fronts, for views from the open. */
 enum caster_kind {
     CASTER_SHORT,
     CASTER_LONG,
@@ -32,35 +30,37 @@ enum caster_kind {
 
 struct caster {
     struct caster_list list[CASTER_KIND_COUNT];
-    float error;     /* how far it may stray, metres */
-    float long_edge; /* each long triangle has a longer one, and no other has, metres */
+    float error;     /* bound of the simplification error, metres */
+    float long_edge; /* all long triangles have an edge longer than this, metres; no others do */
     uint32_t vertex_count;
     int batch_count;
 };
 
-/* The defaults of maps' casters, so that direct and indirect light share one set. */
+/* Default error, and number of long triangles, of maps. Direct and indirect light share one
+ * caster. */
 #define CASTER_ERROR .00055
 enum { CASTER_LONG_COUNT = 500 };
 
 struct caster_desc {
-    float error;    /* how far rigid opaque parts may stray (scene/mesh/simplify.h), over the root
-                    of the area of all; 0 = not at all */
-    int long_count; /* no more triangles are long: those with the longest edges. Of dynamic batches
-                       none is. */
-    const float *eye; /* a place in the open, in a scene where nothing moves; NULL: only metaballs
-                         that may stray are taken for solid */
+    /* Simplification error of rigid opaque parts (scene/mesh/simplify.h), over the root of the
+     * total area. 0: exact. */
+    float error;
+    /* Most long triangles: those with the longest edges; dynamic batches have none. */
+    int long_count;
+    /* A point in the open of a static scene. NULL: only metaballs that may stray count as solid. */
+    const float *eye;
 };
 
-/* Simplifies the geometry as it is posed now, then sorts out what is long. */
+/* Simplifies the geometry in its current pose, then separates long triangles. */
 void caster_init(struct caster *caster, const struct geometry *geometry,
                  const struct caster_desc *desc);
 void caster_free(struct caster *caster);
 
-/* Takes over the geometry's present triangles of a dynamic batch, into the list of the kind that it returns. */
+/* Copies the current triangles of a dynamic batch into the list of the returned kind. */
 enum caster_kind caster_take_batch(struct caster *caster, const struct geometry *geometry,
                                    int batch);
 
-/* Follows a geometry whose arrays were laid out anew, with other room for dynamic batches. */
+/* Follows a geometry whose arrays were laid out again, with other room for dynamic batches. */
 void caster_lay_out(struct caster *caster, const struct geometry *geometry);
 
 #endif

@@ -1,5 +1,4 @@
-/* A triangle of the geometry in parts, for rays: what its textures have varies within it.
- */
+/* A triangle of the geometry, cut into parts because its textures vary. For ray tracing. */
 #ifndef SCENE_MESH_CUT_TRIANGLE_H
 #define SCENE_MESH_CUT_TRIANGLE_H
 
@@ -10,35 +9,35 @@ struct cut_triangle {
     const struct scene *scene;
     const struct geometry *geometry;
     const struct material *material;
-    const uint32_t *index; /* of its vertices: within geometry->indices */
-    float decode[256];     /* texture_decode_table's */
+    const uint32_t *index; /* indices of its vertices, inside geometry->indices */
+    float decode[256];     /* table of texture_decode_table */
 };
 
-/* Of its three corners the weights of the triangle's second and third corner. */
+/* Weights of the triangle's second and third corner, at the part's three corners. */
 struct triangle_part {
     vec2s at[3];
 };
 
 struct triangle_parts {
-    struct bvh_triangle *items; /* of the heap; its owner's */
+    struct bvh_triangle *items; /* heap array, owned by the caller */
     uint32_t count, room;
 };
 
 extern const struct triangle_part triangle_whole;
 
-/* A place of the part, by the weights of its second and third corner. */
+/* Returns a point of the part, given by the weights of the part's second and third corner. */
 vec2s triangle_within(const struct triangle_part *part, float u, float v);
 
-/* The base colour there; A is what an alpha mask compares. */
+/* Returns the base colour at the point; A is compared by alpha masks. */
 vec4s triangle_color(const struct cut_triangle *triangle, vec2s at);
 
 void triangle_quarters(const struct triangle_part *part, struct triangle_part quarters[4]);
 
-/* How often quarters are cut until a part has no more than so many texels of the base colour's texture; at most `most`
- * times. */
+/* Returns how often to cut into quarters, so that a part has at most `texels` texels of the base
+ * colour's texture; at most `most`. */
 int triangle_depth(const struct cut_triangle *triangle, float texels, int most);
 
-/* Appends the part, for the caller to fill in what it lets pass. */
+/* Appends the part; the caller fills in its opacity. */
 struct bvh_triangle *triangle_parts_add(struct triangle_parts *parts,
                                         const struct cut_triangle *triangle,
                                         const struct triangle_part *part);

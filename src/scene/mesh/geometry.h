@@ -1,10 +1,9 @@
-/* The scene's triangles in world space at one time: what the GPU draws and Embree traces.
+/* The scene's triangles in world space at one time, for OpenGL and Embree.
  *
- * Vertices of all meshes lie in one set of arrays and all triangles in one index array, so that a
- * pass can draw everything at once. Triangles are sorted into batches of one material; batches
- * without alpha mask come first, so that depth passes draw all of them as one. Panes come last:
- * light goes straight through them (scene/material.h).
- */
+ * Vertices of all meshes share one set of arrays and all triangles one index array, so that a pass
+ * can draw everything at once. Triangles are sorted into batches of one material. Batches without
+ * alpha mask come first, so that depth passes draw them together. Panes come last: light passes
+ * straight through them (scene/material.h). */
 #ifndef SCENE_MESH_GEOMETRY_H
 #define SCENE_MESH_GEOMETRY_H
 
@@ -15,86 +14,86 @@
 struct geometry_batch {
     int material;
     uint32_t first_index, index_count;
-    bool dynamic; /* other triangles with each pose; room that they leave is filled with points */
+    bool dynamic; /* triangles change with each pose; unused room holds degenerate ones */
 };
 
-/* What one primitive of one node has in the arrays. */
+/* Ranges of one primitive of one node in the arrays. */
 struct geometry_part {
     int node, primitive;
     uint32_t first_vertex, vertex_count, first_index, index_count;
-    uint32_t vertex_room, index_room; /* at least the counts; more for dynamic parts alone */
-    bool dynamic;                     /* the surface of metaballs */
-    bool rigid;                       /* neither dynamic nor skinned, morphed, scaled by a clip */
-    bool mirrored;                    /* the winding of its triangles is swapped */
-    unsigned moved, rewound;          /* the poses that last changed vertices, and indices */
+    uint32_t vertex_room, index_room; /* at least the counts; more only for dynamic parts */
+    bool dynamic;                     /* surface of metaballs */
+    bool rigid;                       /* neither dynamic, skinned, morphed nor scaled by a clip */
+    bool mirrored;                    /* winding of its triangles is swapped */
+    unsigned moved, rewound;          /* pose of the last change of vertices; of indices */
     float bounds_min[3], bounds_max[3];
-    float farthest; /* vertex from the geometry's centre, metres */
+    float farthest; /* greatest distance of a vertex from the geometry's centre, metres */
 };
 
-/* What poses throughout a clip take up; empty where nothing moves. */
+/* Bounds of all poses of a clip; empty if nothing moves. */
 struct geometry_span {
-    int clip_choice; /* the scene's; -1 = none was looked at */
+    int clip_choice; /* clip choice of the scene; -1: none */
     float bounds_min[3], bounds_max[3], radius;
 };
 
 struct geometry {
     uint32_t vertex_count, index_count;
-    float (*position)[3];         /* world; one spare element, as Embree reads 16 bytes a vertex */
-    float (*normal)[3];           /* world, unit */
-    float (*uv[MAPPINGS_MAX])[2]; /* of the mappings that there are */
+    float (*position)[3]; /* world; one spare element, because Embree reads 16 bytes a vertex */
+    float (*normal)[3];   /* world, unit */
+    float (*uv[MAPPINGS_MAX])[2]; /* by mapping, mapping_count of them */
     float (*color)[4];
     uint32_t *indices;
     struct geometry_batch *batches;
     int batch_count;
-    int mapping_count;             /* from 1 on */
-    uint32_t opaque_index_count;   /* indices of the batches without alpha mask: [0, this) */
-    uint32_t blocking_index_count; /* of all but panes: [0, this) */
+    int mapping_count;             /* at least 1 */
+    uint32_t opaque_index_count;   /* indices of batches without alpha mask: [0, this) */
+    uint32_t blocking_index_count; /* indices of all triangles except panes: [0, this) */
     int blocking_batch_count;
-    bool glass_blocks; /* in a view of another: geometry_block_glass */
+    bool glass_blocks; /* in a view made by geometry_block_glass */
 
-    /* Bounding box and sphere of the vertices that triangles use, throughout the clip that plays:
-     * lengths that are fractions of the radius would breathe with a single pose's. */
+    /* Bounding box and sphere of used vertices over the whole playing clip. With bounds of a single
+     * pose, lengths relative to the radius would vary over time. */
     float bounds_min[3], bounds_max[3];
     float center[3], radius; /* radius > 0 */
 
     struct geometry_part *parts;
     int part_count;
-    unsigned pose_count; /* poses so far; geometry_init is the first */
-    unsigned laid_out;   /* the pose that last laid the arrays out anew */
-    unsigned painted;    /* the pose that last did so or changed materials */
+    unsigned pose_count; /* number of poses, including that of geometry_init */
+    unsigned laid_out;   /* pose of the last layout of the arrays */
+    unsigned painted;    /* pose of the last layout or change of materials */
     bool broken;         /* the last pose failed */
 
     struct geometry_span span;
-    bool still; /* the bounds are those of the pose alone */
+    bool still; /* bounds are those of the current pose */
     struct pose pose, next;
-    struct geometry_balls *balls; /* geometry.c: of each of the scene's metaballs */
+    struct geometry_balls *balls; /* data of each of the scene's metaballs (geometry.c) */
     int balls_count;
 };
 
-/* Lays out the arrays and fills them for the time. The clip is sampled for its bounds, here and when
- * a pose finds another one to play: every tenth of a second, or at 128 steps of a longer one. A pose
- * that reaches beyond all samples widens the bounds for itself. Error: a scene without a triangle. */
+/* Lays out the arrays and fills them for the time, seconds. The clip is sampled for its bounds
+ * every tenth of a second, or in 128 steps of a longer clip; again when another clip plays. A pose
+ * beyond the samples widens the bounds for itself. Error: a scene without triangles. */
 bool geometry_init(struct geometry *geometry, const struct scene *scene, double time);
 
-/* The same with the bounds of each pose alone: for those who look at one. */
+/* Makes a geometry with the bounds of each pose alone, for users of single poses. */
 bool geometry_init_still(struct geometry *geometry, const struct scene *scene, double time);
 void geometry_free(struct geometry *geometry);
 
-/* Moves everything to where it is at a time, and gives the scene its materials of that time. What stays where it is costs nothing; part->moved and
- * part->rewound tell the others. The result depends on the time alone, whatever poses came before.
- * Error: something ends up too far away; the geometry must not be used until a pose succeeds. */
+/* Moves everything, and the scene's materials, to a time, seconds. Static parts cost nothing;
+ * part->moved and part->rewound mark the others. The result depends only on the time. Error: a
+ * vertex is too far away; the geometry is unusable until a pose succeeds. */
 bool geometry_pose(struct geometry *geometry, struct scene *scene, double time);
 
-/* Fills a view of a geometry, with the same arrays, in which glass (SMOOTH_GLASS) counts among what blocks light,
- * as caustics need it. The view owns nothing and is old after the next pose. */
+/* Fills a view with the arrays of `geometry` in which glass (SMOOTH_GLASS) blocks light, as
+ * caustics need it. The view owns nothing and is invalid after the next pose. */
 void geometry_block_glass(struct geometry *view, const struct geometry *geometry,
                           const struct scene *scene);
 
-/* How far above a surface a ray begins that is not to meet it: about a hundred times the rounding of the scene's
- * coordinates, metres. */
+/* Returns the offset of ray origins above surfaces, metres: about 100 times the rounding error of
+ * coordinates. */
 float geometry_clearance(const struct geometry *geometry);
 
-/* Whether some triangle is a pane; and whether a part's are. */
+/* True if some triangle is a pane; if a part's triangles are. */
 static inline bool geometry_has_panes(const struct geometry *geometry) {
     return geometry->blocking_index_count < geometry->index_count;
 }
@@ -103,7 +102,7 @@ static inline bool geometry_part_is_pane(const struct geometry *geometry,
     return part->first_index >= geometry->blocking_index_count;
 }
 
-/* Triangles in use. */
+/* Returns the number of triangles in use. */
 uint32_t geometry_triangle_count(const struct geometry *geometry);
 
 #endif

@@ -1,41 +1,37 @@
-/* Fewer triangles for nearly the same surface, by collapsing edges [Garland and Heckbert 1997,
- * Surface Simplification Using Quadric Error Metrics]: shadow casters, and made scenes.
+/* Simplifies meshes by edge collapses [Garland and Heckbert 1997, Surface Simplification Using
+ * Quadric Error Metrics], for shadow casters and generated scenes.
  *
- * A map of 256 x 256 texels cannot show the folds of a drape, but would transform their triangles
- * for each of its layers. A vertex is moved onto one of its neighbours where that lies near the
- * planes of all the triangles that the vertex stands for; it stays among the geometry's vertices,
- * so that what moves needs nothing anew. The cheapest collapses come first, in passes of such as do
- * not touch. A surface falls back behind the finer one rather than before it, where receivers would
- * lie in its shadow. What is closed stays closed, and no triangle turns over in a step.
- *
- * meshoptimizer knows no side: with as many triangles a horse's caster came forward by three times
- * as much. It also locks all borders or none, and leaves twice the triangles of Sponza.
- */
+ * A small map does not show folds of a drape, but would transform their triangles for each layer. A
+ * vertex collapses onto a neighbour near the planes of all triangles that it represents, so
+ * vertices remain the geometry's and move with it. The cheapest collapses come first, in passes of
+ * collapses that do not touch. Surfaces recede rather than advance, which would shadow receivers.
+ * Closed meshes stay closed, and no triangle flips. meshoptimizer has no preferred side: at equal
+ * triangle counts a caster advanced three times as far. It locks all borders or none. */
 #ifndef SCENE_MESH_SIMPLIFY_H
 #define SCENE_MESH_SIMPLIFY_H
 
 #include "scene/mesh/geometry.h"
 
 struct simplify_desc {
-    float error; /* how far surfaces may stray, root mean square; INFINITY = as they do */
-    uint32_t triangle_count; /* no fewer triangles are left */
+    float error;             /* surface error, root mean square; INFINITY: unbounded */
+    uint32_t triangle_count; /* least number of triangles left */
 };
 
-/* Triangles that share the vertices in which they meet. */
+/* Triangles with shared vertices. */
 struct simplify_mesh {
     float (*position)[3];
-    const uint32_t *indices; /* 3 per triangle */
-    const bool *locked;      /* vertices that stay; NULL = none */
+    const uint32_t *indices; /* 3 a triangle */
+    const bool *locked;      /* fixed vertices; NULL: none */
     uint32_t vertex_count, index_count;
 };
 
-/* For each vertex the one that it is moved onto, which may be itself. */
+/* Writes for each vertex the one it collapses onto, perhaps itself. */
 void simplify_mesh(const struct simplify_mesh *mesh, const struct simplify_desc *desc,
                    uint32_t *moved_to);
 
-/* The same for all parts of a geometry, small ones with less of an error; to be freed. Parts with an
- * alpha mask keep their triangles, and so do those that do not move rigidly. A vertex that parts
- * share stays, so that no crack opens between them. */
+/* Simplifies all parts of a geometry, small ones with a smaller error, as simplify_mesh. The caller
+ * frees the result. Masked and non-rigid parts keep their triangles. Vertices shared by parts stay,
+ * so that no crack opens. */
 uint32_t *simplify_geometry(const struct geometry *geometry, const struct simplify_desc *desc);
 
 #endif

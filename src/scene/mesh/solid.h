@@ -1,28 +1,27 @@
-/* Triangles whose backs are the inside of something solid, a wall or a table's leg, which nobody in the open sees: what
- * looks from there may leave out those that are turned away.
+/* Finds triangles whose backs are inside solids, like walls or table legs. Views from the open may
+ * skip their back faces.
  *
- * Files seldom close a solid: a column stands open on the floor, a wall ends where the next begins. So rays ask. From a
- * back within a solid they meet other backs, or a front that lies within, too, as the floor below the column does: most
- * rays from there meet backs again. One that gets away, or meets a front in the open, tells that the back may be seen.
- * A sheet is no solid: rays from its back meet the room. What a thin gap alone leads to may be missed, as rays are few.
- */
+ * Files seldom close a solid: columns stand open on the floor, and walls end at the next wall. So
+ * rays decide. Inside a solid a ray meets backs, or fronts from which most rays again meet backs. A
+ * ray that escapes, or meets a front in the open, shows that the back may be visible. A sheet is no
+ * solid: rays from its back meet the room. Few rays may miss a thin gap. */
 #ifndef SCENE_MESH_SOLID_H
 #define SCENE_MESH_SOLID_H
 
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The front of a triangle is where its corners go counter-clockwise. */
+/* Front faces are counter-clockwise. */
 struct solid_mesh {
     float (*position)[3];
     const uint32_t *indices;
     uint32_t triangle_count;
-    float clearance; /* rays begin so far above a surface, metres */
+    float clearance; /* offset of ray origins above surfaces, metres */
 };
 
-/* For each triangle whether its back lies within. eye: a place in the open. A room may be modelled from without, so
- * that all its backs are seen: where the eye sees more than a few that would lie within, none does. On all cores; the
- * same for any number of them. */
+/* Sets within[i] if the back of triangle i is inside. eye: a point in the open. If the eye sees
+ * more than a few of these backs, as in a room modelled from outside, none counts as inside. It
+ * runs on all cores; the result does not depend on their number. */
 void solid_find(bool *within, const struct solid_mesh *mesh, const float eye[3]);
 
 #endif

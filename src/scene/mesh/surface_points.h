@@ -1,12 +1,11 @@
-/* Points spread evenly over the surfaces of a scene, of which shadows and volumes are made: each surface once, as both of
- * its sides hide light.
+/* Points spread uniformly over a scene's surfaces, for shadows and volumes. Each surface counts
+ * once, because both of its sides block light.
  *
- * Halton's points over the running sum of the triangles' areas: any run of the sequence is an even
- * subset. A triangle that would have more than a tenth of all points counts for a tenth, unless
- * by_area: a plain around a room takes few. With a box, points lie on what of each triangle is in it. Points keep their place in their triangle when it moves
- * or is deformed. Holes of alpha masks have none. Where there are metaballs, points are dealt anew
- * for each pose.
- */
+ * Points follow Halton's sequence over the cumulative area of the triangles, so each run is a
+ * uniform subset. A triangle has at most a tenth of the points unless by_area, so that a ground
+ * plane takes few. With a box, points are on the part of each triangle inside it. Points keep their
+ * barycentric position when triangles move or deform. Holes of alpha masks have none. With
+ * metaballs each pose has new points. */
 #ifndef SCENE_MESH_SURFACE_POINTS_H
 #define SCENE_MESH_SURFACE_POINTS_H
 
@@ -14,19 +13,19 @@
 
 struct surface_point {
     int part;
-    uint32_t triangle; /* of the part's */
-    float weight[3];   /* of its corners */
-    float share;       /* of the triangle's area that it stands for */
+    uint32_t triangle; /* of the part */
+    float weight[3];   /* barycentric */
+    float share;       /* fraction of the triangle's area that the point represents */
 };
 
 struct surface_points_desc {
     const struct scene *scene;
-    const struct geometry *geometry; /* as it is posed now: points are dealt by its areas */
+    const struct geometry *geometry; /* in its current pose, whose areas place the points */
     int count;
-    uint32_t first;        /* of the sequence: points first .. first + count */
-    bool by_area;          /* no triangle has fewer points than its area asks for */
-    const struct box *box; /* NULL: all */
-    int per_triangle; /* in place of all others: so many random points of each triangle; 0: not so */
+    uint32_t first;        /* index in the sequence: points first to first + count - 1 */
+    bool by_area;          /* points are strictly proportional to area */
+    const struct box *box; /* NULL: unbounded */
+    int per_triangle;      /* random points of each triangle in place of all others; 0: off */
 };
 
 struct surface_points {
@@ -36,13 +35,13 @@ struct surface_points {
 
 struct surface_place {
     vec3s position, normal; /* metres, unit */
-    float area;             /* m2; 0: there is no such point */
+    float area;             /* m2; 0: the point does not exist */
 };
 
 void surface_points_init(struct surface_points *points, const struct surface_points_desc *desc);
 void surface_points_free(struct surface_points *points);
 
-/* Whether there are metaballs: each pose then has other triangles, and needs points of its own. */
+/* True with metaballs: each pose has other triangles and needs its own points. */
 bool surface_points_differ_by_pose(const struct geometry *geometry);
 
 struct corners surface_point_corners(const struct surface_point *point,

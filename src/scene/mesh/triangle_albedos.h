@@ -1,4 +1,4 @@
-/* What each triangle of a geometry reflects on the mean, for paths of light that know what they meet by its number alone. */
+/* Mean albedo of each triangle, for light paths that know only the triangle's number. */
 #ifndef SCENE_MESH_TRIANGLE_ALBEDOS_H
 #define SCENE_MESH_TRIANGLE_ALBEDOS_H
 
@@ -6,10 +6,10 @@
 
 struct triangle_albedo {
     float color[3]; /* linear, at most 1 */
-    float backs;    /* 1: backs reflect like fronts; 0: they are black */
+    float backs;    /* 1: backs reflect like fronts; 0: backs are black */
 };
 
-/* Into one for each of the geometry's triangles. */
+/* Fills one item for each triangle of the geometry. */
 void triangle_albedos_find(struct triangle_albedo *albedos, const struct surface_colors *colors);
 
 #endif

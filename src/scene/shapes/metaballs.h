@@ -1,9 +1,8 @@
-/* Metaballs: balls that drift through a box and melt into each other [Dong 2009, Table 1].
+/* Metaballs: balls that drift in a box and merge [Dong 2009, Table 1].
  *
- * Each ball adds (1 - (d/R)^2)^3 within its reach R, after the soft objects of [Wyvill et al.
- * 1986]; the surface lies where the sum is a quarter. A ball alone has a radius of 0.61 R.
- * Everything is a function of time and comes back after one period.
- */
+ * Each ball adds (1 - (d/R)^2)^3 within its reach R [Wyvill et al. 1986, soft objects]. The surface
+ * is at the value 1/4; a single ball has a radius of 0.61 R. Motion is a function of time with one
+ * period. */
 #ifndef SCENE_SHAPES_METABALLS_H
 #define SCENE_SHAPES_METABALLS_H
 
@@ -15,18 +14,18 @@ struct surface;
 enum { METABALLS_MAX = 64, METABALLS_MAX_CELLS = 1 << 22 };
 
 struct metaballs {
-    int count;             /* of balls, at most METABALLS_MAX */
-    float low[3], high[3]; /* the box in which the surface stays; at least 2.6 reach wide */
-    float reach;           /* of a ball of middle size; they are 0.7 to 1.3 of it */
-    float cell;            /* side of the polygoniser's cubes */
+    int count;             /* number of balls, at most METABALLS_MAX */
+    float low[3], high[3]; /* box of the surface; at least 2.6 reach wide */
+    float reach;           /* of a medium ball; balls have .7 to 1.3 times this */
+    float cell;            /* side of the cubes, metres */
     float period;          /* seconds */
 };
 
-/* Whether the numbers can be polygonised: finite, within their bounds, and no more than
- * METABALLS_MAX_CELLS cubes. */
+/* True if the numbers are finite, within their bounds, and give at most METABALLS_MAX_CELLS
+ * cubes. */
 bool metaballs_are_sound(const struct metaballs *balls);
 
-/* Adds the surface at a time to one that the caller may have cleared. */
+/* Appends the surface at a time, seconds. */
 void metaballs_polygonise(const struct metaballs *balls, double time, struct marching_cubes *cubes,
                           struct surface *surface);
 

@@ -1,8 +1,7 @@
-/* A growing surface of triangles: what the polygoniser and the scene tool write.
+/* A growable surface of triangles, written by marching cubes and the scene tool.
  *
- * Triangles are counter-clockwise seen from the side their normals point to. Clearing keeps the
- * memory, so that a surface that is rebuilt every frame soon stops to allocate.
- */
+ * Triangles are counter-clockwise seen from their normals' side. Clearing keeps the memory, so
+ * surfaces that are rebuilt each frame stop allocating. */
 #ifndef SCENE_SHAPES_SURFACE_H
 #define SCENE_SHAPES_SURFACE_H
 
@@ -11,12 +10,12 @@
 struct surface {
     float (*position)[3];
     float (*normal)[3]; /* unit */
-    uint32_t *indices;  /* 3 per triangle */
+    uint32_t *indices;  /* 3 a triangle */
     uint32_t vertex_count, index_count;
     uint32_t vertex_capacity, index_capacity;
 };
 
-/* Accepts zeroed surfaces, as do all functions here. */
+/* Removes all triangles. Accepts zeroed surfaces, as do all functions here. */
 void surface_free(struct surface *surface);
 void surface_clear(struct surface *surface);
 

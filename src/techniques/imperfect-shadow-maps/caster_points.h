@@ -1,5 +1,5 @@
-/* The points that imperfect shadow maps are made of, spread by area over all surfaces
- * (surface_points.h). They move with their triangles. */
+/* Points of imperfect shadow maps, spread by area over all surfaces (surface_points.h). They move
+ * with their triangles. */
 #ifndef TECHNIQUES_CASTER_POINTS_H
 #define TECHNIQUES_CASTER_POINTS_H
 
@@ -8,25 +8,26 @@
 
 struct caster_points_desc {
     const struct scene *scene;
-    const struct geometry *geometry; /* as it is posed now: points are dealt by its areas */
-    int count;                       /* of one map */
-    int sets;                        /* of so many each */
+    const struct geometry *geometry; /* in its current pose, whose areas place the points */
+    int count;                       /* points of one map */
+    int sets;                        /* number of sets of `count` points */
 };
 
 struct caster_points {
     struct caster_points_desc desc;
     struct surface_points points;
-    bool dealt_by_pose;        /* metaballs have others in each */
-    unsigned pose;             /* that they were uploaded for; 0: none */
-    struct caster_point *room; /* for what is uploaded */
-    float radius;              /* of all disks of a map together, were they alike, metres */
+    /* Points are placed anew in each pose, because metaballs change their triangles. */
+    bool dealt_by_pose;
+    unsigned pose;             /* pose of the last upload; 0: none */
+    struct caster_point *room; /* upload buffer */
+    float radius;              /* radius of a map's disks if all had equal area, metres */
     struct buffer buffer;
 };
 
 bool caster_points_init(struct caster_points *points, const struct caster_points_desc *desc);
 void caster_points_free(struct caster_points *points);
 
-/* Puts them where the geometry is. */
+/* Moves the points to the geometry's pose. */
 void caster_points_place(struct caster_points *points, const struct geometry *geometry);
 
 #endif

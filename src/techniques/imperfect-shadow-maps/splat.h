@@ -1,10 +1,9 @@
-/* Imperfect shadow maps: points are drawn into a small paraboloid map of each VPL [Ritschel et al. 2008].
+/* Draws imperfect shadow maps: points in a small paraboloid map of each VPL [Ritschel et al. 2008].
  *
- * A point stands for a disk of its share of the area, and is drawn as such: each texel shows where its own
- * direction meets the disk's plane, and how that is tilted. Or as published, as a square of the same solid
- * angle at the distance of the point, set back by as much as its surface may come nearer within. A square shows
- * in one texel at least, so that far surfaces hide more than they should; a disk where it covers a texel's middle.
- */
+ * A point is drawn as a disk of its area: each texel has the depth and the tilt where its direction
+ * meets the disk's plane. The published variant draws a square of the same solid angle at the
+ * point's distance. It is set back by the depth that its surface may span. A square covers at least
+ * one texel, so distant surfaces hide too much; a disk covers texel centres only. */
 #ifndef TECHNIQUES_SPLAT_H
 #define TECHNIQUES_SPLAT_H
 
@@ -16,8 +15,8 @@ struct map_views;
 
 struct splat_desc {
     struct caster_points_desc points;
-    int size, count; /* of the maps */
-    float scale;     /* of what is drawn, over what the points stand for */
+    int size, count; /* side of a map, texels; number of maps */
+    float scale;     /* drawn size over the point's size */
     int shape;       /* SPLAT_... */
 };
 
@@ -25,14 +24,14 @@ struct splat_pass {
     struct splat_desc desc;
     struct caster_points points;
     GLuint program;
-    struct depth_maps maps; /* with SPLAT_DISK they have normals */
+    struct depth_maps maps; /* have normals with SPLAT_DISK */
     struct buffer params;
 };
 
 bool splat_pass_init(struct splat_pass *pass, const struct splat_desc *desc);
 void splat_pass_free(struct splat_pass *pass);
 
-/* The first views->count maps, which are those of VPLs first ... Timer "depth maps". */
+/* Draws the first views->count maps, for VPLs from `first` on. Timer "depth maps". */
 void splat_pass_render(struct splat_pass *pass, const struct frame *frame,
                        const struct map_views *views, int first);
 

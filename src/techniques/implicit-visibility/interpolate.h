@@ -1,7 +1,8 @@
-/* Irradiance of surface elements at the camera's pixels: a mean of the elements around a surface that face alike.
+/* Interpolates irradiance of surface elements at camera pixels: a mean of nearby elements with
+ * similar normals.
  *
- * The thesis colours the vertices that the elements are. Here elements stand for parts of large triangles and for many
- * vertices of fine ones, so that pixels find them in a grid. */
+ * The thesis colours vertices, which are its elements. Here an element represents part of a large
+ * triangle or many small vertices, so pixels find elements in a grid. */
 #ifndef TECHNIQUES_IMPLICIT_VISIBILITY_INTERPOLATE_H
 #define TECHNIQUES_IMPLICIT_VISIBILITY_INTERPOLATE_H
 
@@ -15,9 +16,10 @@ struct interpolate_pass {
     GLuint program;
     struct irradiance irradiance;
     struct element_grid_params grid;
-    struct buffer params, cells, elements; /* storages: texel buffers need have but 65,536 texels */
-    uint32_t *firsts;                      /* of each cell, and one more */
-    float (*texels)[4];                    /* of the elements */
+    /* Storage buffers, because texel buffers may have only 65,536 texels. */
+    struct buffer params, cells, elements;
+    uint32_t *firsts;   /* first element of each cell, and one past the last */
+    float (*texels)[4]; /* upload buffer of the elements */
     int element_count, cell_count, cells_along[3];
 };
 
@@ -25,11 +27,12 @@ struct interpolate_pass {
 bool interpolate_pass_init(struct interpolate_pass *pass, int width, int height);
 void interpolate_pass_free(struct interpolate_pass *pass);
 
-/* Makes room for elements like these in the geometry's bounds. Error: out of GPU memory; the pass must then be freed. */
+/* Reserves memory for the elements within the geometry's bounds. Error: out of GPU memory; the
+ * caller must then free the pass. */
 bool interpolate_pass_fit(struct interpolate_pass *pass, const struct elements *elements,
                           const struct geometry *geometry);
 
-/* Uploads the elements with their irradiance times scale. */
+/* Uploads the elements with their irradiance times `scale`. */
 void interpolate_pass_write(struct interpolate_pass *pass, const struct elements *elements,
                             const struct element_light *light, const struct links *links,
                             float scale);

@@ -1,4 +1,4 @@
-/* Lamps that are surfaces: which elements are of which, and how much light each gives in a frame. */
+/* Emissive surfaces as lamps: the elements of each lamp, and its light in a frame. */
 #ifndef TECHNIQUES_IMPLICIT_VISIBILITY_LAMPS_H
 #define TECHNIQUES_IMPLICIT_VISIBILITY_LAMPS_H
 
@@ -6,18 +6,18 @@
 #include "techniques/implicit-visibility/elements.h"
 
 struct lamps {
-    int count;         /* 1 + the greatest number of a lamp; 0 stands for all together */
-    double (*own)[3];  /* of each lamp, as the scene has it, W/sr */
-    float (*share)[3]; /* of its own light that each gives; lamps_follow */
-    int *of_elements;  /* each element's lamp; 0: not known */
+    int count;         /* 1 + the greatest lamp number; lamp 0 is all lamps together */
+    double (*own)[3];  /* radiant intensity of each lamp in the scene, W/sr */
+    float (*share)[3]; /* fraction of its own light in this frame; lamps_follow */
+    int *of_elements;  /* lamp of each element; 0: unknown */
 };
 
-/* Of elements that the geometry has, in their order. */
+/* Finds the lamps of elements, which are in the geometry's order. */
 void lamps_init(struct lamps *lamps, const struct scene *scene, const struct geometry *geometry,
                 const struct elements *elements);
 void lamps_free(struct lamps *lamps);
 
-/* Takes the lamps' light from what shines. */
+/* Updates the lamps' light from the shining emitters. */
 void lamps_follow(struct lamps *lamps, const struct emitters *emitters);
 
 #endif

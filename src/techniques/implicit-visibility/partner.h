@@ -1,21 +1,21 @@
-/* Nearest partners in bins of directions: what both ways to make links share (links.h). */
+/* Nearest partners in bins of directions, for both methods of making links (links.h). */
 #ifndef TECHNIQUES_IMPLICIT_VISIBILITY_PARTNER_H
 #define TECHNIQUES_IMPLICIT_VISIBILITY_PARTNER_H
 
 #include "techniques/implicit-visibility/bins.h"
 #include "techniques/implicit-visibility/tree.h"
 
-/* A partner is a node's number, with PARTNER_BACK where its back is seen. */
+/* A partner is a node's number, with PARTNER_BACK if its back is visible. */
 #define PARTNER_BACK 0x80000000U
 #define PARTNER_NONE UINT32_MAX
 
-/* Partners nearer than this, over an element's radius, are its own surface. */
+/* Least distance over an element's radius; nearer partners belong to its own surface. */
 #define PARTNER_LEAST_DISTANCE .25F
 
-/* A back hides light, but the front at the same place counts. */
+/* Factor on a back's distance: a back hides light, but a front at equal distance wins. */
 #define PARTNER_BACK_DISTANCE 1.02F
 
-/* Nodes whose normals differ more are opened: their mean says little. */
+/* Least length of a node's mean normal; nodes with a shorter one are opened. */
 #define PARTNER_LEAST_NORMAL .7F
 
 static inline void partner_offer(float *nearest, uint32_t *partner, uint32_t node, bool front,
@@ -28,8 +28,8 @@ static inline void partner_offer(float *nearest, uint32_t *partner, uint32_t nod
     }
 }
 
-/* Whether the node is too wide for one link along the path, which is turned in the bins. A node of differing normals
- * shows more than its mean. */
+/* True if the node is too wide for one link along `path`; `turned` is the path in the bins' axes. A
+ * node of differing normals counts wider than its mean normal shows. */
 static inline bool partner_opens(const struct bins *bins, const struct tree_node *node,
                                  const float path[3], const float turned[3], float distance) {
     float length2 = glm_vec3_norm2((float *)node->normal);

@@ -1,4 +1,5 @@
-/* A tree of surface elements, by position and normal [Dong 2011 §4.3.1]: built once, and pulled up in each frame. */
+/* Builds a tree of surface elements by position and normal [Dong 2011 §4.3.1]: once, then refits
+ * it in each frame. */
 #ifndef TECHNIQUES_IMPLICIT_VISIBILITY_TREE_H
 #define TECHNIQUES_IMPLICIT_VISIBILITY_TREE_H
 
@@ -7,28 +8,31 @@
 enum { TREE_CHILDREN = 4 };
 
 struct tree_node {
-    float position[3], area; /* mean by area; sum, m2 */
-    float normal[3],
-        radius; /* mean by area, shorter than 1 where normals differ; of all below, m */
-    uint32_t children[TREE_CHILDREN]; /* numbers below the node's own; TREE_NONE: no more */
+    float position[3], area; /* area-weighted mean, metres; sum, m2 */
+    /* Area-weighted mean, shorter than 1 if normals differ; radius of all leaves below, metres. */
+    float normal[3], radius;
+    uint32_t children[TREE_CHILDREN]; /* numbers below the node's own; TREE_NONE: unused */
 };
 
 #define TREE_NONE UINT32_MAX
 
-/* Leaves come first, in the order of the elements; children before their parents; the root is last. */
+/* Leaves come first, in the order of the elements. Children come before parents; the root is
+ * last. */
 struct tree {
     struct tree_node *nodes;
     int leaf_count, count;
 };
 
-/* Sorts the elements into the order of the leaves. There is one at least. size: metres that a turn by one radian counts for. */
+/* Builds the tree and sorts the elements into the order of the leaves. At least one element. size:
+ * distance that equals a rotation by one radian, metres. */
 void tree_init(struct tree *tree, struct elements *elements, float size);
 void tree_free(struct tree *tree);
 
-/* Takes the elements' positions and normals, and those of all nodes above. */
+/* Refits all nodes to the elements' positions and normals. */
 void tree_pull_up(struct tree *tree, const struct elements *elements);
 
-/* The leaves' values stand first: means by area of all other nodes. The fourth component is unused. */
+/* Computes area-weighted means of all inner nodes from the leaves' values, which come first. The
+ * fourth component is unused. */
 void tree_pull_up_values(const struct tree *tree, float (*values)[4]);
 
 #endif
