@@ -3,8 +3,7 @@
  *     cc tiny.c -o tiny $(pkg-config --cflags --libs manylight)
  *     ./tiny scene.glb picture.exr [WIDTH HEIGHT]
  *
- * It prints the mean radiance of each layer. Without a GPU it renders on the CPU.
- */
+ * It prints the mean radiance of each layer. Without a GPU it renders on the CPU. */
 #include <manylight.h>
 
 #include <stdio.h>

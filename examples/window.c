@@ -1,10 +1,10 @@
-/* A window of the program's own, whose OpenGL context libmanylight uses. The camera turns about the scene.
+/* A window of the program's own, whose OpenGL context libmanylight uses. The camera turns about the
+ * scene.
  *
  *     cc window.c -o window $(pkg-config --cflags --libs manylight glfw3 gl) -lm
  *     ./window scene.glb [FRAMES]
  *
- * The library leaves OpenGL's state as it was. The program draws on as if nothing had happened.
- */
+ * The library leaves OpenGL's state as it was. The program draws on as if nothing had happened. */
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>

@@ -1,8 +1,7 @@
 /* Writes glTF 2.0 binary files: named nodes with triangles, diffuse materials, lights, a camera.
  *
  * Everything is added to the file in memory; glb_write then writes it. The bytes depend only on
- * what was added.
- */
+ * what was added. */
 #ifndef SCENES_GLB_H
 #define SCENES_GLB_H
 
@@ -47,8 +46,8 @@ int glb_add_specular(struct glb *glb, const char *name, const float color[3], fl
 int glb_add_glass(struct glb *glb, const char *name, float index_of_refraction, float distance,
                   const float color[3]);
 
-/* A picture of at most PNG_SIDE_MOST texels a side, RGBA from the top row on, with the members of a sampler in
- * JSON, "" = none; returns the texture's index. */
+/* A picture of at most PNG_SIDE_MOST texels a side, RGBA from the top row on, with the members of a
+ * sampler in JSON, "" = none; returns the texture's index. */
 int glb_add_texture(struct glb *glb, int width, int height, const unsigned char *rgba,
                     const char *sampler);
 
@@ -59,7 +58,8 @@ int glb_add_material_json(struct glb *glb, const char *json);
 int glb_add_textured_mesh(struct glb *glb, const char *name, const struct surface *surface,
                           const float (*uv)[2], int material);
 
-/* A grey material that gives that radiance from its front, W/(sr m2): a flat rectangle of it is a light. */
+/* A grey material that gives that radiance from its front, W/(sr m2): a flat rectangle of it is a
+ * light. */
 int glb_add_lamp(struct glb *glb, const char *name, const float radiance[3]);
 
 /* A node with a mesh of one material; returns its index. extras is a JSON object for the node, or

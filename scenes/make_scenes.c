@@ -1,5 +1,6 @@
-/* make_scenes OUTDIR [NAME...]: writes the scenes named, or all, as OUTDIR/NAME.glb, and the skies as
- * OUTDIR/NAME.hdr. The folders are there: OUTDIR, and OUTDIR/failures where those are asked for. */
+/* make_scenes OUTDIR [NAME...]: writes the scenes named, or all, as OUTDIR/NAME.glb, and the skies
+ * as OUTDIR/NAME.hdr. The folders are there: OUTDIR, and OUTDIR/failures where those are
+ * asked for. */
 #include "scenes.h"
 #include "skies/skies.h"
 

@@ -27,14 +27,15 @@ static void print_help(FILE *out) {
     fprintf(out, "\nmanylight SUBCOMMAND --help lists options; --version prints the version.\n");
 }
 
-/* A picture must not get the number of a standard stream that the caller has closed: what is printed
- * would go there. What cannot be written is an error, never a signal. */
+/* A picture must not get the number of a standard stream that the caller has closed: what is
+ * printed would go there. What cannot be written is an error, never a signal. */
 static void guard_streams(void) {
     for (int stream = 0; stream <= 2; stream++)
         if (fcntl(stream, F_GETFD) < 0)
             open("/dev/null", stream == 0 ? O_WRONLY : O_RDONLY);
     signal(SIGXFSZ, SIG_IGN);
-    /* Of a write that fails when the stream is flushed it is known why, of one in between no more. */
+    /* Of a write that fails when the stream is flushed it is known why, of one in between
+     * no more. */
     static char page[1 << 16];
     if (!isatty(STDOUT_FILENO))
         setvbuf(stdout, page, _IOFBF, sizeof page);

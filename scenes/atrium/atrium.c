@@ -6,8 +6,7 @@
  * leaves are sheets.
  *
  * The spot stands above the open roof and lights a patch of the floor and of the north arcade
- * (z < 0); everything else in the picture is indirect light.
- */
+ * (z < 0); everything else in the picture is indirect light. */
 #include "atrium/furnishing.h"
 #include "atrium/pieces.h"
 #include "scenes.h"
@@ -21,8 +20,8 @@
 enum { LONG_BAYS = 8, SHORT_BAYS = 3, RELIEF_SIDE = 3 };
 
 /* The court's sides in quarter turns from the north one (z < 0), which faces +z. In a side's frame
- * x runs to the right as seen from the court, z towards the court, and the columns stand at z = 0.
- */
+ * x runs to the right as seen from the court, z towards the court, and the columns stand at z
+ * = 0. */
 static int bay_count(int side) {
     return side % 2 ? SHORT_BAYS : LONG_BAYS;
 }

@@ -4,8 +4,8 @@
 
 #include "scene/shapes/surface.h"
 
-/* A curtain that hangs from y = 0 in the plane z = 0, gathered by a cord at `waist` of its height.
- */
+/* A curtain that hangs from y = 0 in the plane z = 0, gathered by a cord at `waist` of
+ * its height. */
 struct curtain {
     float width, height;
     float folds, depth;  /* how many, how deep in metres */

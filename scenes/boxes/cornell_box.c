@@ -5,8 +5,7 @@
  * metres, x centred, y up and z towards the camera makes a box of the size of a room.
  *
  * [Dong 2009, Table 1] counts 18 faces. Here they are the five walls, the lamp (which is off: the
- * light is a spot, so that most of the picture is lit indirectly) and two blocks of six faces.
- */
+ * light is a spot, so that most of the picture is lit indirectly) and two blocks of six faces. */
 #include "scenes.h"
 #include "shapes/shapes.h"
 

@@ -1,5 +1,5 @@
-/* A courtyard under a sky and nothing else: walls that leave a piece of it, a roof on posts along one of them, and
- * blocks in the open and below the roof. */
+/* A courtyard under a sky and nothing else: walls that leave a piece of it, a roof on posts along
+ * one of them, and blocks in the open and below the roof. */
 #include "scenes.h"
 #include "shapes/placing.h"
 #include "shapes/shapes.h"

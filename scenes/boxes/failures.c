@@ -1,7 +1,6 @@
 /* Small scenes, each a known way in which many-light methods break: what `manylight bench
  * --failures` measures. All but a few are one room of 4 x 3 x 4 m, open to the camera, whose spot
- * lights the left wall, so that the rest is lit indirectly.
- */
+ * lights the left wall, so that the rest is lit indirectly. */
 #include "scenes.h"
 #include "shapes/shapes.h"
 
@@ -277,7 +276,8 @@ void make_giant_triangle(struct glb *glb) {
     place_usual_spot(&set);
 }
 
-/* A table and shelves on a floor that is lit from above, in a room that stands on a plain of 222 m. */
+/* A table and shelves on a floor that is lit from above, in a room that stands on a plain of
+ * 222 m. */
 void make_plain(struct glb *glb) {
     struct set set = open_room(glb);
     place_quad(&set, "plain", WHITE,

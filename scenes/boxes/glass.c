@@ -1,5 +1,5 @@
-/* A golden ring, two glass pawns and a gem in fog, each on a table with a wall behind it, under one spot: what casts
- * caustics [Dong 2011, chapter 8]. */
+/* A golden ring, two glass pawns and a gem in fog, each on a table with a wall behind it, under one
+ * spot: what casts caustics [Dong 2011, chapter 8]. */
 #include "base/unit.h"
 #include "scenes.h"
 #include "shapes/placing.h"
@@ -75,7 +75,8 @@ void make_pawns(struct glb *glb) {
                  260);
 }
 
-/* Corners of a brilliant, ring by ring from the culet up, each turned by half a step more where it says so. */
+/* Corners of a brilliant, ring by ring from the culet up, each turned by half a step more where it
+ * says so. */
 static const struct gem_ring {
     float radius, y;
     bool half;

@@ -1,5 +1,5 @@
-/* A room with balls of metal and of plastic, from smooth on the left to rough on the right, under a lamp; and
- * thin rails, whose glints flicker where a method samples them too seldom. */
+/* A room with balls of metal and of plastic, from smooth on the left to rough on the right, under a
+ * lamp; and thin rails, whose glints flicker where a method samples them too seldom. */
 #include "scenes.h"
 #include "shapes/placing.h"
 #include "shapes/shapes.h"

@@ -1,4 +1,5 @@
-/* A dusty hall with windows along one side, lit from far outside: shafts of light through a medium. */
+/* A dusty hall with windows along one side, lit from far outside: shafts of light through
+ * a medium. */
 #include "scenes.h"
 #include "shapes/placing.h"
 #include "shapes/shapes.h"

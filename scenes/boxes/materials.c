@@ -1,9 +1,10 @@
-/* What materials say, each where a mistake is seen: panels in rows, after the intent of the Khronos Group's sample
- * models NormalTangentTest, TextureSettingsTest, AlphaBlendModeTest and EmissiveStrengthTest.
+/* What materials say, each where a mistake is seen: panels in rows, after the intent of the Khronos
+ * Group's sample models NormalTangentTest, TextureSettingsTest, AlphaBlendModeTest and
+ * EmissiveStrengthTest.
  *
- * From the top: one normal map of a dome, of which each panel shows the same dome; a picture of four colours with
- * each way of wrapping, and from behind; alpha that falls from left to right; strengths of emission, each twice
- * the one before. */
+ * From the top: one normal map of a dome, of which each panel shows the same dome; a picture of
+ * four colours with each way of wrapping, and from behind; alpha that falls from left to right;
+ * strengths of emission, each twice the one before. */
 #include "scenes.h"
 #include "shapes/shapes.h"
 
@@ -14,7 +15,8 @@
 
 enum { COLUMNS = 5, SIDE = 32 };
 
-/* Panels are 1 m apart and .9 m wide; row 0 is the top one. One that faces away is mirrored with its picture. */
+/* Panels are 1 m apart and .9 m wide; row 0 is the top one. One that faces away is mirrored with
+ * its picture. */
 static void place_panel(struct glb *glb, const char *name, int row, int column,
                         const float uv[4][2], int material, bool faces_away) {
     float x = (float)column - .5F * (COLUMNS - 1) - .45F, y = 3 - (float)row + .05F;
@@ -72,8 +74,8 @@ static void place_domes(struct glb *glb) {
 
 /* --- textures --------------------------------------------------------------------------------- */
 
-/* From 1 before the picture to 1 behind it: repeated, clamped, mirrored, repeated one way and mirrored the other;
- * and one that is seen from behind. */
+/* From 1 before the picture to 1 behind it: repeated, clamped, mirrored, repeated one way and
+ * mirrored the other; and one that is seen from behind. */
 static void place_wraps(struct glb *glb) {
     static const unsigned char colors[2][2][4] = {{{230, 30, 30, 255}, {30, 200, 30, 255}},
                                                   {{40, 60, 230, 255}, {240, 240, 240, 255}}};

@@ -1,8 +1,7 @@
 /* Metaballs in the Cornell box, about 5000 faces [Dong 2009, Table 1].
  *
  * The file holds their surface at time 0. The node's extras say how to make it at any other time:
- * they are the fields of struct metaballs.
- */
+ * they are the fields of struct metaballs. */
 #include "scenes.h"
 
 #include "scene/shapes/marching_cubes.h"

@@ -1,5 +1,5 @@
-/* A plant and a fence before a window: thin casters at many distances from what they shade, under a light that
- * is wide beside them. The window is an emissive surface. */
+/* A plant and a fence before a window: thin casters at many distances from what they shade, under a
+ * light that is wide beside them. The window is an emissive surface. */
 #include "scenes.h"
 
 #include "atrium/furnishing.h"

@@ -1,6 +1,6 @@
-/* Balls of metal and of plastic by rows, from smooth on the left to rough on the right, after the intent of the Khronos
- * Group's sample model MetalRoughSpheres. From the top: metal by factors, the same by a texture, plastic by factors, the
- * same by a texture: two rows show the same each. */
+/* Balls of metal and of plastic by rows, from smooth on the left to rough on the right, after the
+ * intent of the Khronos Group's sample model MetalRoughSpheres. From the top: metal by factors, the
+ * same by a texture, plastic by factors, the same by a texture: two rows show the same each. */
 #include "base/memory.h"
 #include "scenes.h"
 #include "shapes/placing.h"

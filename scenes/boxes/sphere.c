@@ -2,8 +2,7 @@
  *
  * Radius R = 1, albedo 1/2, a point light of I = pi W/sr in the centre: the direct radiance is
  * albedo I / (pi R^2) = 0.5 everywhere, one bounce adds 0.25 and all bounces end at 1, because the
- * geometry term between any two points of a sphere is 1 / (4 R^2).
- */
+ * geometry term between any two points of a sphere is 1 / (4 R^2). */
 #include "scenes.h"
 #include "shapes/placing.h"
 #include "shapes/shapes.h"

@@ -1,5 +1,5 @@
-/* A table under a rectangular lamp: the penumbra of its top, of its legs where they stand, and of what
- * lies and stands on it. The lamp is an emissive surface, as Blender writes one. */
+/* A table under a rectangular lamp: the penumbra of its top, of its legs where they stand, and of
+ * what lies and stands on it. The lamp is an emissive surface, as Blender writes one. */
 #include "scenes.h"
 #include "shapes/placing.h"
 #include "shapes/shapes.h"

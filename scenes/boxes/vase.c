@@ -1,5 +1,5 @@
-/* A vase on a table, turned from a curved profile: dark inside, lit outside, with one wall between [Mavridis and
- * Papaioannou 2011, fig. 7]. */
+/* A vase on a table, turned from a curved profile: dark inside, lit outside, with one wall between
+ * [Mavridis and Papaioannou 2011, fig. 7]. */
 #include "scenes.h"
 #include "shapes/placing.h"
 #include "shapes/shapes.h"
@@ -8,8 +8,8 @@
 
 #include <math.h>
 
-/* Of the profile from the middle of the foot up the outside, over the rim and down to the bottom inside: radius and
- * height, metres. */
+/* Of the profile from the middle of the foot up the outside, over the rim and down to the bottom
+ * inside: radius and height, metres. */
 static const float profile[][2] = {
     {0, .76F},     {.12F, .76F},  {.13F, .78F},  {.1F, .82F},   {.17F, .92F},   {.22F, 1.04F},
     {.2F, 1.16F},  {.13F, 1.27F}, {.12F, 1.33F}, {.18F, 1.42F}, {.165F, 1.42F}, {.1F, 1.33F},
@@ -18,7 +18,8 @@ static const float profile[][2] = {
 
 enum { LAST = sizeof profile / sizeof *profile - 1, SIDES = 48, STEPS = 4 };
 
-/* Of the holes in the bottom and the foot, metres: triangles that end in a point have no normals there. */
+/* Of the holes in the bottom and the foot, metres: triangles that end in a point have no normals
+ * there. */
 static const float pole = .001F;
 
 /* Along a Catmull-Rom spline through the profile. */

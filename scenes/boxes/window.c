@@ -1,4 +1,5 @@
-/* A dusty room with a window of coloured panes in lead, lit by a spot outside: all light passes glass. */
+/* A dusty room with a window of coloured panes in lead, lit by a spot outside: all light passes
+ * glass. */
 #include "scenes.h"
 #include "shapes/placing.h"
 #include "shapes/shapes.h"

@@ -1,8 +1,7 @@
 /* Figures with a skeleton: a soft body around bones, a skin that follows them, and a gait.
  *
  * At rest the bones lie as the table says, unturned. Each swings about an axis through its start as
- * a sine of time; those that hang on it go along.
- */
+ * a sine of time; those that hang on it go along. */
 #ifndef SCENES_FIGURE_H
 #define SCENES_FIGURE_H
 

@@ -102,8 +102,8 @@ struct lathe {
     int count, segments, lobes;
 };
 
-/* Where a profile point comes to lie at a step round the circle, and the tangent along the circle.
- */
+/* Where a profile point comes to lie at a step round the circle, and the tangent along
+ * the circle. */
 static void lathe_place(const struct lathe *lathe, int point, int step, vec3 position,
                         vec3 tangent) {
     const struct lathe_point *at = &lathe->profile[point];

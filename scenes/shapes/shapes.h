@@ -1,5 +1,4 @@
-/* Simple shapes added to a surface. Each is closed, with normals outwards, unless said otherwise.
- */
+/* Simple shapes added to a surface. Each is closed, with normals outwards, unless said otherwise */
 #ifndef SCENES_SHAPES_H
 #define SCENES_SHAPES_H
 

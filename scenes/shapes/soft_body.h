@@ -1,8 +1,7 @@
 /* Bodies of bones and muscles, melted together: an implicit surface for marching cubes.
  *
  * Each part is a rough distance, negative inside; parts join by a smooth minimum, in the order in
- * which they were added.
- */
+ * which they were added. */
 #ifndef SCENES_SOFT_BODY_H
 #define SCENES_SOFT_BODY_H
 

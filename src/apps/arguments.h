@@ -56,11 +56,12 @@ struct option_use {
     const char *place;   /* "--frames" */
 };
 
-/* Refuses options that are given and do not apply; the table ends with a NULL. Error: names the option and its place. */
+/* Refuses options that are given and do not apply; the table ends with a NULL. Error: names the
+ * option and its place. */
 bool arguments_check_use(const struct common_values *common, const struct option_use *uses);
 
-/* In place of each subcommand's run, until it is NULL again: gets the arguments, with the common options in the table,
- * and defaults as values. */
+/* In place of each subcommand's run, until it is NULL again: gets the arguments, with the common
+ * options in the table, and defaults as values. */
 typedef void arguments_reader(void *user, const char *name, const struct arguments *arguments,
                               const struct option *table, const void *values);
 void arguments_set_reader(arguments_reader *reader, void *user);

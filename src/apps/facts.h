@@ -1,4 +1,5 @@
-/* Facts of `info`, each as text on stdout or as JSON: as text where json->out is NULL. Formats take the value. */
+/* Facts of `info`, each as text on stdout or as JSON: as text where json->out is NULL. Formats take
+ * the value. */
 #ifndef APPS_FACTS_H
 #define APPS_FACTS_H
 

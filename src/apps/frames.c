@@ -109,7 +109,8 @@ static int take_run(const char *text, int *digits) {
     return *text == '#' || (*text == '@' && length > 1) ? length : 0;
 }
 
-/* "####" of Blender, "@@@@" of RV, "%04d" of Nuke and ffmpeg, "$F4" of Houdini; else of no length. */
+/* "####" of Blender, "@@@@" of RV, "%04d" of Nuke and ffmpeg, "$F4" of Houdini; else of
+ * no length. */
 static struct place place_at(const char *text) {
     static const char *const with_digits[] = {"%%0%2[0-9]d%n", "$F%2[0-9]%n", "${F%2[0-9]}%n"},
                              *const alone[] = {"%d", "${F}", "$F"};

@@ -13,12 +13,13 @@ struct frames {
 bool frames_parse(struct frames *frames, const char *text);
 void frames_free(struct frames *frames);
 
-/* Puts the numbers in order, and back into text that frames_parse reads; free() frees. False where one
- * is there twice, which is told. */
+/* Puts the numbers in order, and back into text that frames_parse reads; free() frees. False where
+ * one is there twice, which is told. */
 bool frames_sort(struct frames *frames, int *twice);
 char *frames_text(const struct frames *frames);
 
-/* Whether a part of the name stands for a frame's number: ####, @@@@, %04d, %d, $F4 or $F. The last one counts. */
+/* Whether a part of the name stands for a frame's number: ####, @@@@, %04d, %d, $F4 or $F. The last
+ * one counts. */
 bool frame_name_is_numbered(const char *name);
 
 /* Sets the error that the part is not to be there, and why; false. */
@@ -32,8 +33,8 @@ struct frame_rate {
     char text[40]; /* as ffmpeg reads it: "24000/1001" */
 };
 
-/* Parses "25", "24000/1001", or 23.976, 29.97 and 59.94, which are rates of NTSC. Error: names the text and what is
- * allowed. */
+/* Parses "25", "24000/1001", or 23.976, 29.97 and 59.94, which are rates of NTSC. Error: names the
+ * text and what is allowed. */
 bool frame_rate_parse(struct frame_rate *rate, const char *text);
 
 #endif

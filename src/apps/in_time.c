@@ -14,8 +14,8 @@
 /* Frames that the first one may take. */
 enum { TRIES = 16 };
 
-/* Casters are those of time 0, whenever they are made. What is new compiles in its first frame, which tells no
- * time. */
+/* Casters are those of time 0, whenever they are made. What is new compiles in its first frame,
+ * which tells no time. */
 static bool take_level(const struct in_time *in_time, struct renderer *renderer,
                        struct stage *stage, double time) {
     struct renderer_desc desc = renderer->desc;

@@ -13,14 +13,15 @@ struct in_time {
     int level; /* that the renderer has, where started */
 };
 
-/* Draws the stage, posed at that time, at the budget's level, and lets the budget choose the next one's by how
- * long that took. The first frame is drawn until it takes what it may. The renderer is of the stage, and
- * timed. Error: of the settings or the renderer, which must then be freed. */
+/* Draws the stage, posed at that time, at the budget's level, and lets the budget choose the next
+ * one's by how long that took. The first frame is drawn until it takes what it may. The renderer is
+ * of the stage, and timed. Error: of the settings or the renderer, which must then be freed. */
 bool in_time_render(struct in_time *in_time, struct renderer *renderer, struct stage *stage,
                     double time);
 
-/* Path-traces the stage in the time of a frame, and gives the samples per pixel where the picture then errs less than
- * the renderer's; 0: it does not, or traced_is_possible says no. Error: the tracer's or the renderer's. */
+/* Path-traces the stage in the time of a frame, and gives the samples per pixel where the picture
+ * then errs less than the renderer's; 0: it does not, or traced_is_possible says no. Error: the
+ * tracer's or the renderer's. */
 bool in_time_trace(const struct in_time *in_time, struct renderer *renderer,
                    const struct stage *stage, struct image *picture, int *samples);
 

@@ -1,7 +1,8 @@
 /* SIGINT and SIGTERM held back or remembered, so that nothing is left half done.
  *
- * Held back while a sequence is rendered, so that it ends with its last whole frame. A process that has not ended a second
- * later, or when another signal comes, ends wherever it is: files appear when they are whole (base/file/output_file.h).
+ * Held back while a sequence is rendered, so that it ends with its last whole frame. A process that
+ * has not ended a second later, or when another signal comes, ends wherever it is: files appear
+ * when they are whole (base/file/output_file.h).
  *
  *     interrupts_hold();         before anything starts threads: they inherit it
  *     ... interrupt_came() ...   between two frames, and interrupt_asked within one
@@ -11,8 +12,7 @@
  *
  *     interrupts_catch(), interrupt_came(), interrupts_obey(): the process ends here if one came
  *
- * Signals that the caller ignores, as nohup does, stay ignored.
- */
+ * Signals that the caller ignores, as nohup does, stay ignored. */
 #ifndef APPS_INTERRUPT_H
 #define APPS_INTERRUPT_H
 

@@ -93,7 +93,8 @@ struct technique_values {
      .help = "setting to change, listed below; repeatable"}
 /* clang-format on */
 
-/* What they name, with all settings; direct is NULL where none is named. Error: of a name or a value. */
+/* What they name, with all settings; direct is NULL where none is named. Error: of a name or a
+ * value. */
 bool technique_values_resolve(const struct technique_values *values,
                               const struct technique **technique,
                               const struct direct_method **direct, struct settings *settings);
@@ -102,7 +103,8 @@ bool technique_values_resolve(const struct technique_values *values,
 bool technique_values_name(const struct technique_values *values, const struct settings_part *part,
                            const char *name);
 
-/* The end of --help: techniques, direct methods, and the settings of the named technique: the main ones, or all. */
+/* The end of --help: techniques, direct methods, and the settings of the named technique: the main
+ * ones, or all. */
 void technique_values_print_help(FILE *out, const struct technique_values *values, bool all);
 
 #endif

@@ -27,11 +27,12 @@
              "output) or /dev/fd/63"}
 /* clang-format on */
 
-/* Call it before outputs are asked for their format; format is NULL without --format. Error: it is not known,
- * no output needs it, or two go to standard output. */
+/* Call it before outputs are asked for their format; format is NULL without --format. Error: it is
+ * not known, no output needs it, or two go to standard output. */
 bool outputs_use_format(const char *const *paths, int count, const char *format);
 
-/* Whether a file is a whole picture of that size; else a note says that it is rendered again, where there is one. */
+/* Whether a file is a whole picture of that size; else a note says that it is rendered again, where
+ * there is one. */
 bool output_is_there(const char *path, int width, int height);
 
 /* The stream for tables and JSON: stderr where a picture goes to stdout. */

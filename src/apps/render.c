@@ -471,7 +471,7 @@ static bool render(struct values *values, const struct frames *frames,
     return ok;
 }
 
-/* What --max-error comes to, at the time of frame 0: frames split between processes are made alike. */
+/* Chooses by --max-error at frame 0, so that processes that share a sequence agree. */
 static bool find_quality(struct values *values, struct renderer_desc *desc, struct stage *stage) {
     const struct measure_desc measure = measure_of(desc, stage);
     const struct text_list *texts = &values->technique.settings;
@@ -547,8 +547,8 @@ static bool check_choice(const struct values *values) {
            error_set("--budget excludes path=, which sets what it would choose");
 }
 
-/* All that must be right before anything is opened. --max-error and --budget take the normal quality for the
- * while. */
+/* All that must be right before anything is opened. --max-error and --budget take the normal
+ * quality for the while. */
 static bool resolve(struct values *values, const struct frames *frames,
                     struct renderer_desc *desc) {
     const struct technique_values *named = &values->technique;

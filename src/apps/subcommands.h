@@ -1,5 +1,5 @@
-/* The subcommands by name. Each parses its own arguments, prints errors and returns the exit status:
- * 0 ok, 1 failed, 2 usage. argv[0] is its name. */
+/* The subcommands by name. Each parses its own arguments, prints errors and returns the exit
+ * status: 0 ok, 1 failed, 2 usage. argv[0] is its name. */
 #ifndef APPS_SUBCOMMANDS_H
 #define APPS_SUBCOMMANDS_H
 

@@ -15,7 +15,8 @@ struct videos {
 /* Takes the names of videos out of the outputs. */
 void videos_take(struct videos *videos, struct text_list *outputs);
 
-/* Whether they go with --frames and --skip-existing, by whether these are given. Error: an option's. */
+/* Whether they go with --frames and --skip-existing, by whether these are given. Error: an
+ * option's. */
 bool videos_check_use(const struct videos *videos, bool numbers, bool skips);
 
 /* Whether each can be written. Error: names the path and the reason. */

@@ -79,8 +79,8 @@ static const struct arguments arguments = {
     .print_more = print_techniques,
 };
 
-/* A picture to be looked at is exposed by itself, and bright light in it rolls off, unless it is told
- * otherwise; one that is written is as manylight render has it. */
+/* A picture to be looked at is exposed by itself, and bright light in it rolls off, unless it is
+ * told otherwise; one that is written is as manylight render has it. */
 static void choose_tone(struct values *values) {
     struct viewer_desc *desc = &values->viewer;
     if (desc->frames || desc->screenshot || desc->session)

@@ -4,7 +4,8 @@
  *     struct event event;
  *     event_begin(&event, "file");
  *     json_text(&event.json, "file", path);
- *     event_send(&event); */
+ *     event_send(&event);
+ */
 #ifndef BASE_EVENTS_H
 #define BASE_EVENTS_H
 

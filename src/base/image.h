@@ -1,7 +1,7 @@
 /* A picture in memory: floats in named channels, interleaved, row 0 at the top.
  *
- * Channel names follow OpenEXR: "R" "G" "B" "A" "Z" for the beauty layer, "indirect.R" for layers.
- */
+ * Channel names follow OpenEXR: "R" "G" "B" "A" "Z" for the beauty layer, "indirect.R"
+ * for layers. */
 #ifndef BASE_IMAGE_H
 #define BASE_IMAGE_H
 

@@ -17,7 +17,8 @@ void json_print_text(FILE *out, const char *text);
  *     struct json json = {.out = stdout};
  *     json_open(&json, NULL, "{");
  *     json_number(&json, "width", 16);
- *     json_close(&json, "}"); */
+ *     json_close(&json, "}");
+ */
 struct json {
     FILE *out;
     int lines; /* depths whose members start a line: 1 the outermost value, 2 also its members */

@@ -13,7 +13,8 @@ static void xyz_of(const float xy[2], vec3 xyz) {
     glm_vec3_copy((vec3){xy[0], xy[1], 1 - xy[0] - xy[1]}, xyz);
 }
 
-/* XYZ of white, of luminance 1, and of RGB: columns are the primaries, as bright as white needs them. */
+/* XYZ of white, of luminance 1, and of RGB: columns are the primaries, as bright as white needs
+ * them. */
 static bool matrix_to_xyz(const float primaries[PRIMARIES_NUMBERS], vec3 white, mat3 matrix) {
     mat3 inverse;
     vec3 shares;

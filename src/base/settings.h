@@ -98,7 +98,8 @@ void settings_copy_given(struct settings *to, const struct settings *from);
 /* One condition of option->needs, a list separated by spaces or commas. A condition is a setting's
  * full name or "technique"; "=", "!=" or ">"; and a value, or several separated by bars.
  *
- *     for (struct need need = {.word.at = option->needs}; need_next(&need);) */
+ *     for (struct need need = {.word.at = option->needs}; need_next(&need);)
+ */
 struct need {
     struct word word;                   /* the whole condition */
     char name[SETTING_NAME_SIZE], sign; /* '!' for "!=" */

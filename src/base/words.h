@@ -1,7 +1,8 @@
 /* Steps through words separated by spaces or commas.
  *
  *     for (struct word word = {.at = text}; word_next(&word);)
- *         printf("%.*s", word.length, word.at); */
+ *         printf("%.*s", word.length, word.at);
+ */
 #ifndef BASE_WORDS_H
 #define BASE_WORDS_H
 

@@ -34,8 +34,8 @@ const struct settings_part sky_part = {"sky", "direct light of an environment", 
 /* Pixels along each side of a block that shares its visibility. */
 enum { BLOCK = 4 };
 
-/* Where blocks differ by more, over the environment's light, rays start at the pixels between them; of more than 60 lights
- * divided by lights / 60. */
+/* Where blocks differ by more, over the environment's light, rays start at the pixels between them;
+ * of more than 60 lights divided by lights / 60. */
 static const float disagree = .02F;
 
 struct lighting {

@@ -51,7 +51,8 @@ static int size_of(const struct direct_desc *desc) {
 /* Of the receiver towards the light, over its distance. */
 static const float depth_bias = 2e-3F;
 
-/* Between caster and receiver, over the receiver's distance from the light: nearer texels are compared one by one. */
+/* Between caster and receiver, over the receiver's distance from the light: nearer texels are
+ * compared one by one. */
 static const float contact = .01F;
 
 bool prefiltered_begin(struct prefiltered *own, const struct direct_desc *desc,

@@ -22,7 +22,8 @@ static _Thread_local struct {
     PFNGLDISPATCHCOMPUTEINDIRECTPROC dispatch_compute_indirect;
 } watch;
 
-/* Batches grow where they take a quarter of the interval, and shrink where they take more than all of it. */
+/* Batches grow where they take a quarter of the interval, and shrink where they take more than all
+ * of it. */
 static void ask(void) {
     gl.Finish();
     double time = clock_ms(), took = time - watch.last;

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- what framebuffers attach ------------------------------------------------------------------ */
+/* --- what framebuffers attach ----------------------------------------------------------------- */
 
 /* By the framebuffer's number: drivers count from 1, and take numbers again. */
 struct framebuffer_list {
@@ -45,7 +45,7 @@ static void note(GLuint framebuffer, const struct framebuffer_desc *desc) {
     list->items[framebuffer] = targets;
 }
 
-/* --- framebuffers ------------------------------------------------------------------------------ */
+/* --- framebuffers ----------------------------------------------------------------------------- */
 
 bool framebuffer_init(GLuint *framebuffer, const struct framebuffer_desc *desc) {
     GLenum buffers[FRAMEBUFFER_COLORS_MAX];

@@ -63,7 +63,8 @@ static const char *next_define(const char *define) {
     return define + (*define == ';');
 }
 
-/* Whether the line is #include "FILE", or #include NAME of a define that names the file, which then goes into file. */
+/* Whether the line is #include "FILE", or #include NAME of a define that names the file, which then
+ * goes into file. */
 static bool parse_include(const struct writer *writer, const char *line, char *file, size_t size) {
     static const char directive[] = "#include ";
     if (strncmp(line, directive, sizeof directive - 1) != 0)

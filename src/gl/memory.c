@@ -12,7 +12,8 @@ struct entry {
     int count;
 };
 
-/* One GPU per process in all but tests, so one ledger per process, whichever thread has a context. */
+/* One GPU per process in all but tests, so one ledger per process, whichever thread has
+ * a context. */
 static struct {
     struct entry *entries;
     int count;

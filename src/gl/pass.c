@@ -84,8 +84,8 @@ static void bind_all(const struct pass_state *state) {
         bind_image(&state->images[i]);
 }
 
-/* Lets what is queued read buffers and images before a pass writes them: llvmpipe from Mesa 25 on reads uniform blocks
- * only when it draws what is queued. */
+/* Lets what is queued read buffers and images before a pass writes them: llvmpipe from Mesa 25 on
+ * reads uniform blocks only when it draws what is queued. */
 static void wait_for_reads(void) {
     gl.MemoryBarrier(GL_UNIFORM_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
                      GL_SHADER_IMAGE_ACCESS_BARRIER_BIT | GL_TRANSFORM_FEEDBACK_BARRIER_BIT);

@@ -3,7 +3,8 @@
 #include "gl/framebuffer.h"
 #include "gl/screen.h"
 
-/* What the queue begins with: workgroups of the indirect dispatch, then how many pixels there are. */
+/* What the queue begins with: workgroups of the indirect dispatch, then how many pixels
+ * there are. */
 static const GLuint none[] = {0, 1, 1, 0};
 
 static bool init_depth(struct pixel_mask *mask, const char *label, int width, int height) {

@@ -217,8 +217,8 @@ static GLuint take(const char *key) {
     return 0;
 }
 
-/* What is given is taken back at once: Mesa compiles a program that was stored for its draws by another key than the
- * one that it was stored from. */
+/* What is given is taken back at once: Mesa compiles a program that was stored for its draws by
+ * another key than the one that it was stored from. */
 static GLuint make(const struct sources *sources, const char *key) {
     GLuint program = gl.store ? take(key) : 0;
     if (program)

@@ -8,8 +8,8 @@
 
 #include <assert.h>
 
-/* The pass that is dispatched; program 0: the pass draws. A context is one thread's at a time, and no pass outlives
- * that. */
+/* The pass that is dispatched; program 0: the pass draws. A context is one thread's at a time, and
+ * no pass outlives that. */
 static _Thread_local struct {
     GLuint program;
     bool tiled;
@@ -69,13 +69,14 @@ void screen_begin(const struct pass_state *state) {
     screen_viewport(state->x, state->y, state->width, state->height);
 }
 
-/* --- the dispatch ------------------------------------------------------------------------------ */
+/* --- the dispatch ----------------------------------------------------------------------------- */
 
-/* All ways that targets are read and written by what comes after: fetched, stored, drawn to or cleared, copied. */
+/* All ways that targets are read and written by what comes after: fetched, stored, drawn to or
+ * cleared, copied. */
 static const GLbitfield later = GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
                                 GL_FRAMEBUFFER_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT;
 
-/* And all ways that a queue is: by the dispatch over it, by its shader, and cleared for the next. */
+/* And all ways that a queue is: by the dispatch over it, by its shader, and cleared for the next */
 static const GLbitfield of_queue =
     GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT;
 

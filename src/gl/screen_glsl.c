@@ -44,8 +44,9 @@ static const char row_header[] =
     "void screen_take(uvec4 row, out ivec4 value) { value = ivec4(row); }\n"
     "void screen_take(uvec4 row, out vec4 value) { value = uintBitsToFloat(row); }\n";
 
-/* Pixels as x | y << 16, and the workgroups of the indirect dispatch over them: of as many invocations as those of a
- * picture, side by side up to what OpenGL promises, then in further rows. */
+/* Pixels as x | y << 16, and the workgroups of the indirect dispatch over them: of as many
+ * invocations as those of a picture, side by side up to what OpenGL promises, then in
+ * further rows. */
 static const char queue_header[] =
     "layout(std430, binding = %d) %sbuffer screen_queue_data {\n"
     "    uint screen_queue_x, screen_queue_y, screen_queue_z, screen_queue_count;\n"
@@ -112,8 +113,8 @@ static void write_sum(struct rewriting *to, int number) {
                number);
 }
 
-/* A variable in place of an output, and a function that stores it: which of the outputs of a file there are only the
- * preprocessor knows, so that each says it by a macro. */
+/* A variable in place of an output, and a function that stores it: which of the outputs of a file
+ * there are only the preprocessor knows, so that each says it by a macro. */
 static void write_target(struct rewriting *to, const char *location, const char *type,
                          const char *name) {
     const char *letter = type[0] == 'u' ? "u" : "";
@@ -133,7 +134,8 @@ static void write_target(struct rewriting *to, const char *location, const char 
     resume(to);
 }
 
-/* A variable in place of a uniform, and a function that takes it from a row: one value, or an array. */
+/* A variable in place of a uniform, and a function that takes it from a row: one value, or an
+ * array. */
 static void write_value(struct rewriting *to, const char *location, const char *type,
                         const char *name) {
     int number = to->values++, length = (int)strcspn(name, "[");
@@ -258,8 +260,8 @@ static void write_main(struct rewriting *to) {
     text_print(&to->text, "}\n");
 }
 
-/* The version and the defines stay first: the header follows them. Lines are cut apart, for what reads a line measures
- * all text up to a zero. */
+/* The version and the defines stay first: the header follows them. Lines are cut apart, for what
+ * reads a line measures all text up to a zero. */
 char *screen_glsl(const char *text, const struct screen_desc *desc) {
     struct rewriting to = {.desc = desc};
     bool begun = false;

@@ -88,7 +88,7 @@ void screen_rows_add(const struct screen_rectangle *rectangle, int part) {
         rows->rounds = row->round + 1;
 }
 
-/* --- dispatching them -------------------------------------------------------------------------- */
+/* --- dispatching them ------------------------------------------------------------------------- */
 
 static void write_row(struct cell *to, const struct row *row, int locations) {
     const struct screen_rectangle *r = &row->rectangle;

@@ -12,15 +12,16 @@ const char *const screen_way_names[] = {"auto", "fragment", "compute", NULL};
 /* A setting of the process, so that what one context compiles others may take. */
 static atomic_int chosen = SCREEN_AUTO;
 
-/* What a thread times now: other threads make programs and masks meanwhile, all of which must run in one way. */
+/* What a thread times now: other threads make programs and masks meanwhile, all of which must run
+ * in one way. */
 static _Thread_local enum screen_way timed = SCREEN_AUTO;
 
 void screen_set_way(enum screen_way way) {
     atomic_store(&chosen, (int)way);
 }
 
-/* Chips that rasterise with a small part of themselves take many times as long; of two that are equal the one with
- * fewer barriers is better. */
+/* Chips that rasterise with a small part of themselves take many times as long; of two that are
+ * equal the one with fewer barriers is better. */
 static const double least_gain = .9;
 
 enum { PROBE_SIZE = 512, PROBE_TRIES = 5 };
@@ -74,8 +75,8 @@ bool screen_time_ways(struct screen_times *times) {
     return ok;
 }
 
-/* A CPU has no part that only one of both uses: there the rasteriser is the faster one, and its compiler is what timing
- * would cost. */
+/* A CPU has no part that only one of both uses: there the rasteriser is the faster one, and its
+ * compiler is what timing would cost. */
 static enum screen_way faster_way(void) {
     struct screen_times times;
     if (gl.software || !screen_time_ways(&times))

@@ -233,7 +233,8 @@ static void add_node(struct glb *glb, const float eye[3], const float right[3], 
     glb->node_count++;
 }
 
-/* An orthonormal frame of a direction and of what shall be up; 0: chosen. False: up is along the direction. */
+/* An orthonormal frame of a direction and of what shall be up; 0: chosen. False: up is along the
+ * direction. */
 static bool make_frame(const float direction[3], const float wanted[3], vec3 right, vec3 up,
                        vec3 forward) {
     vec3 above;

@@ -15,7 +15,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Drivers and devices have threads, which a forked child lacks: its calls would wait for them for ever. */
+/* Drivers and devices have threads, which a forked child lacks: its calls would wait for them for
+ * ever. */
 static _Atomic(pid_t) home; /* the process that used OpenGL first; 0: none */
 
 bool device_is_at_home(void) {
@@ -121,7 +122,8 @@ static bool refuse_software(struct manylight_device *device) {
     return false;
 }
 
-/* On the device's thread. Without a wish for one device, hardware alone is tried where software is not allowed. */
+/* On the device's thread. Without a wish for one device, hardware alone is tried where software is
+ * not allowed. */
 static bool open_own(void *user) {
     struct opening *opening = user;
     const struct manylight_device_desc *desc = opening->desc;

@@ -51,7 +51,8 @@
     X(PFNGLPOINTSIZEPROC, PointSize)                                                               \
     X(PFNGLPIXELSTOREIPROC, PixelStorei)
 
-/* Numbers of shared/bindings.h are below; OpenGL promises so many draw buffers, viewports and image units. */
+/* Numbers of shared/bindings.h are below; OpenGL promises so many draw buffers, viewports and image
+ * units. */
 enum {
     UNITS = 96,
     IMAGES = 8,
@@ -284,7 +285,7 @@ static void save_others(struct host_state *state) {
     state->GetFloatv(GL_POINT_SIZE, &state->point_size);
 }
 
-/* --- the defaults that passes count on --------------------------------------------------------- */
+/* --- the defaults that passes count on -------------------------------------------------------- */
 
 static void set_enabled(const struct host_state *state, GLenum name, bool on) {
     (on ? state->Enable : state->Disable)(name);
@@ -316,7 +317,7 @@ void host_state_save(struct host_state *state) {
         ;
 }
 
-/* --- putting back ------------------------------------------------------------------------------ */
+/* --- putting back ----------------------------------------------------------------------------- */
 
 static void restore_textures(const struct host_state *state) {
     for (GLuint unit = 0; unit < UNITS; unit++) {

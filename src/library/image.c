@@ -133,7 +133,8 @@ const float *manylight_image_pixels(const struct manylight_image *image) {
 
 enum { LAYER_CHANNELS_MAX = 4 };
 
-/* Whether a channel's name is the layer's and one more, "direct.R" of "direct"; of the beauty R G B A. */
+/* Whether a channel's name is the layer's and one more, "direct.R" of "direct"; of the beauty R G B
+ * A. */
 static bool is_of_layer(const char *name, const char *layer) {
     size_t length = strlen(layer);
     if (!*layer)

@@ -36,7 +36,7 @@ struct manylight_renderer {
     bool has_frame; /* that can be read */
 };
 
-/* --- what a descriptor comes to: as apps/render.c has it ---------------------------------------- */
+/* --- what a descriptor comes to: as apps/render.c has it -------------------------------------- */
 
 static bool find_quality(const char *name, enum quality *quality) {
     struct text_list known = {0};
@@ -260,7 +260,8 @@ static void draw_pass(struct manylight_renderer *renderer, int pass) {
         renderer_render(&renderer->renderer);
 }
 
-/* Waits for each pass, as a GPU would take hundreds at once. Hosts draw in callbacks: none comes to them within a pass. */
+/* Waits for each pass, as a GPU would take hundreds at once. Hosts draw in callbacks: none comes to
+ * them within a pass. */
 static bool draw_passes(struct call *call) {
     struct manylight_renderer *renderer = call->of;
     struct telling telling = {.view = &call->view, .passes = renderer->drawing.passes};
@@ -294,7 +295,8 @@ static bool show(struct manylight_renderer *renderer) {
     return renderer_update(&renderer->renderer) && renderer_follow(&renderer->renderer, &desc);
 }
 
-/* After a pose that fails its triangles must not be drawn; after an update that fails, the renderer neither. */
+/* After a pose that fails its triangles must not be drawn; after an update that fails, the renderer
+ * neither. */
 static bool draw(struct call *call) {
     struct manylight_renderer *renderer = call->of;
     if (!check_exists(renderer) || !loan_pose(&renderer->loan, &call->view))

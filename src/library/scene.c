@@ -191,7 +191,8 @@ bool loan_take(struct loan *loan, const struct manylight_scene *scene) {
     return ok;
 }
 
-/* Triangles go back as they were at time 0, and a pose that came to be after them is put right by the next user. */
+/* Triangles go back as they were at time 0, and a pose that came to be after them is put right by
+ * the next user. */
 void loan_return(struct loan *loan) {
     if (!loan->from)
         return;

@@ -49,7 +49,8 @@ static void *live(void *argument) {
     return NULL;
 }
 
-/* Signals of the process are for threads that know of them; faults and profilers are the thread's own. */
+/* Signals of the process are for threads that know of them; faults and profilers are the thread's
+ * own. */
 static int start_without_signals(struct worker *worker) {
     static const int own[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPROF};
     sigset_t all, before;

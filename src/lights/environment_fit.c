@@ -282,9 +282,9 @@ static int fit_rectangles(struct cube *cube, struct area *areas, int count) {
 
 /* --- cutting ---------------------------------------------------------------------------------- */
 
-/* What it costs to have an area even: energy that is not where it was, at most, times how far it may have moved,
- * squared; and a share of all of it, for what hides a wide light is known at a few points of it. A strip is as wide
- * as it is long. */
+/* What it costs to have an area even: energy that is not where it was, at most, times how far it
+ * may have moved, squared; and a share of all of it, for what hides a wide light is known at a few
+ * points of it. A strip is as wide as it is long. */
 static double spread_of(const struct cube *cube, const struct area *area) {
     static const double least_share = .1;
     double wide = area->x_end - area->x, high = area->y_end - area->y;

@@ -12,7 +12,7 @@ void environment_lights_fit(struct environment_lights *lights, const struct envi
     lights->count = sky ? environment_fit(lights->items, sky, fit, count) : 0;
 }
 
-/* --- directional lights ------------------------------------------------------------------------- */
+/* --- directional lights ----------------------------------------------------------------------- */
 
 float environment_light_power(const struct environment_light *light) {
     vec3 vector;
@@ -72,7 +72,7 @@ void environment_lights_find_joins(struct environment_lights *lights) {
     }
 }
 
-/* --- groups --------------------------------------------------------------------------------------- */
+/* --- groups ----------------------------------------------------------------------------------- */
 
 static void join(struct sky_groups *groups, int light_count, struct sky_join pair) {
     int last = --groups->count;
@@ -269,7 +269,7 @@ struct emitter sky_group_piece(const struct environment_lights *lights,
     return emitter;
 }
 
-/* --- points of lights ---------------------------------------------------------------------------------------- */
+/* --- points of lights ------------------------------------------------------------------------- */
 
 /* Where the light's corners are on a plane across the axis, at distance 1, and their middle. */
 static void project_corners(const struct environment_light *light, const struct emitter *axis,
@@ -285,7 +285,8 @@ static void project_corners(const struct environment_light *light, const struct 
     }
 }
 
-/* Looks along the light so that what its corners are on a plane across has its middle on the axis. */
+/* Looks along the light so that what its corners are on a plane across has its middle on
+ * the axis. */
 static struct emitter axis_of(const struct environment_light *light, float places[4][2]) {
     vec3 vector;
     float middle[2];

@@ -13,7 +13,8 @@ enum {
     PLACES = SEEN_SIDE * SEEN_SIDE * AROUND,
 };
 
-/* Of light that has longer ways, in mean weights: no direction is chosen less than half as often as by its power. */
+/* Of light that has longer ways, in mean weights: no direction is chosen less than half as often as
+ * by its power. */
 static const float least_weight = 1;
 
 /* Over the mean distance of light from the middle of its door. */
@@ -54,8 +55,8 @@ static float cosine_at(const struct places *places, const struct place *place, v
     return cosine > 0 && surface_rays_leave(places->rays, place->position, to) ? cosine : 0;
 }
 
-/* Sums over lines of light that come to places, from the middle of the scene: how far a point is from them, in squares, is
- * across[p, p] - 2 feet[p] + squares, over their weight. */
+/* Sums over lines of light that come to places, from the middle of the scene: how far a point is
+ * from them, in squares, is across[p, p] - 2 feet[p] + squares, over their weight. */
 struct lines {
     mat3s across;
     vec3s feet;
@@ -132,7 +133,8 @@ static void add_lines(struct lines *sum, const struct lines *lines) {
     sum->weight += lines->weight;
 }
 
-/* The point nearest to all lines. What is unknown along lines of one direction is told by the middle of the scene. */
+/* The point nearest to all lines. What is unknown along lines of one direction is told by the
+ * middle of the scene. */
 static struct sky_door door_of(const struct lines *lines, vec3s middle) {
     struct sky_door door = {0};
     const float little = 1e-3F * lines->weight;

@@ -20,8 +20,8 @@ void slot_lights_free(struct slot_lights *lights) {
     *lights = (struct slot_lights){0};
 }
 
-/* As few of the group for each slot as show all; they follow those that are allocated already. Returned is how many
- * there are. */
+/* As few of the group for each slot as show all; they follow those that are allocated already.
+ * Returned is how many there are. */
 static int allocate_group(const struct slot_lights *lights, const struct frame *frame,
                           struct light_group group, int slots, int count) {
     double fluxes[LIGHTS_MAX];

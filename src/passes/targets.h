@@ -21,7 +21,8 @@
  *                     not plain (scene/material.h)
  *   specular RGBA16   specular reflectance (lib/specular.glsl), if a material is not plain: for the
  *                     camera, and for lights if rays read it. Then normal is the bent one, and
- *                     albedo the diffuse part's. Lights' views add the specular part as diffuse. */
+ *                     albedo the diffuse part's. Lights' views add the specular part as diffuse.
+ */
 struct gbuffer {
     struct texture normal, albedo, depth, emission, specular;
     GLuint framebuffer;

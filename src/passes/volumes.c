@@ -16,7 +16,8 @@ void volume_grid_fit(struct volume_grid *grid, const struct volume_desc *desc) {
         longest = fmaxf(longest, desc->high[c] - desc->low[c]);
     grid->voxel = longest / (float)(desc->size - 2 * MARGIN - 1);
     for (int c = 0; c < 3; c++) {
-        /* Half a voxel of room at each end, so that walls at the sides do not lie between two voxels. */
+        /* Half a voxel of room at each end, so that walls at the sides do not lie between two
+         * voxels. */
         float extent = (desc->high[c] - desc->low[c]) / grid->voxel;
         grid->cells[c] = (int)ceilf(extent - 1e-3F) + 1 + 2 * MARGIN;
         grid->corner[c] =

@@ -6,12 +6,13 @@
 
 #include <math.h>
 
-/* Samples of a pixel, in each half: of the first round, and how many it may have. Each round doubles them. A path
- * each: slivers at silhouettes are seen by few samples. */
+/* Samples of a pixel, in each half: of the first round, and how many it may have. Each round
+ * doubles them. A path each: slivers at silhouettes are seen by few samples. */
 enum { FIRST_SAMPLES = 32, MOST_SAMPLES = 256, PATHS_PER_SAMPLE = 1 };
 
-/* By how many standard errors a picture must be better or worse than asked for; and which share of its square a
- * standard error may be: of what is good enough, an error is estimated to a twentieth, of all else to a seventh. */
+/* By how many standard errors a picture must be better or worse than asked for; and which share of
+ * its square a standard error may be: of what is good enough, an error is estimated to a twentieth,
+ * of all else to a seventh. */
 static const double sure = 2, exact = .1, rough = .3;
 
 /* The pixels' squares are as large as that many of them fill the picture. */
@@ -104,14 +105,15 @@ struct sums {
     double reference;
 };
 
-/* Of light, where it is as much of the pixel as the half has seen to be covered: nothing is divided by that, so that slivers
- * which few samples see, or none, have no bias. */
+/* Of light, where it is as much of the pixel as the half has seen to be covered: nothing is divided
+ * by that, so that slivers which few samples see, or none, have no bias. */
 static double difference(float pixel, const float *half, int channel, int samples) {
     return ((double)pixel * (double)half[3] - (double)half[channel]) / samples;
 }
 
-/* The three channels' noise is one path's. That of a product of two differences e is 2 (e s)^2 + s^4; of s^2, the noise
- * of either half, half the square of what they differ is an estimate, and of s^4 a twelfth of its square. */
+/* The three channels' noise is one path's. That of a product of two differences e is 2 (e s)^2 +
+ * s^4; of s^2, the noise of either half, half the square of what they differ is an estimate, and of
+ * s^4 a twelfth of its square. */
 static void add_pixel(struct sums *sums, const float *pixel, const float *a, const float *b,
                       int samples) {
     double product = 0, mixed = 0, squares = 0;

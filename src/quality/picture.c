@@ -18,8 +18,8 @@ bool picture_render(const struct measure_desc *desc, struct image *image) {
     return ok;
 }
 
-/* The VPLs do not depend on the picture's size, and a frame of few pixels costs little. Sums over them know no medium,
- * and so do they. */
+/* The VPLs do not depend on the picture's size, and a frame of few pixels costs little. Sums over
+ * them know no medium, and so do they. */
 static bool make_lights(const struct measure_desc *desc, struct lights *lights) {
     struct measure_desc small = *desc;
     struct renderer renderer;

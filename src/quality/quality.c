@@ -160,8 +160,8 @@ static bool takes_paths(const struct draft *draft, const struct quality_choice *
     return choice->samples > 0 ? traces : choice->passes == 1 || !traces;
 }
 
-/* A technique need not have the preset, and what is given need not go with it. Of a preset that is given there is one
- * frame. */
+/* A technique need not have the preset, and what is given need not go with it. Of a preset that is
+ * given there is one frame. */
 static bool is_possible(struct draft *draft, const struct quality_choice *choice) {
     const struct quality_desc *desc = draft->desc;
     draft->measure.technique = quality_technique(choice, desc->measure->technique);

@@ -6,7 +6,8 @@
 
 /* --- levels --- */
 
-/* Between two rows, numbers go from one to the other by ratio; choices are the lower row's (bench/FRONTS.md). */
+/* Between two rows, numbers go from one to the other by ratio; choices are the lower row's
+ * (bench/FRONTS.md). */
 static const struct row {
     int level;
     struct {

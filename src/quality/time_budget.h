@@ -2,8 +2,8 @@
  *
  * Levels lead from the fewest to the most samples. Each is a few percent slower than the one
  * before. They are interpolated between rows of settings on the front of error against time
- * (bench/PARSIMONY.md, bench/FRONTS.md). Measured times choose the level, so it depends on scene and
- * machine. */
+ * (bench/PARSIMONY.md, bench/FRONTS.md). Measured times choose the level, so it depends on scene
+ * and machine. */
 #ifndef QUALITY_TIME_BUDGET_H
 #define QUALITY_TIME_BUDGET_H
 

@@ -14,9 +14,9 @@ struct point {
     float along, stands_for;
 };
 
-/* Even in psi, where tan(angle / 2) = tan(psi) / k, k = (1 + g) / (1 - g), and the angle is that of the scattering:
- * its density is a wrapped Cauchy distribution, as pointed as the phase function is, and even in the angle where
- * g = 0. */
+/* Even in psi, where tan(angle / 2) = tan(psi) / k, k = (1 + g) / (1 - g), and the angle is that of
+ * the scattering: its density is a wrapped Cauchy distribution, as pointed as the phase function
+ * is, and even in the angle where g = 0. */
 static float psi_at(float from_foot, float h, float k) {
     float r = hypotf(from_foot, h);
     return from_foot > 0 ? atan2f(k * (r + from_foot), h) : atan2f(k * h, r - from_foot);

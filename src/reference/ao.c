@@ -34,7 +34,8 @@ struct estimate {
     double mean, variance, samples;
 };
 
-/* The variance of a ratio, to first order: the streams' samples differ where pixels are partly covered. */
+/* The variance of a ratio, to first order: the streams' samples differ where pixels are partly
+ * covered. */
 static struct estimate estimate(const struct ao_sums *sums) {
     double open = 0, samples = 0, square_sum = 0;
     int used = 0;

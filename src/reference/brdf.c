@@ -91,8 +91,8 @@ struct brdf_value brdf_eval(const struct brdf *brdf, vec3s n, vec3s v, vec3s l) 
 
 /* --- sampling --------------------------------------------------------------------------------- */
 
-/* About the share of light that the specular part reflects: an analytic fit [Karis 2014], too low by a
- * quarter where rough metals are seen grazing. */
+/* About the share of light that the specular part reflects: an analytic fit [Karis 2014], too low
+ * by a quarter where rough metals are seen grazing. */
 static vec3s specular_albedo(const struct brdf *brdf, float n_v) {
     float roughness = sqrtf(brdf->alpha), x = 1 - roughness;
     float fall = fminf(x * x, exp2f(-9.28F * n_v)) * x + .0425F - .0275F * roughness;
@@ -116,8 +116,8 @@ static vec3s squeeze(vec3s n, vec3s direction, float alpha) {
     return vec3s_unit(glms_vec3_muladds(n, (1 - alpha) * along, glms_vec3_scale(direction, alpha)));
 }
 
-/* Of the microfacets' normals that v sees, one: of a hemisphere's, which v, squeezed as they are, sees as
- * half a disc and half an ellipse below. */
+/* Of the microfacets' normals that v sees, one: of a hemisphere's, which v, squeezed as they are,
+ * sees as half a disc and half an ellipse below. */
 static vec3s visible_normal(vec3s n, vec3s v, float alpha, vec2s sample) {
     vec3s seen_from = squeeze(n, v, alpha), right = glms_vec3_cross(n, seen_from);
     right = glms_vec3_norm2(right) > 0 ? vec3s_unit(right) : warp_to_disc((vec2s){{1, 0}}, n);

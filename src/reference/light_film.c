@@ -73,7 +73,8 @@ static double error_of(const struct light_sum *sum, double batches) {
     return batches > 1 ? sqrt(fmax(spread, 0) / (batches - 1)) : 0;
 }
 
-/* Of the mean albedo. Darker pixels tell nothing by their few samples of it: the plain mean stands in. */
+/* Of the mean albedo. Darker pixels tell nothing by their few samples of it: the plain mean stands
+ * in. */
 static const double least_albedo = 1e-3;
 
 static void develop_caustic(const struct light_pixel *pixel, double batches, const float *common,

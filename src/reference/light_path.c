@@ -47,8 +47,8 @@ static vec3s passes_to_eye(const struct walk *walk, vec3s point, const struct ca
 
 /* --- on a surface ----------------------------------------------------------------------------- */
 
-/* What the diffuse part reflects to the eye. Light by the shading normal's cosine is counted, as a path tracer counts
- * it, and rays come by the triangle's. */
+/* What the diffuse part reflects to the eye. Light by the shading normal's cosine is counted, as a
+ * path tracer counts it, and rays come by the triangle's. */
 static float reflected_share(const struct hit *hit, vec3s to_eye) {
     float cosine = glms_vec3_dot(hit->normal, hit->towards);
     float of_triangle = glms_vec3_dot(hit->geometric_normal, hit->towards);
@@ -84,7 +84,8 @@ static void leave_on_surface(const struct walk *walk, const struct hit *hit) {
 
 /* --- in a medium ------------------------------------------------------------------------------ */
 
-/* A piece of the ray, and how it lies to the camera: angles as seen from it, or metres where it is orthographic. */
+/* A piece of the ray, and how it lies to the camera: angles as seen from it, or metres where it is
+ * orthographic. */
 struct piece {
     float from, to; /* metres along the ray */
     float foot, h;  /* of the camera: how far along, and how far aside */

@@ -10,8 +10,8 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Batches tell the noise. Chunks of rays are traced at once, a wave of them, and what they leave is added in their
- * order: sums do not depend on threads. */
+/* Batches tell the noise. Chunks of rays are traced at once, a wave of them, and what they leave is
+ * added in their order: sums do not depend on threads. */
 enum { BATCHES = 16, RAYS_PER_BATCH = 64, CHUNK = 1024, WAVE = 64 };
 
 struct chunk {

@@ -7,9 +7,10 @@ enum { LIGHTS_PER_VERTEX = 4 };
 
 /* --- by way of light vertices ----------------------------------------------------------------- */
 
-/* Of a light vertex among the ways to it: the ray that x samples finds it, with that density, and then the
- * light is picked, or found by a sampled ray, too. The power heuristic with exponent 2 [Veach 1997, §9.2.4]:
- * of the weights tried, the best on scenes where light bounces off small patches. */
+/* Of a light vertex among the ways to it: the ray that x samples finds it, with that density, and
+ * then the light is picked, or found by a sampled ray, too. The power heuristic with exponent 2
+ * [Veach 1997, §9.2.4]: of the weights tried, the best on scenes where light bounces off small
+ * patches. */
 static float vertex_weight(float density, float p_ray, float light_found) {
     float picked = p_ray / density; /* the densities' squares could overflow */
     float found = picked * light_found;
@@ -17,8 +18,8 @@ static float vertex_weight(float density, float p_ray, float light_found) {
 }
 
 /* The density, per area at a point y of that geometric normal, with which sampling the cosine at x
- * finds y; 0 where x and y do not face each other. The geometry term over pi, cos(x) cos(y) / (pi d^2), is
- * the same. */
+ * finds y; 0 where x and y do not face each other. The geometry term over pi, cos(x) cos(y) / (pi
+ * d^2), is the same. */
 static float cosine_density(const struct hit *x, vec3s y, vec3s normal) {
     vec3s path = glms_vec3_sub(y, x->position);
     float distance2 = glms_vec3_norm2(path);
@@ -28,8 +29,8 @@ static float cosine_density(const struct hit *x, vec3s y, vec3s normal) {
     return (cos_x / distance2) * (cos_y / distance2) * GLM_1_PIf;
 }
 
-/* What a vertex sends to x, and with which density a ray that it samples finds the light, over that with which
- * it is picked. */
+/* What a vertex sends to x, and with which density a ray that it samples finds the light, over that
+ * with which it is picked. */
 static vec3s sent_to(const struct light_vertices *lights, uint32_t i, const struct hit *x,
                      float *light_found) {
     const struct light_vertex *vertex = &lights->items[i];
@@ -209,7 +210,8 @@ static vec3s from_found_light(const struct ray_scene *rays, const struct emissio
 
 /* --- the path --------------------------------------------------------------------------------- */
 
-/* Where a path is: the surface, and what its first surface reflects of radiance that leaves this one. */
+/* Where a path is: the surface, and what its first surface reflects of radiance that leaves this
+ * one. */
 struct place {
     struct hit x;
     bool is_first, is_shining; /* the first surface is not diffuse */

@@ -186,8 +186,8 @@ static vec3s glow_of(const struct tracer *tracer, const struct hit *hit) {
     return glms_vec3_add(surfaces_glow(&tracer->emission.surfaces, hit), hit->unlit);
 }
 
-/* What glass or a mirror shows is specular light: direct light is what the lights send to the place that is seen, and what
- * shines itself. away: of the camera, which may be in glass, metres. */
+/* What glass or a mirror shows is specular light: direct light is what the lights send to the place
+ * that is seen, and what shines itself. away: of the camera, which may be in glass, metres. */
 static void light_smooth(const struct tracer *tracer, const struct hit *hit, float away, int stream,
                          const struct sampler *sampler, const struct samplers *samplers,
                          struct film_sample *sample) {
@@ -281,8 +281,8 @@ static void add_pass(const struct tracer *tracer, int px, int py) {
 
 /* --- passes --- */
 
-/* The power of samples by which the noise falls: about .75 with integrands of few dimensions, .5 where it is chance alone, as of
- * caustics; as it has fallen so far, once that tells. */
+/* The power of samples by which the noise falls: about .75 with integrands of few dimensions, .5
+ * where it is chance alone, as of caustics; as it has fallen so far, once that tells. */
 static double falls_by(const struct tracer *tracer) {
     double times = (double)tracer->done / tracer->first_done;
     if (times < 2)
@@ -349,7 +349,8 @@ static double estimate_direct_noise(const struct tracer *tracer) {
     return mean_sum > 0 ? sqrt(variance_sum * (double)pixel_count) / mean_sum : 0;
 }
 
-/* The same of specular light, or of airlight, but over the beauty's mean: there may be little of it. */
+/* The same of specular light, or of airlight, but over the beauty's mean: there may be little of
+ * it. */
 static double estimate_radiance_noise(const struct tracer *tracer, bool is_airlight) {
     size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
     double beauty_sum = 0, variance_sum = 0, values = 3 * (double)pixel_count;

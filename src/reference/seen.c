@@ -1,7 +1,7 @@
 #include "reference/seen.h"
 
-/* What the light would give from four places, always the same: from its middle alone, one that is half
- * below the horizon might count for nothing. */
+/* What the light would give from four places, always the same: from its middle alone, one that is
+ * half below the horizon might count for nothing. */
 static vec3s rough_light(const struct emission *emission, int n, const struct hit *hit) {
     static const vec2s places[4] = {{{.25F, .25F}}, {{.75F, .25F}}, {{.25F, .75F}}, {{.75F, .75F}}};
     vec3s sum = glms_vec3_zero();

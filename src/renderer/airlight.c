@@ -2,7 +2,8 @@
 
 #include "shared/medium.h"
 
-/* Texels along each side of a light's map, for up to so many views: the blur is wider than the steps of its edges. */
+/* Texels along each side of a light's map, for up to so many views: the blur is wider than the
+ * steps of its edges. */
 enum { MAP_SIZE = 1024, FULL_VIEWS = 8 };
 
 static int map_size(const struct light_layout *lights) {

@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* By importance a quarter of the VPLs still follow flux alone: little is gained where that many show. */
+/* By importance a quarter of the VPLs still follow flux alone: little is gained where that many
+ * show. */
 static const float least_seen = .4F;
 
 struct looked_at {

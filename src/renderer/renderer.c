@@ -253,7 +253,7 @@ static const struct part_row {
     enum part part;
     size_t offset, size; /* in struct renderer */
     bool (*init)(struct renderer *renderer);
-    /* What stays takes another size as it is: its lights do not depend on it. NULL: is made anew. */
+    /* What stays takes another size as it is: its lights do not depend on it. NULL: is made anew */
     bool (*resize)(struct renderer *renderer, int width, int height);
 } rows[] = {
     {PART_GBUFFER, MEMBERS(gbuffer, gbuffer), init_gbuffer, NULL},
@@ -283,7 +283,8 @@ static float place_in_pixel(uint32_t base, int pass) {
     return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
 }
 
-/* Reflective shadow maps of each pass lie elsewhere, by a texel of 1024 or less, and see other things. */
+/* Reflective shadow maps of each pass lie elsewhere, by a texel of 1024 or less, and see other
+ * things. */
 static void shift_light_samples(struct renderer *renderer) {
     const struct light_block *block = renderer->sample_block;
     const float ndc[2] = {place_in_pixel(5, renderer->pass) / 512,

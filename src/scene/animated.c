@@ -13,7 +13,8 @@
 
 /* --- one object ------------------------------------------------------------------------------- */
 
-/* Writes an object's numbers as channels have them into its copy. False: no channel is the object's. */
+/* Writes an object's numbers as channels have them into its copy. False: no channel is the
+ * object's. */
 static bool animate(const struct scene *scene, enum channel_path path, int target, double time,
                     void *copy) {
     const struct channel *channel;

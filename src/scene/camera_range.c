@@ -91,7 +91,8 @@ static void depths_of(const struct geometry_part *part, const struct camera *cam
     }
 }
 
-/* How many triangles of the scene lie in the frustum between the two depths, at least in part; up to most. */
+/* How many triangles of the scene lie in the frustum between the two depths, at least in part; up
+ * to most. */
 static size_t count_triangles(struct frustum frustum, const struct geometry *geometry, float near,
                               float far, size_t most) {
     size_t count = 0;

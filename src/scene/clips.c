@@ -14,7 +14,8 @@
 
 enum { NODE_PATHS = CHANNEL_VISIBLE + 1 };
 
-/* Everything that channels move has a place in a row: of all nodes, all lights, all cameras, all materials. */
+/* Everything that channels move has a place in a row: of all nodes, all lights, all cameras, all
+ * materials. */
 static size_t place_of(const struct scene *scene, const struct channel *channel) {
     const size_t target = (size_t)channel->target, lights = (size_t)scene->node_count * NODE_PATHS,
                  cameras = lights + (size_t)scene->light_count * sizeof(struct scene_light),

@@ -17,12 +17,12 @@ enum {
     BRIGHTEST = 2, /* percent of the view; exposures leave as much out */
 };
 
-/* A candle of 0.02 W/sr gives white walls 1/1600 at 3 m, and automatic exposure shows them; an LED gives the
- * surfaces about it a millionth. */
+/* A candle of 0.02 W/sr gives white walls 1/1600 at 3 m, and automatic exposure shows them; an LED
+ * gives the surfaces about it a millionth. */
 static const float least_radiance = 1.F / 4096;
 
-/* Of what the brightest places have, that half of the view has at least: code 13 of 255. An exposure
- * that shows the lamps leaves less than that black. */
+/* Of what the brightest places have, that half of the view has at least: code 13 of 255. An
+ * exposure that shows the lamps leaves less than that black. */
 static const float least_contrast = 1.F / 256;
 
 static const float reflectance = .5F; /* of surfaces on the way */

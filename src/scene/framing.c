@@ -110,8 +110,8 @@ static void point_around(const struct geometry *geometry, vec3 direction, float 
 }
 
 /* How far from the centre a camera in that direction just sees all corners of the bounds in a
- * square picture: a corner at (x, y, z) in its frame needs |x|, |y| <= (distance - z) tan(fov / 2).
- */
+ * square picture: a corner at (x, y, z) in its frame needs |x|, |y| <= (distance - z) tan(fov
+ * / 2). */
 static float fitting_distance(const struct geometry *geometry, vec3 direction) {
     mat4 view;
     glm_lookat(direction, (vec3){0, 0, 0}, (vec3){0, 1, 0}, view);
@@ -186,8 +186,8 @@ static void place_fill(struct scene *scene, int node, const struct geometry *geo
     glm_vec3_broadcast(GLM_PIf * dim, light->intensity);
 }
 
-/* One below the ceiling, down, which gives the floor what a scene's centre has; the dim one lower, all
- * around. */
+/* One below the ceiling, down, which gives the floor what a scene's centre has; the dim one lower,
+ * all around. */
 static void place_in_room(struct scene *scene, const struct framing *framing,
                           const struct room *room) {
     vec3 eye, down = {0, -1, 0};
@@ -205,7 +205,8 @@ static void place_in_room(struct scene *scene, const struct framing *framing,
     glm_vec3_broadcast(GLM_PIf * dim * room->up * room->ahead, fill->intensity);
 }
 
-/* About the place where the camera of the file stands, if it is within a room, or where ours would. */
+/* About the place where the camera of the file stands, if it is within a room, or where
+ * ours would. */
 static void place_lights(struct scene *scene, const struct framing *framing,
                          const struct geometry *geometry, const struct room *found) {
     struct camera camera;

@@ -6,8 +6,8 @@
 
 enum { SIZE = BRDF_ALBEDO_SIZE };
 
-/* By the cube roots of alpha and, within, of the cosine, from BRDF_ALBEDO_FIRST to 1: sums over directions that the lobe
- * samples [Heitz 2018], of which 65535 is 1. */
+/* By the cube roots of alpha and, within, of the cosine, from BRDF_ALBEDO_FIRST to 1: sums over
+ * directions that the lobe samples [Heitz 2018], of which 65535 is 1. */
 static const uint16_t whole[SIZE * SIZE] = {
     58463, 60211, 63162, 64620, 65164, 65372, 65450, 65511, 65523, 65528, 65530, 65532, 65533,
     65534, 65534, 65534, 65535, 65535, 65535, 65535, 65535, 65535, 65535, 65535, 65535, 65535,

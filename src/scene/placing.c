@@ -207,7 +207,8 @@ static bool mark_area_lights(const struct scene *scene, bool *marked) {
     return found;
 }
 
-/* Marks the lights of a list of names and numbers: all where it is empty. The last mark is the sky's. */
+/* Marks the lights of a list of names and numbers: all where it is empty. The last mark is the
+ * sky's. */
 static bool mark_emitters(const struct scene *scene, char *list, bool *marked, int count) {
     char *next = NULL;
     for (int n = 0; !*list && n < count; n++)

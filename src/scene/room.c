@@ -55,8 +55,8 @@ static float bounds_along(const struct geometry *geometry, const float point[3],
     return fmaxf(distance, 0);
 }
 
-/* Whether most of what is seen of the scene from all around faces outwards: of a room without thickness
- * only the backs of its walls are. */
+/* Whether most of what is seen of the scene from all around faces outwards: of a room without
+ * thickness only the backs of its walls are. */
 static bool has_outside(const struct geometry *geometry) {
     int fronts = 0, backs = 0;
     for (int ray = 0; ray < RAY_COUNT; ray++) {
@@ -81,9 +81,9 @@ static void measure(struct room *room, const float point[3], const float walls[R
     direction_of(longest, room->forward);
 }
 
-/* By the share of the volume within the bounds that lies open to the point. Walls that are seen from
- * outside may be those of a hollow body, of whose bounds an eighth is free, as in the court of Sponza:
- * these are told apart by whether one could stand there. */
+/* By the share of the volume within the bounds that lies open to the point. Walls that are seen
+ * from outside may be those of a hollow body, of whose bounds an eighth is free, as in the court of
+ * Sponza: these are told apart by whether one could stand there. */
 static bool is_roomy(const struct room *room, float free, const struct geometry *geometry) {
     float headroom = room->up + room->down;
     bool fits_people = headroom > 2 && headroom < 30;

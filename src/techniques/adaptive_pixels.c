@@ -15,8 +15,8 @@ static float growth_of(int width, int height) {
     return fmaxf(sqrtf((float)width * (float)height) / side, 1);
 }
 
-/* At higher resolution a feature covers more pixels, so each adaptive pixel needs fewer VPLs, visibility tests and
- * near-field samples (docs/notes/blur-and-adaptive-pixels.md). */
+/* At higher resolution a feature covers more pixels, so each adaptive pixel needs fewer VPLs,
+ * visibility tests and near-field samples (docs/notes/blur-and-adaptive-pixels.md). */
 static float share_of_large(int width, int height) {
     float growth = growth_of(width, height);
     return 1 / (growth * growth);
@@ -30,14 +30,16 @@ static int adaptive_slots(const struct gather_desc *adaptive, const struct setti
     return times < 1 ? 1 : times < all ? times : all;
 }
 
-/* Visibility tests take most of the time of this gather. Two for a dozen VPLs suffice, in large pictures two for up to
- * twice as many. A rectangle stands for several VPLs, and no blur follows: there are fewer. */
+/* Visibility tests take most of the time of this gather. Two for a dozen VPLs suffice, in large
+ * pictures two for up to twice as many. A rectangle stands for several VPLs, and no blur follows:
+ * there are fewer. */
 int vpls_together(const struct gather_desc *desc) {
     float growth = fminf(growth_of(desc->width, desc->height), 2);
     return desc->clamp >= GATHER_CLAMP_RECTANGLE ? 4 : (int)(12 * growth);
 }
 
-/* The side of the one block that has a pixel's visibility; 0: there is none, or four share it, as of rectangles. */
+/* The side of the one block that has a pixel's visibility; 0: there is none, or four share it, as
+ * of rectangles. */
 static int block_of_pixel(const struct gather_desc *gather, int block) {
     return gather->clamp >= GATHER_CLAMP_RECTANGLE ? 0 : block;
 }
@@ -48,8 +50,8 @@ static int adaptive_radius(const struct settings *settings) {
     return radius > 0 ? (radius + 1) / 2 : 2;
 }
 
-/* Without interleaving all pixels take all VPLs, and adaptive pixels only test their own visibility. Without a blur, or
- * where all pixels take as many VPLs, no pixel needs more. */
+/* Without interleaving all pixels take all VPLs, and adaptive pixels only test their own
+ * visibility. Without a blur, or where all pixels take as many VPLs, no pixel needs more. */
 static bool has_adaptive_pixels(const struct settings *settings) {
     const struct gather_settings *own = settings_of(struct gather_settings, settings, &gather_part);
     return own->adaptive > 0 && (own->interleave == 1 ? own->adaptive == 1

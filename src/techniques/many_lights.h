@@ -168,8 +168,8 @@ struct step {
     enum step_part { STEP_LIGHTS, STEP_BEGIN, STEP_GATHER, STEP_FINISH } part;
     const char *timer;
     const char *when; /* settings and scenes that have the pass, in words; NULL: all */
-    /* With `when`: offset of its program in struct many_lights. Frames without the pass have program
-     * 0. */
+    /* With `when`: offset of its program in struct many_lights. Frames without the pass have
+     * program 0. */
     size_t made;
     void (*draw)(struct many_lights *lights, const struct step_inputs *inputs);
 };

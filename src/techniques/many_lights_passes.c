@@ -1,4 +1,5 @@
-/* Which passes the techniques share, as the settings have them: made, made anew for another size, and freed. */
+/* Which passes the techniques share, as the settings have them: made, made anew for another size,
+ * and freed. */
 #include "techniques/adaptive_pixels.h"
 #include "techniques/many_lights.h"
 
@@ -18,15 +19,16 @@ enum {
     FILTER_TAPS = 16, /* texels of a percentage-closer filter; a blocker search takes half */
 };
 
-/* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it. And depth bias, over the
- * receiver's distance. */
+/* Receiver offset along its normal, in texels of the map at its distance; a ray uses 40 % of it.
+ * And depth bias, over the receiver's distance. */
 static const float lookup_bias = .25F, lookup_map_bias = .005F;
 
-/* Ringing suppression [Dong 2011, Fig. 5.2]: shift of the receiver's depth in units of 1/(2K), and scale of the blocked
- * fraction about one half. */
+/* Ringing suppression [Dong 2011, Fig. 5.2]: shift of the receiver's depth in units of 1/(2K), and
+ * scale of the blocked fraction about one half. */
 static const float ringing_shift = .25F, ringing_gain = 2;
 
-/* Radius of the near field in VPL spacings: less for flat triangles, whose pictures are the mean of many passes. */
+/* Radius of the near field in VPL spacings: less for flat triangles, whose pictures are the mean of
+ * many passes. */
 static const float near_reach = 5, near_reach_of_facets = 4;
 
 /* Radius of virtual spherical lights, over the distance within which 10 VPLs lie. */
@@ -63,11 +65,12 @@ static struct visibility_desc lookup_of(const struct settings *settings,
     return desc;
 }
 
-/* 15 degrees: with no more than a pixel to each side the blur is as sharp as the lobe, and within fewer
- * degrees it finds no neighbours on small round things. */
+/* 15 degrees: with no more than a pixel to each side the blur is as sharp as the lobe, and within
+ * fewer degrees it finds no neighbours on small round things. */
 static const float specular_cosine = .966F;
 
-/* 5 degrees, of narrow lobes that only rays' blur takes: a mirrored direction turns twice as far as the normal. */
+/* 5 degrees, of narrow lobes that only rays' blur takes: a mirrored direction turns twice as far as
+ * the normal. */
 static const float narrow_cosine = .996F;
 
 int many_lights_blur_radius(const struct settings *settings) {
@@ -114,8 +117,8 @@ static void take_rays(struct gather_desc *gather) {
     gather->together = SPECULAR_TOGETHER;
 }
 
-/* Specular reflection is sharper than diffuse: each pixel takes more VPLs, and is blurred less. It is no
- * share of light that the near field could take: near VPLs are bounded as disks. */
+/* Specular reflection is sharper than diffuse: each pixel takes more VPLs, and is blurred less. It
+ * is no share of light that the near field could take: near VPLs are bounded as disks. */
 static bool init_specular(struct many_lights *lights, const struct technique_desc *desc) {
     const struct gather_settings *own =
         settings_of(struct gather_settings, desc->settings, &gather_part);
@@ -164,8 +167,8 @@ static bool init_specular_rays(struct many_lights *lights, const struct techniqu
                                    });
 }
 
-/* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the picture, and 64 points no
- * more than 21. */
+/* Many views share the texels of a few: a dozen directions of a sky need not cost as much as the
+ * picture, and 64 points no more than 21. */
 static int rsm_size(const struct technique_desc *desc) {
     static const int full_views[LIGHT_MAP_KINDS] = {4, 128};
     const struct lights_settings *own =
@@ -190,8 +193,8 @@ static bool has_light_samples(const struct light_layout *layout) {
     return layout->lights > layout->groups;
 }
 
-/* VPLs by importance are far apart where the camera sees little of their light, which would shine through walls from
- * there: their BVH tells what is between. */
+/* VPLs by importance are far apart where the camera sees little of their light, which would shine
+ * through walls from there: their BVH tells what is between. */
 static bool asks_by_rays(const struct many_lights *lights) {
     return lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
            many_lights_follow_camera(lights);
@@ -303,8 +306,8 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
     return ok;
 }
 
-/* Light may start from many light samples, or the camera may see little that it falls on. Most VPLs by flux alone then lie
- * where the camera sees nothing of their light. */
+/* Light may start from many light samples, or the camera may see little that it falls on. Most VPLs
+ * by flux alone then lie where the camera sees nothing of their light. */
 static bool wants_importance(const struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
@@ -327,7 +330,8 @@ static int starts_of(int vpls) {
     return paths * (tries < BOUNCE_TRIES ? tries : BOUNCE_TRIES);
 }
 
-/* Where the first bounce's light matters says little of later bounces: they have a map of their own. */
+/* Where the first bounce's light matters says little of later bounces: they have a map of their
+ * own. */
 static bool init_path_starts(struct many_lights *lights, const struct technique_desc *desc) {
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);

@@ -144,7 +144,8 @@ PART(gather, "gather of the light");
 PART(blur, "geometry-aware blur");
 PART(caster, "casters in the maps");
 
-/* Fewer VPLs by rays err as much as many by maps, and adaptive pixels then take more of these: docs/notes/rays.md. */
+/* Fewer VPLs by rays err as much as many by maps, and adaptive pixels then take more of these:
+ * docs/notes/rays.md. */
 struct settings many_lights_chosen(const struct settings *settings, bool by_rays) {
     struct settings chosen = *settings;
     struct lights_settings lights = *settings_of(struct lights_settings, settings, &lights_part);

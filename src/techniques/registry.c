@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-/* TECHNIQUES of parts.h lists the folders beside this file; techniques of tests come by MORE_TECHNIQUES. */
+/* TECHNIQUES of parts.h lists the folders beside this file; techniques of tests come by
+ * MORE_TECHNIQUES. */
 #ifndef MORE_TECHNIQUES
 #define MORE_TECHNIQUES(X)
 #endif

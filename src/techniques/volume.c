@@ -227,12 +227,12 @@ bool volume_light_update(struct volume_light *light, const struct geometry *geom
            (!desc.bounces || reflect_pass_init(&light->reflect, &light->volume));
 }
 
-/* Rays of marches whose light is reflected once more, as a fraction of the last march's: their noise
- * is smoothed again. */
+/* Rays of marches whose light is reflected once more, as a fraction of the last march's: their
+ * noise is smoothed again. */
 static const float early_rays = .25F;
 
-/* Surfaces read voxels 1.5 voxels above them, so that a mean ray, of cosine 2/3, begins a voxel nearer to what it meets;
- * and a voxel reaches half a voxel beyond the surface in it. */
+/* Surfaces read voxels 1.5 voxels above them, so that a mean ray, of cosine 2/3, begins a voxel
+ * nearer to what it meets; and a voxel reaches half a voxel beyond the surface in it. */
 static const float nearer = 1.5F;
 
 static float ray_voxels(const struct volume_light *light, float voxel) {

@@ -7,8 +7,8 @@
 
 enum { POINTS = 4096, POSES = 9 /* of a clip */ };
 
-/* Points beyond the middle 70 % along an axis do not count, but the box has room on each side. A scene that
- * is not this much longer than the box is held whole. */
+/* Points beyond the middle 70 % along an axis do not count, but the box has room on each side. A
+ * scene that is not this much longer than the box is held whole. */
 static const float beyond = .15F, room = .75F, far_longer = 2;
 
 static int ascending(const void *a, const void *b) {

@@ -1,5 +1,5 @@
-/* The viewer's state, which all its parts share. Parts change the wish and the places of camera and lights; the
- * picture follows. */
+/* The viewer's state, which all its parts share. Parts change the wish and the places of camera and
+ * lights; the picture follows. */
 #ifndef VIEWER_STATE_H
 #define VIEWER_STATE_H
 
@@ -52,8 +52,8 @@ struct viewer_desc {
     int screen;            /* an enum screen_way (gl/screen.h) */
     bool debug;
     int frames; /* render so many and end; 0 = until closed */
-    int passes; /* whose mean a picture at rest becomes; 0 = PASSES_AT_REST, but 1, which is none, on software OpenGL, where a
-                   pass may take seconds */
+    int passes; /* whose mean a picture at rest becomes; 0 = PASSES_AT_REST, but 1, which is none,
+                   on software OpenGL, where a pass may take seconds */
     const char *screenshot; /* written at the end; NULL = none */
     const char *session;    /* a file of settings, camera and lights; NULL = none */
     float scale;            /* of text and widgets; 0 = the monitor's */
@@ -162,8 +162,8 @@ struct tracing {
     int samples;         /* of the reference, a pixel; 0: none yet */
     double noise;        /* of its indirect layer: standard error, RMS over mean */
     double full_noise;   /* the same light's, over the mean of the whole picture */
-    /* Of the left picture's indirect layer, the noise taken off: relative RMSE; and of which frame and
-     * how many samples it tells. */
+    /* Of the left picture's indirect layer, the noise taken off: relative RMSE; and of which frame
+     * and how many samples it tells. */
     bool has_error;
     double error;
     int error_frame, error_samples;

@@ -53,7 +53,8 @@ static void lay_out(struct viewer *viewer) {
     viewer->shown.area = (struct rectangle){0, 0, input->width - panel, height};
 }
 
-/* The timeline takes its room from the screen and gives it back: pictures keep their size from scene to scene. */
+/* The timeline takes its room from the screen and gives it back: pictures keep their size from
+ * scene to scene. */
 static void make_room_for_timeline(struct viewer *viewer) {
     const struct input *input = viewer->host.input;
     int bar = (int)timeline_height(viewer), more = bar - viewer->host.timeline_room;
@@ -86,8 +87,8 @@ static bool is_settled(struct viewer *viewer) {
     return !viewer_is_opening(viewer) && !(viewer->has_scene && pending);
 }
 
-/* For scripts that press widgets: where each of them is, whenever one has moved. F9 asks whether all that
- * happened before it is shown; the last line counts those that were answered. */
+/* For scripts that press widgets: where each of them is, whenever one has moved. F9 asks whether
+ * all that happened before it is shown; the last line counts those that were answered. */
 static void write_places(struct viewer *viewer) {
     const struct input *input = viewer->host.input;
     struct panel *panel = &viewer->panel;

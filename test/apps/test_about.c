@@ -1,5 +1,5 @@
-/* What an EXR file of render and reference tells of its making, read from the bytes of its header; and that its matrices
- * lead from points to pixels. */
+/* What an EXR file of render and reference tells of its making, read from the bytes of its header;
+ * and that its matrices lead from points to pixels. */
 #include "command_support.h"
 
 #include "base/file/file.h"
@@ -11,7 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The value of an attribute of that name and type, or NULL: OpenEXR File Layout, name, type, size, value. */
+/* The value of an attribute of that name and type, or NULL: OpenEXR File Layout, name, type, size,
+ * value. */
 static const unsigned char *find_attribute(const struct file_bytes *file, const char *name,
                                            const char *type, int32_t *size) {
     const unsigned char *at = file->data + 8, *end = file->data + file->size;
@@ -90,7 +91,8 @@ static void test_same_file(void **state) {
     expect(0, "cmp @/b.exr @/c.exr");
 }
 
-/* Points on surfaces, by the depth of the picture and rays of the camera; each lies at the centre of its pixel. */
+/* Points on surfaces, by the depth of the picture and rays of the camera; each lies at the centre
+ * of its pixel. */
 static void test_pixels(void **state) {
     (void)state;
     enum { WIDTH = 40, HEIGHT = 30 };
@@ -135,7 +137,8 @@ static void test_pixels(void **state) {
     image_free(&image);
 }
 
-/* Against the projection of the viewer, of perspective and orthographic cameras; near and far are at 0 and 1. */
+/* Against the projection of the viewer, of perspective and orthographic cameras; near and far are
+ * at 0 and 1. */
 static void test_matrices(void **state) {
     (void)state;
     for (int i = 0; i < 4; i++) {

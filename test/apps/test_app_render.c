@@ -350,7 +350,7 @@ static void test_shader_folder(void **state) {
     images_free(&a, &b);
 }
 
-/* --- outputs as layers ------------------------------------------------------------------------- */
+/* --- outputs as layers ------------------------------------------------------------------------ */
 
 static void test_aov(void **state) {
     (void)state;
@@ -431,7 +431,8 @@ static void test_visibility_share(void **state) {
     stage_free(&stage);
 }
 
-/* Area lights of clusters have a layer of their own: no more of them than there are, and nearly all their light. */
+/* Area lights of clusters have a layer of their own: no more of them than there are, and nearly all
+ * their light. */
 static void test_light_layer(void **state) {
     (void)state;
     struct stage stage;

@@ -1,5 +1,5 @@
-/* --background: what is seen behind all surfaces. A square of one colour, whose left and right edges cover a quarter
- * of a pixel each, by render and reference. */
+/* --background: what is seen behind all surfaces. A square of one colour, whose left and right
+ * edges cover a quarter of a pixel each, by render and reference. */
 #include "command_support.h"
 #include "gltf_parts.h"
 

@@ -1,5 +1,5 @@
-/* What `make bundle` has packed: libraries of its own, few enough bytes, and a check that answers. Skipped where it was not
- * built. */
+/* What `make bundle` has packed: libraries of its own, few enough bytes, and a check that answers.
+ * Skipped where it was not built. */
 #define _POSIX_C_SOURCE 200809L
 #include "command_support.h"
 
@@ -74,7 +74,8 @@ static void test_check_options(void **state) {
     expect_text("mine");
 }
 
-/* A test that passes, one that fails and one that lacks: each has its row, and the report is packed. */
+/* A test that passes, one that fails and one that lacks: each has its row, and the report is
+ * packed. */
 static void test_check_report(void **state) {
     (void)state;
     char command[1200], folder[512];

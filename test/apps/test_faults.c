@@ -1,10 +1,9 @@
-/* Each call of the program's own that can fail is made to fail once (test/faults): memory, files, threads,
- * objects and programs of OpenGL. It must go on to the very same files, or end with 1, one message and no
- * half file. Prints how many of each kind were tried.
+/* Each call of the program's own that can fail is made to fail once (test/faults): memory, files,
+ * threads, objects and programs of OpenGL. It must go on to the very same files, or end with 1, one
+ * message and no half file. Prints how many of each kind were tried.
  *
- * All that can fail is tried with MANYLIGHT_FAULTS=0/1, or in parts: 0/12, 1/12 ... 11/12, each of some
- * minutes; else every file and thread, and some of the rest, which all end alike.
- */
+ * All that can fail is tried with MANYLIGHT_FAULTS=0/1, or in parts: 0/12, 1/12 ... 11/12, each of
+ * some minutes; else every file and thread, and some of the rest, which all end alike. */
 #define _GNU_SOURCE
 #include "support.h"
 
@@ -90,8 +89,8 @@ static struct kind *kind_named(struct trial *trial, const char *name) {
     return kind;
 }
 
-/* Those that all end in the same few lines of code are tried now and then, and bench's, which are much
- * the same as render's. */
+/* Those that all end in the same few lines of code are tried now and then, and bench's, which are
+ * much the same as render's. */
 static bool is_tried(const struct victim *victim, struct kind *kind) {
     bool memory = strstr(kind->name, "alloc") || strstr(kind->name, "new");
     bool graphics = strncmp(kind->name, "gl", 2) == 0;

@@ -1,4 +1,5 @@
-/* make install and uninstall into a folder of the test's, and the installed program from another working folder. */
+/* make install and uninstall into a folder of the test's, and the installed program from another
+ * working folder. */
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 
@@ -9,7 +10,8 @@
 #include <string.h>
 #include <unistd.h>
 
-/* All but what is built: the program that lies there is installed. Other builds' tests leave it alone. */
+/* All but what is built: the program that lies there is installed. Other builds' tests leave it
+ * alone. */
 #define MAKE "make -s -o all DESTDIR=@/dest PREFIX=/opt/here"
 #define BIN "env XDG_CACHE_HOME=@/cache @/dest/opt/here/bin/manylight"
 
@@ -57,8 +59,8 @@ static void test_desktop_files(void **state) {
               "@/dest/opt/here/share/metainfo/*.xml");
 }
 
-/* The command of the file, with the names that a file manager puts in: a space in the scene's, no extension in the
- * picture's. */
+/* The command of the file, with the names that a file manager puts in: a space in the scene's, no
+ * extension in the picture's. */
 static void test_thumbnailer(void **state) {
     (void)state;
     need_default_build();
@@ -93,7 +95,8 @@ static void test_bridge(void **state) {
     expect_text("(known: .exr .tif ");
 }
 
-/* From a folder that has no scenes: one of its four, which is none, is found in the installed tree. */
+/* From a folder that has no scenes: one of its four, which is none, is found in the
+ * installed tree. */
 static void test_bench_finds_scenes(void **state) {
     (void)state;
     need_default_build();

@@ -136,8 +136,8 @@ static void test_interrupts(void **state) {
         skip();
     for (int i = 0; i < 2; i++) {
         make_folder(folder);
-        /* Many more frames than are waited for: the signal is to come before their end, however slow
-         * this process is to send it. */
+        /* Many more frames than are waited for: the signal is to come before their end, however
+         * slow this process is to send it. */
         pid_t process = start(folder, "--frames 0..99");
         assert_true(wait_for(process, folder, 1));
         kill(process, signals[i]);
@@ -273,7 +273,8 @@ static void test_killed_writers(void **state) {
 }
 
 int main(void) {
-    /* A shell that runs this in the background has them ignored, and so would all that starts here. */
+    /* A shell that runs this in the background has them ignored, and so would all that
+     * starts here. */
     signal(SIGINT, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
     const struct CMUnitTest tests[] = {

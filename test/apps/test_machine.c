@@ -1,5 +1,5 @@
-/* What a machine lacks or takes away: homes, folders, locales, OpenGL, its context, the display. The
- * program goes on, or ends with 1 and one message. */
+/* What a machine lacks or takes away: homes, folders, locales, OpenGL, its context, the display.
+ * The program goes on, or ends with 1 and one message. */
 #define _GNU_SOURCE
 #include "command_support.h"
 #include "view_stage.h"
@@ -52,7 +52,7 @@ static void check_refusal(int status, const char *message) {
     assert_int_not_equal(access(scratch("got.exr"), F_OK), 0);
 }
 
-/* --- the environment ------------------------------------------------------------------------------ */
+/* --- the environment -------------------------------------------------------------------------- */
 
 static void test_environment(void **state) {
     (void)state;
@@ -116,7 +116,7 @@ static void test_comma(void **state) {
     check_print("render --help");
 }
 
-/* --- OpenGL --------------------------------------------------------------------------------------- */
+/* --- OpenGL ----------------------------------------------------------------------------------- */
 
 /* Libraries that are there, and are none. */
 static void make_bad_libraries(void) {
@@ -160,7 +160,7 @@ static void test_opengl(void **state) {
     }
 }
 
-/* --- the display ---------------------------------------------------------------------------------- */
+/* --- the display ------------------------------------------------------------------------------ */
 
 static void check_viewer_log(const char *message) {
     char path[700];

@@ -1,5 +1,6 @@
-/* Each option that --help-all lists, at each place where it may be given: it changes a file or the text, or is refused,
- * or a list has the reason why neither is so. An option without a value here fails. */
+/* Each option that --help-all lists, at each place where it may be given: it changes a file or the
+ * text, or is refused, or a list has the reason why neither is so. An option without a value here
+ * fails. */
 #include "command_support.h"
 
 #include "base/file/image_file.h"

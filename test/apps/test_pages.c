@@ -1,5 +1,5 @@
-/* Each technique and direct method has a page, of the same shape, that names its own settings. The page of all settings is
- * the one that the program's help makes. */
+/* Each technique and direct method has a page, of the same shape, that names its own settings. The
+ * page of all settings is the one that the program's help makes. */
 #include "base/file/file.h"
 #include "direct/direct.h"
 #include "support.h"

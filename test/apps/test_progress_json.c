@@ -1,4 +1,5 @@
-/* --progress json: each line of standard error is an event, whatever happens; test/apps/check_progress.py reads them. */
+/* --progress json: each line of standard error is an event, whatever happens;
+ * test/apps/check_progress.py reads them. */
 #include "command_support.h"
 
 #define CHECKED " 2>&1 >/dev/null | test/apps/check_progress.py"

@@ -130,7 +130,8 @@ static void test_pipes_refused(void **state) {
 #endif
 }
 
-/* A scene from a pipe reads no files of the working folder, and no scene reads standard input or a pipe. */
+/* A scene from a pipe reads no files of the working folder, and no scene reads standard input or a
+ * pipe. */
 static void test_names_inside_scenes(void **state) {
     (void)state;
     in_bash(0, "% info @/names.gltf");

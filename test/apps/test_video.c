@@ -1,5 +1,5 @@
-/* Videos of render: frames, size, rate and pictures as ffmpeg decodes them; and what is there when ffmpeg is missing or
- * fails. */
+/* Videos of render: frames, size, rate and pictures as ffmpeg decodes them; and what is there when
+ * ffmpeg is missing or fails. */
 #include "command_support.h"
 
 #include <math.h>
@@ -167,8 +167,8 @@ static void test_failing(void **state) {
                   "a.mp4: ffmpeg failed with exit status 3");
 }
 
-/* A signal to the program and to its encoder, as Ctrl-C sends it, ends the work after a frame: there is no video. The
- * first picture tells that the work has begun. */
+/* A signal to the program and to its encoder, as Ctrl-C sends it, ends the work after a frame:
+ * there is no video. The first picture tells that the work has begun. */
 static void test_interrupted(void **state) {
     (void)state;
     need_command("command -v ffmpeg");

@@ -223,7 +223,8 @@ static void test_file_refusals(void **state) {
     image_free(&image);
 }
 
-/* Files of no format, pictures that a format has no room for, what is cut, and passes that a file tells of. */
+/* Files of no format, pictures that a format has no room for, what is cut, and passes that a file
+ * tells of. */
 static void test_formats(void **state) {
     (void)state;
     struct image image, read;
@@ -410,7 +411,8 @@ static void tell_all(void) {
     log_set_level(LOG_NORMAL);
 }
 
-/* Notes by level, warnings always; a listener hears both however quiet it is, and of a silent thread nobody. */
+/* Notes by level, warnings always; a listener hears both however quiet it is, and of a silent
+ * thread nobody. */
 static void test_log(void **state) {
     (void)state;
     enum log_level before = log_get_level();
@@ -482,7 +484,8 @@ static void test_progress(void **state) {
     free(text);
 }
 
-/* A variable, else the home, else neither; and the folders on the way to a file, one of which is a file. */
+/* A variable, else the home, else neither; and the folders on the way to a file, one of which is a
+ * file. */
 static void test_folders(void **state) {
     (void)state;
     char *home = getenv("HOME") ? mem_strdup(getenv("HOME")) : NULL;

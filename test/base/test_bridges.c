@@ -1,5 +1,5 @@
-/* The two bridges to picture files: OpenImageIO is opened when it is needed and not before, both read the same pixels,
- * and the program goes on without it. */
+/* The two bridges to picture files: OpenImageIO is opened when it is needed and not before, both
+ * read the same pixels, and the program goes on without it. */
 #include "command_support.h"
 #include "exr_parts.h"
 
@@ -291,7 +291,8 @@ static void write_bytes(const char *name, const struct file_bytes *parts, int co
 #define BYTES(text)                                                                                \
     { (unsigned char *)(uintptr_t)(text), sizeof(text) - 1 }
 
-/* Texts of a PNG by which OpenImageIO turns it: a tag in small letters, and ImageMagick's profile. */
+/* Texts of a PNG by which OpenImageIO turns it: a tag in small letters, and
+ * ImageMagick's profile. */
 static void test_turned_png(void **state) {
     (void)state;
     enum { HEADER = 33 };

@@ -1,5 +1,5 @@
-/* EXR files as other programs, faults and strangers make them, made here byte by byte: what is read is
- * what the file holds, and all else is refused with one message, in little time and memory. */
+/* EXR files as other programs, faults and strangers make them, made here byte by byte: what is read
+ * is what the file holds, and all else is refused with one message, in little time and memory. */
 #include "command_support.h"
 #include "exr_parts.h"
 
@@ -14,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- the format: OpenEXR File Layout, scan lines without compression ------------------------------ */
+/* --- the format: OpenEXR File Layout, scan lines without compression -------------------------- */
 
 enum { UINT, HALF, FLOAT };
 enum { SINGLE_TILE = 0x200, DEEP = 0x800, TWO_PARTS = 0x1000 };
@@ -111,7 +111,7 @@ static const char *write_exr(const char *name, const struct exr *exr) {
     return path;
 }
 
-/* --- values --------------------------------------------------------------------------------------- */
+/* --- values ----------------------------------------------------------------------------------- */
 
 static uint32_t bits_of(float value) {
     uint32_t bits;
@@ -132,8 +132,8 @@ static void check_values(const struct exr *exr, const char *name, const float *e
     image_free(&image);
 }
 
-/* The largest, the smallest normal and subnormal halves, and floats beyond them; where a window does not
- * begin at 0. */
+/* The largest, the smallest normal and subnormal halves, and floats beyond them; where a window
+ * does not begin at 0. */
 static void test_values(void **state) {
     (void)state;
     static const uint32_t half[6] = {0x7bff, 0xfbff, 0x0400, 0x0001, 0x3555, 0x8000};
@@ -170,7 +170,8 @@ static void test_two_parts(void **state) {
         strstr(error_get(), "parts.exr: 2 parts, and this build reads EXR files of one"));
 }
 
-/* Channels come in the same order by whatever library: layers by name, in a layer colours and alpha first. */
+/* Channels come in the same order by whatever library: layers by name, in a layer colours and alpha
+ * first. */
 static void test_order(void **state) {
     (void)state;
     static const char names[] = "normal.Z Z B albedo.B direct.R A normal.X R albedo.R normal.Y G "
@@ -219,7 +220,7 @@ static void test_bright(void **state) {
     }
 }
 
-/* --- refusals ------------------------------------------------------------------------------------- */
+/* --- refusals --------------------------------------------------------------------------------- */
 
 /* `compare` with itself, with 5 s of the CPU and 2 GiB. */
 static void check_exr_refused(const char *name, const struct exr *exr, const char *message) {
@@ -281,7 +282,7 @@ static void test_shapes(void **state) {
         check_exr_refused(cases[i].name, &cases[i].exr, cases[i].message);
 }
 
-/* --- damage --------------------------------------------------------------------------------------- */
+/* --- damage ----------------------------------------------------------------------------------- */
 
 /* Light with detail, in chunks of 16 lines that are compressed. */
 static void write_noise(const char *path, struct image *image) {
@@ -311,8 +312,8 @@ static size_t find_table(const struct file_bytes *bytes) {
     return 0;
 }
 
-/* Each byte of the chunks and of their table is another: the checksums of what is compressed tell. What
- * has no checksum is where a chunk begins. */
+/* Each byte of the chunks and of their table is another: the checksums of what is compressed tell.
+ * What has no checksum is where a chunk begins. */
 static void test_damage(void **state) {
     (void)state;
     char path[512];

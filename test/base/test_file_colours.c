@@ -1,5 +1,5 @@
-/* What picture files say of their numbers: exposures, formats and old run lengths of Radiance; primaries and units of
- * EXR. And what own .hdr files lose. */
+/* What picture files say of their numbers: exposures, formats and old run lengths of Radiance;
+ * primaries and units of EXR. And what own .hdr files lose. */
 #include "support.h"
 
 #include "base/file/image_file.h"
@@ -18,7 +18,8 @@ enum { WIDTH = 16, HEIGHT = 8 };
 #define ONE "\x80\x80\x80\x81"
 #define WHITE "\x79\x80\x8b\x81" /* XYZ of D65 */
 
-/* A picture of one colour in those pixels, which fill the first rows; the others are WHITE or ONE. */
+/* A picture of one colour in those pixels, which fill the first rows; the others are WHITE
+ * or ONE. */
 static const struct radiance {
     const char *name, *lines, *pixel;
     double rgb[3];
@@ -81,7 +82,8 @@ static void test_radiance_refusals(void **state) {
     check_refused(image_is_whole(scratch("bad.hdr")), "bad.hdr: ");
 }
 
-/* Mantissas are rounded: no error beyond half of their last bit, and none on average. The largest floats stay large. */
+/* Mantissas are rounded: no error beyond half of their last bit, and none on average. The largest
+ * floats stay large. */
 static void test_rounding(void **state) {
     (void)state;
     struct image image, read;

@@ -36,7 +36,8 @@ static void test_values(void **state) {
     free(text);
 }
 
-/* Characters of one to four bytes stay; bytes that are none are replaced: the sharpest cases of RFC 3629. */
+/* Characters of one to four bytes stay; bytes that are none are replaced: the sharpest cases of RFC
+ * 3629. */
 static void test_utf8(void **state) {
     (void)state;
     static const struct {

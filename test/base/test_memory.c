@@ -1,5 +1,5 @@
-/* What is larger than memory is refused before it is allocated: one message that names the file, the
- * object, what is wanted and what is free; exit 1, no abort, no file. */
+/* What is larger than memory is refused before it is allocated: one message that names the file,
+ * the object, what is wanted and what is free; exit 1, no abort, no file. */
 #include "command_support.h"
 
 #include "base/error.h"
@@ -148,7 +148,8 @@ static void test_low_limits(void **state) {
     }
 }
 
-/* Pages that the system had to hand out while 128 MiB were allocated piece by piece, written to and freed. */
+/* Pages that the system had to hand out while 128 MiB were allocated piece by piece, written to and
+ * freed. */
 static long pages_of_pieces(void) {
     enum { PIECES = 2048, PIECE = 64 << 10 };
     static void *pieces[PIECES];

@@ -198,8 +198,7 @@ static void test_option_values(void **state) {
     assert_true(option_number(option_find(table, "scale"), &a) == 1.5);
 }
 
-/* --- settings ----------------------------------------------------------------------------------
- */
+/* --- settings --------------------------------------------------------------------------------- */
 
 struct maker {
     int count;
@@ -272,7 +271,8 @@ static void test_settings(void **state) {
     }
 }
 
-/* The help of settings, with what they need; needs word by word; and assignments that are too long. */
+/* The help of settings, with what they need; needs word by word; and assignments that are
+ * too long. */
 static void test_settings_help(void **state) {
     (void)state;
     char *text = NULL, longer[400];

@@ -244,7 +244,8 @@ static void test_longest_name(void **state) {
     assert_true(holds(path, &(struct file_bytes){(unsigned char *)"y", 1}));
 }
 
-/* What another program fills takes a name, in place of an old file; where it may not, the old one stays alone. */
+/* What another program fills takes a name, in place of an old file; where it may not, the old one
+ * stays alone. */
 static void test_part(void **state) {
     (void)state;
     char path[512], below[600];

@@ -233,8 +233,8 @@ static void test_webp(void **state) {
     }
 }
 
-/* OpenImageIO gives colours of a map of 16 bits in 8, cut: those that 8 bits hold exactly, others up to 1/255
- * less. */
+/* OpenImageIO gives colours of a map of 16 bits in 8, cut: those that 8 bits hold exactly, others
+ * up to 1/255 less. */
 static void test_palette(void **state) {
     (void)state;
     enum { WIDTH = 6, ENTRIES = 16 };

@@ -1,5 +1,5 @@
-/* Lights with a size: what they give where nothing hides them, in the path tracer and in shaders, beside
- * closed forms; and how files tell of them. */
+/* Lights with a size: what they give where nothing hides them, in the path tracer and in shaders,
+ * beside closed forms; and how files tell of them. */
 #include "render_support.h"
 
 #include "gltf_parts.h"
@@ -213,14 +213,16 @@ static void test_pieces(void **state) {
             for (int c = 0; c < 3; c++)
                 aside[c] += (double)(piece.position[c] - light->position[c]) / (SIDE * SIDE);
         }
-        /* Across the beam the sun's pieces have more: they cross areas that face its middle aslant. */
+        /* Across the beam the sun's pieces have more: they cross areas that face its
+         * middle aslant. */
         double slant = light->type == EMITTER_DIRECTIONAL ? 2 / (1 + cos(.2)) : 1;
         check_near("flux of all pieces", flux, slant * emitter_flux(light, 1), 1e-5 * flux);
         check_near("their middle, aside", hypot(hypot(aside[0], aside[1]), aside[2]), 0, 1e-6);
     }
 }
 
-/* In a sphere of albedo 1/2 VPLs have half of the flux, whatever shines: rho pi L A of an area light. */
+/* In a sphere of albedo 1/2 VPLs have half of the flux, whatever shines: rho pi L A of an area
+ * light. */
 static void test_vpl_flux(void **state) {
     (void)state;
     const struct emitter lights[] = {face(.5F, .25F), face(.3F, 0), lamp(EMITTER_POINT, 2, .2F, 0)};

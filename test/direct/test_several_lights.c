@@ -1,5 +1,5 @@
-/* Several lights in one picture: each has the maps, the direct light and the VPLs that it would have
- * alone, and light adds up. */
+/* Several lights in one picture: each has the maps, the direct light and the VPLs that it would
+ * have alone, and light adds up. */
 #include "render_support.h"
 
 #include "base/error.h"
@@ -171,10 +171,10 @@ static void test_split(void **state) {
     stage_free(&stage);
 }
 
-/* --- reference ------------------------------------------------------------------------------------ */
+/* --- reference -------------------------------------------------------------------------------- */
 
-/* Against the path tracer, by the pixels' centres: both have all three lights. In so small a picture
- * the Cornell box under one spot is 17 and 9 % off. */
+/* Against the path tracer, by the pixels' centres: both have all three lights. In so small a
+ * picture the Cornell box under one spot is 17 and 9 % off. */
 static void test_reference(void **state) {
     (void)state;
     struct stage stage;

@@ -1,5 +1,5 @@
-/* Light of a sky: what a sky of 1 gives, in closed forms; a day with a sun beside the path tracer; and that it
- * adds to whatever else shines. */
+/* Light of a sky: what a sky of 1 gives, in closed forms; a day with a sun beside the path tracer;
+ * and that it adds to whatever else shines. */
 #include "base/unit.h"
 #include "render_support.h"
 
@@ -94,7 +94,7 @@ static double all_of_it(const float place[3]) {
     return 1;
 }
 
-/* --- a sky of 1: irradiance pi, as the direct layer has it 1 -------------------------------------- */
+/* --- a sky of 1: irradiance pi, as the direct layer has it 1 ---------------------------------- */
 
 static const char *const settings_tried[] = {"", "sky.lights=6", "fit=rectangles lights=60",
                                              "sky.shadow-rays=2"};
@@ -165,13 +165,14 @@ static void test_wall(void **state) {
     stage_free(&stage);
 }
 
-/* --- a furnace: a sky of 1 by kind of material, roughness and angle ------------------------------- */
+/* --- a furnace: a sky of 1 by kind of material, roughness and angle --------------------------- */
 
 enum { ANGLES = 5, CELL = 4 }; /* pixels a side */
 static const double angles[ANGLES] = {0, 30, 60, 75, 80};
 static const float roughnesses[] = {.3F, .5F, .1F, .75F, .95F};
 
-/* A convex roof, so that no part hides another's sky: a column bends down for each angle, a row has a material each. */
+/* A convex roof, so that no part hides another's sky: a column bends down for each angle, a row has
+ * a material each. */
 static void open_roof(struct stage *stage, int rows) {
     char materials[512] = "", meshes[1024] = "", nodes[8192] = "";
     for (int row = 0; row < rows; row++) {
@@ -248,7 +249,7 @@ static void test_furnace(void **state) {
     stage_free(&stage);
 }
 
-/* --- a closed room, 1 m wide and high, its walls two triangles thin ------------------------------- */
+/* --- a closed room, 1 m wide and high, its walls two triangles thin --------------------------- */
 
 /* Wall x = .5 has a window there; +Z is up. */
 static const float window[4][3] = {
@@ -303,7 +304,7 @@ static void test_room(void **state) {
     check_at_most("of that without the window", shares.mean / lit, .006);
 }
 
-/* --- a day ---------------------------------------------------------------------------------------- */
+/* --- a day ------------------------------------------------------------------------------------ */
 
 /* In progressive passes too: other directions in each, the same light on average. */
 static void check_passes(const struct stage *stage, const struct image *reference) {
@@ -323,7 +324,8 @@ static void check_passes(const struct stage *stage, const struct image *referenc
     image_free(&got);
 }
 
-/* Below the table it is too dark: what the map shows is taken to be as deep as keeps courtyards dark. */
+/* Below the table it is too dark: what the map shows is taken to be as deep as keeps courtyards
+ * dark. */
 static void test_day(void **state) {
     (void)state;
     struct stage stage;
@@ -342,7 +344,8 @@ static void test_day(void **state) {
     stage_free(&stage);
 }
 
-/* A sky of one bright texel is a sun: the direct light of a directional light of L times its solid angle, of its width. */
+/* A sky of one bright texel is a sun: the direct light of a directional light of L times its solid
+ * angle, of its width. */
 static void paint_texel(const float direction[3], float radiance[3]) {
     const struct environment sky = {.width = SKY_WIDTH, .height = SKY_HEIGHT};
     int column, row;
@@ -401,7 +404,7 @@ static void test_courtyard(void **state) {
     stage_free(&stage);
 }
 
-/* --- beside other lights -------------------------------------------------------------------------- */
+/* --- beside other lights ---------------------------------------------------------------------- */
 
 static void test_sum(void **state) {
     (void)state;

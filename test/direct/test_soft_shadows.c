@@ -1,5 +1,6 @@
-/* Soft shadows of direct light: each method on a plate between a light and a floor, all parallel, where the
- * share of the light that is seen has a closed form; and on a table, beside the path tracer. */
+/* Soft shadows of direct light: each method on a plate between a light and a floor, all parallel,
+ * where the share of the light that is seen has a closed form; and on a table, beside the path
+ * tracer. */
 #include "render_support.h"
 
 #include "gltf_parts.h"
@@ -27,8 +28,8 @@ struct stand {
     double low[2], high[2];
 };
 
-/* The share of a side that a plate leaves out of sight: of the light's interval, what the plate's two edges
- * take as the receiver projects them there. */
+/* The share of a side that a plate leaves out of sight: of the light's interval, what the plate's
+ * two edges take as the receiver projects them there. */
 static double overlap(double x, double low, double high, double side) {
     double toward = plate_height / light_height; /* of the way from the floor to the light */
     double from = (low - x * (1 - toward)) / toward, to = (high - x * (1 - toward)) / toward;
@@ -131,8 +132,8 @@ static const struct stand stands[] = {
 /* Of pcss where there is no BVH in time. */
 #define BY_MAP "pcss.shadow-rays=0 "
 
-/* What each method may be wrong by, and with what it is asked. Most of it is the receiver's bias, which
- * moves shadows: twice the map, and it is half. */
+/* What each method may be wrong by, and with what it is asked. Most of it is the receiver's bias,
+ * which moves shadows: twice the map, and it is half. */
 static const struct {
     const char *method, *settings;
     double bounds[4];
@@ -182,8 +183,8 @@ static void test_more(void **state) {
     }
 }
 
-/* A floor below a plate that fills the map but for a thing far aside and near the light, by which its depth is a part of
- * the map's range alone: the series hides some of the light. */
+/* A floor below a plate that fills the map but for a thing far aside and near the light, by which
+ * its depth is a part of the map's range alone: the series hides some of the light. */
 static void open_cover(struct stage *stage, double plate) {
     char nodes[2048];
     snprintf(
@@ -216,7 +217,8 @@ static double light_below(double plate, const char *settings) {
 
 #define HALF_HIDDEN "harmonics=4"
 
-/* Where a map is constant all of its windows have one mean, whether a MIP level or a summed area table tells it. */
+/* Where a map is constant all of its windows have one mean, whether a MIP level or a summed area
+ * table tells it. */
 static void test_constant(void **state) {
     (void)state;
     static const double plates[] = {.05, .1, .2};
@@ -246,12 +248,12 @@ static double unhidden(const struct emission *emission, const struct hit *hit) {
     return sum / (SIDE * SIDE) / GLM_PI;
 }
 
-/* The brightest surface has about 1, irradiance over pi: where the light barely comes over the horizon a
- * share of it means nothing. */
+/* The brightest surface has about 1, irradiance over pi: where the light barely comes over the
+ * horizon a share of it means nothing. */
 static const double dim = .03;
 
-/* RMS of the share that is seen over all surfaces that the light could reach, less the reference's, or without one
- * less 1. */
+/* RMS of the share that is seen over all surfaces that the light could reach, less the reference's,
+ * or without one less 1. */
 static double share_error(const struct stage *stage, const char *method, const char *settings,
                           const struct image *reference) {
     struct renderer renderer;
@@ -306,10 +308,11 @@ static void test_table(void **state) {
     stage_free(&stage);
 }
 
-/* --- other lights ------------------------------------------------------------------------------ */
+/* --- other lights ----------------------------------------------------------------------------- */
 
-/* A sphere, a disk of spots and a sun over the table, beside points of them. The cone of the spots is taken
- * from their middle, which is some of their error; the sun meets a lamp above a table, and windows have one depth. */
+/* A sphere, a disk of spots and a sun over the table, beside points of them. The cone of the spots
+ * is taken from their middle, which is some of their error; the sun meets a lamp above a table, and
+ * windows have one depth. */
 static void test_types(void **state) {
     (void)state;
     static const struct {
@@ -362,8 +365,8 @@ static struct image render_lights(struct stage *stage, const char *light, const 
     return layers;
 }
 
-/* Lights larger than all, next to nothing, touching a table and a wall, in a sphere larger than the room:
- * whatever the picture, it is one. */
+/* Lights larger than all, next to nothing, touching a table and a wall, in a sphere larger than the
+ * room: whatever the picture, it is one. */
 static void test_extremes(void **state) {
     (void)state;
     static const char *const lights[] = {"size=50,50",      "size=1e9,0",
@@ -412,7 +415,8 @@ static struct image render_soft(const struct stage *stage, const char *method) {
     return render_with(stage, method, SMALL_MAPS);
 }
 
-/* A light that is next to nothing has hard shadows, by rays those of a fine map; and one in two halves is the one. */
+/* A light that is next to nothing has hard shadows, by rays those of a fine map; and one in two
+ * halves is the one. */
 static void test_limits(void **state) {
     (void)state;
     static const double halves_most[SOFT_METHODS] = {.06, .06, .06, .2};
@@ -449,8 +453,8 @@ static void test_limits(void **state) {
     stage_free(&stage);
 }
 
-/* Neither units nor axes mean anything: a table a thousand times as large, or turned. World-aligned faces come
- * back to themselves after a quarter turn; a light's own map turns with it. */
+/* Neither units nor axes mean anything: a table a thousand times as large, or turned. World-aligned
+ * faces come back to themselves after a quarter turn; a light's own map turns with it. */
 static void test_scale_and_turns(void **state) {
     (void)state;
     for (int m = 0; m < SOFT_METHODS; m++) {

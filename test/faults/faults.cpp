@@ -1,10 +1,10 @@
 /* Makes one call of the program fail, to see what becomes of it (LD_PRELOAD).
  *
- * Calls that can fail and that the program's own code makes are told apart by where it makes them: by the
- * innermost returns into its code. FAULT=N lets the first call from the N-th such place fail as it would
- * by itself; FAULT=0 none. FAULT_LOG names a file for "N FUNCTION" of each place, or only of the one that failed.
- * What libraries call by themselves is let alone, and what comes before main and after it.
- */
+ * Calls that can fail and that the program's own code makes are told apart by where it makes them:
+ * by the innermost returns into its code. FAULT=N lets the first call from the N-th such place fail
+ * as it would by itself; FAULT=0 none. FAULT_LOG names a file for "N FUNCTION" of each place, or
+ * only of the one that failed. What libraries call by themselves is let alone, and what comes
+ * before main and after it. */
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE
 #endif
@@ -347,8 +347,8 @@ static void *take_turn(void *context) {
     return result;
 }
 
-/* The program's threads take turns: who begins one waits until its work is done. Else chance would decide which thread
- * makes a call, and so from where. */
+/* The program's threads take turns: who begins one waits until its work is done. Else chance would
+ * decide which thread makes a call, and so from where. */
 int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *),
                    void *argument) {
     REAL(pthread_create);

@@ -128,7 +128,8 @@ static GLuint make_reader(const char *other) {
     return program;
 }
 
-/* What a sampler without a texture reads is each driver's choice: each one counts as a fault of a draw or dispatch. */
+/* What a sampler without a texture reads is each driver's choice: each one counts as a fault of a
+ * draw or dispatch. */
 static void test_samplers(void **state) {
     (void)state;
     struct context *context = open_context(&(struct context_desc){.debug = true});

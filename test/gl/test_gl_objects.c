@@ -292,7 +292,8 @@ static void test_out_of_memory(void **state) {
     expect_error(what);
     texture_free(&texture);
 
-    /* A driver may promise memory that it has not, and fail later: more than the GPU's is refused. */
+    /* A driver may promise memory that it has not, and fail later: more than the GPU's
+     * is refused. */
     struct buffer buffer;
     gl.memory = 1 << 20;
     desc.width = desc.height = 256;
@@ -442,7 +443,8 @@ static void test_buffers(void **state) {
 
 /* --- timers ----------------------------------------------------------------------------------- */
 
-/* Something that takes time on any driver: what was asked before is done when it begins, as a GPU would not. */
+/* Something that takes time on any driver: what was asked before is done when it begins, as a GPU
+ * would not. */
 static void work(void) {
     gl.Finish();
     struct timespec nap = {.tv_nsec = 2000000};

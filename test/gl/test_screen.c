@@ -20,7 +20,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-/* --- pictures ---------------------------------------------------------------------------------- */
+/* --- pictures --------------------------------------------------------------------------------- */
 
 static const struct picture {
     const char *scene, *technique, *settings;
@@ -98,7 +98,7 @@ static void test_pictures(void **state) {
             check_picture(&pictures[i]);
 }
 
-/* --- one pass ---------------------------------------------------------------------------------- */
+/* --- one pass --------------------------------------------------------------------------------- */
 
 enum { WIDTH = 21, HEIGHT = 13, LAYERS_DRAWN = 3 };
 
@@ -151,7 +151,7 @@ static void test_viewport(void **state) {
         assert_memory_equal(drawn, dispatched, sizeof drawn);
 }
 
-/* --- masks ------------------------------------------------------------------------------------- */
+/* --- masks ------------------------------------------------------------------------------------ */
 
 /* The first marks one pixel of EVERY; the second says where it ran. */
 static const struct body {
@@ -222,7 +222,8 @@ static void close_masked(struct masked_picture *picture) {
     pixel_mask_free(&picture->mask);
 }
 
-/* All entries of the queue become a pixel that the last pass does not mark: it shows if more than are marked run. */
+/* All entries of the queue become a pixel that the last pass does not mark: it shows if more than
+ * are marked run. */
 static void fill_queue(const struct buffer *queue) {
     enum { HEAD = 4 };
     GLuint *entries = mem_alloc(queue->size / sizeof *entries, sizeof *entries);
@@ -288,7 +289,8 @@ static void check_mask(enum screen_way way, int width, int height, int every) {
     free(places);
 }
 
-/* The second pass runs at marked pixels and at no others: few, none, all, and more than a row of groups has. */
+/* The second pass runs at marked pixels and at no others: few, none, all, and more than a row of
+ * groups has. */
 static void test_masks(void **state) {
     (void)state;
     static const struct {
@@ -379,7 +381,7 @@ static void test_timing_aside(void **state) {
     assert_int_equal(dispatched, 0);
 }
 
-/* --- rows -------------------------------------------------------------------------------------- */
+/* --- rows ------------------------------------------------------------------------------------- */
 
 static struct dispatched { int width, height, first, count; } dispatches[8];
 static int dispatch_count;

@@ -105,7 +105,8 @@ static void test_layouts(void **state) {
     assert_true(count > 15);
 }
 
-/* A number has one name within its kind. Texture units have arrays, and numbers of passes: test/shaders/check. */
+/* A number has one name within its kind. Texture units have arrays, and numbers of passes:
+ * test/shaders/check. */
 static void test_bindings(void **state) {
     (void)state;
     static const char kind[] = "#define BLOCK_";

@@ -292,7 +292,8 @@ static void test_other_charts(void **state) {
     free(text);
 }
 
-/* Names of scenes and settings that a shell, a path or gnuplot would take for something else stay names. */
+/* Names of scenes and settings that a shell, a path or gnuplot would take for something else stay
+ * names. */
 static void test_odd_names(void **state) {
     (void)state;
     FILE *file = open_rows("odd.csv");
@@ -358,8 +359,8 @@ static void test_budget(void **state) {
     free(text);
 }
 
-/* What is chosen for an error is no slower than all that errs no more, and errs as was estimated. Bounds are loose:
- * 32 x 32 pixels, 10 % noise. */
+/* What is chosen for an error is no slower than all that errs no more, and errs as was estimated.
+ * Bounds are loose: 32 x 32 pixels, 10 % noise. */
 static void test_quality(void **state) {
     (void)state;
     char arguments[1024];
@@ -398,7 +399,8 @@ static void test_quality_closer(void **state) {
     assert_null(strstr(output, "automatic"));
 }
 
-/* Soft shadows see of a lamp what the tracer sees, hard ones less; and what is seen of it is drawn. */
+/* Soft shadows see of a lamp what the tracer sees, hard ones less; and what is seen of it
+ * is drawn. */
 static void test_direct(void **state) {
     (void)state;
     char arguments[1024];
@@ -422,8 +424,8 @@ static void test_direct(void **state) {
     expect_text("table-direct.svg");
 }
 
-/* manylight reference --technique vpl-raytraced: rays and maps see the same from the same VPLs. Maps that do not
- * know their casters' planes have 2.0 %, in corners and at edges of the blocks. */
+/* manylight reference --technique vpl-raytraced: rays and maps see the same from the same VPLs.
+ * Maps that do not know their casters' planes have 2.0 %, in corners and at edges of the blocks. */
 static void test_vpl_raytraced(void **state) {
     (void)state;
     const char *traced = scratch("traced.exr"), *mapped = scratch("mapped.exr");

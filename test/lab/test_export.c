@@ -196,8 +196,9 @@ static void test_dots(void **state) {
     expect_text("\"file\": \"glb.9x8.exr\"");
 }
 
-/* Formats have one mode for both directions. Texture 4 is repeated across and mirrored down, outside of 0 to 1; texture 6
- * is changed to be mirrored in one direction, which its coordinates never leave. */
+/* Formats have one mode for both directions. Texture 4 is repeated across and mirrored down,
+ * outside of 0 to 1; texture 6 is changed to be mirrored in one direction, which its coordinates
+ * never leave. */
 static void test_wrap_modes(void **state) {
     (void)state;
     expect(0, "% export scenes/materials.glb -o @/wrap --format mitsuba 2>&1 | grep wraps");

@@ -62,8 +62,9 @@ static void test_rows(void **state) {
     assert_int_equal(broken, 0);
 }
 
-/* Bounds are no formality: without any visibility none holds, but that of what has none. Voxels and surface
- * elements err as much as no visibility in some pictures this small, such as the room: 21 % beside 16. */
+/* Bounds are no formality: without any visibility none holds, but that of what has none. Voxels and
+ * surface elements err as much as no visibility in some pictures this small, such as the room: 21 %
+ * beside 16. */
 static void test_bounds_break(void **state) {
     static const char *const rows[] = {"room", "val-plane", "closed-door", "grazing-light",
                                        "corner"};

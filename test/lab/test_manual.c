@@ -1,5 +1,5 @@
-/* manylight manual: each option that --help-all lists has its line in the man page and in bash's completions,
- * and so has each setting. Checkers of man pages find nothing. Bash completes. */
+/* manylight manual: each option that --help-all lists has its line in the man page and in bash's
+ * completions, and so has each setting. Checkers of man pages find nothing. Bash completes. */
 #include "command_support.h"
 
 #include "base/file/file.h"
@@ -150,8 +150,8 @@ static void test_groff(void **state) {
     assert_string_equal(output, "");
 }
 
-/* Characters of commands are shown as they are typed: roff has hyphens, quotes, hats and tildes of its own. A hyphen at
- * the end of a line divides a word. */
+/* Characters of commands are shown as they are typed: roff has hyphens, quotes, hats and tildes of
+ * its own. A hyphen at the end of a line divides a word. */
 static void test_characters(void **state) {
     (void)state;
     need_command("command -v groff");

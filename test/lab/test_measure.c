@@ -1,5 +1,5 @@
-/* The floor that measures, called as a library: what it reads from renderers, and what it refuses.
- */
+/* The floor that measures, called as a library: what it reads from renderers, and what
+ * it refuses. */
 #include "render_support.h"
 
 #include "lab/measure/clip.h"
@@ -117,7 +117,7 @@ static void test_subjects(void **state) {
     assert_false(variant_apply(&desc, "a:vals=x"));
 }
 
-/* --- references ----------------------------------------------------------------------------------- */
+/* --- references ------------------------------------------------------------------------------- */
 
 static void check_other_file(const struct measure_desc *desc, const char *first, const char *what,
                              bool other) {
@@ -160,8 +160,8 @@ static void test_reference_names(void **state) {
     stage_free(&stage);
 }
 
-/* Diffuse materials are asked of the reference and of the tracer beside a technique, too: neither then has reflections,
- * and the tracer errs by its noise alone. */
+/* Diffuse materials are asked of the reference and of the tracer beside a technique, too: neither
+ * then has reflections, and the tracer errs by its noise alone. */
 static void test_matt_reference(void **state) {
     (void)state;
     struct stage stage;
@@ -257,7 +257,7 @@ static void test_without_vpls(void **state) {
     stage_free(&stage);
 }
 
-/* --- the baseline ------------------------------------------------------------------------------ */
+/* --- the baseline ----------------------------------------------------------------------------- */
 
 static void add_subject(struct results *results, struct measure_desc *desc, int width, double cpu,
                         double error, double flip) {
@@ -268,8 +268,8 @@ static void add_subject(struct results *results, struct measure_desc *desc, int 
     results_add(results, "ldr-flip", "path", "1", flip);
 }
 
-/* Of its scene and size alone: the baseline needs 16 ms for an error of 2, and errs by a FLIP of .5 at the
- * most. */
+/* Of its scene and size alone: the baseline needs 16 ms for an error of 2, and errs by a FLIP of .5
+ * at the most. */
 static void test_baseline(void **state) {
     (void)state;
     struct stage stage;

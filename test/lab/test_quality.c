@@ -1,4 +1,5 @@
-/* How good a picture has to be: errors estimated from some of its pixels, and what is chosen by them. */
+/* How good a picture has to be: errors estimated from some of its pixels, and what is chosen by
+ * them. */
 #define _POSIX_C_SOURCE 200809L
 #include "command_support.h"
 #include "render_support.h"
@@ -137,8 +138,8 @@ static void test_estimate(void **state) {
     estimate_free(&estimate);
 }
 
-/* At silhouettes against nothing, the more samples a reference has, the more slivers it knows. The estimate depends
- * on neither. */
+/* At silhouettes against nothing, the more samples a reference has, the more slivers it knows. The
+ * estimate depends on neither. */
 static void test_slivers(void **state) {
     (void)state;
     struct stage stage;
@@ -194,7 +195,8 @@ static bool tell_made_up(void *user, const struct quality_choice *choice, double
     return true;
 }
 
-/* What is asked for is the first that reaches it; what cannot be had is no better for taking long. */
+/* What is asked for is the first that reaches it; what cannot be had is no better for
+ * taking long. */
 static void test_climb(void **state) {
     (void)state;
     static const struct {
@@ -264,7 +266,8 @@ static void test_ladder(void **state) {
     check_at_most("passes", passes.error, none.error);
 }
 
-/* Where light comes from a bright corner, another technique is cheaper; it is taken unless one is named. */
+/* Where light comes from a bright corner, another technique is cheaper; it is taken unless one is
+ * named. */
 static void test_techniques(void **state) {
     (void)state;
     struct stage stage;

@@ -297,7 +297,8 @@ static void test_refusals(void **state) {
     expect(1, "test -e @/none.json");
 }
 
-/* Examples of the standard, and all lengths around the ends of blocks: bytes that follow one another in a chain. */
+/* Examples of the standard, and all lengths around the ends of blocks: bytes that follow one
+ * another in a chain. */
 static void test_sha256(void **state) {
     (void)state;
     static const struct example {

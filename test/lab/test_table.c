@@ -1,5 +1,6 @@
-/* bench/table/run: what was measured is kept, a case that fails is a row, and the rows are the same bytes in whatever
- * order and by however many processes they were made. A copy of a picture stands for a renderer. */
+/* bench/table/run: what was measured is kept, a case that fails is a row, and the rows are the same
+ * bytes in whatever order and by however many processes they were made. A copy of a picture stands
+ * for a renderer. */
 #define _POSIX_C_SOURCE 200809L
 #include "command_support.h"
 

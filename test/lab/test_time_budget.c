@@ -1,5 +1,5 @@
-/* Frames in the time that they may take: the choice of levels by simulated machines, which is a pure function of
- * frames' times, and what the levels are. */
+/* Frames in the time that they may take: the choice of levels by simulated machines, which is a
+ * pure function of frames' times, and what the levels are. */
 #include "command_support.h"
 #include "render_support.h"
 
@@ -116,7 +116,8 @@ static void test_search(void **state) {
         }
 }
 
-/* What is out of reach takes the last level there is; a gap is stayed below, but for a look now and then. */
+/* What is out of reach takes the last level there is; a gap is stayed below, but for a look now and
+ * then. */
 static void test_ends(void **state) {
     (void)state;
     assert_int_equal(play(even, 1, 0, SEARCH, true).last, 0);

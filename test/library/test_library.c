@@ -1,4 +1,5 @@
-/* The library against the program: the same bits and the same words, from files, memory and arrays, on any thread. */
+/* The library against the program: the same bits and the same words, from files, memory and arrays,
+ * on any thread. */
 #define _XOPEN_SOURCE 700
 #include "library_support.h"
 
@@ -177,8 +178,8 @@ static size_t take_arrays(const struct scene *scene, struct manylight_mesh meshe
 
 static const struct manylight_renderer_desc by_maps = {.settings = "path=maps"};
 
-/* Camera and light of the file by text, and those of the arrays, differ in last bits alone. By maps: a last bit moves
- * some shadow rays past an edge. */
+/* Camera and light of the file by text, and those of the arrays, differ in last bits alone. By
+ * maps: a last bit moves some shadow rays past an edge. */
 static void test_scene_from_arrays(void **state) {
     (void)state;
     struct manylight_device *device = open_device();

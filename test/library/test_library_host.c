@@ -1,5 +1,5 @@
-/* A context that is the caller's: its state stays, its objects go with the device, and its pictures are those of a context of
- * the library's own in the same process. */
+/* A context that is the caller's: its state stays, its objects go with the device, and its pictures
+ * are those of a context of the library's own in the same process. */
 #define _XOPEN_SOURCE 700
 #include "library_support.h"
 
@@ -503,8 +503,8 @@ static void check_state(const char *what) {
     assert_memory_equal(before.values, after.values, before.count * sizeof *before.values);
 }
 
-/* Whatever state the caller has, the picture is the same, and the state after each call is that of before. Screen passes are
- * drawn and dispatched in turn. */
+/* Whatever state the caller has, the picture is the same, and the state after each call is that of
+ * before. Screen passes are drawn and dispatched in turn. */
 static void test_state_stays(void **state) {
     (void)state;
     need_host();

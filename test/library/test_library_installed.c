@@ -1,4 +1,5 @@
-/* The library as others get it: installed, found by pkg-config and CMake, with the symbols of its header and no other. */
+/* The library as others get it: installed, found by pkg-config and CMake, with the symbols of its
+ * header and no other. */
 #include "command_support.h"
 
 #include <stdio.h>

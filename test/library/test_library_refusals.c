@@ -300,7 +300,7 @@ static int use_in_child(struct manylight_device *device, struct manylight_scene 
     return 0;
 }
 
-/* A child does without the driver's threads: it gets errors, at its end too, and may trace paths. */
+/* A child does without the driver's threads: it gets errors, at its end too, and may trace paths */
 static void test_forked(void **state) {
     (void)state;
     int status;

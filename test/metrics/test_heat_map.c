@@ -90,7 +90,8 @@ static void check_box(const char *what, const int box[4], int left, int top, int
     assert_true(box[0] == left && box[1] == top && box[2] == right && box[3] == bottom);
 }
 
-/* Letters of 5 dots, one dot apart; a z fills its five rows from the third on, and is cut at borders. */
+/* Letters of 5 dots, one dot apart; a z fills its five rows from the third on, and is cut at
+ * borders. */
 static void test_label(void **state) {
     (void)state;
     struct bitmap picture = {30, 20, calloc(30 * 20, 4)};

@@ -1,4 +1,5 @@
-/* Pixels with few like neighbours: which are adaptive, what they gather, and how they are blurred. */
+/* Pixels with few like neighbours: which are adaptive, what they gather, and how they
+ * are blurred. */
 #include "render_support.h"
 
 #include "passes/frame.h"
@@ -236,8 +237,8 @@ static int away_of(GLuint code) {
     return code > 1 ? (int)code - 4 : (int)code;
 }
 
-/* With blocks that share visibility a pixel that no block speaks for is adaptive, whatever lies around it; all others
- * are told one whose centre has their normal. */
+/* With blocks that share visibility a pixel that no block speaks for is adaptive, whatever lies
+ * around it; all others are told one whose centre has their normal. */
 static void test_blocks(void **state) {
     (void)state;
     enum { BLOCK = 16 };
@@ -306,8 +307,8 @@ static void test_adaptive_sums(void **state) {
     close_bench(&bench);
 }
 
-/* Of VPLs that go together one asks for the visibility of all: each pixel has noise, their mean is that of
- * pixels whose VPLs each ask. */
+/* Of VPLs that go together one asks for the visibility of all: each pixel has noise, their mean is
+ * that of pixels whose VPLs each ask. */
 static void test_one_asks_for_all(void **state) {
     (void)state;
     struct adaptive_bench bench;
@@ -337,7 +338,8 @@ static void test_one_asks_for_all(void **state) {
     close_bench(&bench);
 }
 
-/* Pixels of large pictures take fewer lights: of 4 and 5 times as many in one of 400x400, 1 in one of 800x800. */
+/* Pixels of large pictures take fewer lights: of 4 and 5 times as many in one of 400x400, 1 in one
+ * of 800x800. */
 static void test_times_of_large_pictures(void **state) {
     (void)state;
     static const struct {

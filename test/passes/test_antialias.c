@@ -99,8 +99,8 @@ static double coverage_error(const struct stage *stage, const char *settings) {
 }
 
 /* A pixel that an edge crosses along x or y is off by sqrt(1/12) = .29 at its centre, and one that
- * it crosses aslant by .22. Of the patterns of 4, 8, 12 and 16 samples the worst slope is off by .128,
- * .100, .086 and .069; a tenth is for where these edges happen to fall. */
+ * it crosses aslant by .22. Of the patterns of 4, 8, 12 and 16 samples the worst slope is off by
+ * .128, .100, .086 and .069; a tenth is for where these edges happen to fall. */
 static void test_coverage(void **state) {
     (void)state;
     struct stage stage;
@@ -124,7 +124,8 @@ static void test_coverage(void **state) {
     stage_free(&stage);
 }
 
-/* Pixels that the outline covers from the side by so much of their width, and those of them that see nothing. */
+/* Pixels that the outline covers from the side by so much of their width, and those of them that
+ * see nothing. */
 static void count_slivers(struct renderer *renderer, int *slivers, int *missed) {
     struct image image;
     renderer_render(renderer);
@@ -145,7 +146,8 @@ static void count_slivers(struct renderer *renderer, int *slivers, int *missed) 
     image_free(&image);
 }
 
-/* A layer of light tells of a sliver what it tells of a whole pixel: none of a hundredth of a pixel's width is black. */
+/* A layer of light tells of a sliver what it tells of a whole pixel: none of a hundredth of a
+ * pixel's width is black. */
 static void test_slivers(void **state) {
     (void)state;
     enum { ZOOMS = 32 };
@@ -210,8 +212,8 @@ static void check_layer(const struct image *center, const struct image *edges,
     check_at_most("their ratio", after / before, bound);
 }
 
-/* Bounds of the error that is left, of the albedo and of the picture, whose shadows have edges too.
- */
+/* Bounds of the error that is left, of the albedo and of the picture, whose shadows have
+ * edges too. */
 static void check_layers(const char *path, double albedo, double beauty) {
     struct stage stage;
     open_stage(&stage, path);
@@ -259,8 +261,8 @@ static void test_edge_samples(void **state) {
     stage_free(&stage);
 }
 
-/* As few layers as can be: no other number of samples that a driver has in one gives fewer, or as many with fewer
- * samples in all. */
+/* As few layers as can be: no other number of samples that a driver has in one gives fewer, or as
+ * many with fewer samples in all. */
 static void test_sample_layers(void **state) {
     (void)state;
     static const int sizes[] = {4, 8, 16};

@@ -1,5 +1,5 @@
-/* k-means of VPLs, step by step, against a second implementation on the CPU: both criteria, every start, seeds that are
- * told, clusters that get lost, the mapping of other lights, and the views of VALs. */
+/* k-means of VPLs, step by step, against a second implementation on the CPU: criteria, starts,
+ * seeds, lost clusters, the mapping of other lights, and the views of VALs. */
 #include "base/unit.h"
 #include "render_support.h"
 
@@ -21,9 +21,9 @@ enum { POINTS = 60, CLUSTERS = 7, CLOUDS_MAX = 400 };
 /* What the buffer of VPLs has of their spread: sum of logarithms, pairs. */
 static const float pairs[4] = {3, 2, 0, 0};
 
-/* --- points ------------------------------------------------------------------------------------- */
+/* --- points ----------------------------------------------------------------------------------- */
 
-/* Lights on three sides of a room, of many hues and areas. Every seventh met nothing, and the last two. */
+/* Lights on three sides of a room, of many hues and areas. Every seventh met nothing. */
 static void scatter(struct vpl vpls[POINTS], int cloud) {
     for (int i = 0; i < POINTS; i++) {
         uint32_t at = (uint32_t)(cloud * POINTS + i + 1);
@@ -41,7 +41,7 @@ static void scatter(struct vpl vpls[POINTS], int cloud) {
     }
 }
 
-/* --- the second implementation -------------------------------------------------------------------- */
+/* --- the second implementation ---------------------------------------------------------------- */
 
 struct means {
     double position[CLUSTERS][3], normal[CLUSTERS][3], flux[CLUSTERS][3], count[CLUSTERS];
@@ -51,7 +51,7 @@ struct means {
     int empty;     /* clusters that were, in any step */
 };
 
-/* Seeds are numbers of VPLs, or NULL; values what VPLs would give to a picture, or NULL: all count alike. */
+/* seeds: numbers of VPLs, or NULL. values: importance of each VPL; NULL: all count alike. */
 struct expected {
     const struct cluster_desc *desc;
     const float *seeds, *values;
@@ -185,8 +185,8 @@ static void expect(struct expected *e, const struct vpl *vpls) {
         map(e, vpls);
 }
 
-/* The next points of which each is so much nearer to its cluster than to any other that rounding decides nothing:
- * acos of a float near 1 is right to 4e-4 alone. e is what it is after them. */
+/* The next points of which each is so much nearer to its cluster than to any other that rounding
+ * decides nothing: acos of a float near 1 is right to 4e-4 alone. e is what it is after them. */
 static void expect_clear(struct expected *e, struct vpl vpls[POINTS], int *cloud) {
     const struct means before = e->means;
     for (int i = 0; i < CLOUDS_MAX; i++) {
@@ -199,7 +199,7 @@ static void expect_clear(struct expected *e, struct vpl vpls[POINTS], int *cloud
     fail_msg("no points are clear");
 }
 
-/* --- the passes ----------------------------------------------------------------------------------- */
+/* --- the passes ------------------------------------------------------------------------------- */
 
 struct clustering {
     struct vpl_buffer vpls;
@@ -323,7 +323,7 @@ static void check_frame(struct clustering *c, const struct vpl *vpls) {
     check_mapping(&c->pass.vpls, vpls, means->nearest);
 }
 
-/* --- tests ---------------------------------------------------------------------------------------- */
+/* --- tests ------------------------------------------------------------------------------------ */
 
 static void check_frames(const struct cluster_desc *desc, const float *values) {
     struct clustering c;
@@ -343,7 +343,7 @@ static void test_lengths(void **state) {
     check_frames(&lengths, NULL);
 }
 
-/* Likewise, but VPLs count by what a picture would have of them: few of them most, some not at all. */
+/* The same with VPLs weighted by importance: few have a high one, some none. */
 static void test_weights(void **state) {
     (void)state;
     float values[POINTS];
@@ -358,8 +358,8 @@ static void test_squares(void **state) {
     check_frames(&squares, NULL);
 }
 
-/* Two that take turns, each with seeds of its own: some alike, so that one of them is lost, some nowhere, some not told.
- * Those that are lost begin again, or stay where they were. */
+/* Two that take turns, each with seeds of its own: some alike, so that one of them is lost, some
+ * nowhere, some not told. Those that are lost begin again, or stay where they were. */
 static void check_turns(const struct cluster_desc *desc) {
     static const float seeds[2][CLUSTERS] = {{5, 5, -1, 30, -2, 7, 57}, {40, 2, 2, 2, -1, -2, 11}};
     struct clustering c[2];
@@ -423,9 +423,10 @@ static void render_lights(struct clustering *c, const struct vpl *lights, size_t
     cluster_pass_render(&c->pass, &frame, &c->vpls);
 }
 
-/* Three that surround a mean, at whose side stands the second cluster's first one, nearer to the mean than all three, as is
- * one that met nothing; and a third far off. The view looks from the plane of the nearest of the three, below which the mean
- * lies. That of the second's two lies above the first's plane: the view looks from above that one. */
+/* Three that surround a mean, at whose side stands the second cluster's first one, nearer to the
+ * mean than all three, as is one that met nothing; and a third far off. The view looks from the
+ * plane of the nearest of the three, below which the mean lies. That of the second's two lies above
+ * the first's plane: the view looks from above that one. */
 static void test_views(void **state) {
     (void)state;
     static const struct vpl before[] = {
@@ -533,7 +534,7 @@ static void test_many(void **state) {
     vpl_buffer_free(&vpls);
 }
 
-/* --- allocation ------------------------------------------------------------------------------------ */
+/* --- allocation ------------------------------------------------------------------------------- */
 
 static struct gl_api real;
 static int allocations, failing; /* which one, from 1 on */

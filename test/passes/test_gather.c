@@ -168,8 +168,8 @@ static void test_direct(void **state) {
 
 /* --- VPLs ------------------------------------------------------------------------------------- */
 
-/* The ray of the light that ends at the VPL meets the same surface, and flux is rho I dw; of a facet as much more
- * as what it receives by the shading normal is more than by its own. */
+/* The ray of the light that ends at the VPL meets the same surface, and flux is rho I dw; of a
+ * facet as much more as what it receives by the shading normal is more than by its own. */
 static bool is_true_vpl(const struct bench *bench, const struct vpl *vpl) {
     const struct emitter *light = bench->stage.emitters.items;
     float radius = bench->stage.geometry.radius;
@@ -353,8 +353,9 @@ static void test_near_samples(void **state) {
     stage_free(&stage);
 }
 
-/* Beside an edge between two lit planes, `away` texels from it in the light's view: what a sample of the near field finds
- * there, by the logarithm of its radius, from half a texel to 142, and its turn. VPLs leave the nearest 71. */
+/* Beside an edge between two lit planes, `away` texels from it in the light's view: what a sample
+ * of the near field finds there, by the logarithm of its radius, from half a texel to 142, and its
+ * turn. VPLs leave the nearest 71. */
 static double edge_light(double away, double log_radius, double turn) {
     double radius = .5 * exp(log(142 / .5) * log_radius);
     double beside = radius * sin(2 * GLM_PI * turn), up = radius * cos(2 * GLM_PI * turn) - away;
@@ -382,8 +383,8 @@ static double all_edge_light(double away) {
     return sum / (n * n);
 }
 
-/* Of a pattern's places, by the part that they are of: what each part finds over what there is, root mean square of what
- * that errs by, for edges of all directions, near and far. */
+/* Of a pattern's places, by the part that they are of: what each part finds over what there is,
+ * root mean square of what that errs by, for edges of all directions, near and far. */
 static double error_of_parts(int (*part_of)(int x, int y), int parts) {
     double sum2 = 0;
     int count = 0;
@@ -422,7 +423,8 @@ static int all_of(int x, int y) {
     return 0;
 }
 
-/* What the blur finds beside an edge, where it does not find all of a pattern, tells the light as all would. */
+/* What the blur finds beside an edge, where it does not find all of a pattern, tells the light as
+ * all would. */
 static void test_near_places(void **state) {
     (void)state;
     check_at_most("a row's error, relative (Halton's points: .18)", error_of_parts(row_of, 8), .06);
@@ -432,8 +434,8 @@ static void test_near_places(void **state) {
     check_at_most("all places' (.025)", error_of_parts(all_of, 1), .01);
 }
 
-/* A lamp above a table looks into five faces of a cube: what lies beyond an edge of the face that a receiver is in, another
- * face has, and its texels' solid angles. */
+/* A lamp above a table looks into five faces of a cube: what lies beyond an edge of the face that a
+ * receiver is in, another face has, and its texels' solid angles. */
 static void test_near_faces(void **state) {
     (void)state;
     struct stage stage;
@@ -445,8 +447,8 @@ static void test_near_faces(void **state) {
     stage_free(&stage);
 }
 
-/* Of the light that would be there the part that is: behind a sheet that divides the room, in whose shadow all is dark, and
- * in a corner, where nothing is between. */
+/* Of the light that would be there the part that is: behind a sheet that divides the room, in whose
+ * shadow all is dark, and in a corner, where nothing is between. */
 static double share_of_unshadowed(const struct stage_desc *desc, const char *technique,
                                   const char *settings) {
     struct stage stage;
@@ -476,8 +478,8 @@ static double brightest_from(const struct stage *stage, int texels) {
     return most * 128 * 128 / sum;
 }
 
-/* Where a receiver lies in the middle of a texel, the texel is no nearer than a quarter of its width: without a bound one
- * pixel is 86 times the mean. */
+/* Where a receiver lies in the middle of a texel, the texel is no nearer than a quarter of its
+ * width: without a bound one pixel is 86 times the mean. */
 static void test_near_facets(void **state) {
     (void)state;
     const struct stage_desc desc = {

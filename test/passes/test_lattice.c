@@ -1,4 +1,5 @@
-/* Numbers by which one of many is taken (glsl/lib/lattice.glsl): the same bits on every driver, whatever it rounds. */
+/* Numbers by which one of many is taken (glsl/lib/lattice.glsl): the same bits on every driver,
+ * whatever it rounds. */
 #include "support.h"
 
 #include "gl/glsl.h"
@@ -34,8 +35,8 @@ static void read_numbers(float *numbers) {
     program_free(&program);
 }
 
-/* Each is the fraction of x steps along x and y along y: against integers, and against the multiples that these stand
- * for. */
+/* Each is the fraction of x steps along x and y along y: against integers, and against the
+ * multiples that these stand for. */
 static void test_numbers(void **state) {
     (void)state;
     static float numbers[SIDE * SIDE];

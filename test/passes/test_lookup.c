@@ -276,8 +276,8 @@ static void test_orthographic(void **state) {
     check_projection(PROJECTION_ORTHOGRAPHIC);
 }
 
-/* Texture units have 8 bits for the weights across, up and between levels: each errs by 1 / 512, of the terms of a step,
- * 1.07 together, times the gain, 2. */
+/* Texture units have 8 bits for the weights across, up and between levels: each errs by 1 / 512, of
+ * the terms of a step, 1.07 together, times the gain, 2. */
 static double tolerance_of(int filter) {
     return filter == FILTER_CSSM ? 3. / 512 * 1.07 * 2 : 5e-3;
 }
@@ -325,9 +325,10 @@ static void test_cssm(void **state) {
     check_filter(FILTER_CSSM, filter_cssm);
 }
 
-/* A plate as wide as the map: whatever the filter, the answer is that of the step itself, the sum of K sines of what
- * lies between receiver and plate. All before the plate is lit, all that is more than the step behind it is dark, as
- * far off as it may be: also behind the farthest caster, where the series, unclamped, would begin again. */
+/* A plate as wide as the map: whatever the filter, the answer is that of the step itself, the sum
+ * of K sines of what lies between receiver and plate. All before the plate is lit, all that is more
+ * than the step behind it is dark, as far off as it may be: also behind the farthest caster, where
+ * the series, unclamped, would begin again. */
 static void test_step(void **state) {
     (void)state;
     const double plate = nearest, dark_from = .52 / (2 * TERMS);
@@ -359,15 +360,15 @@ static void test_step(void **state) {
     close_lookups(lookups);
 }
 
-/* --- what lies behind a VAL's plane ------------------------------------------------------------- */
+/* --- what lies behind a VAL's plane ----------------------------------------------------------- */
 
 static struct map_view view_of(float x, float y, float axis_x, float axis_y, float near_clip) {
     return (struct map_view){
         .center = {x, y, 0}, .axis = {axis_x, axis_y, 0}, .tangent = {0, 0, 1}, .near = near_clip};
 }
 
-/* VAL 0 looks along +x. Of the others the nearest is empty, the next looks away from it, two on the left look back at it and see
- * what is behind it, and another has its back to all that is there. */
+/* VAL 0 looks along +x. Of the others the nearest is empty, the next looks away from it, two on the
+ * left look back at it and see what is behind it, and another has its back to all that is there. */
 static void test_map_in_front(void **state) {
     (void)state;
     enum { VALS = 6, ASKED = 4 };

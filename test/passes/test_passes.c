@@ -255,7 +255,8 @@ static double farthest_corner(const struct geometry *geometry, const float from[
     return sqrt(sum);
 }
 
-/* The view is from that of the VAL's VPLs which is nearest to their mean, as high as that: where VPLs lie on walls. */
+/* The view is from that of the VAL's VPLs which is nearest to their mean, as high as that: where
+ * VPLs lie on walls. */
 static double off_center(const struct frame_of_vals *frame, int k) {
     struct means mean;
     vec3 expected = {INFINITY}, off;
@@ -387,8 +388,8 @@ static double wrong_texels(const char *scene, const char *settings) {
 }
 
 /* Within a triangle the depth is exact. Its outline is drawn straight where it is bent: the more so
- * the wider the triangle is seen, and most where it reaches behind the VAL. A long one has the true outline; a texel of
- * a silhouette shows either side. */
+ * the wider the triangle is seen, and most where it reaches behind the VAL. A long one has the true
+ * outline; a texel of a silhouette shows either side. */
 static void test_depth_maps(void **state) {
     (void)state;
     static const char *const scenes[] = {"scenes/cornell-box.glb", "scenes/cornell-animal.glb"};
@@ -419,8 +420,8 @@ static int count_cracks(const struct frame_of_vals *frame, const struct rays *ra
     return cracks;
 }
 
-/* Be the edges that two triangles share drawn straight or bent, no crack opens along them. What is left lies around
- * triangles that a VAL's near clip leaves out. */
+/* Be the edges that two triangles share drawn straight or bent, no crack opens along them. What is
+ * left lies around triangles that a VAL's near clip leaves out. */
 static void test_cracks(void **state) {
     (void)state;
     static const int longest[] = {0, 500, 5000, 20000};

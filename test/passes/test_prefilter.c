@@ -1,6 +1,6 @@
-/* What filters of soft shadows read instead of many texels, against brute force: summed area tables, bit for
- * bit, also where they wrap; nearest and farthest depths of windows. And what filters make of them, where the answer is
- * known. */
+/* What filters of soft shadows read instead of many texels, against brute force: summed area
+ * tables, bit for bit, also where they wrap; nearest and farthest depths of windows. And what
+ * filters make of them, where the answer is known. */
 #include "render_support.h"
 
 #include "base/memory.h"
@@ -156,7 +156,8 @@ static double box_error(const struct depths *depths, const uint32_t *sums,
     return worst;
 }
 
-/* As exact as a texel's twelve bits, in boxes of all widths: that of all texels wraps in no table. */
+/* As exact as a texel's twelve bits, in boxes of all widths: that of all texels wraps in
+ * no table. */
 static void test_basis_sums(void **state) {
     (void)state;
     enum { SIZE = 300, SIDE = SIZE + 1 };
@@ -197,8 +198,8 @@ static void test_basis_sums(void **state) {
 
 /* --- bounds ----------------------------------------------------------------------------------- */
 
-/* How many bounds of a layer are not those of the texels that they are said to be of. Texel (x, y) lies in the
- * square of its place over 2^(level + 1), or in the last. */
+/* How many bounds of a layer are not those of the texels that they are said to be of. Texel (x, y)
+ * lies in the square of its place over 2^(level + 1), or in the last. */
 static int wrong_squares(const struct depths *depths, const struct depth_bounds *maps,
                          const float *bounds, int level, int layer) {
     int size = depths->size, base = size / 2, side = bounds_side(base, level), wrong = 0;
@@ -290,7 +291,8 @@ static void ask(int filter, struct answer answers[CELLS]) {
 static const int moment_filters[] = {FILTER_VSSM, FILTER_MSM};
 static const char *const moment_names[] = {"vssm", "msm"};
 
-/* One caster before a receiver that is in the map: both are exact, but for the bias of four moments. */
+/* One caster before a receiver that is in the map: both are exact, but for the bias of four
+ * moments. */
 static void test_two_depths(void **state) {
     (void)state;
     static const double shares[CELLS] = {.1, .25, .5, .75, .9}, near[CELLS] = {.3, .5, .2, .6, .4};
@@ -310,8 +312,8 @@ static void test_two_depths(void **state) {
     }
 }
 
-/* Two casters that hide all of the light, a apart, the receiver b behind the second: two moments light it by
- * Chebyshev's inequality, four do not. */
+/* Two casters that hide all of the light, a apart, the receiver b behind the second: two moments
+ * light it by Chebyshev's inequality, four do not. */
 static void test_bleeding(void **state) {
     (void)state;
     static const double behind[CELLS] = {.25, .5, 1, 2, 4}; /* b / a */

@@ -1,5 +1,5 @@
-/* How shaders reflect as by a mirror: the same as the path tracer's BRDF, and lights with a size beside sums over
- * their places. */
+/* How shaders reflect as by a mirror: the same as the path tracer's BRDF, and lights with a size
+ * beside sums over their places. */
 #include "gltf_parts.h"
 #include "render_support.h"
 
@@ -126,7 +126,8 @@ static void test_same_as_traced(void **state) {
     check_at_most("shader beside tracer, relative, at worst", worst, 2e-5);
 }
 
-/* Directions that rays take, and their density: those of the tracer's metals, whose samples all go to the lobe. */
+/* Directions that rays take, and their density: those of the tracer's metals, whose samples all go
+ * to the lobe. */
 static void test_sampled_as_traced(void **state) {
     (void)state;
     static struct question questions[DIRECTIONS];
@@ -299,7 +300,8 @@ static void test_plane_of_balls(void **state) {
     for (int i = 0; i < 6; i++) {
         double expected = GLM_PI * (1 + cos((double)tilts[i % 2])) / 2;
         printf("    balls of %.1f, %.1f aslant:", (double)radii[i / 2], (double)tilts[i % 2]);
-        /* Where the horizon cuts the cone of a ball the closed form is not exact: 1.3 % at most here. */
+        /* Where the horizon cuts the cone of a ball the closed form is not exact: 1.3 % at most
+         * here. */
         check_near("irradiance", (double)answers[i][0], expected, expected * (i % 2 ? .015 : 1e-3));
     }
 }
@@ -360,7 +362,7 @@ static void test_picture(void **state) {
     stage_free(&stage);
 }
 
-/* How far pixels of the layer differ from the mean of the two beside them, over the layer's mean. */
+/* How far pixels of the layer differ from the mean of the two beside them, over the layer's mean */
 static double unevenness(const struct image *image, const char *layer) {
     int channels[3];
     double apart = 0, sum = 0;
@@ -377,8 +379,8 @@ static double unevenness(const struct image *image, const char *layer) {
     return apart / sum;
 }
 
-/* A wall that is a mirror, and sees light of later bounces alone, does not show the pattern by which pixels share their
- * VPLs. */
+/* A wall that is a mirror, and sees light of later bounces alone, does not show the pattern by
+ * which pixels share their VPLs. */
 static void test_mirror_of_bounces(void **state) {
     (void)state;
     struct stage stage;
@@ -422,7 +424,8 @@ static void open_mirror(struct stage *stage, const char *nodes, const struct cam
     glm_vec3_broadcast(GLM_PIf, stage->emitters.items[0].intensity);
 }
 
-/* Each pixel of a mirror has the radiance of the wall that it shows: albedo times the cosine of a sun of pi W/m2. */
+/* Each pixel of a mirror has the radiance of the wall that it shows: albedo times the cosine of a
+ * sun of pi W/m2. */
 static void check_mirror(const struct stage *stage, double cosine) {
     static const double albedo[3] = {.6, .3, .1};
     enum { SIZE = 48 };

@@ -1,4 +1,5 @@
-/* The Python module: pictures of the program's bits, refusals in its words, threads, the notebook and the wheel. */
+/* The Python module: pictures of the program's bits, refusals in its words, threads, the notebook
+ * and the wheel. */
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 
@@ -71,7 +72,8 @@ static void test_notebook(void **state) {
     run_script("run_notebook.py examples/python.ipynb");
 }
 
-/* pip's wheel is for any later Python, carries the library and makes the same bits, from wherever it lies. */
+/* pip's wheel is for any later Python, carries the library and makes the same bits, from wherever
+ * it lies. */
 static void test_wheel(void **state) {
     (void)state;
     need_python();

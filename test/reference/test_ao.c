@@ -3,7 +3,8 @@
 
 enum { SIZE = 8, SAMPLES = 256, AO = CHANNEL_PATH_TRACER_END + AO_OPEN, AO_ERROR };
 
-/* A floor of 20 m with the corner of it that the camera sees, 1 mm wide at x, from a height that nothing hides. */
+/* A floor of 20 m with the corner of it that the camera sees, 1 mm wide at x, from a height that
+ * nothing hides. */
 static void start_floor(struct world *world) {
     world_init(world);
     add_rectangle(world, 0, at(-10, 0, 10), at(20, 0, 0), at(0, 0, -20));
@@ -28,7 +29,8 @@ static double rms_of(const struct image *image, int channel, double about) {
     return sqrt(sum / (image->width * image->height));
 }
 
-/* Within four standard errors of the mean over the pixels, and .0003 for facets and the width of what is seen. */
+/* Within four standard errors of the mean over the pixels, and .0003 for facets and the width of
+ * what is seen. */
 static void check_open(const char *what, const struct image *image, double expected) {
     double noise = rms_of(image, AO_ERROR, 0) / SIZE;
     check_near(what, mean_of(image, AO), expected, 4 * noise + 3e-4);
@@ -70,7 +72,8 @@ static void test_wall(void **state) {
     world_free(&world);
 }
 
-/* (H / D)^2 under a ceiling at H: the farther a ray counts, the less is open; 1 where it counts to H. */
+/* (H / D)^2 under a ceiling at H: the farther a ray counts, the less is open; 1 where it counts to
+ * H. */
 static void test_ceiling(void **state) {
     (void)state;
     struct world world;
@@ -82,8 +85,8 @@ static void test_ceiling(void **state) {
     world_free(&world);
 }
 
-/* Rings of a surface of revolution about y, from profile points (radius, height); normals towards the axis
- * at `focus` of height. */
+/* Rings of a surface of revolution about y, from profile points (radius, height); normals towards
+ * the axis at `focus` of height. */
 static void add_turned(struct world *world, const vec2s *profile, int count, float focus) {
     enum { SIDES = 128 };
     uint32_t first = world->geometry.index_count, start = world->geometry.vertex_count;
@@ -148,7 +151,8 @@ static void test_bowl(void **state) {
         }
 }
 
-/* In a hemisphere all pixels have the same value: their distance from it is what their standard errors tell. */
+/* In a hemisphere all pixels have the same value: their distance from it is what their standard
+ * errors tell. */
 static void test_noise(void **state) {
     (void)state;
     struct world world;
@@ -208,7 +212,8 @@ static void test_background(void **state) {
     world_free(&world);
 }
 
-/* The layer does not depend on threads, and the other layers not on it; specular ones come before it. */
+/* The layer does not depend on threads, and the other layers not on it; specular ones come before
+ * it. */
 static void test_same_bits(void **state) {
     (void)state;
     struct world world;

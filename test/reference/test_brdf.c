@@ -165,8 +165,9 @@ static void test_energy(void **state) {
     assert_true(most < 1.0005 && most > .99);
 }
 
-/* The lobe's albedo where it reflects all (0), or (1 - v.h)^5 (1): an integral over half vectors in doubles, by the turn
- * and by the square of the half vector's tangent over alpha, each by the midpoint rule. */
+/* The lobe's albedo where it reflects all (0), or (1 - v.h)^5 (1): an integral over half vectors in
+ * doubles, by the turn and by the square of the half vector's tangent over alpha, each by the
+ * midpoint rule. */
 static double lobe_albedo_by_half_vectors(double alpha, double cosine, int power) {
     enum { ACROSS = 400, AROUND = 100 };
     double sine = sqrt(1 - cosine * cosine), sum = 0;
@@ -203,8 +204,9 @@ static void test_lobe_albedo(void **state) {
     check_at_most("error of the part that rises", worst[1], .003);
 }
 
-/* A white dielectric shows all of even light at every angle, whatever its interface, and reflects all that comes at every
- * angle; no surface shows more. The sum over the lobe is by samples, the diffuse part's by the midpoint rule. */
+/* A white dielectric shows all of even light at every angle, whatever its interface, and reflects
+ * all that comes at every angle; no surface shows more. The sum over the lobe is by samples, the
+ * diffuse part's by the midpoint rule. */
 static void test_furnace(void **state) {
     (void)state;
     static const float cosines[] = {1, .866F, .5F, .1736F, .0872F};
@@ -288,7 +290,8 @@ static void test_matt(void **state) {
     assert_false(brdf_of(&material, glms_vec3_one(), &reflectance).diffuse);
 }
 
-/* All is reflected outside, as older files' white specular colour has it: hardly anything is left to divide by. */
+/* All is reflected outside, as older files' white specular colour has it: hardly anything is left
+ * to divide by. */
 static void test_all_outside(void **state) {
     (void)state;
     const struct material materials[] = {

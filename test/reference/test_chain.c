@@ -1,4 +1,5 @@
-/* What the camera sees through glass and in mirrors, where a chain of them ends or passes in a special way. */
+/* What the camera sees through glass and in mirrors, where a chain of them ends or passes in a
+ * special way. */
 #include "light_scenes.h"
 
 #include "scene/lights/environment.h"

@@ -1,5 +1,5 @@
-/* Light paths through glass and mirrors: exact answers; relations that hold of any picture; and what must end without
- * numbers that are none. */
+/* Light paths through glass and mirrors: exact answers; relations that hold of any picture; and
+ * what must end without numbers that are none. */
 #include "light_scenes.h"
 
 #include "reference/scene/medium_ball.h"
@@ -96,7 +96,8 @@ static void add_tube(struct world *world, int material, float height) {
     end_batch(world, material, index);
 }
 
-/* A sun at 45 degrees into a mirror tube without a lid: the caustic's cusp lies half a radius from the middle. */
+/* A sun at 45 degrees into a mirror tube without a lid: the caustic's cusp lies half a radius from
+ * the middle. */
 static void test_cusp(void **state) {
     (void)state;
     struct world world;
@@ -184,7 +185,8 @@ static void test_slab(void **state) {
     world_free(&world);
 }
 
-/* A mirror that reflects all sends all light to the floor that lies below, and all of that is seen. */
+/* A mirror that reflects all sends all light to the floor that lies below, and all of that
+ * is seen. */
 static void test_energy(void **state) {
     (void)state;
     struct world world;
@@ -468,7 +470,8 @@ static void test_sides(void **state) {
         image_free(&image);
         world_free(&world);
     }
-    /* Irradiance 1 along the view's path through a beam .4 wide, and twice the radius of the medium on its way. */
+    /* Irradiance 1 along the view's path through a beam .4 wide, and twice the radius of the medium
+     * on its way. */
     double expected = 1e-3 * .4 / .6 * (double)medium_phase(.6F, .8F) * exp(-1e-3 * 2 * 1.5);
     check_near("from the front over expected", volumes[0] / expected, 1, .002);
     check_near("from behind, for -g, over expected", volumes[1] / expected, 1, .002);

@@ -1,5 +1,5 @@
-/* Panes in the path tracer: what glass and blended surfaces let pass, to the eye and to surfaces; and alphas that equal
- * their cutoff. */
+/* Panes in the path tracer: what glass and blended surfaces let pass, to the eye and to surfaces;
+ * and alphas that equal their cutoff. */
 #include "hand_made.h"
 
 #include "reference/scene/ray_scene.h"

@@ -97,8 +97,8 @@ static void test_sphere(void **state) {
 }
 
 /* Irradiance over pi at a point from a polygon of radiance 1, all of it above the horizon:
- * Lambert's formula, 1/(2 pi) sum over the edges of angle x (unit normal of the edge's plane . n).
- */
+ * Lambert's formula, 1/(2 pi) sum over the edges of angle x (unit normal of the edge's plane
+ * . n). */
 static double lambert_formula(const vec3s polygon[4], vec3s point, vec3s normal) {
     double sum = 0;
     for (int i = 0; i < 4; i++) {

@@ -1,5 +1,4 @@
-/* manylight reference: the command, and its pictures against those of an independent path tracer.
- */
+/* manylight reference: the command, and its pictures against those of an independent path tracer */
 #include "support.h"
 
 #include "base/file/image_file.h"

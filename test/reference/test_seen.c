@@ -1,5 +1,5 @@
-/* The path tracer's layers of what shadows are made of, beside closed forms: the share of a light that a half
- * plane leaves, and the light that there would be without it. */
+/* The path tracer's layers of what shadows are made of, beside closed forms: the share of a light
+ * that a half plane leaves, and the light that there would be without it. */
 #include "hand_made.h"
 
 #include "scene/lights/environment.h"
@@ -67,7 +67,8 @@ static double spread_of(const struct image *image, int channel, double value) {
     return sqrt(sum / (image->width * image->height));
 }
 
-/* How far the pixels' shares are off the closed form is what their standard errors tell; of direct light likewise. */
+/* How far the pixels' shares are off the closed form is what their standard errors tell; of direct
+ * light likewise. */
 static void test_noise(void **state) {
     (void)state;
     struct world world;
@@ -97,7 +98,8 @@ static void test_unshadowed(void **state) {
     world_free(&world);
 }
 
-/* A red light that is hidden and a green one that is not: each colour tells of its own; blue, of both. */
+/* A red light that is hidden and a green one that is not: each colour tells of its own; blue, of
+ * both. */
 static void test_two(void **state) {
     (void)state;
     struct world world;

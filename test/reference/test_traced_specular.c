@@ -1,5 +1,5 @@
-/* Specular surfaces in the path tracer: closed forms, and beside a path tracer that knows nothing but to follow
- * rays. */
+/* Specular surfaces in the path tracer: closed forms, and beside a path tracer that knows nothing
+ * but to follow rays. */
 #include "hand_made.h"
 
 #include "reference/path.h"

@@ -1,4 +1,5 @@
-/* Ambient occlusion of a frame: the same of every technique, beside traced rays, and only for who asks. */
+/* Ambient occlusion of a frame: the same of every technique, beside traced rays, and only for who
+ * asks. */
 #include "render_support.h"
 
 #include "inspect/aov.h"

@@ -1,4 +1,5 @@
-/* Frames that end early: no further draw once the frame is not wanted, and no trace in later frames. */
+/* Frames that end early: no further draw once the frame is not wanted, and no trace in later
+ * frames. */
 #include "render_support.h"
 
 #include "gl/cancel.h"
@@ -33,7 +34,8 @@ static struct image read_frame(struct renderer *renderer) {
     return image;
 }
 
-/* Cancels one frame after another, the first of all too, at later and later draws, then lets one be drawn. */
+/* Cancels one frame after another, the first of all too, at later and later draws, then lets one be
+ * drawn. */
 static void check_technique(const struct stage *stage, const char *name, bool keeps) {
     struct renderer renderer;
     struct renderer_desc desc = desc_of(stage, name, "vpls=64", 24, 24);

@@ -70,8 +70,8 @@ static void test_energy(void **state) {
     check_energy(.005); /* small in the light's wide cone */
 }
 
-/* An object that bends nothing: light that was direct is a caustic, airlight a caustic in the medium. It holds for any
- * pictures, cameras and numbers of rays. */
+/* An object that bends nothing: light that was direct is a caustic, airlight a caustic in the
+ * medium. It holds for any pictures, cameras and numbers of rays. */
 static void test_no_refraction(void **state) {
     (void)state;
     static const struct {
@@ -121,8 +121,8 @@ static void test_no_refraction(void **state) {
     stage_free(&without);
 }
 
-/* Light goes up from a mirror to a ceiling, down to a plate, and up again; ceiling and plate scatter or are mirrors. The
- * camera looks at x from there to there, between them. */
+/* Light goes up from a mirror to a ceiling, down to a plate, and up again; ceiling and plate
+ * scatter or are mirrors. The camera looks at x from there to there, between them. */
 struct between {
     bool mirror_ceiling, mirror_plate;
     float from, to;
@@ -174,8 +174,9 @@ static void check_same_volume(const char *what, struct image *drawn, struct imag
     images_free(drawn, expected);
 }
 
-/* Light from one mirror to another is seen as light from a mirror to a surface that scatters. Rays differ, because the
- * light's view is fitted to mirrors. Of two such segments a ray draws one by chance, for both. */
+/* Light from one mirror to another is seen as light from a mirror to a surface that scatters. Rays
+ * differ, because the light's view is fitted to mirrors. Of two such segments a ray draws one by
+ * chance, for both. */
 static void test_between_mirrors(void **state) {
     (void)state;
     struct between between = {.mirror_ceiling = true, .from = 1.2F, .to = 2.8F}, lands = between;
@@ -200,8 +201,8 @@ static void test_between_colours(void **state) {
     check_same_volume("red light", &drawn, &expected, .03, .15);
 }
 
-/* Light of a range of 4 m comes 4.2 m to the ceiling: in the medium it fades with its way, the square root of two times x,
- * as the light of no range does not. */
+/* Light of a range of 4 m comes 4.2 m to the ceiling: in the medium it fades with its way, the
+ * square root of two times x, as the light of no range does not. */
 static void test_range(void **state) {
     (void)state;
     for (int mirror = 0; mirror < 2; mirror++) {
@@ -222,8 +223,8 @@ static void test_range(void **state) {
     }
 }
 
-/* Numbers by which a ray goes on do not choose its line: light behind dark glass is the same for the first light as for one
- * whose number no surface has. */
+/* Numbers by which a ray goes on do not choose its line: light behind dark glass is the same for
+ * the first light as for one whose number no surface has. */
 static void test_chance(void **state) {
     (void)state;
     enum { LIGHTS = 40 };
@@ -260,8 +261,8 @@ static void test_chance(void **state) {
     check_near("first light over the last one", means[0] / means[1], 1, .1);
 }
 
-/* Published lines all have one weight. Across the view it is the square root of two times the right one, at the depth of
- * the glass; steps and kernel keep the mean. */
+/* Published lines all have one weight. Across the view it is the square root of two times the right
+ * one, at the depth of the glass; steps and kernel keep the mean. */
 static void test_published(void **state) {
     (void)state;
     static const char *const settings[] = {"paper", "paper caustics.step=.02",
@@ -291,7 +292,8 @@ static void test_published(void **state) {
     stage_free(&stage);
 }
 
-/* Light from beside a wide mirror, just above it: the reflected light of directions that its corners do not bound. */
+/* Light from beside a wide mirror, just above it: the reflected light of directions that its
+ * corners do not bound. */
 static void test_low_light(void **state) {
     (void)state;
     struct stage stage;
@@ -422,7 +424,8 @@ static void test_halves(void **state) {
     stage_free(&stage);
 }
 
-/* A light that does not reach the ring, a scene without glass, and lines without a medium: not a bit is other. */
+/* A light that does not reach the ring, a scene without glass, and lines without a medium: not a
+ * bit is other. */
 static void test_out_of_view(void **state) {
     (void)state;
     struct stage stage;

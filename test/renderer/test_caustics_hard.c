@@ -87,8 +87,8 @@ static void test_hard(void **state) {
     }
 }
 
-/* A slab within a slab: each interface has air on its other side, so that index is over index twice. Reflections between the
- * four interfaces add a percent. */
+/* A slab within a slab: each interface has air on its other side, so that index is over index
+ * twice. Reflections between the four interfaces add a percent. */
 static void test_nested(void **state) {
     (void)state;
     static const float indices[] = {1, 1.5F};

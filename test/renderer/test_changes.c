@@ -162,7 +162,8 @@ static void check_still_works(struct renderer *renderer, const struct bitmap *be
     bitmap_free(&after);
 }
 
-/* Where pixels share more in large pictures, a picture that became large has nothing left of a small one's. */
+/* Where pixels share more in large pictures, a picture that became large has nothing left of a
+ * small one's. */
 static void test_sizes(void **state) {
     struct fixture *fixture = need_context(state);
     struct renderer renderer;
@@ -317,7 +318,8 @@ static void test_no_leak(void **state) {
     assert_int_equal(gpu_memory_total(), 0);
 }
 
-/* Follows and renders; the light's passes are drawn or kept, and either way the picture is a new renderer's. */
+/* Follows and renders; the light's passes are drawn or kept, and either way the picture is a new
+ * renderer's. */
 static void check_frame(const char *what, struct renderer *renderer,
                         const struct renderer_desc *desc, bool draws_lights) {
     check_ok(what, renderer_update(renderer) && renderer_follow(renderer, desc));

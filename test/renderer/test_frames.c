@@ -1,6 +1,6 @@
-/* A small frame of each technique and each direct method beside stored means of its quarters: what the closed forms of
- * other programs do not see, in seconds. The rows are printed as they are written here: a change that is meant to change
- * pictures renews them. */
+/* A small frame of each technique and each direct method beside stored means of its quarters: what
+ * the closed forms of other programs do not see, in seconds. The rows are printed as they are
+ * written here: a change that is meant to change pictures renews them. */
 #include "render_support.h"
 
 #include <math.h>

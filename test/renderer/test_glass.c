@@ -1,4 +1,5 @@
-/* What glass and mirrors show: exact answers outside and inside the picture, and the path tracer's pictures. */
+/* What glass and mirrors show: exact answers outside and inside the picture, and the path tracer's
+ * pictures. */
 #include "smooth_stage.h"
 
 #include "quality/picture.h"
@@ -18,7 +19,8 @@ static void look_up(struct stage *stage) {
     stage->camera.forward[2] = 1;
 }
 
-/* The picture's mean of a channel, over the radiance of the floor below a light that far above it. */
+/* The picture's mean of a channel, over the radiance of the floor below a light that far
+ * above it. */
 static double over_floor(const struct image *image, const char *channel, double height) {
     return channel_mean(image, channel) * GLM_PI * height * height;
 }
@@ -47,8 +49,9 @@ static void test_mirror(void **state) {
     stage_free(&stage);
 }
 
-/* Light that comes back from a mirror is indirect light of the floor that the mirror shows: none but of rays that
- * see the floor by another surface. A ceiling beside the mirror reflects light to the floor. */
+/* Light that comes back from a mirror is indirect light of the floor that the mirror shows: none
+ * but of rays that see the floor by another surface. A ceiling beside the mirror reflects light to
+ * the floor. */
 static void test_indirect(void **state) {
     (void)state;
     struct stage stage;
@@ -78,7 +81,8 @@ static void test_indirect(void **state) {
     stage_free(&stage);
 }
 
-/* The floor through a slab, straight on: (1 - F)^2 of it, and F^2 of that once more by reflection within. */
+/* The floor through a slab, straight on: (1 - F)^2 of it, and F^2 of that once more by reflection
+ * within. */
 static void test_slab(void **state) {
     (void)state;
     struct stage stage;
@@ -111,8 +115,8 @@ static void test_slab(void **state) {
     }
 }
 
-/* The floor below a pane, by the light above it, from below and from above: without caustics light goes straight on. From
- * below, fog has as much of it. */
+/* The floor below a pane, by the light above it, from below and from above: without caustics light
+ * goes straight on. From below, fog has as much of it. */
 static void test_panes(void **state) {
     (void)state;
     double fog = 0;
@@ -152,7 +156,8 @@ static void test_panes(void **state) {
         }
 }
 
-/* The floor by what a blended surface above the light reflects: as much of what it reflects if opaque as it covers. */
+/* The floor by what a blended surface above the light reflects: as much of what it reflects if
+ * opaque as it covers. */
 static void test_panes_reflect(void **state) {
     (void)state;
     static const struct {
@@ -213,8 +218,8 @@ static void open_storeys(struct stage *stage, bool pane, float light) {
     stage->camera.fov_y = .5F;
 }
 
-/* The ceiling by the floor's light through a black pane of alpha .6, for all techniques; the light is below the pane, and
- * above. */
+/* The ceiling by the floor's light through a black pane of alpha .6, for all techniques; the light
+ * is below the pane, and above. */
 static void test_techniques(void **state) {
     (void)state;
     for (int above = 0; above < 2; above++)
@@ -251,8 +256,9 @@ static void test_red_light(void **state) {
     stage_free(&stage);
 }
 
-/* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if opaque. Voxels that an
- * opaque surface crosses have no light of their own: there its light is of others, a voxel away. */
+/* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if
+ * opaque. Voxels that an opaque surface crosses have no light of their own: there its light is of
+ * others, a voxel away. */
 static void test_panes_before_sky(void **state) {
     (void)state;
     static const char *const names[] = {"clustered", "imperfect-volume", "implicit-visibility"};
@@ -308,7 +314,8 @@ static void test_half_a_lamp(void **state) {
     check_near("direct light over that without a pane", direct[1] / direct[0], .7, .005);
 }
 
-/* Fog that a coloured pane hides from the camera, lit below it: in the frame and in the path tracer. */
+/* Fog that a coloured pane hides from the camera, lit below it: in the frame and in the path
+ * tracer. */
 static void test_fog_behind_colours(void **state) {
     (void)state;
     static const char *const channels[] = {"airlight.R", "airlight.G", "airlight.B"};
@@ -337,7 +344,8 @@ static void test_fog_behind_colours(void **state) {
     stage_free(&stage);
 }
 
-/* Of two renderers of one geometry, glass is a pane to one and an occluder, which throws caustics, to the other. */
+/* Of two renderers of one geometry, glass is a pane to one and an occluder, which throws caustics,
+ * to the other. */
 static void test_two_renderers(void **state) {
     (void)state;
     static const char *const settings[] = {CHEAP, SHOWN};
@@ -362,8 +370,8 @@ static void test_two_renderers(void **state) {
     stage_free(&stage);
 }
 
-/* A wall of one side, seen from behind through glass, is black, as in the reference; one of two sides has the light below
- * it. */
+/* A wall of one side, seen from behind through glass, is black, as in the reference; one of two
+ * sides has the light below it. */
 static void test_wall_from_behind(void **state) {
     (void)state;
     struct stage stage;
@@ -395,7 +403,8 @@ static void test_wall_from_behind(void **state) {
     stage_free(&stage);
 }
 
-/* One interface, and a slab in a slab, each of whose interfaces has air on its other side: as the reference has it. */
+/* One interface, and a slab in a slab, each of whose interfaces has air on its other side: as the
+ * reference has it. */
 static void test_open_and_nested(void **state) {
     (void)state;
     for (int nested = 0; nested < 2; nested++) {
@@ -450,7 +459,8 @@ static void test_traced(void **state) {
     }
 }
 
-/* A medium between glass and the place that it shows: a window of index 1, or thin, shows the same fog. */
+/* A medium between glass and the place that it shows: a window of index 1, or thin, shows the same
+ * fog. */
 static void check_medium(bool thin) {
     struct stage with, without;
     open_slab(&with, 1, 4, 2);
@@ -478,10 +488,10 @@ static void test_medium(void **state) {
     check_medium(true);
 }
 
-/* --- settings that follow each other ----------------------------------------------------------- */
+/* --- settings that follow each other ---------------------------------------------------------- */
 
-/* With a sky, a medium and all caustics the composite has more samplers than GL promises, if edge samples have theirs. They
- * come back once there is room. */
+/* With a sky, a medium and all caustics the composite has more samplers than GL promises, if edge
+ * samples have theirs. They come back once there is room. */
 static void test_all_kinds(void **state) {
     (void)state;
     static const char *const settings[] = {

@@ -1,5 +1,5 @@
-/* What there is to look at: the list of outputs, their pictures, and the pixel that is clicked on.
- */
+/* What there is to look at: the list of outputs, their pictures, and the pixel that is
+ * clicked on. */
 #include "render_support.h"
 
 #include "base/error.h"

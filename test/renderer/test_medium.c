@@ -1,5 +1,5 @@
-/* A participating medium: exact answers, by the rasteriser and by the path tracer; relations that hold of any picture;
- * both against each other; and what is refused. */
+/* A participating medium: exact answers, by the rasteriser and by the path tracer; relations that
+ * hold of any picture; both against each other; and what is refused. */
 #include "render_support.h"
 
 #include "gltf_parts.h"
@@ -17,8 +17,9 @@
 
 /* --- a ray and a light ------------------------------------------------------------------------ */
 
-/* A camera in the origin that looks along -Z through pixels that all see the same, a wall so far away, and a light of
- * 1 W/sr. The geometry's sphere is the test's own, for the medium alone: the wall lies in it. */
+/* A camera in the origin that looks along -Z through pixels that all see the same, a wall so far
+ * away, and a light of 1 W/sr. The geometry's sphere is the test's own, for the medium alone: the
+ * wall lies in it. */
 static void open_wall(struct stage *stage, float distance, float radius) {
     static const char nodes[] =
         "[{\"mesh\": 0, \"translation\": [-20, -20, %g], \"scale\": [40, 40, 1]}]";
@@ -361,7 +362,8 @@ static void test_passes(void **state) {
     stage_free(&stage);
 }
 
-/* One renderer that goes from medium to medium, and back from passes: the pictures of renderers of their own. */
+/* One renderer that goes from medium to medium, and back from passes: the pictures of renderers of
+ * their own. */
 static void test_follow(void **state) {
     (void)state;
     static const char *const all[] = {CHEAP "medium.scatter=.1", CHEAP "medium.scatter=.6", CHEAP,
@@ -435,8 +437,8 @@ static double drawn_over_traced(struct stage *stage, const char *technique, cons
     return ratio;
 }
 
-/* Indirect light passes the medium, too: of VPLs, of the near field, of rays and of indirect bounces. It errs as without
- * one. */
+/* Indirect light passes the medium, too: of VPLs, of the near field, of rays and of indirect
+ * bounces. It errs as without one. */
 static void test_indirect(void **state) {
     (void)state;
     static const struct {
@@ -467,7 +469,7 @@ static void test_indirect(void **state) {
     }
 }
 
-/* Sharp shafts beside their source: as dense and as pointed as settings allow, nothing overflows. */
+/* Sharp shafts beside their source: as dense and as pointed as settings allow, nothing overflows */
 static void test_extremes(void **state) {
     (void)state;
     static const char *const all[] = {

@@ -1,4 +1,5 @@
-/* Pictures of several passes: what they are made of, that they converge, and that they may be split. */
+/* Pictures of several passes: what they are made of, that they converge, and that they may be
+ * split. */
 #include "render_support.h"
 
 #include "base/file/image_file.h"
@@ -86,8 +87,8 @@ static bool keeps(struct renderer *renderer, const struct renderer_desc *changed
     return renderer_pass_count(renderer) == 1;
 }
 
-/* What changes a picture begins another mean; exposure does not. Passes depend on their number alone:
- * not on those before, nor on the picture before that. */
+/* What changes a picture begins another mean; exposure does not. Passes depend on their number
+ * alone: not on those before, nor on the picture before that. */
 static void test_beginning_anew(void **state) {
     (void)state;
     struct stage stage;
@@ -143,7 +144,8 @@ static struct image trace(const struct stage *stage, double noise) {
     return reference;
 }
 
-/* RMS of the difference of the indirect layers over the mean, where the layers beside them differ. */
+/* RMS of the difference of the indirect layers over the mean, where the layers beside
+ * them differ. */
 static double error(const struct image *test, const struct image *reference) {
     int a[3], b[3];
     double sum = 0;
@@ -278,8 +280,8 @@ static void test_one_pass(void **state) {
     images_free(&part, &whole);
 }
 
-/* What is set by the user holds for all passes, where they have settings of their own, too; what a preset sets does
- * not, nor what nobody set. */
+/* What is set by the user holds for all passes, where they have settings of their own, too; what a
+ * preset sets does not, nor what nobody set. */
 static void test_given(void **state) {
     (void)state;
     static const struct {

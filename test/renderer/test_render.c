@@ -97,8 +97,8 @@ static void test_neighbours(void **state) {
     stage_free(&stage);
 }
 
-/* Two libraries, of one Mesa or of two, which may have other places of samples and filter textures otherwise: Mesa 26
- * makes path=paper .0012 of 22 and 25. */
+/* Two libraries, of one Mesa or of two, which may have other places of samples and filter textures
+ * otherwise: Mesa 26 makes path=paper .0012 of 22 and 25. */
 static void test_contexts(void **state) {
     struct stage stage;
     struct image images[2][RECIPES];
@@ -217,8 +217,8 @@ static void split_meshes(struct scene *scene) {
     scene->mesh_count = 2 * meshes;
 }
 
-/* The same triangles in another order: only what is equally deep could differ. All triangles are casters, because
- * simplified ones keep vertices where parts meet. */
+/* The same triangles in another order: only what is equally deep could differ. All triangles are
+ * casters, because simplified ones keep vertices where parts meet. */
 static void test_split_meshes(void **state) {
     (void)state;
     struct stage stage;
@@ -411,8 +411,8 @@ static void test_more_vpls(void **state) {
 
 /* --- memory ----------------------------------------------------------------------------------- */
 
-/* Of the bounds 15 MiB are for what detail gathers, 3 for planes of blocks and what is plain, 34 for edge samples with the normals of samples, and 20 for planes in
- * a map per VPL. */
+/* Of the bounds 15 MiB are for what detail gathers, 3 for planes of blocks and what is plain, 34
+ * for edge samples with the normals of samples, and 20 for planes in a map per VPL. */
 static void test_memory(void **state) {
     (void)state;
     struct stage stage;

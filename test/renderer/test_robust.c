@@ -151,8 +151,8 @@ static void test_sizes(void **state) {
 
 /* --- scale ------------------------------------------------------------------------------------ */
 
-/* What rounding of other numbers does to shadows' edges; and to surface elements, of which ties decide some, and to the
- * partner in each of their bins. */
+/* What rounding of other numbers does to shadows' edges; and to surface elements, of which ties
+ * decide some, and to the partner in each of their bins. */
 static double rounding_of(const struct technique *technique) {
     return strcmp(technique->name, "implicit-visibility") == 0 ? .015 : .002;
 }

@@ -1,5 +1,6 @@
-/* A picture is the same, bit by bit, whatever renders it in software: with any number of threads, any width of
- * vectors, with and without AVX2, and again. Only processors before AVX differ, by how they round halves. */
+/* A picture is the same, bit by bit, whatever renders it in software: with any number of threads,
+ * any width of vectors, with and without AVX2, and again. Only processors before AVX differ, by how
+ * they round halves. */
 #include "command_support.h"
 
 #include "base/file/file.h"
@@ -81,7 +82,8 @@ static void test_without_avx(void **state) {
                                  scratch("bits-avx.exr")),
                      0);
     assert_int_equal(sscanf(output, "relative-rmse %lf", &error), 1);
-    /* Measured: .0175; of it all but .0035 are other lights that answer for others where detail is. */
+    /* Measured: .0175; of it all but .0035 are other lights that answer for others where
+     * detail is. */
     check_at_most("relative RMSE without AVX", error, .03);
 }
 

@@ -1,4 +1,5 @@
-/* Directions of a sky's reflected light: dense where light comes in, and right on average for whatever weights. */
+/* Directions of a sky's reflected light: dense where light comes in, and right on average for
+ * whatever weights. */
 #include "render_support.h"
 
 #include "gltf_parts.h"
@@ -72,7 +73,8 @@ static bool comes_in(const struct emitter *light) {
            fabsf(light->direction[1]) < .54F / .001F * -light->direction[0];
 }
 
-/* Light from behind the other walls has the least weight; the mean is 1, and so much; most directions come in. */
+/* Light from behind the other walls has the least weight; the mean is 1, and so much; most
+ * directions come in. */
 static void test_slit(void **state) {
     (void)state;
     struct stage stage;
@@ -149,7 +151,8 @@ static void test_pieces(void **state) {
     stage_free(&stage);
 }
 
-/* Frames of a few seeds have the tracer's light. By twelve directions the slit has up to half too much of it, by luck. */
+/* Frames of a few seeds have the tracer's light. By twelve directions the slit has up to half too
+ * much of it, by luck. */
 static void test_light(void **state) {
     (void)state;
     static const char *const rooms[] = {SLIT_ROOM, ROOF_ROOM, PLAIN_ROOM};
@@ -194,7 +197,8 @@ static void test_moved_camera(void **state) {
     stage_free(&stage);
 }
 
-/* Voxels stay while only the camera moves, so their light comes from the same directions for all views. */
+/* Voxels stay while only the camera moves, so their light comes from the same directions for all
+ * views. */
 static void test_voxels(void **state) {
     (void)state;
     struct stage stage;
@@ -207,7 +211,8 @@ static void test_voxels(void **state) {
     stage_free(&stage);
 }
 
-/* Near light of a plain, whose VPLs are far apart, does not reach into a closed room but at its edges. */
+/* Near light of a plain, whose VPLs are far apart, does not reach into a closed room but at its
+ * edges. */
 static void test_closed_room(void **state) {
     (void)state;
     struct stage stage;

@@ -1,4 +1,5 @@
-/* Slides: pictures in spots. Exact answers of a chart on a floor, the path tracer, relations, and what is refused. */
+/* Slides: pictures in spots. Exact answers of a chart on a floor, the path tracer, relations, and
+ * what is refused. */
 #include "smooth_stage.h"
 
 #include "tiny_png.h"
@@ -65,7 +66,8 @@ static double value_at(const struct image *image, int x, int y, const char *chan
 
 /* --- exact answers ---------------------------------------------------------------------------- */
 
-/* Where the pixel's place lies on the slide, from -1 to 1, to the right and up as the light looks. */
+/* Where the pixel's place lies on the slide, from -1 to 1, to the right and up as the
+ * light looks. */
 static void place_on_slide(const struct stage *stage, int x, int y, double place[2]) {
     const struct emitter *light = &stage->emitters.items[0];
     double half = 2.5 * tan(glm_rad(75) / 2);
@@ -78,7 +80,8 @@ static void place_on_slide(const struct stage *stage, int x, int y, double place
     place[1] = (double)glm_vec3_dot(way, (float *)light->up) / ahead;
 }
 
-/* Each pixel of the floor has the light without a slide, times the colour that the slide has there. */
+/* Each pixel of the floor has the light without a slide, times the colour that the slide
+ * has there. */
 static void test_chart(void **state) {
     (void)state;
     static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
@@ -166,7 +169,8 @@ static void test_traced(void **state) {
     stage_free(&stage);
 }
 
-/* Glass that bends nothing: what was direct light of the slide is a caustic of it, on the floor and in the medium. */
+/* Glass that bends nothing: what was direct light of the slide is a caustic of it, on the floor and
+ * in the medium. */
 static void test_caustic(void **state) {
     (void)state;
     static const char *const channels[] = {"R", "G", "B"};
@@ -207,7 +211,8 @@ static void test_caustic(void **state) {
     stage_free(&without);
 }
 
-/* A slide of one colour leaves out the light of the others: with all techniques and direct methods. */
+/* A slide of one colour leaves out the light of the others: with all techniques and
+ * direct methods. */
 static void check_magenta(const struct stage *stage, const char *technique,
                           const struct direct_method *direct) {
     struct renderer_desc desc = desc_of(stage, technique, CHEAP "samples=1", 24, 24);
@@ -253,8 +258,8 @@ static void test_specular_maps(void **state) {
     stage_free(&stage);
 }
 
-/* Two spots, each with its slide, of other sizes: a red and a green one. Red light is the first spot's alone. Steps
- * of airlight begin elsewhere for each light. */
+/* Two spots, each with its slide, of other sizes: a red and a green one. Red light is the first
+ * spot's alone. Steps of airlight begin elsewhere for each light. */
 static void test_two_spots(void **state) {
     (void)state;
     unsigned char red[4] = {255, 0, 0, 255}, green[8] = {0, 255, 0, 255, 0, 255, 0, 255};
@@ -319,7 +324,7 @@ static void test_passes(void **state) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-/* A light with these extras, and textures of a picture of two pixels, red and green, and of none. */
+/* A light with these extras, and textures of a picture of two pixels, red and green, and of none */
 static bool open_file(struct scene *scene, struct geometry *geometry, const char *light,
                       const char *extras, const char *picture) {
     static const unsigned char two[8] = {255, 0, 0, 255, 0, 255, 0, 255};

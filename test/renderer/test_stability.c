@@ -11,7 +11,8 @@
 
 /* All columns: which of them stand for others turns on rounding, as other random numbers would. */
 static const char small[] = "vpls=256 vals=16 columns=256 map-size=64 rsm-size=128 shadow-size=256";
-/* Without detail, where rounding lets another light answer for others: another noise, of the same mean. */
+/* Without detail, where rounding lets another light answer for others: another noise, of the same
+ * mean. */
 static const char plain_settings[] = "vpls=1024 map-size=128 rsm-size=256 adaptive=0";
 static const char *const shadowing[] = {"clustered", "instant-radiosity"};
 
@@ -88,8 +89,8 @@ static void test_scales(void **state) {
     }
 }
 
-/* A power of two scales without rounding: only a length that is absolute changes the picture. Cross products of
- * the edges of these triangles are shorter than 1e-7. */
+/* A power of two scales without rounding: only a length that is absolute changes the picture. Cross
+ * products of the edges of these triangles are shorter than 1e-7. */
 static void test_millimetre(void **state) {
     (void)state;
     static const char *const paths[] = {"scenes/cornell-animal.glb", "scenes/gloss.glb"};

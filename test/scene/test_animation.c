@@ -396,9 +396,9 @@ static void test_bounds_of_pose(void **state) {
     scene_free(&scene);
 }
 
-/* --- what is left out -------------------------------------------------------------------------- */
+/* --- what is left out ------------------------------------------------------------------------- */
 
-/* Channels of nobody, or of what no node has, and joints beyond four are dropped; the rest moves. */
+/* Channels of nobody, or of what no node has, and joints beyond four are dropped; the rest moves */
 static void test_left_out(void **state) {
     (void)state;
     struct scene scene;

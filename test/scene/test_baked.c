@@ -1,6 +1,6 @@
-/* Models as artists bake them, drawn beside path-traced: two scenes of the Khronos Group's properties.
- * MultiUVTest: a cube with its colour on one TEXCOORD and its emission on another. DamagedHelmet: maps of everything,
- * and a few small lamps as the only lights. */
+/* Models as artists bake them, drawn beside path-traced: two scenes of the Khronos Group's
+ * properties. MultiUVTest: a cube with its colour on one TEXCOORD and its emission on another.
+ * DamagedHelmet: maps of everything, and a few small lamps as the only lights. */
 #include "base/unit.h"
 #include "gltf_parts.h"
 #include "render_support.h"
@@ -44,7 +44,8 @@ static void add_grid(struct mesh_data *mesh, int columns, int rows,
     assert_true(mesh->vertex_count <= VERTICES_MAX && mesh->index_count <= INDICES_MAX);
 }
 
-/* A square of a cube of 1 m, its second mapping a third of an atlas of 3 x 2; its vertices are tinted. */
+/* A square of a cube of 1 m, its second mapping a third of an atlas of 3 x 2; its vertices are
+ * tinted. */
 static struct vertex cube_at(const void *of, float x, float y) {
     int face = *(const int *)of, axis = face % 3;
     float side = face < 3 ? 1 : -1;
@@ -225,8 +226,9 @@ static const char *write_helmet(void) {
         " [{\"source\": 0}, {\"source\": 1}, {\"source\": 2}, {\"source\": 3}, {\"source\": 4}],");
 }
 
-/* The noise is that of light of lamps and of specular reflection. Edges of textures and of shadows take the rest: two in
- * a hundred, and of indirect light, of which there is little, as much as the technique errs elsewhere. */
+/* The noise is that of light of lamps and of specular reflection. Edges of textures and of shadows
+ * take the rest: two in a hundred, and of indirect light, of which there is little, as much as the
+ * technique errs elsewhere. */
 static void compare(const char *path) {
     struct stage stage;
     open_stage(&stage, path);

@@ -1,4 +1,5 @@
-/* Materials that blend: opaque, masked or panes by their alphas, and what parts of panes let pass. */
+/* Materials that blend: opaque, masked or panes by their alphas, and what parts of panes
+ * let pass. */
 #define _XOPEN_SOURCE 700
 #include "gltf_parts.h"
 #include "tiny_png.h"
@@ -50,8 +51,8 @@ static void check_ramp(const struct scene *scene) {
     geometry_free(&geometry);
 }
 
-/* What blends is opaque where its alpha is 1, and what shines is a hole below half. Half and half of .2 and .8 is a pane
- * of two shares, of 0 and 1 a mask. */
+/* What blends is opaque where its alpha is 1, and what shines is a hole below half. Half and half
+ * of .2 and .8 is a pane of two shares, of 0 and 1 a mask. */
 static void test_blending(void **state) {
     (void)state;
     static const float uvs[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};

@@ -85,8 +85,8 @@ static void test_nearest(void **state) {
     bvh_free(&tree);
 }
 
-/* Of two triangles the nearer one is met where its part is opaque: parts go row by row along the first edge
- * (scene/mesh/opacity.c). */
+/* Of two triangles the nearer one is met where its part is opaque: parts go row by row along the
+ * first edge (scene/mesh/opacity.c). */
 static void test_opaque(void **state) {
     (void)state;
     struct bvh tree;
@@ -143,8 +143,8 @@ static bool holds_triangle(const struct bvh_box *box, const struct bvh_triangle 
     return inside;
 }
 
-/* What is below a node: triangles, the largest leaf, and the expected cost of a ray that enters the node, in tests of
- * triangles. */
+/* What is below a node: triangles, the largest leaf, and the expected cost of a ray that enters the
+ * node, in tests of triangles. */
 struct below {
     uint32_t triangles, largest_leaf;
     double cost;
@@ -171,8 +171,8 @@ static struct below look_below(const struct bvh *tree, uint32_t number) {
     return below;
 }
 
-/* Every triangle is in one leaf, leaves are small, and threads do not change the order. The cost is 75 here, and 88 where
- * all nodes of up to four triangles are leaves. */
+/* Every triangle is in one leaf, leaves are small, and threads do not change the order. The cost is
+ * 75 here, and 88 where all nodes of up to four triangles are leaves. */
 static void test_tree(void **state) {
     (void)state;
     struct bvh tree, again;

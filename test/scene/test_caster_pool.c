@@ -82,7 +82,8 @@ static void test_shared_and_kept(void **state) {
     stage_free(&stage);
 }
 
-/* Solids are told where nothing moves, a camera stands and casters may stray; metaballs close as they move. */
+/* Solids are told where nothing moves, a camera stands and casters may stray; metaballs close as
+ * they move. */
 static void test_solid(void **state) {
     static const struct {
         const char *path;

@@ -1,4 +1,5 @@
-/* Which clips of a file play: all that go together, the first of alternatives, or those that are chosen. */
+/* Which clips of a file play: all that go together, the first of alternatives, or those that are
+ * chosen. */
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 #include "gltf_parts.h"

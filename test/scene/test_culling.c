@@ -1,5 +1,5 @@
-/* What view frustum culling leaves out: nothing that is seen, by all triangles one by one and by pictures, and much of what is
- * not. */
+/* What view frustum culling leaves out: nothing that is seen, by all triangles one by one and by
+ * pictures, and much of what is not. */
 #include "render_support.h"
 
 #include "base/memory.h"
@@ -104,8 +104,8 @@ static void check_views(const struct stage *stage, const struct culling *culling
 
 static const char small[] = "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=64 samples=12";
 
-/* Perspective and orthographic views, one and several; at the beginning of a clip and where its parts have moved, and their
- * arrays have grown. */
+/* Perspective and orthographic views, one and several; at the beginning of a clip and where its
+ * parts have moved, and their arrays have grown. */
 static void test_triangles(void **state) {
     (void)state;
     static const char *const paths[] = {"scenes/atrium.glb", "scenes/creatures.glb",

@@ -1,5 +1,5 @@
-/* Models with faint lamps get the light that models without any get; lamps that make a picture are left alone.
- * Little scenes of cubes and emissive squares. */
+/* Models with faint lamps get the light that models without any get; lamps that make a picture are
+ * left alone. Little scenes of cubes and emissive squares. */
 #define _XOPEN_SOURCE 700
 #include "command_support.h"
 #include "cube_parts.h"
@@ -18,7 +18,8 @@
     " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"              \
     " \"type\": \"SCALAR\"}]"
 
-/* Mesh 2 is a square of 1 m from the origin, towards +Z; mesh 3 is mesh 0 of the square's material. */
+/* Mesh 2 is a square of 1 m from the origin, towards +Z; mesh 3 is mesh 0 of the
+ * square's material. */
 #define MESH(positions, indices, material)                                                         \
     "{\"primitives\": [{\"attributes\": {\"POSITION\": " positions "}, \"indices\": " indices      \
     ", \"material\": " material "}]}"
@@ -249,7 +250,8 @@ static void test_notes_of_named_lights(void **state) {
     }
 }
 
-/* A black emission map with one bright texel of 8 x 8, as a helmet's lights are: most of the model is dark. */
+/* A black emission map with one bright texel of 8 x 8, as a helmet's lights are: most of the model
+ * is dark. */
 static void test_emission_map(void **state) {
     (void)state;
     static const char *const maps[] = {"iVBORw0KGgoAAAANSUhEUgAAAAgAAAAICAAAAADhZOFXAAAAD0lEQVR42mN"

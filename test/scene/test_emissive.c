@@ -1,5 +1,5 @@
-/* Emissive surfaces of any shape: as triangles in the path tracer, beside closed forms, and as the few
- * rectangles that stand in for them. */
+/* Emissive surfaces of any shape: as triangles in the path tracer, beside closed forms, and as the
+ * few rectangles that stand in for them. */
 #include "hand_made.h"
 #include "render_support.h"
 
@@ -77,7 +77,8 @@ static void make_square(struct lit_world *lit) {
     light_batch(lit, 1, 1);
 }
 
-/* Below its middle E / L = .752275; and both ways alone, from so near and from within its plane's reach. */
+/* Below its middle E / L = .752275; and both ways alone, from so near and from within its plane's
+ * reach. */
 static void test_square(void **state) {
     (void)state;
     struct lit_world lit;
@@ -109,8 +110,8 @@ static void test_texture(void **state) {
     world_free(&lit.world);
 }
 
-/* Right below a lamp, and beside one that it touches: by triangles alone, points near them would be bright
- * without bound. */
+/* Right below a lamp, and beside one that it touches: by triangles alone, points near them would be
+ * bright without bound. */
 static void test_touching(void **state) {
     (void)state;
     struct lit_world lit;
@@ -251,7 +252,8 @@ static double power_of_lights(const struct scene *scene) {
     return power;
 }
 
-/* 40 panes, more than can be lights of their own, of which none is lost: the largest are, as they are. */
+/* 40 panes, more than can be lights of their own, of which none is lost: the largest are, as they
+ * are. */
 static void test_many(void **state) {
     (void)state;
     enum { PANES = 40 };

@@ -457,8 +457,8 @@ static void test_dark_lights(void **state) {
     world_free(&world);
 }
 
-/* In a sphere of albedo 1/2 what one bounce gives is the flux alone, whatever shines from where: rho
- * Phi / (4 pi R^2) as irradiance. Light rays start from all of the light, and weights fit. */
+/* In a sphere of albedo 1/2 what one bounce gives is the flux alone, whatever shines from where:
+ * rho Phi / (4 pi R^2) as irradiance. Light rays start from all of the light, and weights fit. */
 static void test_sizes(void **state) {
     (void)state;
     static const struct {

@@ -1,5 +1,5 @@
-/* Environments: where their texels lie, which files are refused, how a scene gets one, and that it is seen
- * where no surface is. */
+/* Environments: where their texels lie, which files are refused, how a scene gets one, and that it
+ * is seen where no surface is. */
 #include "render_support.h"
 
 #include "gltf_parts.h"
@@ -60,8 +60,8 @@ static void check_texel(const struct environment *environment, vec3 direction, i
     check_near("row", (double)radiance[1], y + 1, 0);
 }
 
-/* Of 16 columns: -X at the left edge, +X in the middle, +Y at the top. Directions lie just right of and
- * below the corners of texels. */
+/* Of 16 columns: -X at the left edge, +X in the middle, +Y at the top. Directions lie just right of
+ * and below the corners of texels. */
 static void test_directions(void **state) {
     (void)state;
     struct environment sky;
@@ -147,8 +147,8 @@ static void mark_as_cube(const char *path) {
     free(file.data);
 }
 
-/* Corners of OpenEXR's squares, from the upper left, by the drawing in ImfEnvmap.h: 1, 2 and 4 are towards +X, +Y and
- * +Z. These are -Z, +Y and +X of the scene, as in panoramas of OpenEXR. */
+/* Corners of OpenEXR's squares, from the upper left, by the drawing in ImfEnvmap.h: 1, 2 and 4 are
+ * towards +X, +Y and +Z. These are -Z, +Y and +X of the scene, as in panoramas of OpenEXR. */
 static const char *write_cube(const char *name, int side, int height, bool marked) {
     static const int corners[6][4] = {{3, 7, 1, 5}, {6, 2, 4, 0}, {6, 7, 2, 3},
                                       {0, 1, 4, 5}, {7, 6, 5, 4}, {2, 3, 0, 1}};

@@ -165,7 +165,8 @@ static void test_sun(void **state) {
     free(sky.texels);
 }
 
-/* A quarter of its width on, a map's lights are the same, turned; and so they are with a turn of 90 degrees. */
+/* A quarter of its width on, a map's lights are the same, turned; and so they are with a turn of 90
+ * degrees. */
 static void test_turn(void **state) {
     (void)state;
     struct environment sky = make_sky(paint_sunny), turned = make_sky(paint_sunny);

@@ -9,7 +9,8 @@
 
 enum { PICTURE = 160 };
 
-/* Mesh 0 is the cube, whose triangles face outwards, mesh 1 the same inwards; and the two keys of a walk. */
+/* Mesh 0 is the cube, whose triangles face outwards, mesh 1 the same inwards; and the two keys of a
+ * walk. */
 struct cube_and_walk {
     struct cube_bytes cube;
     float times[2], places[2][3];

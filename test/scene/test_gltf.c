@@ -429,8 +429,9 @@ static void test_lacks(void **state) {
     scene_free(&scene);
 }
 
-/* The older model of materials: diffuse colour, reflectance, and glossiness; its second texture has both. What
- * is left out of it is white and smooth, and hardly any reflectance has none when grazing, too. */
+/* The older model of materials: diffuse colour, reflectance, and glossiness; its second texture has
+ * both. What is left out of it is white and smooth, and hardly any reflectance has none when
+ * grazing, too. */
 static void test_specular_glossiness(void **state) {
     (void)state;
     unsigned char png[4096];
@@ -493,7 +494,8 @@ static void test_nodes(void **state) {
     scene_free(&scene);
 }
 
-/* Three quads by instancing, below their node, with its child once: places, turns as shorts, sizes. */
+/* Three quads by instancing, below their node, with its child once: places, turns as
+ * shorts, sizes. */
 static void test_instances(void **state) {
     (void)state;
     struct {

@@ -1,5 +1,5 @@
-/* Small files that name a great deal: each is read or refused with one message, in a time and a memory that
- * its size bounds. Prints CPU seconds and peak memory of each. */
+/* Small files that name a great deal: each is read or refused with one message, in a time and a
+ * memory that its size bounds. Prints CPU seconds and peak memory of each. */
 #define _GNU_SOURCE
 #include "support.h"
 
@@ -19,7 +19,8 @@
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-/* The JSON of a scene; NULL = what a triangle has. Each begins with a comma where a list is gone on with. */
+/* The JSON of a scene; NULL = what a triangle has. Each begins with a comma where a list is gone on
+ * with. */
 struct parts {
     const char *primitive;
     const char *buffers, *accessors, *views; /* after the triangle's own */

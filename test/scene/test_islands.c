@@ -1,4 +1,5 @@
-/* Panels that a tool joined in one primitive: those that do not touch are lamps of their own, as before. */
+/* Panels that a tool joined in one primitive: those that do not touch are lamps of their own, as
+ * before. */
 #include "support.h"
 
 #include "base/memory.h"
@@ -123,8 +124,8 @@ static void check_joined(const char *what, const struct panel *panels, int count
     scene_free(&scene);
 }
 
-/* What touches is one lamp: a strip with vertices of its own for each panel, though rounded, and panels at a
- * corner. */
+/* What touches is one lamp: a strip with vertices of its own for each panel, though rounded, and
+ * panels at a corner. */
 static void test_touching(void **state) {
     (void)state;
     static const struct panel strip[] = {{0, 0, 1, 1, false, 0},

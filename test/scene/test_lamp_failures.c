@@ -1,6 +1,7 @@
-/* Lights that are hard to get right, in a small room: larger than it, touching what they light or what hides
- * them, without a size, with next to none, on top of each other, of a thousand triangles. All methods of
- * direct light stay finite and silent, and the default one is within bounds of rays. */
+/* Lights that are hard to get right, in a small room: larger than it, touching what they light or
+ * what hides them, without a size, with next to none, on top of each other, of a thousand
+ * triangles. All methods of direct light stay finite and silent, and the default one is within
+ * bounds of rays. */
 #include "render_support.h"
 
 #include "quality/picture.h"

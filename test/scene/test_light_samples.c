@@ -1,5 +1,5 @@
-/* Where reflected light starts: pieces of wide lights, what they have together, and that their indirect
- * light is that of the whole. */
+/* Where reflected light starts: pieces of wide lights, what they have together, and that their
+ * indirect light is that of the whole. */
 #include "render_support.h"
 
 #include "shared/vpl.h"
@@ -128,7 +128,8 @@ static void test_flux(void **state) {
     }
 }
 
-/* A lamp of half the room's width: from its middle alone, as without a size, shadows are hard in what lights the room. */
+/* A lamp of half the room's width: from its middle alone, as without a size, shadows are hard in
+ * what lights the room. */
 static void test_wide_lamp(void **state) {
     (void)state;
     struct stage stage;

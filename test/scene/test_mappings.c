@@ -1,5 +1,5 @@
-/* Each texture of a material lies by its own TEXCOORD and KHR_texture_transform, for the renderer and for the
- * path tracer; textures that are left out scale their factors by their mean. */
+/* Each texture of a material lies by its own TEXCOORD and KHR_texture_transform, for the renderer
+ * and for the path tracer; textures that are left out scale their factors by their mean. */
 #include "gltf_parts.h"
 #include "render_support.h"
 #include "tiny_png.h"
@@ -15,8 +15,9 @@
 
 enum { SIZE = 40, QUARTERS = 4 };
 
-/* A square before the camera, lit so that white reflects 1. Of a texture of 2 x 2 texels the first one
- * covers another quarter by each set: the upper left, the upper right, the lower left, the lower right. */
+/* A square before the camera, lit so that white reflects 1. Of a texture of 2 x 2 texels the first
+ * one covers another quarter by each set: the upper left, the upper right, the lower left, the
+ * lower right. */
 static const float sets[4][4][2] = {{{0, 1}, {1, 1}, {1, 0}, {0, 0}},
                                     {{1, 1}, {0, 1}, {0, 0}, {1, 0}},
                                     {{0, 0}, {1, 0}, {1, 1}, {0, 1}},
@@ -31,10 +32,10 @@ static const float sets[4][4][2] = {{{0, 1}, {1, 1}, {1, 0}, {0, 0}},
 static const char accessors[] = "[" ACCESSOR(0, 4, 5126, "VEC3") "," ACCESSOR(
     48, 6, 5123, "SCALAR") "," UVS(64) "," UVS(96) "," UVS(128) "," UVS(160) "]";
 
-/* The textures, by their numbers: all white; the first texel white, the others black; the first rough
- * metal, the others rough; a hole in the first; normals that lean along X, and along Y; the first without
- * reflectance, the others with one of a half, all rough. Then two as the second, clamped and mirrored, and two of codes
- * of sRGB. */
+/* The textures, by their numbers: all white; the first texel white, the others black; the first
+ * rough metal, the others rough; a hole in the first; normals that lean along X, and along Y; the
+ * first without reflectance, the others with one of a half, all rough. Then two as the second,
+ * clamped and mirrored, and two of codes of sRGB. */
 static const unsigned char texels[][2][4] = {
     {{255, 255, 255, 255}, {255, 255, 255, 255}}, {{255, 255, 255, 255}, {0, 0, 0, 0}},
     {{0, 255, 255, 255}, {0, 255, 0, 255}},       {{255, 255, 255, 0}, {255, 255, 255, 255}},
@@ -261,8 +262,9 @@ static void test_all(void **state) {
 #define GLOSSINESS "{\"extensions\": {\"KHR_materials_pbrSpecularGlossiness\": {"
 #define HALF "\"diffuseFactor\": [0.5, 0.5, 0.5, 1]"
 
-/* The diffuse part has the light that the lobe leaves. A lobe of roughness 1 and a reflectance of a half reflects half of
- * 1 - ln 2, .1534, straight up. .125 is what it reflects where it is rough. */
+/* The diffuse part has the light that the lobe leaves. A lobe of roughness 1 and a reflectance of a
+ * half reflects half of 1 - ln 2, .1534, straight up. .125 is what it reflects where it
+ * is rough. */
 static void test_glossiness(void **state) {
     (void)state;
     static const struct row rows[] = {
@@ -306,7 +308,8 @@ static void test_glossiness(void **state) {
 
 #define SPECULAR(of) "{" BASE ", \"extensions\": {\"KHR_materials_specular\": {" of "}}}"
 
-/* Of a texture of which a quarter is white, f0 and f90 are a quarter, or f0 alone is. Scenes do not keep it. */
+/* Of a texture of which a quarter is white, f0 and f90 are a quarter, or f0 alone is. Scenes do not
+ * keep it. */
 static void test_means(void **state) {
     (void)state;
     static const struct {
@@ -346,7 +349,8 @@ static void test_no_such_set(void **state) {
     free_pictures(&pictures);
 }
 
-/* Optimisers leave the number of a set that is gone in KHR_texture_transform: the texture's own one counts. */
+/* Optimisers leave the number of a set that is gone in KHR_texture_transform: the texture's own one
+ * counts. */
 static void test_set_left_over(void **state) {
     (void)state;
     static const struct row rows[] = {
@@ -444,7 +448,8 @@ static void test_high_picture(void **state) {
 
 /* --- memory ----------------------------------------------------------------------------------- */
 
-/* Vertices have as many coordinates as the material that has most; another mapping is another scene. */
+/* Vertices have as many coordinates as the material that has most; another mapping is another
+ * scene. */
 static void test_counts(void **state) {
     (void)state;
     static const struct {

@@ -1,5 +1,5 @@
-/* What materials say, as the scene of that name shows it: the renderer and the path tracer, each beside what must
- * be there. Distances are those of scenes/boxes/materials.c. */
+/* What materials say, as the scene of that name shows it: the renderer and the path tracer, each
+ * beside what must be there. Distances are those of scenes/boxes/materials.c. */
 #include "render_support.h"
 
 #include "quality/picture.h"
@@ -109,7 +109,8 @@ static void test_wraps(void **state) {
     check_wraps("traced", &pictures.traced);
 }
 
-/* Alpha changes no colour, and where it falls to the cutoff the wall behind begins. The last panel blends: test_panes. */
+/* Alpha changes no colour, and where it falls to the cutoff the wall behind begins. The last panel
+ * blends: test_panes. */
 static void check_alphas(const char *what, const struct image *image) {
     static const float ends[COLUMNS] = {.9F, .675F, .45F, .225F, .45F};
     static const float green[3] = {.045F, .578F, .188F}, wall[3] = {.18F, .18F, .18F};
@@ -253,7 +254,8 @@ static void turn_inside_out(struct primitive *primitive) {
         glm_vec3_negate(primitive->normal[v]);
 }
 
-/* The mean of what comes through a shut door of that alpha from the room where the light is, drawn and traced. */
+/* The mean of what comes through a shut door of that alpha from the room where the light is, drawn
+ * and traced. */
 static void look_through(struct stage *stage, const char *what, double *drawn, double *traced) {
     enum { SIDE = 32 };
     struct image image;
@@ -271,8 +273,8 @@ static void look_through(struct stage *stage, const char *what, double *drawn, d
     printf("  %s: drawn %.3g, traced %.3g\n", what, *drawn, *traced);
 }
 
-/* What blends lets the light through below half, and hides it above, as what is opaque does; single-sided surfaces
- * hide it from either side. */
+/* What blends lets the light through below half, and hides it above, as what is opaque does;
+ * single-sided surfaces hide it from either side. */
 static void test_door(void **state) {
     (void)state;
     struct stage stage;
@@ -300,7 +302,8 @@ static void test_door(void **state) {
     stage_free(&stage);
 }
 
-/* One material alone keeps a texture that a mask cuts; trilinear, and with other colours in its holes. */
+/* One material alone keeps a texture that a mask cuts; trilinear, and with other colours in its
+ * holes. */
 static int prepare_holes(struct stage *stage, const unsigned char color[3], int *holes) {
     struct material *materials = stage->scene.materials;
     int first = 0;

@@ -1,4 +1,5 @@
-/* Files with small defects that other readers open: each opens here with a note, and not under --strict. */
+/* Files with small defects that other readers open: each opens here with a note, and not under
+ * --strict. */
 #define _GNU_SOURCE
 #include "mended_parts.h"
 

@@ -1,4 +1,5 @@
-/* Files that a scene names, and data in its URIs: where they may lie, and how they may be written. */
+/* Files that a scene names, and data in its URIs: where they may lie, and how they may
+ * be written. */
 #define _GNU_SOURCE
 #include "command_support.h"
 #include "hostile_numbers.h"
@@ -66,7 +67,8 @@ static const char *absolute(const char *name) {
     return path;
 }
 
-/* The folder, below the test's, that --root is told to be; NULL = all of the machine, which is not told. */
+/* The folder, below the test's, that --root is told to be; NULL = all of the machine, which is not
+ * told. */
 static void check_hint(const char *text, const char *folder) {
     char hint[5000] = "(--root DIR names another)", real[4096];
     if (folder && realpath(scratch(folder), real))

@@ -1,4 +1,5 @@
-/* Files of public reports that other readers open: the picture that is right, where they are there. */
+/* Files of public reports that other readers open: the picture that is right, where they
+ * are there. */
 #include "command_support.h"
 #include "gltf_parts.h"
 

@@ -1,4 +1,4 @@
-/* Compressed glTF files, packed here by the libraries' own encoders, and what is wrong with some. */
+/* Compressed glTF files, packed here by the libraries' own encoders, and what is wrong with some */
 #include "gltf_parts.h"
 
 #include "base/error.h"
@@ -34,8 +34,8 @@ static struct packed_quad pack_quad(void) {
 
 #define MARK ", \"extensions\": {\"EXT_meshopt_compression\": {\"fallback\": true}}"
 
-/* Its views lie in a buffer that is not there, with the mark of that or without; `count` vertices are
- * said to be packed. */
+/* Its views lie in a buffer that is not there, with the mark of that or without; `count` vertices
+ * are said to be packed. */
 static bool load_marked(struct scene *scene, const struct packed_quad *quad, int count,
                         const char *mark) {
     const char *extension = quad->extension ? quad->extension : "EXT_meshopt_compression";
@@ -137,7 +137,8 @@ static void test_filters(void **state) {
 
 /* --- version 1, by hand from the appendices of KHR_meshopt_compression --- */
 
-/* The corners: bytes as they are and one bit each; x as differences of bytes, y as XOR turned by 8 bits, z still. */
+/* The corners: bytes as they are and one bit each; x as differences of bytes, y as XOR turned by 8
+ * bits, z still. */
 static const unsigned char corners_v1[] = {
     0xa1, 0xea, 0x6b, 0xaa, 0x00, 0x80, 0x00, 0x7f, 0x00, 0x00, 0x40, 0x00, 0x00, 0x04,
     0x00, 0x40, 0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,    0,

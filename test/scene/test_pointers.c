@@ -1,4 +1,5 @@
-/* Clips that move numbers of lights, cameras and materials, and nodes by pointer [KHR_animation_pointer]. */
+/* Clips that move numbers of lights, cameras and materials, and nodes by pointer
+ * [KHR_animation_pointer]. */
 #include "gltf_parts.h"
 #include "render_support.h"
 
@@ -19,7 +20,8 @@ struct keys {
     " {\"KHR_animation_pointer\": {\"pointer\": \"" pointer "\"}}}}"
 #define NODE_TARGET "{\"sampler\": 0, \"target\": {\"node\": 0, \"path\": \"translation\"}}"
 
-/* A white square before a wall, an unlit one beside them, a spot, a disk, a perspective camera and a flat one. */
+/* A white square before a wall, an unlit one beside them, a spot, a disk, a perspective camera and
+ * a flat one. */
 static const char *write_clip(const char *channels, const float *values, int width) {
     static const char *const types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
     static char more[4096], accessors[512];

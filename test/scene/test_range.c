@@ -1,5 +1,5 @@
-/* How far lights shine and cameras see: a light's range, a camera's znear and zfar. Squares across the axis of a
- * camera, whose light and depth are known; renderer beside path tracer. */
+/* How far lights shine and cameras see: a light's range, a camera's znear and zfar. Squares across
+ * the axis of a camera, whose light and depth are known; renderer beside path tracer. */
 #define _XOPEN_SOURCE 700
 #include "gltf_parts.h"
 #include "render_support.h"
@@ -89,7 +89,8 @@ static void test_methods(void **state) {
     }
 }
 
-/* A cube of 2 m from within: light in its middle ends at walls' middles, but for a range of 1.2 m. */
+/* A cube of 2 m from within: light in its middle ends at walls' middles, but for a range of
+ * 1.2 m. */
 static struct {
     float corners[8][3];
     uint8_t inwards[36];
@@ -187,7 +188,8 @@ static void open_squares(struct stage *stage, const char *kind, const char *rang
                         .more = more}));
 }
 
-/* Depths at the middle, and at a corner, 0 where nothing is. Light is not cut: the near square's shadow stays. */
+/* Depths at the middle, and at a corner, 0 where nothing is. Light is not cut: the near square's
+ * shadow stays. */
 static void test_camera(void **state) {
     (void)state;
     static const struct {

@@ -1,4 +1,5 @@
-/* The scene floor: textures, the number that tells scenes apart, flat nodes, how lights are laid out. */
+/* The scene floor: textures, the number that tells scenes apart, flat nodes, how lights are laid
+ * out. */
 #include "gltf_parts.h"
 
 #include "base/error.h"

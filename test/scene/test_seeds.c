@@ -1,5 +1,5 @@
-/* The files and texts that fuzzing starts from and those in which it has found something: each is taken
- * or refused again, under whatever sanitizer the tests run. */
+/* The files and texts that fuzzing starts from and those in which it has found something: each is
+ * taken or refused again, under whatever sanitizer the tests run. */
 #define _DEFAULT_SOURCE
 #include "support.h"
 

@@ -1,4 +1,5 @@
-/* Which parts of a file are shown: nodes below a scene's list, nodes that are hidden, the chosen scene and variant. */
+/* Which parts of a file are shown: nodes below a scene's list, nodes that are hidden, the chosen
+ * scene and variant. */
 #include "gltf_parts.h"
 
 #include "base/log.h"
@@ -31,7 +32,8 @@ static void close_parts(struct opened *opened) {
 #define ABOVE(children) "{\"translation\": [0, 0, 7], \"children\": [" children "]}"
 #define FAMILY "[" ABOVE("1") ", " LIFTED "]"
 
-/* The scene lists those nodes; the quad is drawn once, at a height, with a note of one node or none. */
+/* The scene lists those nodes; the quad is drawn once, at a height, with a note of one node or
+ * none. */
 static void check_list(const char *nodes, const char *list, double z, int noted) {
     struct opened opened;
     char more[128], note[128] = "drawn once";
@@ -180,7 +182,8 @@ static void check_name(const char *name, const char *expected, const char *note)
 #define BAD "\xEF\xBF\xBD"
 #define READ_AS "text that is not UTF-8 is read as U+FFFD: byte "
 
-/* Latin-1, GBK, cut and overlong characters, and halves of escaped pairs, which Python writes for a bad byte. */
+/* Latin-1, GBK, cut and overlong characters, and halves of escaped pairs, which Python writes for a
+ * bad byte. */
 static void test_names(void **state) {
     (void)state;
     check_name("B\xC3\xBCro \\u00fc \\ud83d\\ude00 \\\\ud800", "Büro ü \xF0\x9F\x98\x80 \\ud800",

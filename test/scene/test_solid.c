@@ -1,4 +1,5 @@
-/* Which casters are taken for those of something solid, and that a frame looks the same without their backs. */
+/* Which casters are taken for those of something solid, and that a frame looks the same without
+ * their backs. */
 #include "render_support.h"
 
 #include "scene/mesh/caster.h"

@@ -1,6 +1,6 @@
-/* dump FOLDER SCENE ...: the sources of all shaders, for another compiler to read: every setting of every technique and
- * direct method by turns, screen passes drawn and dispatched, on a driver that draws nothing. In the first scene numbers
- * as well, and by turns from presets, too. */
+/* dump FOLDER SCENE ...: the sources of all shaders, for another compiler to read: every setting of
+ * every technique and direct method by turns, screen passes drawn and dispatched, on a driver that
+ * draws nothing. In the first scene numbers as well, and by turns from presets, too. */
 #include "null_driver.h"
 
 #include "base/error.h"

@@ -10,8 +10,8 @@ extern char output[1 << 16];
 /* Runs the program with these arguments; its exit status. */
 int run_program(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Runs a line of the shell, with the test's own folder for each @ and the program for a % that is a word, both
- * from the root; prints it with what comes, and returns its exit status. */
+/* Runs a line of the shell, with the test's own folder for each @ and the program for a % that is a
+ * word, both from the root; prints it with what comes, and returns its exit status. */
 int run_line(const char *line);
 
 /* Fails unless the line ends with that status. */

@@ -4,8 +4,8 @@
 
 #include "gltf_parts.h"
 
-/* The cube's edge is 2 m. It lies in the buffer at PARTS_EXTRA: corners at 64, indices of triangles that face
- * outwards at 160, inwards at 196, a place for the test's own bytes at 232. */
+/* The cube's edge is 2 m. It lies in the buffer at PARTS_EXTRA: corners at 64, indices of triangles
+ * that face outwards at 160, inwards at 196, a place for the test's own bytes at 232. */
 struct cube_bytes {
     float corners[8][3];
     uint8_t outwards[36], inwards[36];

@@ -6,7 +6,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* What is waited for at most, where it is sure to come on an idle machine at once: others may be at work. */
+/* What is waited for at most, where it is sure to come on an idle machine at once: others may be at
+ * work. */
 enum { PATIENCE_MS = 120000 };
 
 /* Drops a file, as a file manager does: the source's side of XDND 5. False: the window did not take
@@ -16,8 +17,8 @@ bool desktop_drop(unsigned long window, const char *path);
 /* Minimises it, or shows it again, as a window manager does. */
 bool desktop_minimise(unsigned long window, bool away);
 
-/* What it tells the window manager: the least size that it may have, and the width of its largest icon, with
- * how many colours that has. False: it does not. */
+/* What it tells the window manager: the least size that it may have, and the width of its largest
+ * icon, with how many colours that has. False: it does not. */
 bool desktop_read_hints(unsigned long window, int *width, int *height);
 bool desktop_read_icon(unsigned long window, int *width, int *colors);
 

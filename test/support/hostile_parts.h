@@ -36,8 +36,8 @@ static const struct {
 static const uint16_t wild_index[6] = {0, 1, 2, 0, 2, 17};
 
 struct hostile {
-    /* The message comes after "FILE: "; "note: " begins that of a file that opens with such a note, or
-     * with none that matters, and is refused under --strict where there is one. */
+    /* The message comes after "FILE: "; "note: " begins that of a file that opens with such a note,
+     * or with none that matters, and is refused under --strict where there is one. */
     const char *name, *message;
     struct gltf_parts parts;
 };

@@ -1,4 +1,5 @@
-/* What tests of the library share: calls that must succeed, and pictures as the program makes them. */
+/* What tests of the library share: calls that must succeed, and pictures as the program
+ * makes them. */
 #ifndef TEST_LIBRARY_SUPPORT_H
 #define TEST_LIBRARY_SUPPORT_H
 

@@ -1,5 +1,5 @@
-/* The bound of a node of a light tree, in C [Walter et al. 2005, Lightcuts]: how much the node can give at most follows
- * from the box of its lights' places and the cone of their normals. */
+/* The bound of a node of a light tree, in C [Walter et al. 2005, Lightcuts]: how much the node can
+ * give at most follows from the box of its lights' places and the cone of their normals. */
 #ifndef TEST_LIGHT_NODE_H
 #define TEST_LIGHT_NODE_H
 

@@ -157,7 +157,8 @@ static double light_of(int projection, const struct c_receiver *r) {
                                                   : extent * sqrt(fmax(cosine, .05)) / r->distance;
 }
 
-/* The rays from both ends of the light past an edge at z, where they meet the receiver's distance. */
+/* The rays from both ends of the light past an edge at z, where they meet the
+ * receiver's distance. */
 static double penumbra_of(int projection, double d, double z) {
     bool orthographic = projection == PROJECTION_ORTHOGRAPHIC;
     double slope = orthographic ? extent / 2 : extent / 2 / z;
@@ -218,8 +219,8 @@ static double filter_pcss(const struct lookups *lookups, const struct c_receiver
     return lit / TAPS;
 }
 
-/* The argument of the series that an open map's range makes of a depth: 0 at the nearest caster, two
- * steps less than half the period at the farthest; and back. */
+/* The argument of the series that an open map's range makes of a depth: 0 at the nearest caster,
+ * two steps less than half the period at the farthest; and back. */
 static double argument_of(double z) {
     double beyond = fmax(z - nearest, 0), range = farthest - nearest;
     return (1 - 4 * series_edge) * beyond / (beyond + knee) * (range + knee) / range;

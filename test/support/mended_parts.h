@@ -1,4 +1,4 @@
-/* Tiny glTF files that other readers open, with a note or without, and the note that is due here. */
+/* Tiny glTF files that other readers open, with a note or without, and the note that is due here */
 #ifndef TEST_MENDED_PARTS_H
 #define TEST_MENDED_PARTS_H
 

@@ -32,8 +32,8 @@ struct context *open_context(enum context_kind kind) {
     return context;
 }
 
-/* How many objects of OpenGL there are, of the kinds that are named, by the functions that only tests need; 0
- * where EGL does not give them. */
+/* How many objects of OpenGL there are, of the kinds that are named, by the functions that only
+ * tests need; 0 where EGL does not give them. */
 static int count_named_objects(void) {
     enum { NAMES = 20000 };
     static const char *const kinds[] = {"glIsTexture", "glIsBuffer", "glIsFramebuffer",

@@ -12,8 +12,8 @@
 /* A debug context of that kind that is current; the test is skipped where there is none. */
 struct context *open_context(enum context_kind kind);
 
-/* For cmocka_run_group_tests: one context for all tests of the group; the program fails where OpenGL had
- * something to say, or an object or a byte of GPU memory is left at its end. */
+/* For cmocka_run_group_tests: one context for all tests of the group; the program fails where
+ * OpenGL had something to say, or an object or a byte of GPU memory is left at its end. */
 int open_group_context(void **state);
 int close_group_context(void **state);
 
@@ -27,8 +27,8 @@ void open_stage(struct stage *stage, const char *path);
 /* Geometry, camera and light anew from a scene that the test has changed. */
 void pose_stage(struct stage *stage);
 
-/* Makes the scene s times as large with s^2 times the intensity, or the same radiance, which is the same
- * picture: no length and no light is absolute. pose_stage follows. */
+/* Makes the scene s times as large with s^2 times the intensity, or the same radiance, which is the
+ * same picture: no length and no light is absolute. pose_stage follows. */
 void scale_scene(struct scene *scene, float s);
 
 /* A sky of that many texels in place of the scene's, and no other light. */
@@ -65,8 +65,8 @@ void open_renderer(struct renderer *renderer, const struct renderer_desc *desc);
 /* All layers of the frame that a renderer of this desc renders. */
 struct image render_layers(const struct renderer_desc *desc);
 
-/* The same by one renderer, which follows from desc to desc of one scene in one pose; the first of a zeroed one
- * makes it. renderer_free frees it. */
+/* The same by one renderer, which follows from desc to desc of one scene in one pose; the first of
+ * a zeroed one makes it. renderer_free frees it. */
 struct image follow_layers(struct renderer *renderer, const struct renderer_desc *desc);
 
 /* The same with the desc of desc_of. */

@@ -18,7 +18,8 @@
 
 enum { SIZE = 64, FLOOR = 0, SMOOTH = 1 }; /* pixels; materials */
 
-/* Nodes of quads from 0 to 1 in x and y, which face +z; their material is the mesh's. The floor, 40 m wide, is z = 0. */
+/* Nodes of quads from 0 to 1 in x and y, which face +z; their material is the mesh's. The floor, 40
+ * m wide, is z = 0. */
 #define FLOOR_NODE "{\"mesh\": 0, \"translation\": [-20, -20, 0], \"scale\": [40, 40, 1]}"
 
 /* Squares at that z, as wide, which face up and down. */

@@ -25,7 +25,8 @@ void check_vector(const char *what, const float value[3], double x, double y, do
 /* Fails where it was done, or the error message has not that text; prints the message. */
 void check_refused(bool done, const char *message);
 
-/* Whether `make test-long` runs, which tries all rows of each test; `make test` tries a few of each kind. */
+/* Whether `make test-long` runs, which tries all rows of each test; `make test` tries a few of each
+ * kind. */
 bool is_long_run(void);
 
 /* Whether this run tries the row of that index: one in step of them, or all. */
@@ -56,12 +57,12 @@ int count_files(const char *folder);
 /* Copies text, with the test's own folder for each @. */
 void in_scratch(char *to, size_t size, const char *text);
 
-/* Whether this build writes pictures of that extension, and reads all that OpenImageIO does: `make bundle` builds with
- * smaller libraries, which know few formats. */
+/* Whether this build writes pictures of that extension, and reads all that OpenImageIO does: `make
+ * bundle` builds with smaller libraries, which know few formats. */
 bool knows_format(const char *extension);
 
-/* Skips the test, with the reason, where this build has the smaller libraries; where a command fails; where a file or a
- * folder is not there. */
+/* Skips the test, with the reason, where this build has the smaller libraries; where a command
+ * fails; where a file or a folder is not there. */
 void need_all_formats(void);
 void need_command(const char *command);
 void need_file(const char *path);

@@ -1,4 +1,5 @@
-/* A viewer in the test's own process: its tests take turns of its loop, call its functions and read its state. */
+/* A viewer in the test's own process: its tests take turns of its loop, call its functions and read
+ * its state. */
 #ifndef TEST_VIEW_INSIDE_H
 #define TEST_VIEW_INSIDE_H
 
@@ -36,8 +37,8 @@ static inline void rest(void) {
     turn();
 }
 
-/* Begins the viewer with CHEAP_SETTINGS, and waits until it shows its scene, if any. Skips the test where there
- * is no server. */
+/* Begins the viewer with CHEAP_SETTINGS, and waits until it shows its scene, if any. Skips the test
+ * where there is no server. */
 static inline void begin_viewer(const struct viewer_desc *desc) {
     struct viewer_desc cheap = *desc;
     if (!stage.server)

@@ -399,7 +399,8 @@ void end_viewer(void) {
 
 void open_by_panel(const char *path) {
     press("open");
-    sync_viewer(); /* until the field has the keyboard: a slow viewer added the path to what was there */
+    sync_viewer(); /* until the field has the keyboard: a slow viewer added the path to what was
+                      there */
     xdo("key ctrl+a");
     sync_viewer();
     xdo("type --delay 1 %s/%s", stage.here, path);

@@ -29,8 +29,8 @@ extern struct view_stage stage;
 int open_view_stage(void **state);
 int close_view_stage(void **state);
 
-/* With a viewer in this process: keeps OpenGL's driver past it, which would lose the name that its leaks
- * are told by (test/leaks-of-others). */
+/* With a viewer in this process: keeps OpenGL's driver past it, which would lose the name that its
+ * leaks are told by (test/leaks-of-others). */
 void keep_driver(void);
 
 /* Starts the viewer in the scratch folder, and waits for the window to show the scene. Skips the
@@ -54,12 +54,13 @@ void pause_ms(long ms);
 /* The status of a shell command; a failure is printed. */
 int shell(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-/* Waits until all that was asked for so far is shown, and the viewer has told where its widgets are. */
+/* Waits until all that was asked for so far is shown, and the viewer has told where its widgets
+ * are. */
 void sync_viewer(void);
 
 /* Input events: the viewer takes them one after another, however fast they come. */
 #define xdo(...) assert_int_equal(shell("xdotool " __VA_ARGS__), 0)
-/* Function keys by number: by name, xdotool holds Alt, too, where the keymap is of xkb-data 2.48. */
+/* Function keys by number: by name, xdotool holds Alt, too, where the keymap is of xkb-data 2.48 */
 #define F1 "67"
 #define F2 "68"
 #define F3 "69"

@@ -107,7 +107,8 @@ static inline void turn_shape(struct shape *shape, float angle, vec3s axis) {
     }
 }
 
-/* Writes and opens it, in white of that albedo, with a light of 1 W/sr at a place; frees the shape. */
+/* Writes and opens it, in white of that albedo, with a light of 1 W/sr at a place; frees
+ * the shape. */
 static inline void open_shape(struct stage *stage, struct shape *shape, double albedo,
                               bool two_sided, vec3s light) {
     char text[2048];

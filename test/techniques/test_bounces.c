@@ -25,8 +25,9 @@ static double mean_indirect(const struct stage *stage, const char *technique,
     return mean;
 }
 
-/* Albedo 1/2, one bounce is 1/2 everywhere (test_light.c), and each after it half of the one before: what paths carry
- * is right to the last one, and what patches gain or lose is given back. */
+/* Albedo 1/2, one bounce is 1/2 everywhere (test_light.c), and each after it half of the one
+ * before: what paths carry is right to the last one, and what patches gain or lose is
+ * given back. */
 static void check_furnace(const struct stage *stage, const char *technique, int paths,
                           const char *more, double tolerance) {
     double before = 0;
@@ -155,7 +156,8 @@ static void test_energy(void **state) {
     stage_free(&stage);
 }
 
-/* Inside a sphere that reflects half of it each later bounce has half of the flux of the one before, to the last. */
+/* Inside a sphere that reflects half of it each later bounce has half of the flux of the one
+ * before, to the last. */
 static void test_flux(void **state) {
     (void)state;
     struct stage stage;
@@ -171,8 +173,8 @@ static void test_flux(void **state) {
     stage_free(&stage);
 }
 
-/* What an eighth of a sphere has over what it should have, of places and of light: adds up the squares of how far that is
- * off, and the light. */
+/* What an eighth of a sphere has over what it should have, of places and of light: adds up the
+ * squares of how far that is off, and the light. */
 static void add_eighths(const struct vpl *vpls, int count, double squares[2], double *light) {
     double places[8] = {0}, powers[8] = {0}, all = 0;
     for (int i = 0; i < count; i++) {
@@ -189,8 +191,9 @@ static void add_eighths(const struct vpl *vpls, int count, double squares[2], do
     *light += all;
 }
 
-/* VPLs have the light of more paths than those that left them, so that parts of a sphere have more even light than numbers
- * of VPLs. However few VPLs there are, what is too far from all of them is given back. */
+/* VPLs have the light of more paths than those that left them, so that parts of a sphere have more
+ * even light than numbers of VPLs. However few VPLs there are, what is too far from all of them is
+ * given back. */
 static void test_shared(void **state) {
     (void)state;
     enum { SETS = 6 };
@@ -305,8 +308,8 @@ static void check_shared(const char *board) {
     stage_free(&stage);
 }
 
-/* Light is shared along a plane that is seen: what a white board has does not come to the dark floor beside it, which is
- * lower, or hidden by a wall. */
+/* Light is shared along a plane that is seen: what a white board has does not come to the dark
+ * floor beside it, which is lower, or hidden by a wall. */
 static void test_shared_along_planes(void **state) {
     (void)state;
     check_shared(HIGH_BOARD);
@@ -342,7 +345,8 @@ static void test_albedos(void **state) {
 
 /* --- what patches keep ------------------------------------------------------------------------ */
 
-/* By Embree: whether light from one place to another arrives on the side that the camera sees of it. */
+/* By Embree: whether light from one place to another arrives on the side that the camera sees of
+ * it. */
 static bool camera_sees(const struct rays *rays, const struct view *view, const float from[3],
                         const float to[3]) {
     vec4s clip =
@@ -433,7 +437,8 @@ static double path_power(const struct bounce_pass *pass) {
     return sum;
 }
 
-/* Returns the powers of starts and of later VPLs, whose sum is that of paths; without importance those of the first bounce's VPLs in place of starts. */
+/* Returns the powers of starts and of later VPLs, whose sum is that of paths; without importance
+ * those of the first bounce's VPLs in place of starts. */
 static void read_powers(struct stage *stage, const char *settings, struct powers *starts,
                         struct powers *later) {
     struct renderer renderer;
@@ -451,7 +456,8 @@ static void read_powers(struct stage *stage, const char *settings, struct powers
     renderer_free(&renderer);
 }
 
-/* Starts have the light of the first bounce, none more than twice an even share, and no VPL a large share of later light. */
+/* Starts have the light of the first bounce, none more than twice an even share, and no VPL a large
+ * share of later light. */
 static void test_starts(void **state) {
     (void)state;
     static const char *const paths[] = {"scenes/hall.glb", "scenes/door.glb", "scenes/window.glb"};
@@ -475,8 +481,8 @@ static void test_starts(void **state) {
 
 /* --- frames ----------------------------------------------------------------------------------- */
 
-/* One bounce is what it was whatever paths there would be; and a frame of several depends on its own
- * time alone. */
+/* One bounce is what it was whatever paths there would be; and a frame of several depends on its
+ * own time alone. */
 static void test_frames(void **state) {
     (void)state;
     struct stage stage;
@@ -506,7 +512,7 @@ static void test_frames(void **state) {
     stage_free(&stage);
 }
 
-/* --- the reference -------------------------------------------------------------------------------- */
+/* --- the reference ---------------------------------------------------------------------------- */
 
 /* In the box two bounces lack a sixth of the light of eight, and one two fifths. */
 static void test_reference(void **state) {

@@ -1,5 +1,5 @@
-/* Area lights of clusters: rectangles against closed forms and sums, clusters' shapes and fluxes, and pictures
- * against the sum over all VPLs. */
+/* Area lights of clusters: rectangles against closed forms and sums, clusters' shapes and fluxes,
+ * and pictures against the sum over all VPLs. */
 #include "base/unit.h"
 #include "render_support.h"
 
@@ -134,7 +134,8 @@ static struct form_case turned(const struct form_case *c) {
     return case_of((float *)c->middle, (float *)c->up, left, (float *)c->normal);
 }
 
-/* Aslant, through the horizon, from behind, far: against sums; where the rectangle is cut in two; and turned. */
+/* Aslant, through the horizon, from behind, far: against sums; where the rectangle is cut in two;
+ * and turned. */
 static void test_any(void **state) {
     (void)state;
     struct form_case cases[16];
@@ -271,7 +272,8 @@ static void test_sides(void **state) {
     free(vpls);
 }
 
-/* Two frames of 24 lights, the second from the means of the first; its points in the opposite order. */
+/* Two frames of 24 lights, the second from the means of the first; its points in the opposite
+ * order. */
 enum { LIGHTS = 24 };
 
 static void make_twice(const struct vpl *vpls, bool turned, struct vpl lights[LIGHTS]) {

@@ -41,7 +41,8 @@ static void add_up(const struct table *table, double sum[3]) {
     printf("  the lamp's elements: %.4f %.4f %.4f W/sr\n", sum[0], sum[1], sum[2]);
 }
 
-/* The table's lamp gives its elements what its light has: 6.4 W/sr of red. Dimmed or coloured it gives them that. */
+/* The table's lamp gives its elements what its light has: 6.4 W/sr of red. Dimmed or coloured it
+ * gives them that. */
 static void test_emission(void **state) {
     (void)state;
     struct table table;

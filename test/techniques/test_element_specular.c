@@ -1,4 +1,5 @@
-/* Specular surfaces that reflect the light of the bins: exact answers, and linearly transformed cosines beside them. */
+/* Specular surfaces that reflect the light of the bins: exact answers, and linearly transformed
+ * cosines beside them. */
 #include "volume_scenes.h"
 
 #include "base/error.h"
@@ -92,7 +93,8 @@ static double seen_within(float roughness, const char *settings, const char *lay
     return sum;
 }
 
-/* A light of 1 W/sr in the middle of a closed sphere: all of it sends rho / pi, and reflects the albedo times that. */
+/* A light of 1 W/sr in the middle of a closed sphere: all of it sends rho / pi, and reflects the
+ * albedo times that. */
 static void test_sphere(void **state) {
     (void)state;
     static const float roughnesses[] = {1, .5F};
@@ -137,9 +139,9 @@ static struct image trace_direct(const struct stage *stage, int width, int heigh
     return traced;
 }
 
-/* The lamp in the balls, beside the path tracer. Few elements lie under each highlight: 1000 of the room err by 3 % in the
- * mean, and twice as much at pixels as 4000. The direct method shows 7 % less than the tracer, so it is no reference. All
- * other light stays as it is. */
+/* The lamp in the balls, beside the path tracer. Few elements lie under each highlight: 1000 of the
+ * room err by 3 % in the mean, and twice as much at pixels as 4000. The direct method shows 7 %
+ * less than the tracer, so it is no reference. All other light stays as it is. */
 static void test_lamp(void **state) {
     (void)state;
     static const char *const settings[] = {
@@ -248,7 +250,8 @@ static GLenum APIENTRY fail_once(void) {
     return calls_left-- == 0 ? GL_OUT_OF_MEMORY : get_error();
 }
 
-/* A smaller size that finds no GPU memory, at each allocation in turn, leaves the picture as it was. */
+/* A smaller size that finds no GPU memory, at each allocation in turn, leaves the picture as it
+ * was. */
 static void test_out_of_memory(void **state) {
     (void)state;
     struct stage stage;

@@ -1,5 +1,5 @@
-/* Imperfect shadow maps: the points that they are made of, what one of them hides, how holes are closed, and that
- * they become maps of triangles. */
+/* Imperfect shadow maps: the points that they are made of, what one of them hides, how holes are
+ * closed, and that they become maps of triangles. */
 #include "gltf_parts.h"
 #include "render_support.h"
 
@@ -104,8 +104,9 @@ static void test_quad(void **state) {
     }
 }
 
-/* In a closed scene the form factors of all that a point sees sum up to 1: sum A cos cos / (pi d^2). A
- * sphere has the same cos cos / d^2 everywhere. Checks places, normals and areas at once. */
+/* In a closed scene the form factors of all that a point sees sum up to 1: sum A cos cos / (pi
+ * d^2). A sphere has the same cos cos / d^2 everywhere. Checks places, normals and areas
+ * at once. */
 static void check_form_factors(const struct stage *stage, int count) {
     struct surface_points points;
     double area = 0, least = INFINITY, most = 0;
@@ -146,7 +147,8 @@ static void test_form_factors(void **state) {
     stage_free(&stage);
 }
 
-/* A plain of two triangles, of ten thousand times the area, has no more than a fifth of the points. */
+/* A plain of two triangles, of ten thousand times the area, has no more than a fifth of
+ * the points. */
 static void test_plain(void **state) {
     (void)state;
     struct stage stage;
@@ -172,7 +174,8 @@ static void test_plain(void **state) {
 
 /* --- what a point hides ----------------------------------------------------------------------- */
 
-/* Inside a sphere, where 256 disks of .15 of their points' radius hardly overlap: A cos / d^2 each. */
+/* Inside a sphere, where 256 disks of .15 of their points' radius hardly overlap: A cos /
+ * d^2 each. */
 static double disks_solid_angle(const struct surface_points *points,
                                 const struct geometry *geometry, const struct vpl *vpl,
                                 float scale) {
@@ -301,8 +304,8 @@ static double farthest_from(const float depths[TEXELS], float depth) {
     return worst;
 }
 
-/* A wall of points that reach a few texels: what is missing comes back, what is empty stays so, and neither map
- * knows of the other. */
+/* A wall of points that reach a few texels: what is missing comes back, what is empty stays so, and
+ * neither map knows of the other. */
 static void check_wall(struct filling *filling) {
     srand(5);
     for (int i = 0; i < TEXELS; i++) {
@@ -381,7 +384,8 @@ static double error_against(const struct image *reference, const struct stage *s
     return error;
 }
 
-/* With more points and texels they become the maps of triangles; with few they are better than none. */
+/* With more points and texels they become the maps of triangles; with few they are better than
+ * none. */
 static void test_converges(void **state) {
     (void)state;
     struct stage stage;

@@ -30,9 +30,9 @@ static void ask(const struct question *question, float answer[4]) {
     program_free(&program);
 }
 
-/* A hole of half angle a over the normal lets in sin^2 a; order 2 knows (1 - cos a) / 2 + sin^2 a / 2 of it, and order 3
- * adds 5/16 cos a sin^2 a. A sky above a plane tilted by b gives (1 + cos b) / 2, and a slope v of the light
- * 1 + 2/3 v.n, at any order; all over pi. */
+/* A hole of half angle a over the normal lets in sin^2 a; order 2 knows (1 - cos a) / 2 + sin^2 a /
+ * 2 of it, and order 3 adds 5/16 cos a sin^2 a. A sky above a plane tilted by b gives (1 + cos b) /
+ * 2, and a slope v of the light 1 + 2/3 v.n, at any order; all over pi. */
 static void test_harmonics(void **state) {
     (void)state;
     float answer[4];
@@ -63,7 +63,8 @@ static void test_harmonics(void **state) {
 
 /* --- what points leave ------------------------------------------------------------------------ */
 
-/* A square of 4 m in so many by so many squares: 59 voxels wide at volume.size=64, in the middle of its voxels. */
+/* A square of 4 m in so many by so many squares: 59 voxels wide at volume.size=64, in the middle of
+ * its voxels. */
 static double filled_share(const char *settings, int squares) {
     struct stage stage;
     struct lit lit;
@@ -85,8 +86,8 @@ static double filled_share(const char *settings, int squares) {
     return filled / (60. * 60);
 }
 
-/* Of k random points a voxel, of 60 x 60: those at the sides have half of the square's area in them, the corners a
- * quarter. */
+/* Of k random points a voxel, of 60 x 60: those at the sides have half of the square's area in
+ * them, the corners a quarter. */
 static double random_share(double k) {
     return 1 - (58 * 58 * exp(-k) + 4 * 58 * exp(-k / 2) + 4 * exp(-k / 4)) / (60 * 60);
 }
@@ -193,7 +194,8 @@ static void test_bounces(void **state) {
     stage_free(&stage);
 }
 
-/* Inside a sphere of albedo 1/2 the direct layer is 1 everywhere, and so many bounces add 1 - 1/2^b. */
+/* Inside a sphere of albedo 1/2 the direct layer is 1 everywhere, and so many bounces add 1 -
+ * 1/2^b. */
 static double furnace_error(const struct stage *stage, const char *size, int bounces) {
     char settings[96];
     snprintf(settings, sizeof settings, "%s lights.bounces=%d", size, bounces);
@@ -292,7 +294,8 @@ static void test_linear(void **state) {
     stage_free(&stage);
 }
 
-/* A corner at a place in a box that two small triangles hold. Lengths that floats have exactly: a voxel is 1/16 m. */
+/* A corner at a place in a box that two small triangles hold. Lengths that floats have exactly: a
+ * voxel is 1/16 m. */
 static void open_corner(struct stage *stage, float x) {
     struct shape *shape = new_shape();
     const float size = .0625F;
@@ -339,8 +342,9 @@ static void test_shift(void **state) {
 
 /* --- voxels before the camera ----------------------------------------------------------------- */
 
-/* The top of a cube of 1 m, of albedo 1/2, under a light of 1 W/sr at 2.5 m: albedo times irradiance, and nothing beside
- * the cube. Places of a voxel differ by less than 1 % of the light. */
+/* The top of a cube of 1 m, of albedo 1/2, under a light of 1 W/sr at 2.5 m: albedo times
+ * irradiance, and nothing beside the cube. Places of a voxel differ by less than 1 % of
+ * the light. */
 static void test_voxels(void **state) {
     (void)state;
     struct stage stage;
@@ -390,7 +394,8 @@ static double mean_on_floor(struct stage *stage, float x) {
     return mean;
 }
 
-/* Two rooms of 1 m side by side, the light in one: 60 voxels are 2 m and the wall, whose middle is that of voxels. */
+/* Two rooms of 1 m side by side, the light in one: 60 voxels are 2 m and the wall, whose middle is
+ * that of voxels. */
 static double leak(double wall) {
     struct stage stage;
     struct shape *shape = new_shape();

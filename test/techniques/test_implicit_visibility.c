@@ -1,4 +1,5 @@
-/* Radiosity with implicit visibility: exact answers of elements, links and bounces, and what must not change them. */
+/* Radiosity with implicit visibility: exact answers of elements, links and bounces, and what must
+ * not change them. */
 #include "volume_scenes.h"
 
 #include "base/clock.h"
@@ -133,7 +134,8 @@ static double check_sphere(const struct links_desc *desc, int most, bool with_pl
     return share.mean;
 }
 
-/* E = pi L in a closed sphere, and whatever stands in it. As published a tenth of the light leaks away. */
+/* E = pi L in a closed sphere, and whatever stands in it. As published a tenth of the light leaks
+ * away. */
 static void test_sphere(void **state) {
     (void)state;
     for (int side = 4; side <= 12; side += 4)
@@ -174,7 +176,7 @@ static struct pair_links links_of(int side, int most, bool pairs) {
     return of;
 }
 
-/* Pairs of nodes that are refined and pushed end with nearly the links of leaves that walk alone. */
+/* Pairs of nodes that are refined and pushed end with nearly the links of leaves that walk alone */
 static void test_pairs(void **state) {
     (void)state;
     for (int side = 8; side <= 16; side += 4) {
@@ -255,7 +257,8 @@ static void check_bounds(const struct radiosity *radiosity) {
     check_at_most("greatest irradiance over pi L", most / (GLM_PI * brightest), 1 + 1e-5);
 }
 
-/* A light in the middle of a sphere: E_d = I / R^2, and all bounces together add E_d rho / (1 - rho). */
+/* A light in the middle of a sphere: E_d = I / R^2, and all bounces together add E_d rho / (1 -
+ * rho). */
 static void test_furnace(void **state) {
     (void)state;
     struct radiosity radiosity;

@@ -1,4 +1,5 @@
-/* VALs by importance: they lie where the camera sees their light, in each view, and nothing else changes. */
+/* VALs by importance: they lie where the camera sees their light, in each view, and nothing else
+ * changes. */
 #include "render_support.h"
 
 #include "base/halton.h"
@@ -13,7 +14,7 @@
 
 enum { PIXELS = 256, VALS = 30 };
 
-/* --- where VALs lie ---------------------------------------------------------------------------- */
+/* --- where VALs lie --------------------------------------------------------------------------- */
 
 /* What the camera sees, here and there. */
 struct seen {
@@ -47,7 +48,8 @@ static double importance(const struct seen *seen, const struct vpl *vpl) {
     return sum * (double)(vpl->flux[0] + vpl->flux[1] + vpl->flux[2]);
 }
 
-/* How far VPLs are from the middle of their VAL's, metres, as much as each matters to the picture. */
+/* How far VPLs are from the middle of their VAL's, metres, as much as each matters to
+ * the picture. */
 static double spread(struct renderer *renderer) {
     struct seen seen;
     struct vpl *vpls = read_vpls(renderer);
@@ -94,7 +96,7 @@ static void test_places(void **state) {
     stage_free(&stage);
 }
 
-/* --- frames ------------------------------------------------------------------------------------ */
+/* --- frames ----------------------------------------------------------------------------------- */
 
 static bool same_frames(const struct stage *stage, const char *a, const char *b) {
     struct image of_a = render_stage(stage, "clustered", a, 48),
@@ -116,7 +118,8 @@ static void test_one_bounce(void **state) {
     stage_free(&stage);
 }
 
-/* Lights that are kept while the camera moves are no others' than those of a frame that begins there. */
+/* Lights that are kept while the camera moves are no others' than those of a frame that begins
+ * there. */
 static void test_kept_lights(void **state) {
     (void)state;
     struct stage stage;

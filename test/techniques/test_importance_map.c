@@ -12,7 +12,7 @@
 
 enum { CELLS = VPL_DENSITY_SIDE * VPL_DENSITY_SIDE, SETS = 5, SIZE = 32 };
 
-/* --- the map ----------------------------------------------------------------------------------- */
+/* --- the map ---------------------------------------------------------------------------------- */
 
 static float *read_texels(const struct texture *texture, GLenum format, int channels) {
     size_t count = (size_t)(texture->desc.width * texture->desc.height * channels);
@@ -34,7 +34,8 @@ static double mean_density(const float *densities, int width, int light, double 
     return sum / CELLS;
 }
 
-/* All fractions add up to one, and no place is left out: a quarter of the lights, a quarter of the cells. */
+/* All fractions add up to one, and no place is left out: a quarter of the lights, a quarter of the
+ * cells. */
 static void test_densities(void **state) {
     (void)state;
     struct stage stage;
@@ -62,7 +63,7 @@ static void test_densities(void **state) {
     stage_free(&stage);
 }
 
-/* --- sets of VPLs ------------------------------------------------------------------------------ */
+/* --- sets of VPLs ----------------------------------------------------------------------------- */
 
 struct sets {
     double mean, error; /* of the picture's indirect light, and its standard error */
@@ -124,7 +125,7 @@ static void test_sky(void **state) {
     stage_free(&stage);
 }
 
-/* --- when -------------------------------------------------------------------------------------- */
+/* --- when ------------------------------------------------------------------------------------- */
 
 static bool same(const struct stage *stage, const char *technique, const char *a, const char *b) {
     struct image of_a = render_stage(stage, technique, a, SIZE),
@@ -161,8 +162,8 @@ static void check_followed(const char *what, struct renderer *renderer,
     images_free(&moved, &fresh);
 }
 
-/* The hall's lamp stands outdoors: an eleventh of its light falls where the camera sees any of it. Indoors all
- * of it does, and a renderer whose lamp moves there chooses anew. */
+/* The hall's lamp stands outdoors: an eleventh of its light falls where the camera sees any of it.
+ * Indoors all of it does, and a renderer whose lamp moves there chooses anew. */
 static void test_next_door(void **state) {
     (void)state;
     const float down[] = {0, -1, 0};
@@ -197,7 +198,8 @@ static void test_many(void **state) {
     stage_free(&hall);
 }
 
-/* Lights that are kept while the camera moves are no others than those of a frame that begins there. */
+/* Lights that are kept while the camera moves are no others than those of a frame that begins
+ * there. */
 static void test_kept(void **state) {
     (void)state;
     struct stage stage;

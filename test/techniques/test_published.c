@@ -22,9 +22,9 @@ static double error_of(struct measure_desc desc, const char *settings,
     return error;
 }
 
-/* Whatever its terms, maps and clusters leave out, wrong shadows are to cost less than none; as much
- * where nothing is hidden, as in the sphere. Both take 16 VPLs a pixel, which the paper fixes. (What a
- * door hides is all there is: test_stability.) */
+/* Whatever its terms, maps and clusters leave out, wrong shadows are to cost less than none; as
+ * much where nothing is hidden, as in the sphere. Both take 16 VPLs a pixel, which the paper fixes.
+ * (What a door hides is all there is: test_stability.) */
 static void test_loses_to_no_visibility_nowhere(void **state) {
     (void)state;
     static const char *const scenes[] = {"cornell-box",  "cornell-animal", "metaballs", "atrium",

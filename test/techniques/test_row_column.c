@@ -1,5 +1,5 @@
-/* Matrix row-column sampling: clusters of columns and what they promise, rows against pictures, and pictures against
- * those of all VPLs. */
+/* Matrix row-column sampling: clusters of columns and what they promise, rows against pictures, and
+ * pictures against those of all VPLs. */
 #include "render_support.h"
 
 #include "base/memory.h"
@@ -86,7 +86,8 @@ static double error_of_choice(const struct sample *sample, uint32_t seed, double
     return error;
 }
 
-/* Over many choices the rows' mean is their sum, and their mean squared error what the clusters tell. */
+/* Over many choices the rows' mean is their sum, and their mean squared error what the clusters
+ * tell. */
 static void test_expectation(void **state) {
     (void)state;
     enum { CHOICES = 20000 };
@@ -112,7 +113,8 @@ static void test_expectation(void **state) {
     columns_free(&sample.columns);
 }
 
-/* Black lights are never chosen, and those that no row sees are in the end; weights are what clusters hold. */
+/* Black lights are never chosen, and those that no row sees are in the end; weights are what
+ * clusters hold. */
 static void test_choice(void **state) {
     (void)state;
     static struct sample sample;
@@ -134,7 +136,8 @@ static void test_choice(void **state) {
     columns_free(&sample.columns);
 }
 
-/* As many clusters as there are lights, or directions of columns, leave no error; more leave less. */
+/* As many clusters as there are lights, or directions of columns, leave no error; more
+ * leave less. */
 static void test_clusters(void **state) {
     (void)state;
     static struct sample sample;
@@ -170,7 +173,8 @@ static void test_clusters(void **state) {
 
 /* --- rows ------------------------------------------------------------------------------------- */
 
-/* With a row for each pixel: sum over VPLs, over pi for the layer's sake and pi for that of Lambert. */
+/* With a row for each pixel: sum over VPLs, over pi for the layer's sake and pi for that of
+ * Lambert. */
 static void compare_rows(const float (*matrix)[4], int vpls, const struct image *picture) {
     int channel = image_find_channel(picture, "indirect.R"), size = picture->width;
     double worst = 0, most = 0;
@@ -293,7 +297,8 @@ static void test_against_plain(void **state) {
     open_stage(&stage, "scenes/cornell-box.glb");
     struct image plain =
         render_stage(&stage, "instant-radiosity", "vpls=40 interleave=1 map-size=64", 48);
-    /* A driver that rounds sums otherwise makes another choice: the bound is of the mean of several. */
+    /* A driver that rounds sums otherwise makes another choice: the bound is of the mean of
+     * several. */
     enum { CHOICES = 6 };
     double error = 0;
     for (int i = 0; i < CHOICES; i++) {

@@ -1,5 +1,5 @@
-/* Visibility by rays through the scene's triangles, on the GPU: against Embree, in scenes that move too; and a frame
- * against the sum over its VPLs by Embree. */
+/* Visibility by rays through the scene's triangles, on the GPU: against Embree, in scenes that move
+ * too; and a frame against the sum over its VPLs by Embree. */
 #include "render_support.h"
 
 #include "base/halton.h"
@@ -104,7 +104,7 @@ static void check_rays(const char *path, const struct stage *stage, const struct
     mem_free(pairs, answers);
 }
 
-/* At times one after the other, as a clip plays: the tree follows, and comes back to what it was. */
+/* At times one after the other, as a clip plays: the tree follows, and comes back to what it was */
 static void check_scene(const char *path, const double *times, int count) {
     struct stage stage;
     const struct caster_bvh *tree;
@@ -275,8 +275,8 @@ static double block_difference(const struct image *a, const struct image *b) {
     return worst / layer_mean(b, "indirect");
 }
 
-/* Of the same VPLs: where two of twelve ask for all, the mean is that of all that ask, in shadows of coloured light too, and
- * it is not the same picture. */
+/* Of the same VPLs: where two of twelve ask for all, the mean is that of all that ask, in shadows
+ * of coloured light too, and it is not the same picture. */
 static void test_together(void **state) {
     (void)state;
     struct stage stage;

@@ -58,7 +58,8 @@ static void test_convergence(void **state) {
     check_at_most("M = 30 over no visibility", m30 / none, .2);
 }
 
-/* A VAL per VPL, of all casters and looked up as hard as the reference is: what is left is the maps' bias. */
+/* A VAL per VPL, of all casters and looked up as hard as the reference is: what is left is the
+ * maps' bias. */
 static void test_val_per_vpl(void **state) {
     (void)state;
     /* A map per VPL asks for its casters' planes, where a VAL's asks for the middles of texels. */
@@ -87,10 +88,11 @@ static double error_of_map_rays(const char *scene, int size) {
     return error;
 }
 
-/* Behind its horizon what is round is dark, and what is thin shades what it touches: rays through maps begin near
- * their surface, or they would tell less of it than rays through triangles. Lifted as far as other lookups they err .0064.
- * Arches beside a wall that shines lie in the shadow of casters that its middle sees, and get its light: with casters
- * as deep there as on long ways they err .271. */
+/* Behind its horizon what is round is dark, and what is thin shades what it touches: rays through
+ * maps begin near their surface, or they would tell less of it than rays through triangles. Lifted
+ * as far as other lookups they err .0064. Arches beside a wall that shines lie in the shadow of
+ * casters that its middle sees, and get its light: with casters as deep there as on long ways they
+ * err .271. */
 static void test_map_rays(void **state) {
     (void)state;
     check_at_most("rays through maps over rays through triangles, a character",
@@ -115,7 +117,8 @@ static void test_banding(void **state) {
     image_free(&exact);
 }
 
-/* Beside the wall that shines nothing is between: the other wall, within a texel of a map, is no caster. */
+/* Beside the wall that shines nothing is between: the other wall, within a texel of a map, is no
+ * caster. */
 static void test_corner(void **state) {
     (void)state;
     enum { WIDE = 400 };
@@ -139,7 +142,8 @@ static void test_corner(void **state) {
 }
 
 /* Smaller blocks come nearer to a lookup a pixel and VPL. At 200 pixels a block of 8 is as wide as
- * one of 32 at 800. Blocks of 3 are as good as none: what is left are clusters, and which of listed lights ask. */
+ * one of 32 at 800. Blocks of 3 are as good as none: what is left are clusters, and which of listed
+ * lights ask. */
 static void test_blocks(void **state) {
     (void)state;
     double wide = error_of(30, "visibility=pcss visibility-block=8"),
@@ -219,10 +223,10 @@ static void test_flat_blocker(void **state) {
     stage_free(&flat);
 }
 
-/* --- a triangle that its smooth normal leans away from ------------------------------------------ */
+/* --- a triangle that its smooth normal leans away from ---------------------------------------- */
 
-/* A quad whose normals lean towards a wall that shines, below the quad's plane or above it, and towards a lamp.
- * The camera looks at the quad alone; a spot lights the wall alone. */
+/* A quad whose normals lean towards a wall that shines, below the quad's plane or above it, and
+ * towards a lamp. The camera looks at the quad alone; a spot lights the wall alone. */
 static const char leaning_nodes[] =
     "[{\"name\": \"quad\", \"mesh\": 0},"
     " {\"name\": \"wall\", \"mesh\": 1,"
@@ -278,7 +282,8 @@ static double light_of_leaning(const struct leaning *lit) {
     return mean;
 }
 
-/* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it dark, too. */
+/* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it
+ * dark, too. */
 static void test_facet(void **state) {
     (void)state;
 #define DIFFUSE "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"

@@ -1,9 +1,11 @@
-/* Volumes of scenes of two sizes: the box that they hold, and points on what of a huge triangle is in it. */
+/* Volumes of scenes of two sizes: the box that they hold, and points on what of a huge triangle is
+ * in it. */
 #include "volume_scenes.h"
 
 #include "scene/clips.h"
 
-/* A room of 4 m keeps its light on a plain of 222 m: voxels that held the plain would be as wide as the room. */
+/* A room of 4 m keeps its light on a plain of 222 m: voxels that held the plain would be as wide as
+ * the room. */
 static void test_plain(void **state) {
     (void)state;
     struct stage stage;
@@ -16,7 +18,8 @@ static void test_plain(void **state) {
     stage_free(&stage);
 }
 
-/* A room of 1 m around the origin without a floor, on a plain of so many metres that is its floor. */
+/* A room of 1 m around the origin without a floor, on a plain of so many metres that is
+ * its floor. */
 static void open_on_plain(struct stage *stage, float plain) {
     struct shape *shape = new_shape();
     add_room(shape, at(-.5F, 0, -.5F), at(.5F, 1, .5F));
@@ -127,7 +130,8 @@ static void test_moving_floor(void **state) {
 
 /* --- a triangle and a box --------------------------------------------------------------------- */
 
-/* Of a triangle far larger than the box: the area is that of the box's section, and places lie evenly in it. */
+/* Of a triangle far larger than the box: the area is that of the box's section, and places lie
+ * evenly in it. */
 static void test_boxed_triangle(void **state) {
     (void)state;
     enum { SIDE = 64 };

@@ -1,5 +1,5 @@
-/* The tree over VPLs that the GPU builds, and cuts through it: what each promises, and the error of a cut against its
- * bound at every pixel. */
+/* The tree over VPLs that the GPU builds, and cuts through it: what each promises, and the error of
+ * a cut against its bound at every pixel. */
 #include "light_node.h"
 #include "render_support.h"
 
@@ -124,7 +124,8 @@ static void test_tree(void **state) {
     close_bench(bench);
 }
 
-/* How wide nodes are tells whether what is near comes together: boxes of the last levels over that of all. */
+/* How wide nodes are tells whether what is near comes together: boxes of the last levels over that
+ * of all. */
 static double mean_width(const struct bench *bench, int level) {
     double sum = 0, count = 0;
     for (int k = level; k < 2 * level; k++) {
@@ -276,8 +277,8 @@ static vec3s place_in(const struct light_extent *extent, vec2s number) {
                          glms_vec3_mul(share, glms_vec3_sub(extent->high, extent->low)));
 }
 
-/* No patch of the node's area or a larger one sends more from any place of its box to any of the receiver's, and from
- * a single place near by one of that area sends as much. */
+/* No patch of the node's area or a larger one sends more from any place of its box to any of the
+ * receiver's, and from a single place near by one of that area sends as much. */
 static void test_patch_bounds(void **state) {
     (void)state;
     static struct question questions[QUESTIONS];

@@ -1,5 +1,5 @@
-/* What happened to a window, cut into turns: in order, and each with no more than it can tell the order
- * of. */
+/* What happened to a window, cut into turns: in order, and each with no more than it can tell the
+ * order of. */
 #include "support.h"
 
 #include "viewer/window/events.h"
@@ -9,8 +9,8 @@
 
 enum { CONTROL = 341 }; /* any code */
 
-/* Two letters an event: k and its key, pressed; K, released; t and a character; b B a button; m the mouse,
- * s the wheel. */
+/* Two letters an event: k and its key, pressed; K, released; t and a character; b B a button; m the
+ * mouse, s the wheel. */
 static struct events events_of(const char *text) {
     struct events events = {0};
     for (; *text; text += 2) {

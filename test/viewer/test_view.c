@@ -116,7 +116,8 @@ static void test_frame_budget(void **state) {
     end_viewer();
 }
 
-/* A preset sets all but how the picture is exposed; a number beside its slider is typed after a click. */
+/* A preset sets all but how the picture is exposed; a number beside its slider is typed after a
+ * click. */
 static void test_presets(void **state) {
     (void)state;
 #define DRAFT                                                                                      \

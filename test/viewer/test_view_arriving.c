@@ -1,4 +1,5 @@
-/* A scene that arrives: a coarse picture of it comes before its shaders, the step is told, and it can be stopped. */
+/* A scene that arrives: a coarse picture of it comes before its shaders, the step is told, and it
+ * can be stopped. */
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
@@ -109,7 +110,8 @@ static void test_stop_sky(void **state) {
     assert_null(viewer.document.scene.environment);
 }
 
-/* The coarse picture is of the command line's time and clips: the light and the triangles are where they are then. */
+/* The coarse picture is of the command line's time and clips: the light and the triangles are where
+ * they are then. */
 static void test_coarse_picture_of_time(void **state) {
     (void)state;
     const double time = 1.5;
@@ -165,8 +167,8 @@ static bool refuse(void **state, const struct direct_desc *desc) {
     return error_set("no memory for these shadows");
 }
 
-/* A scene that was read and that no renderer can be made for: the window tells why, shows what was there before and
- * no coarse picture, and the command line's options were that scene's. */
+/* A scene that was read and that no renderer can be made for: the window tells why, shows what was
+ * there before and no coarse picture, and the command line's options were that scene's. */
 static void test_fails_after_reading(void **state) {
     (void)state;
     if (!viewer.has_scene)

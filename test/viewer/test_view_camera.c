@@ -1,5 +1,5 @@
-/* The viewer's camera and its time, by real input events: what is under the mouse is circled, zoomed
- * to and framed; views are kept; a clip is stepped through. */
+/* The viewer's camera and its time, by real input events: what is under the mouse is circled,
+ * zoomed to and framed; views are kept; a clip is stepped through. */
 #define _XOPEN_SOURCE 700
 #include "base/unit.h"
 #include "view_stage.h"
@@ -136,7 +136,8 @@ static void test_views(void **state) {
     check_same("a view that was kept", arguments);
 }
 
-/* F frames the block that the mouse is on, from the same side; Shift and the wheel change the lens. */
+/* F frames the block that the mouse is on, from the same side; Shift and the wheel change
+ * the lens. */
 static void test_frame(void **state) {
     (void)state;
     need_viewer();

@@ -1,5 +1,5 @@
-/* Shaders are compiled in the background: the window takes turns meanwhile and shows what it has shown, or, where
- * the camera moves, goes on with the shaders that it has. */
+/* Shaders are compiled in the background: the window takes turns meanwhile and shows what it has
+ * shown, or, where the camera moves, goes on with the shaders that it has. */
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 

@@ -1,5 +1,5 @@
-/* What outlives the window, by real input events: settings saved by a key, and how a scene was left. A caret costs
- * little. */
+/* What outlives the window, by real input events: settings saved by a key, and how a scene was
+ * left. A caret costs little. */
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
@@ -38,7 +38,8 @@ static int count_states(void) {
     return atoi(output);
 }
 
-/* A scene that nobody changed is not kept. Ctrl S saves, and moves nothing however long it is held. */
+/* A scene that nobody changed is not kept. Ctrl S saves, and moves nothing however long it
+ * is held. */
 static void test_save_key(void **state) {
     (void)state;
     char first[600], second[600];

@@ -24,8 +24,8 @@ static int count_draws(double seconds) {
     return draws;
 }
 
-/* The window falls asleep 1.5 s after the last event, but not while a key comes again and again: a field's key
- * would stop. This key types nothing, as text would wake the window, too. */
+/* The window falls asleep 1.5 s after the last event, but not while a key comes again and again: a
+ * field's key would stop. This key types nothing, as text would wake the window, too. */
 static void test_held_key(void **state) {
     (void)state;
     begin("scenes/cornell-box.glb");

@@ -345,8 +345,8 @@ static int open_all(const char *folder) {
     return opened;
 }
 
-/* The files of strangers that fuzzing begins with, or those of the folder MANYLIGHT_STRANGERS; a scene that
- * is whole is shown after them. */
+/* The files of strangers that fuzzing begins with, or those of the folder MANYLIGHT_STRANGERS; a
+ * scene that is whole is shown after them. */
 static void test_strangers(void **state) {
     (void)state;
     const char *folder = getenv("MANYLIGHT_STRANGERS");

@@ -87,7 +87,8 @@ static void test_size(void **state) {
     emitters_free(&after);
 }
 
-/* The chosen light's watts, and its colour, of which the green is what lies in the row's middle: its power stays. */
+/* The chosen light's watts, and its colour, of which the green is what lies in the row's middle:
+ * its power stays. */
 static void test_power_and_color(void **state) {
     (void)state;
     char text[600];

@@ -1,5 +1,5 @@
-/* Looking closely, by real input events: pictures beside each other, their difference, enlarged pixels,
- * and the values under the mouse. Checked against pictures rendered offscreen. */
+/* Looking closely, by real input events: pictures beside each other, their difference, enlarged
+ * pixels, and the values under the mouse. Checked against pictures rendered offscreen. */
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 

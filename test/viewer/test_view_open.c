@@ -1,4 +1,5 @@
-/* How files come into the viewer, by real input events: a sky is dropped, turned and removed, and what cannot be opened leaves a window that goes on. */
+/* How files come into the viewer, by real input events: a sky is dropped, turned and removed, and
+ * what cannot be opened leaves a window that goes on. */
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
@@ -35,8 +36,8 @@ static void copy(const char *from, const char *name) {
         shell("mkdir -p %s/sub && cp %s/%s %s", stage.folder, stage.here, from, in_stage(name)), 0);
 }
 
-/* A file that another program writes anew is shown, from where the user stood; one that cannot be read leaves the
- * scene, and is not tried for ever. */
+/* A file that another program writes anew is shown, from where the user stood; one that cannot be
+ * read leaves the scene, and is not tried for ever. */
 static void test_changed_file(void **state) {
     (void)state;
     char before[600];
@@ -74,7 +75,7 @@ static void test_broken_keeps_scene(void **state) {
     end_viewer();
 }
 
-/* A file that is not there, a folder and a broken file: the start page, and the reason on stderr. */
+/* A file that is not there, a folder and a broken file: the start page, and the reason on stderr */
 static void test_start_page(void **state) {
     (void)state;
     static const char *const names[] = {"nosuch.glb", "sub", "broken.glb"};
@@ -183,8 +184,8 @@ static void empty_sky_field(void) {
     sync_viewer();
 }
 
-/* Lights that stand in for missing ones go, as they do with --environment, and come again when the sky is
- * removed; the copied line says it all. */
+/* Lights that stand in for missing ones go, as they do with --environment, and come again when the
+ * sky is removed; the copied line says it all. */
 static void test_sky_of_unlit_scene(void **state) {
     (void)state;
     need_viewer();

@@ -1,5 +1,5 @@
-/* The panel by mouse and keyboard: answers come into view, rows take what is typed, Tab reaches all widgets. By real
- * input events. */
+/* The panel by mouse and keyboard: answers come into view, rows take what is typed, Tab reaches all
+ * widgets. By real input events. */
 #include "view_stage.h"
 
 #include <stdio.h>
@@ -34,7 +34,8 @@ static bool is_told(const char *start, char *text, size_t size) {
     return found;
 }
 
-/* The section is folded and two sections below the fold: the click opens it and leaves what is under the mouse. */
+/* The section is folded and two sections below the fold: the click opens it and leaves what is
+ * under the mouse. */
 static void test_click(void **state) {
     (void)state;
     char text[200] = "";

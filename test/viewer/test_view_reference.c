@@ -1,5 +1,5 @@
-/* The reference traced in the window, and the chart of speed against accuracy: what they tell is what
- * the path tracer and the renderer tell by themselves. */
+/* The reference traced in the window, and the chart of speed against accuracy: what they tell is
+ * what the path tracer and the renderer tell by themselves. */
 #include "view_inside.h"
 
 #include "render_support.h"
@@ -79,7 +79,8 @@ static void test_error(void **state) {
     reference_tracer_pause(&viewer.tracing.tracer, false);
 }
 
-/* Measured while the window goes on; its value stays when another map is drawn, and comes back with the picture. */
+/* Measured while the window goes on; its value stays when another map is drawn, and comes back with
+ * the picture. */
 static void test_flip(void **state) {
     (void)state;
     struct compare *compare = &viewer.shown.compare;

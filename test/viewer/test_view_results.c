@@ -1,5 +1,6 @@
-/* What stays and what is asked for, in the window's own process: a reference past other sizes, its file, one error
- * of one definition, a part of a clip; and words of presets and the first exposure, which need no window. */
+/* What stays and what is asked for, in the window's own process: a reference past other sizes, its
+ * file, one error of one definition, a part of a clip; and words of presets and the first exposure,
+ * which need no window. */
 #define _XOPEN_SOURCE 700
 #include "view_inside.h"
 
@@ -59,7 +60,8 @@ static void test_reference_is_kept(void **state) {
     assert_true(viewer_has_reference_size(&viewer) && viewer.shown.right);
 }
 
-/* Of layer indirect both numbers are one; of all light it is the same light's noise over a larger mean. */
+/* Of layer indirect both numbers are one; of all light it is the same light's noise over a larger
+ * mean. */
 static void test_one_error(void **state) {
     (void)state;
     double error, with_noise;
@@ -187,7 +189,7 @@ static bool refuse(void **state, const struct direct_desc *desc) {
     return error_set("no memory for these shadows");
 }
 
-/* A method of direct light that cannot be made is told, and the wish goes back to the one before. */
+/* A method of direct light that cannot be made is told, and the wish goes back to the one before */
 static void test_refused_direct(void **state) {
     (void)state;
     begin("scenes/cornell-box.glb");
@@ -231,7 +233,7 @@ static void test_timeline(void **state) {
     finish_viewer();
 }
 
-/* --- how scenes were left ---------------------------------------------------------------------- */
+/* --- how scenes were left --------------------------------------------------------------------- */
 
 static void open_scene(const char *scene) {
     char path[640];
@@ -241,7 +243,8 @@ static void open_scene(const char *scene) {
     turn();
 }
 
-/* Settings go from scene to scene, but afresh a scene has none of them; nor has it the others' files. */
+/* Settings go from scene to scene, but afresh a scene has none of them; nor has it the others'
+ * files. */
 static void test_second_scene(void **state) {
     (void)state;
     begin("scenes/cornell-box.glb");
@@ -309,7 +312,8 @@ static void test_sky_is_gone(void **state) {
         0);
 }
 
-/* Of another version's settings all is kept but what is unknown here, and its file stays until something changes. */
+/* Of another version's settings all is kept but what is unknown here, and its file stays until
+ * something changes. */
 static void test_unknown_lines(void **state) {
     (void)state;
     begin("scenes/sphere.glb");

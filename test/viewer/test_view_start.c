@@ -1,4 +1,5 @@
-/* The first minute, by real input events: scenes as pictures to click, files to choose, a picture that is exposed by itself. */
+/* The first minute, by real input events: scenes as pictures to click, files to choose, a picture
+ * that is exposed by itself. */
 #define _XOPEN_SOURCE 700
 #include "view_stage.h"
 
@@ -97,7 +98,8 @@ static void test_darkness(void **state) {
     end_viewer();
 }
 
-/* The letters of a name are drawn, where a font has them: two names of one letter each look different. */
+/* The letters of a name are drawn, where a font has them: two names of one letter each look
+ * different. */
 static void test_letters(void **state) {
     (void)state;
     if (shell("cd /usr/share/fonts && test -n \"$(ls */*/NotoSansCJK-Regular.ttc "
@@ -183,7 +185,8 @@ static void test_options(void **state) {
     end_viewer();
 }
 
-/* A field of the panel holds a text with these words in it. The server learns later than we that there is one. */
+/* A field of the panel holds a text with these words in it. The server learns later than we that
+ * there is one. */
 static void expect_field(const char *name, const char *words) {
     char text[1000] = "";
     press(name);

@@ -1,6 +1,6 @@
-/* The formats of picture files, and which of two bridges reads and writes a file. Libraries that start quickly come
- * first (base/file/small/): EXR, PNG, PFM and HDR, and textures in PNG, JPEG and WebP. What they refuse goes to
- * OpenImageIO (image_plugin.h), whose refusal counts then. */
+/* The formats of picture files, and which of two bridges reads and writes a file. Libraries that
+ * start quickly come first (base/file/small/): EXR, PNG, PFM and HDR, and textures in PNG, JPEG and
+ * WebP. What they refuse goes to OpenImageIO (image_plugin.h), whose refusal counts then. */
 #include "base/file/image_file.h"
 
 #include "base/error.h"
@@ -18,7 +18,8 @@
 #include <string.h>
 #include <strings.h>
 
-/* Of the other formats that OpenImageIO knows, some lose without a word what does not fit on the disk. */
+/* Of the other formats that OpenImageIO knows, some lose without a word what does not fit on the
+ * disk. */
 struct format {
     const char *extension;
     const char *name; /* OpenImageIO's */
@@ -237,7 +238,8 @@ static bool read_small(struct image *image, const char *path, const char *layer,
     return ok;
 }
 
-/* OpenImageIO, for what the small bridge refused. NULL where this build lacks it: the refusal stands, of the file. */
+/* OpenImageIO, for what the small bridge refused. NULL where this build lacks it: the refusal
+ * stands, of the file. */
 static const struct image_plugin *other_bridge(const char *path) {
     const struct image_plugin *plugin = image_plugin_is_there() ? image_plugin_get() : NULL;
     if (!plugin && path)
@@ -245,7 +247,8 @@ static const struct image_plugin *other_bridge(const char *path) {
     return plugin;
 }
 
-/* The other bridge reads all kinds of Radiance's files, too, but not their exposures: the refusal stands. */
+/* The other bridge reads all kinds of Radiance's files, too, but not their exposures: the refusal
+ * stands. */
 static bool is_for_small_alone(const char *path) {
     return format_of_file(path) == formats + HDR;
 }
@@ -336,7 +339,8 @@ bool image_is_whole(const char *path) {
     return plugin && image_plugin_end(plugin, plugin->check(path));
 }
 
-/* Pixels across and down, of files other than EXR: where size_only is, only as much is decoded as tells them. */
+/* Pixels across and down, of files other than EXR: where size_only is, only as much is decoded as
+ * tells them. */
 static bool measure(const struct format *format, const struct file_bytes *file, bool size_only,
                     int size[2]) {
     struct raster raster = {0};

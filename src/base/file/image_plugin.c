@@ -17,7 +17,8 @@
 
 /* --- where it lies ---------------------------------------------------------------------------- */
 
-/* The file that this code is part of: the program or libmanylight.so. "" where the system does not tell. */
+/* The file that this code is part of: the program or libmanylight.so. "" where the system does not
+ * tell. */
 static void find_own_file(char path[PATH_MAX]) {
     Dl_info symbol;
     struct link_map *object = NULL;
@@ -34,8 +35,8 @@ static void find_own_file(char path[PATH_MAX]) {
     }
 }
 
-/* The path, to be freed; NULL: there is none. The folders are those of a build or a Python module, of an installed
- * library, and of an installed program. */
+/* The path, to be freed; NULL: there is none. The folders are those of a build or a Python module,
+ * of an installed library, and of an installed program. */
 static char *find(void) {
     static const char *const below[] = {"", "manylight/", "../" MANYLIGHT_LIBDIR "/manylight/"};
     char own[PATH_MAX];

@@ -64,7 +64,8 @@ static int open_pipe(const char *path) {
     return fcntl(STDIN_FILENO, F_DUPFD_CLOEXEC, 3);
 }
 
-/* The path of what was read, to be freed; NULL and an error. The file lives as long as the program. */
+/* The path of what was read, to be freed; NULL and an error. The file lives as long as
+ * the program. */
 static char *read_whole(const char *path) {
     error_set("%s", "");
     int pipe = open_pipe(path);
@@ -105,8 +106,9 @@ static struct kept *find_or_read(const char *path) {
     return all_kept = kept;
 }
 
-/* The path that opens the bytes as a regular file: the path itself where it is no pipe. The text lives as long as the
- * program. NULL and an error: a terminal, 4 GiB or more, or more than half of the memory that is free. */
+/* The path that opens the bytes as a regular file: the path itself where it is no pipe. The text
+ * lives as long as the program. NULL and an error: a terminal, 4 GiB or more, or more than half of
+ * the memory that is free. */
 static const char *open_bytes(const char *path) {
     if (!piped_file_is(path))
         return path;

@@ -68,8 +68,8 @@ static int spawn(struct video_file *video, char *const *arguments, int from) {
     return reason;
 }
 
-/* Frames are sRGB of full range. The video's colours are those of BT.709, and say so: players else guess. Without -xerror
- * ffmpeg ends well although the disk is full. */
+/* Frames are sRGB of full range. The video's colours are those of BT.709, and say so: players else
+ * guess. Without -xerror ffmpeg ends well although the disk is full. */
 static bool start(struct video_file *video, const char *fps, int from) {
     static char filter[] = "scale=out_color_matrix=bt709:out_range=limited,format=yuv420p";
     char size[32], rate[40], output[32], container[16];
@@ -135,7 +135,8 @@ bool video_file_begin(struct video_file *video, const char *path, int width, int
     return ok;
 }
 
-/* Colours of 4:2:0 are those of 2 x 2 pixels: the last column and row come twice where the sides are odd. */
+/* Colours of 4:2:0 are those of 2 x 2 pixels: the last column and row come twice where the sides
+ * are odd. */
 static void make_even(struct video_file *video, const struct bitmap *frame) {
     size_t width = (size_t)frame->width, height = (size_t)frame->height,
            even_width = width + width % 2, even_height = height + height % 2;

@@ -5,7 +5,8 @@
  *     bool ok = video_file_begin(&video, "clip.mp4", 320, 200, "25");
  *     for (...)
  *         ok = ok && video_file_add(&video, &bitmap);
- *     ok = video_file_end(&video, ok) && ok; */
+ *     ok = video_file_end(&video, ok) && ok;
+ */
 #ifndef BASE_FILE_VIDEO_FILE_H
 #define BASE_FILE_VIDEO_FILE_H
 

@@ -1,7 +1,7 @@
 /* Direct light with hard shadow maps [Dong 2009 §6].
  *
- * The lookup is that of other maps of depth (passes/visibility/lookup.glsl), filtered over the four nearest
- * texels, so that the shadow's edge is a texel wide and not stepped. */
+ * The lookup is that of other maps of depth (passes/visibility/lookup.glsl), filtered over the four
+ * nearest texels, so that the shadow's edge is a texel wide and not stepped. */
 #include "base/memory.h"
 #include "direct/shadow.h"
 

@@ -24,8 +24,8 @@ static const struct option table[] = {
 static const struct settings_part own_part = {"pcss", "direct light with soft shadows", table,
                                               sizeof(struct pcss_settings)};
 
-/* Where the search for blockers ends, over the receiver's distance from the light; and the receiver's offset towards the
- * light, over the same. */
+/* Where the search for blockers ends, over the receiver's distance from the light; and the
+ * receiver's offset towards the light, over the same. */
 static const double nearest = .2;
 static const float plane_bias = 1e-3F;
 

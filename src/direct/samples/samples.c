@@ -58,7 +58,8 @@ static bool init(void **state, const struct direct_desc *desc) {
            buffer_init(&samples->lights, "points of lights", sizeof *samples->block, NULL);
 }
 
-/* The i-th point of each light, with its share of the light. The mean of all points is the middle. */
+/* The i-th point of each light, with its share of the light. The mean of all points is
+ * the middle. */
 static void take_points(struct samples *samples, const struct frame *frame, int i) {
     double half = .5 / samples->count, y = half + radical_inverse(2, (uint32_t)i);
     float place[2] = {((float)i + .5F) / (float)samples->count, (float)(y - floor(y))};

@@ -35,8 +35,8 @@ static _Thread_local struct context *current;
 
 /* --- debug messages --- */
 
-/* What costs time and is no fault. NVIDIA's numbers: a shader is recompiled for a state; a buffer that is read back moves
- * to the host. */
+/* What costs time and is no fault. NVIDIA's numbers: a shader is recompiled for a state; a buffer
+ * that is read back moves to the host. */
 static bool is_note(GLenum type, GLuint id) {
     return type == GL_DEBUG_TYPE_PERFORMANCE || id == 131218 || id == 131186;
 }
@@ -115,7 +115,8 @@ static bool load(struct context *context, void *(*getproc)(const char *name), bo
     return true;
 }
 
-/* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for them again. */
+/* A software rasteriser frees tens of MiB of triangles at the end of what it draws, and asks for
+ * them again. */
 static void keep_freed(const struct context *context) {
     if (context->api.software)
         mem_keep_freed();
@@ -261,8 +262,8 @@ static struct context *try_list(const struct candidate_list *list, const struct 
     return NULL;
 }
 
-/* Mesa complains on stderr of each device that is not its own; we report what failed. It does not know of bounds but
- * the affinity's on its threads. */
+/* Mesa complains on stderr of each device that is not its own; we report what failed. It does not
+ * know of bounds but the affinity's on its threads. */
 static void instruct_mesa(void) {
     char threads[16];
     snprintf(threads, sizeof threads, "%d", parallel_core_count());

@@ -14,8 +14,8 @@ static const struct {
 };
 
 /* OpenGL 4.5 promises 16 KiB of a uniform block and 65536 texels of a buffer texture. All else that
- * the shaders count on is within its promises, or is told by the object that does not fit: sizes and
- * samples of textures. */
+ * the shaders count on is within its promises, or is told by the object that does not fit: sizes
+ * and samples of textures. */
 enum {
     VPL_BLOCK_BYTES = VPLS_PER_BLOCK * sizeof(struct vpl),
     VIEW_BLOCK_BYTES = MAP_VIEWS_MAX * sizeof(struct map_view),

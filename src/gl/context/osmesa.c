@@ -1,7 +1,6 @@
 /* OSMesa: Mesa's software rasteriser as a plain library (gone from Mesa 25.1 on).
  *
- * Its header is seldom installed, so the few declarations are written out here.
- */
+ * Its header is seldom installed, so the few declarations are written out here. */
 #include "gl/context/platform.h"
 
 #include "base/error.h"

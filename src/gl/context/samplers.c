@@ -35,8 +35,8 @@ static void complain(const char *name, GLint unit, const char *what) {
     log_warning("OpenGL: sampler '%s' of unit %d %s", name, unit, what);
 }
 
-/* All textures are made whole (gl/texture.c): one that is there has its levels. An array has a location and a unit for
- * each element. */
+/* All textures are made whole (gl/texture.c): one that is there has its levels. An array has a
+ * location and a unit for each element. */
 static void check_sampler(GLuint program, const char *name, GLint element, GLenum binding,
                           bool taken[UNITS]) {
     GLint unit = 0, texture = 0;

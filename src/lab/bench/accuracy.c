@@ -1,5 +1,5 @@
-/* manylight bench budget, curves: the error of the frame, step by step on the way from the reference, and
- * against M, K, N and the size of maps. */
+/* manylight bench budget, curves: the error of the frame, step by step on the way from the
+ * reference, and against M, K, N and the size of maps. */
 #include "lab/bench/bench.h"
 
 #include "lab/measure/accuracy.h"

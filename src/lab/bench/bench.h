@@ -59,7 +59,8 @@ struct bench_mode {
     bool (*check)(struct bench *bench); /* arguments that are no scenes; NULL where they are */
     /* Each scene, with a subject for each variant at each point of --vary. */
     bool (*measure)(struct bench *bench, const struct measure_list *subjects);
-    /* Up to one of no title: a line of the first as soon as it is measured, the others after each scene. */
+    /* Up to one of no title: a line of the first as soon as it is measured, the others after each
+     * scene. */
     struct table tables[BENCH_TABLES_MAX + 1];
     bool (*finish)(struct bench *bench); /* after the last scene; NULL = nothing is left to do */
     bool (*judge)(struct bench *bench);  /* after --csv is written; NULL = nothing can be wrong */

@@ -1,5 +1,6 @@
-/* manylight bench caustics: Tables 8.1 and 8.2 of [Dong 2011 §8.5], times of airlight and of caustics on surfaces and in a
- * medium, with the thesis's own figures beside ours; and how they grow with rays, pixels and lights. */
+/* manylight bench caustics: Tables 8.1 and 8.2 of [Dong 2011 §8.5], times of airlight and of
+ * caustics on surfaces and in a medium, with the thesis's own figures beside ours; and how they
+ * grow with rays, pixels and lights. */
 #include "lab/bench/bench.h"
 
 #include "base/memory.h"
@@ -16,8 +17,8 @@ static const char *const variants[] = {
     "caustics.surface=patches,caustics.medium=lines",
     NULL};
 
-/* GeForce GTX 280, 1024 x 1024, as many rays [Dong 2011, Table 8.1]. The caption there exchanges surfaces and volume; our
- * pawns stand for the Buddha. */
+/* GeForce GTX 280, 1024 x 1024, as many rays [Dong 2011, Table 8.1]. The caption there exchanges
+ * surfaces and volume; our pawns stand for the Buddha. */
 enum { STAGES = 3 };
 
 static const char *const stage_names[STAGES] = {"airlight", "surface", "volume"};
@@ -27,7 +28,8 @@ static const struct {
     double ms[STAGES];
 } paper_rows[] = {{"ring", {4.5, 15, 10}}, {"pawns", {5, 13, 9}}, {"gem", {5, 28, 21}}};
 
-/* 16 times the rays take the thesis 2.1 to 2.8 times as long, 16 times the pixels 1.1 to 1.5 times. */
+/* 16 times the rays take the thesis 2.1 to 2.8 times as long, 16 times the pixels 1.1 to
+ * 1.5 times. */
 static const char ray_axis[] = "caustics.size=128,256,512";
 
 static double pass_of(const struct results *results, int subject, const char *name) {
@@ -95,7 +97,8 @@ static bool measure_axis(struct bench *bench, const char *axis, const char *of) 
 
 enum { COUNTS = 3 };
 
-/* Whole frames of the thesis, from frames a second with one, two and four lights [Dong 2011 §8.5]: not linear, as told. */
+/* Whole frames of the thesis, from frames a second with one, two and four lights [Dong 2011 §8.5]:
+ * not linear, as told. */
 static const struct {
     int lights;
     double paper_ms;

@@ -1,5 +1,5 @@
-/* manylight bench direct: how true the share of the lights that is seen is, against time, by each method of direct
- * light. */
+/* manylight bench direct: how true the share of the lights that is seen is, against time, by each
+ * method of direct light. */
 #include "lab/bench/direct.h"
 
 #include <stdlib.h>
@@ -41,7 +41,8 @@ static bool add_series(const struct bench *bench, const struct series *series,
     return ok;
 }
 
-/* Those of --variant at the points of --vary, through pixels' centres as the reference is; or all methods. */
+/* Those of --variant at the points of --vary, through pixels' centres as the reference is; or all
+ * methods. */
 static bool list_methods(const struct bench *bench, const struct measure_list *asked,
                          struct measure_list *list) {
     const struct series *series = bench->stage->emitters.sky ? of_skies : of_lamps;

@@ -7,13 +7,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* --- Table 5.1: MIP maps and summed area tables, from one light to many ---------------------------- */
+/* --- Table 5.1: MIP maps and summed area tables, from one light to many ----------------------- */
 
 enum { SIZES = 3, COUNTS = 3, FILTERS = 2 };
 
 static const int sizes[SIZES] = {128, 256, 512}, counts[COUNTS] = {1, 10, 20};
 
-/* Frames a second on a GeForce 8800 GTX, K = 4; there is a row more, of 1024 texels, where its memory ran out. */
+/* Frames a second on a GeForce 8800 GTX, K = 4; there is a row more, of 1024 texels, where its
+ * memory ran out. */
 static const double published_fps[FILTERS][SIZES][COUNTS] = {
     {{258, 48, 28}, {228, 44, 25}, {189, 38, 20}},
     {{128, 15, 8.8}, {110, 13, 7.5}, {89, 11, 6}},
@@ -88,7 +89,7 @@ static bool time_lights(struct bench *bench) {
     return true;
 }
 
-/* --- Tables 7.1 and 7.2: where the time of variance soft shadow maps goes --------------------------- */
+/* --- Tables 7.1 and 7.2: where the time of variance soft shadow maps goes --------------------- */
 
 enum { STEPS = 5, SHARES = 3 };
 

@@ -51,8 +51,8 @@ static bool write_csv(const struct bench *bench) {
            result_rows_write(&bench->results, bench->mode->name, bench->values.csv);
 }
 
-/* Prints what is new of the first table, and writes all rows: a run that ends early leaves what it has measured. A device
- * or a pipe takes all rows at the end. */
+/* Prints what is new of the first table, and writes all rows: a run that ends early leaves what it
+ * has measured. A device or a pipe takes all rows at the end. */
 static bool hear(void *user) {
     struct bench *bench = user;
     struct bench_work *work = &bench->work;

@@ -14,8 +14,8 @@ void export_meshes_free(struct export_target *target);
 /* The mapping of the mesh's texture: the base colour's, else the emission's; -1 = it has none. */
 int export_mapping(const struct export_target *target, const struct export_mesh *mesh);
 
-/* Mode of the texture for both directions, as the formats have one. Where the directions differ, one whose coordinates
- * all lie from 0 to 1 follows the other; else v follows u, with a note. */
+/* Mode of the texture for both directions, as the formats have one. Where the directions differ,
+ * one whose coordinates all lie from 0 to 1 follows the other; else v follows u, with a note. */
 enum texture_wrap export_wrap(struct export_target *target, int n, int texture);
 
 /* Writes mesh-N.ply; or mesh-N-back.ply, the other side: a little behind, with all turned round. */

@@ -1,5 +1,6 @@
-/* A scene pack: scene.glb as it is, environment.exr, and scene.json, which tells camera, lights and picture in plain
- * numbers. bench/entries/README.md describes it; bench/schema/pack.schema.json tells its form. */
+/* A scene pack: scene.glb as it is, environment.exr, and scene.json, which tells camera, lights and
+ * picture in plain numbers. bench/entries/README.md describes it; bench/schema/pack.schema.json
+ * tells its form. */
 #ifndef LAB_EXPORT_PACK_H
 #define LAB_EXPORT_PACK_H
 

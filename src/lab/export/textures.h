@@ -9,7 +9,8 @@
 bool export_color_texture(const struct export_target *target, int texture, vec3s factor,
                           const char *name);
 
-/* Writes NAME, a PNG: white where the alpha mask of the base colour lets light pass no more, else black. */
+/* Writes NAME, a PNG: white where the alpha mask of the base colour lets light pass no more, else
+ * black. */
 bool export_mask(const struct export_target *target, const struct material *material,
                  const char *name);
 

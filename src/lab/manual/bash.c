@@ -15,8 +15,8 @@ static void put_function_name(FILE *out, const char *name) {
 
 /* --- what all commands use -------------------------------------------------------------------- */
 
-/* The words are split anew: bash splits KEY=VALUE at "=", and puts only what follows it in place. Without -r, read takes
- * "a\\ b" as one word. File names in quotes are left to bash. */
+/* The words are split anew: bash splits KEY=VALUE at "=", and puts only what follows it in place.
+ * Without -r, read takes "a\\ b" as one word. File names in quotes are left to bash. */
 static const char helpers[] =
     "_manylight_words() {\n"
     "    COMPREPLY=($(compgen -W \"$1\" -- \"$cur\"))\n"

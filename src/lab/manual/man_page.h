@@ -20,7 +20,8 @@ void man_page_write_overview(FILE *out);
 /* The page's first part, of a subcommand: its name, and what it does. */
 void man_page_begin(FILE *out, const char *name, const char *help);
 
-/* Synopsis, description and options. The page of render has all settings, too. Modes of bench follow each other. */
+/* Synopsis, description and options. The page of render has all settings, too. Modes of bench
+ * follow each other. */
 void man_page_write_command(FILE *out, const struct command *command);
 void man_page_end(FILE *out, const char *name);
 

@@ -23,8 +23,8 @@ struct value {
 struct value value_of_option(const struct option *option);
 void value_free(struct value *value);
 
-/* Calls put with each setting of all techniques and its words, "" where it is a number; then with "path" and the
- * presets. */
+/* Calls put with each setting of all techniques and its words, "" where it is a number; then with
+ * "path" and the presets. */
 typedef void put_setting(FILE *out, const char *name, const char *words);
 void value_each_setting(FILE *out, put_setting *put);
 

@@ -11,11 +11,11 @@
 #define AGAINST_CENTERS "pixel centres"
 #define AGAINST_RAYS "rays from the VPLs"
 
-/* Where the error of a frame comes from: the way from the reference to the frame in single steps. Adds
- * a subject for each step, whose variant is the step's name, with its errors against the reference and
- * against the step before, the last one before antialiasing also against pixel centres; and the
- * reference's "noise" with the first. desc: size and settings that all share. Error: of the reference or a
- * picture. */
+/* Where the error of a frame comes from: the way from the reference to the frame in single steps.
+ * Adds a subject for each step, whose variant is the step's name, with its errors against the
+ * reference and against the step before, the last one before antialiasing also against pixel
+ * centres; and the reference's "noise" with the first. desc: size and settings that all share.
+ * Error: of the reference or a picture. */
 int budget_subjects(void); /* how many they are */
 bool budget_measure(struct results *results, const struct measure_desc *desc,
                     const struct reference_desc *reference);

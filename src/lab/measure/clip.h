@@ -5,8 +5,7 @@
  *
  *     mean over frames and pixels of |(F_t - F_t-1) - (R_t - R_t-1)| / mean R
  *
- * of the indirect light. A picture that is wrong, but steadily so, does not flicker.
- */
+ * of the indirect light. A picture that is wrong, but steadily so, does not flicker. */
 #ifndef LAB_MEASURE_CLIP_H
 #define LAB_MEASURE_CLIP_H
 

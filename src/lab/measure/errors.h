@@ -7,8 +7,8 @@
 
 /* Adds relative-rmse, relative-mae, relative-bias (% of the reference's mean) and gradient of the
  * indirect layer, and ldr-flip of the picture: few wrong pixels make the first, many the second,
- * and the last says whether they are seen. against: what results call the reference. Error: a layer is
- * missing, or a value is not finite. */
+ * and the last says whether they are seen. against: what results call the reference. Error: a layer
+ * is missing, or a value is not finite. */
 bool errors_add(struct results *results, const struct image *test, const struct image *reference,
                 const char *against);
 

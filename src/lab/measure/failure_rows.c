@@ -29,8 +29,8 @@ const char *const failure_columns[FAILURE_COLUMNS] = {
 
 const struct failure_row failure_rows[] = {
     {"room", .scene = ROOM},
-    /* Blockers: none; thin, in contact, wide penumbrae, seen edge-on, through a VAL's plane or around
-     * its centre, leaking. */
+    /* Blockers: none; thin, in contact, wide penumbrae, seen edge-on, through a VAL's plane or
+     * around its centre, leaking. */
     {"table-legs", .scene = OWN("table-legs")},
     {"contact", .scene = OWN("contact")},
     {"wide-light", .scene = OWN("wide-light"), .settings = "vals=2"},

@@ -4,8 +4,7 @@
  *
  * What is promised of each technique lies in its folder, src/techniques/NAME/bounds.csv: at most so
  * many per cent of relative RMSE and of relative bias, at 160x120 and 2 % noise, and in small, as
- * `make test` runs it. The program holds these files.
- */
+ * `make test` runs it. The program holds these files. */
 #ifndef LAB_MEASURE_FAILURES_H
 #define LAB_MEASURE_FAILURES_H
 

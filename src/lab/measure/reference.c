@@ -154,7 +154,8 @@ static bool make_file(const struct reference_desc *reference, const struct measu
     return ok;
 }
 
-/* Also what was made now comes from its file, which has half floats: figures are the same the first time. */
+/* Also what was made now comes from its file, which has half floats: figures are the same the first
+ * time. */
 bool reference_get(const struct reference_desc *reference, const struct measure_desc *desc,
                    struct image *image) {
     *image = (struct image){0};

@@ -1,7 +1,7 @@
 /* Results as rows of CSV.
  *
- * The file has one shape whatever was measured, and every row tells subject and machine, so that rows of many runs may be
- * put together:
+ * The file has one shape whatever was measured, and every row tells subject and machine, so that
+ * rows of many runs may be put together:
  *
  *     mode, scene, faces, width, height, technique, variant, point, settings    the subject
  *     what, against, unit, value, p5, p95, min, max, count                      the figure

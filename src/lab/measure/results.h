@@ -73,8 +73,8 @@ struct table {
 };
 
 /* On stdout: a line for each subject from the first on that has any of the columns, below a heading
- * for each scene and size but that of the subject `last`, which was printed before; -1 = none was. Returns the one that
- * was printed last. */
+ * for each scene and size but that of the subject `last`, which was printed before; -1 = none was.
+ * Returns the one that was printed last. */
 int results_print(const struct results *results, int first, const struct table *table, int last);
 
 #endif

@@ -170,7 +170,8 @@ static bool join(struct group *group, const struct measure_desc *desc, double *m
     return true;
 }
 
-/* What is slow has few beside it, as the rows of all come at the end of the rounds: who ends a run loses no more. */
+/* What is slow has few beside it, as the rows of all come at the end of the rounds: who ends a run
+ * loses no more. */
 static bool gather(struct group *group, const struct measure_desc *descs, int count) {
     double ms = 0;
     bool ok = true;

@@ -14,12 +14,11 @@ struct timing_desc {
     struct reference_desc reference; /* for errors of the last frame, too; zeroed = none */
 };
 
-/* Measures subjects of one stage, up to TIMING_GROUP with a renderer each at the same time, fewer where frames are slow.
- * Commits each when its group is done. Adds
- * the medians of all passes ("frame", "frame/gather" ...), "clock" and "cpu" (a frame without
- * timers; of all cores together), "gpu-memory", errors (against REFERENCE_SEEN shares_add's, against
- * REFERENCE_AO errors_add_ao's), and
- * baseline_add_ratios's. Error: of a renderer or of the reference. */
+/* Measures subjects of one stage, up to TIMING_GROUP with a renderer each at the same time, fewer
+ * where frames are slow. Commits each when its group is done. Adds the medians of all passes
+ * ("frame", "frame/gather" ...), "clock" and "cpu" (a frame without timers; of all cores together),
+ * "gpu-memory", errors (against REFERENCE_SEEN shares_add's, against REFERENCE_AO errors_add_ao's),
+ * and baseline_add_ratios's. Error: of a renderer or of the reference. */
 enum { TIMING_GROUP = 8, TIMING_GROUP_LEAST = 2 };
 bool timing_measure(struct results *results, const struct measure_list *subjects,
                     const struct timing_desc *timing);

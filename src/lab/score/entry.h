@@ -1,4 +1,5 @@
-/* The pictures of a folder that are named SCENE.WxH.exr or, of one frame of a clip, SCENE.WxH.FRAME.exr. */
+/* The pictures of a folder that are named SCENE.WxH.exr or, of one frame of a clip,
+ * SCENE.WxH.FRAME.exr. */
 #ifndef LAB_SCORE_ENTRY_H
 #define LAB_SCORE_ENTRY_H
 

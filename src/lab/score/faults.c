@@ -26,7 +26,8 @@ struct change {
 
 static const struct change unchanged = {.factor = 1};
 
-/* An error below this is nobody's fault; a change is named where the error without it is so much of that with it. */
+/* An error below this is nobody's fault; a change is named where the error without it is so much of
+ * that with it. */
 static const double least_error = .01, explains = .6;
 
 static float *luminances(const struct image *image, double *mean) {
@@ -141,8 +142,8 @@ static double compressed(const struct pair *pair, const float *values, int x, in
     return value > 0 ? value / (value + pair->mean) : 0;
 }
 
-/* The shift by which the reference's gradients explain the difference best [Lucas and Kanade 1981]. Noise of the
- * reference and sharp edges make it up to a quarter smaller. */
+/* The shift by which the reference's gradients explain the difference best [Lucas and Kanade 1981].
+ * Noise of the reference and sharp edges make it up to a quarter smaller. */
 static void estimate_shift(const struct pair *pair, double shift[2]) {
     double xx = 0, xy = 0, yy = 0, dx = 0, dy = 0;
     for (int y = 0; y < pair->height; y++)

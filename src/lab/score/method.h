@@ -1,4 +1,5 @@
-/* method.json of an entry: what made its pictures, and how fast. bench/schema/method.schema.json says the same. */
+/* method.json of an entry: what made its pictures, and how fast. bench/schema/method.schema.json
+ * says the same. */
 #ifndef LAB_SCORE_METHOD_H
 #define LAB_SCORE_METHOD_H
 

@@ -1,5 +1,5 @@
-/* manylight score: the errors of a folder of pictures, whoever made them, and faults that make such errors
- * meaningless. */
+/* manylight score: the errors of a folder of pictures, whoever made them, and faults that make such
+ * errors meaningless. */
 #include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "lab/measure/reference.h"

@@ -7,7 +7,8 @@
  *     lane       0                1                2                  3
  *     colour     Y: achromatic    Cx: red-green    Cz: blue-yellow, sum of two Gaussians
  *     feature    edge across x    edge across y    point across x     point across y
- *                dG(x) G(y)       G(x) dG(y)       ddG(x) G(y)        G(x) ddG(y) */
+ *                dG(x) G(y)       G(x) dG(y)       ddG(x) G(y)        G(x) ddG(y)
+ */
 #ifndef METRICS_FLIP_FLIP_FILTER_H
 #define METRICS_FLIP_FLIP_FILTER_H
 

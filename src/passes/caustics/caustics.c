@@ -179,9 +179,10 @@ static float place_in_texel(uint32_t base, int pass) {
     return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
 }
 
-/* The thesis leaves its constant solid angle of light open [Dong 2011, eq. 8.3]. Here it conserves the flux of lines in all
- * directions at the middle of glass and mirrors. Across the view a line has one over a pixel's width there, 1/m. A line of
- * another direction covers less pixels: on average the square root of a half as many. */
+/* The thesis leaves its constant solid angle of light open [Dong 2011, eq. 8.3]. Here it conserves
+ * the flux of lines in all directions at the middle of glass and mirrors. Across the view a line
+ * has one over a pixel's width there, 1/m. A line of another direction covers less pixels: on
+ * average the square root of a half as many. */
 static float line_weight(const struct caustics_pass *pass, const struct frame *frame) {
     const struct view *camera = frame->camera;
     vec3 middle, from_eye;

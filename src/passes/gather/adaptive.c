@@ -98,7 +98,8 @@ void adaptive_pass_render(const struct adaptive_pass *pass, const struct frame *
                });
     framebuffer_clear_integers(pass->framebuffer, TARGET_RESULT, none);
     pass_draw_fullscreen(1);
-    /* Later passes fetch the lists, and read their lengths as uniforms; the next frame clears these. */
+    /* Later passes fetch the lists, and read their lengths as uniforms; the next frame clears
+     * these. */
     gl.MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_UNIFORM_BARRIER_BIT |
                      GL_BUFFER_UPDATE_BARRIER_BIT);
     pass_end(frame->timers);

@@ -73,10 +73,11 @@ void blur_pass_free(struct blur_pass *pass) {
     *pass = (struct blur_pass){0};
 }
 
-/* Of what a list has another pixel takes within the mean of their windows: of its own it would take light that does
- * not come back, and of theirs places of the pattern would be missing, the same ones all along a slanted edge. Smooth
- * specular reflection, where it is a level, is never blurred. Of what is steep it takes less far, or light would come that
- * does not go: within an edge's own window. */
+/* Of what a list has another pixel takes within the mean of their windows: of its own it would take
+ * light that does not come back, and of theirs places of the pattern would be missing, the same
+ * ones all along a slanted edge. Smooth specular reflection, where it is a level, is never blurred.
+ * Of what is steep it takes less far, or light would come that does not go: within an edge's own
+ * window. */
 static float taken_radius(const struct blur_desc *desc, int level) {
     float own = (float)desc->radius, theirs = desc->level_radius[level];
     return desc->specular ? fminf(own, theirs) : .5F * (own + theirs);

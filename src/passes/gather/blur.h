@@ -25,8 +25,8 @@ struct blur_desc {
     float level_weight[PIXEL_LEVELS];
     bool specular; /* pixels of smooth surfaces take the first level; needs the specular target */
     bool square;   /* blurs the whole square at once, as published; else along x, then y */
-    /* Another blur of this size and kind (square or not) whose taps this one overwrites. It outlives
-     * this blur. NULL: own taps. */
+    /* Another blur of this size and kind (square or not) whose taps this one overwrites. It
+     * outlives this blur. NULL: own taps. */
     const struct blur_pass *lender;
 };
 

@@ -136,14 +136,15 @@ static void draw_tile(const struct gather_pass *pass, const struct gather_inputs
         pass_draw_fullscreen(1);
 }
 
-/* llvmpipe ends the loops of a shader after 65,535 steps in all, and a ray takes hundreds in a large scene. Of VPLs that
- * test together a sixth do. */
+/* llvmpipe ends the loops of a shader after 65,535 steps in all, and a ray takes hundreds in a
+ * large scene. Of VPLs that test together a sixth do. */
 static int vpls_of_draw(const struct gather_pass *pass) {
     bool traced = pass->desc.visibility.lookup == VISIBILITY_LOOKUP_TRACED;
     return !traced ? INT_MAX : pass->desc.together > 6 ? 6 * RAYS_MAX : RAYS_MAX;
 }
 
-/* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by side. */
+/* Slot s of S has VPLs s N / S .. (s + 1) N / S; a list may take those of `side` slots side by
+ * side. */
 static void draw_slot(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list, int side) {
     int n = pass->desc.interleave, slots = n * n, total = inputs->vpls->count;

@@ -24,7 +24,8 @@ static int reduced(int all, int wanted, int least) {
     return wanted > least ? wanted : least;
 }
 
-/* Fewer than so many are too few for a corner; of one light, where several share them, than so many. */
+/* Fewer than so many are too few for a corner; of one light, where several share them, than so
+ * many. */
 static const int adaptive_least = 32, light_least = 8;
 
 static int samples_of_adaptive(const struct near_field_desc *desc, int n, int side) {
@@ -205,8 +206,9 @@ static void draw_all(const struct near_field_pass *pass, const struct frame *fra
                                      .pass = frame->pass});
 }
 
-/* What is on a list has few neighbours that are like it, and shows the lights that it takes itself: it takes all of a group,
- * and as many samples of them together as of those that it would be allocated. */
+/* What is on a list has few neighbours that are like it, and shows the lights that it takes itself:
+ * it takes all of a group, and as many samples of them together as of those that it would be
+ * allocated. */
 static void draw_lists(const struct near_field_pass *pass, const struct frame *frame,
                        const struct near_field_inputs *inputs) {
     int n = inputs->irradiance->interleave, slots = n * n;

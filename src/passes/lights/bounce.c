@@ -83,7 +83,8 @@ static bool init_targets(struct bounce_pass *pass) {
 
 /* --- numbers of paths ------------------------------------------------------------------------- */
 
-/* VPLs have the dimensions of 2 and 3. The most even ones of those left are the first rays', whatever the bounces. */
+/* VPLs have the dimensions of 2 and 3. The most even ones of those left are the first rays',
+ * whatever the bounces. */
 static double number_of(uint32_t i, int number, int axis, int seed) {
     static const uint32_t primes[][2] = {{11, 13}, {5, 7},   {17, 19}, {23, 29}, {31, 37},
                                          {41, 43}, {47, 53}, {59, 61}, {67, 71}};

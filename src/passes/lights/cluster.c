@@ -155,7 +155,8 @@ static void take_steps(const struct cluster_pass *pass, const struct frame *fram
     pass_dispatch(1, 1, 1);
 }
 
-/* So many iterations of k-means, from the seeds or from the means of before: as many in a dispatch as it may take. */
+/* So many iterations of k-means, from the seeds or from the means of before: as many in a dispatch
+ * as it may take. */
 static void iterate(const struct cluster_pass *pass, const struct frame *frame, bool seeds,
                     int iterations) {
     const int vpls = pass->desc.vpl_count, groups = (vpls + CLUSTER_GROUP - 1) / CLUSTER_GROUP;

@@ -131,8 +131,8 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
 }
 
 /* As far as is asked for, but no farther from its point in the light's view than 45 degrees, where
- * few VPLs are far apart. The VPLs of a group lie among each other: asked for is in their spacings, not
- * in those of the few that are this light's. */
+ * few VPLs are far apart. The VPLs of a group lie among each other: asked for is in their spacings,
+ * not in those of the few that are this light's. */
 static float near_reach(const struct light *light, float measure, float asked) {
     float widest = measure / (float)VPL_COSINE_MIN;
     return light->type == LIGHT_TYPE_DIRECTIONAL ? asked : fminf(asked, 1 / sqrtf(widest));

@@ -84,8 +84,8 @@ void airlight_pass_free(struct airlight_pass *pass) {
 /* Fewer would show as noise that the blur does not join. */
 enum { LEAST_STEPS = 8 };
 
-/* Light samples of a lamp are spread over it; those of a ball do not grow nearer to them than so much of the radius of
- * their share. */
+/* Light samples of a lamp are spread over it; those of a ball do not grow nearer to them than so
+ * much of the radius of their share. */
 static const double ball_width = .25;
 
 static void set_source(struct airlight_params *params, int n, const struct emitter *lamp,

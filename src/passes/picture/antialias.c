@@ -89,17 +89,19 @@ static bool init_assignment(struct antialias_pass *pass) {
                                                      .colors = {&pass->assignment},
                                                      .depth = pixel_mask_depth(&pass->edges)}))
         return false;
-    /* No program is in use that could draw integers: a driver warns of a framebuffer that is cleared then. */
+    /* No program is in use that could draw integers: a driver warns of a framebuffer that is
+     * cleared then. */
     gl.ClearTexImage(pass->assignment.id, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, itself);
     return true;
 }
 
-/* As near to a pixel's border as rasterisers place what they draw: of what a sliver of a pixel shows a layer of light
- * is the mean, however narrow it is. */
+/* As near to a pixel's border as rasterisers place what they draw: of what a sliver of a pixel
+ * shows a layer of light is the mean, however narrow it is. */
 static const float outermost = .5F - 1 / 256.F;
 
-/* Where layer i moves its samples, pixels: the outermost ones to the border, the others evenly between, across x and y in
- * different orders. A layer alone stays where the driver has its samples. */
+/* Where layer i moves its samples, pixels: the outermost ones to the border, the others evenly
+ * between, across x and y in different orders. A layer alone stays where the driver has its
+ * samples. */
 static void layer_shift(const struct sample_layers *layers, int i, float shift[2]) {
     static const int orders[][SAMPLES_MAX / SAMPLES_PER_LAYER_MIN] = {
         {0}, {0, 1}, {1, 2, 0}, {2, 0, 3, 1}};

@@ -22,8 +22,8 @@ unsigned composite_kinds(const struct contribution *contribution) {
            (contribution->volume_caustic ? HAS_VOLUME_CAUSTICS : 0U);
 }
 
-/* GL promises a program 16 samplers. Of all kinds together 17 are needed: without samplers of their own, edge samples take
- * the irradiance of the pixel that stands in for them. */
+/* GL promises a program 16 samplers. Of all kinds together 17 are needed: without samplers of their
+ * own, edge samples take the irradiance of the pixel that stands in for them. */
 static unsigned contributes_within_samplers(const struct composite_desc *desc) {
     const unsigned all = HAS_IRRADIANCE | HAS_RADIANCE | HAS_MEDIUM | HAS_EDGE_SAMPLES |
                          HAS_CAUSTICS | HAS_VOLUME_CAUSTICS;
@@ -91,8 +91,8 @@ void composite_pass_free(struct composite_pass *pass) {
     *pass = (struct composite_pass){0};
 }
 
-/* A pass of an accumulated picture may have no edge samples. Its assignment asks for none, but samplers must have a
- * texture. */
+/* A pass of an accumulated picture may have no edge samples. Its assignment asks for none, but
+ * samplers must have a texture. */
 static void add_edge_samples(struct pass_state *state, const struct frame *frame,
                              const struct contribution *contribution) {
     const struct irradiance *irradiance = contribution->edge_sample_irradiance;
@@ -118,8 +118,8 @@ static void add_contribution(struct pass_state *state, const struct contribution
         pass_add_texture(state, UNIT_VOLUME_CAUSTIC, contribution->volume_caustic->id);
 }
 
-/* What all pixels' centres see, and at depth 0 those that samples see more of: for a rasteriser in software, which
- * executes both sides of a branch. A dispatch has all in one. */
+/* What all pixels' centres see, and at depth 0 those that samples see more of: for a rasteriser in
+ * software, which executes both sides of a branch. A dispatch has all in one. */
 static void draw_centers(const struct composite_pass *pass, struct pass_state state) {
     state.program = pass->centers_program;
     state.depth = PASS_DEPTH_LESS;

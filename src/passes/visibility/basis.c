@@ -82,7 +82,8 @@ static double step_at(int terms, double t) {
     return sum;
 }
 
-/* Its slope is sin(2 pi K t) / sin(pi t): it climbs between -1 / (2K) and 1 / (2K), and then falls as far again. */
+/* Its slope is sin(2 pi K t) / sin(pi t): it climbs between -1 / (2K) and 1 / (2K), and then falls
+ * as far again. */
 struct series_step series_step_of(int terms) {
     double low = -.5 / terms, high = 0;
     for (int i = 0; i < 50; i++) {

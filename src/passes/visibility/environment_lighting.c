@@ -10,8 +10,8 @@
 
 #include <stdlib.h>
 
-/* Of many lights each has so little that no pixel would ask for it: beyond so many the limit falls with what
- * one of them has. */
+/* Of many lights each has so little that no pixel would ask for it: beyond so many the limit falls
+ * with what one of them has. */
 static const int few = 60;
 
 static float disagree_of(const struct environment_lighting_desc *desc) {
@@ -144,7 +144,8 @@ static void draw_blocks(const struct environment_lighting_pass *pass, const stru
     pass_end(frame->timers);
 }
 
-/* llvmpipe ends the loops of a shader after 65,535 steps in all, of which a ray takes hundreds in a large scene. */
+/* llvmpipe ends the loops of a shader after 65,535 steps in all, of which a ray takes hundreds in a
+ * large scene. */
 static int layers_of_draw(const struct environment_lighting_desc *desc) {
     static const int rays = 128;
     int most = rays / (SKY_LAYER_LIGHTS * desc->shadow_rays);

@@ -9,8 +9,8 @@
 
 #include <stdlib.h>
 
-/* Simplified casters come before what they stand for by up to their error, and would shadow it: maps
- * have them farther off by this much of the error. */
+/* Simplified casters come before what they stand for by up to their error, and would shadow it:
+ * maps have them farther off by this much of the error. */
 static const float set_back = .25F;
 
 static bool is_long(enum caster_kind kind) {
@@ -82,7 +82,8 @@ static void draw_casters(const struct paraboloid_pass *pass, struct pass_state *
                          enum caster_kind kind, const struct scene_gpu *scene, int count) {
     struct caster_draw draw = {kind, count};
     state->clip_distances = is_long(kind) ? 0 : 2;
-    /* Directions go to the right, up and away from the eye, and so are the other way around in the map. */
+    /* Directions go to the right, up and away from the eye, and so are the other way around in the
+     * map. */
     state->cull = kind == CASTER_SHORT_SOLID ? PASS_CULL_FRONT : PASS_CULL_NONE;
     state->program = pass->opaque_programs[kind];
     pass_set_state(state);

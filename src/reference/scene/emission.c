@@ -88,9 +88,9 @@ bool emission_has_size(const struct emission *emission, int n) {
     return source->kind != SOURCE_LIGHT || emitter_shape(&source->light) != EMITTER_IS_POINT;
 }
 
-/* The light without a size that shines from one place as the whole source does on average; density: with
- * which the place is picked, where rays by the cosine might come there; else 0. Of a sky 1/sr, of
- * surfaces 1/m2. */
+/* The light without a size that shines from one place as the whole source does on average; density:
+ * with which the place is picked, where rays by the cosine might come there; else 0. Of a sky 1/sr,
+ * of surfaces 1/m2. */
 static struct emitter piece_of(const struct emission *emission, int n, vec2s place,
                                double *density) {
     const struct source *source = &emission->sources[n];
@@ -118,8 +118,8 @@ static float ray_density(const struct emitter *piece, const struct source *sourc
                                        : 1 / (source->solid_angle * distance * distance);
 }
 
-/* Over the density of emission_place's places, that of those that are even in area. solid_angle: of a
- * unit of area at the place. */
+/* Over the density of emission_place's places, that of those that are even in area. solid_angle: of
+ * a unit of area at the place. */
 static float place_weight(const struct emitter *light, const struct hit *hit, float solid_angle) {
     struct seen_rectangle seen;
     enum emitter_shape shape = emitter_shape(light);
@@ -128,8 +128,9 @@ static float place_weight(const struct emitter *light, const struct hit *hit, fl
     return shape == EMITTER_IS_SPHERE ? .5f : 1;
 }
 
-/* The density with which emission_place picks a place of a light, 1/sr; 0 where nobody asks, as none but a
- * specular surface's rays look for such lights. weight, solid_angle: as place_weight has them. */
+/* The density with which emission_place picks a place of a light, 1/sr; 0 where nobody asks, as
+ * none but a specular surface's rays look for such lights. weight, solid_angle: as place_weight has
+ * them. */
 static float picked_density(const struct emitter *light, const struct hit *hit, float weight,
                             float solid_angle) {
     if (hit->brdf.diffuse || emitter_shape(light) == EMITTER_IS_POINT)
@@ -205,8 +206,8 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
 
 /* --- rays that come to a light ---------------------------------------------------------------- */
 
-/* What comes from a direction: its radiance, the density with which the source picks it, 1/sr, and that of
- * light rays across it, 1/m2. */
+/* What comes from a direction: its radiance, the density with which the source picks it, 1/sr, and
+ * that of light rays across it, 1/m2. */
 struct found {
     vec3s radiance;
     float picked, rays;
@@ -238,8 +239,8 @@ bool emission_can_be_found(const struct emission *emission, const struct hit *hi
     return emission->has_found || (!hit->brdf.diffuse && emission->has_sizes);
 }
 
-/* A light that is no surface of the scene's list. What lies just before it hides nothing: it may be the
- * very surface that the light is. */
+/* A light that is no surface of the scene's list. What lies just before it hides nothing: it may be
+ * the very surface that the light is. */
 static bool find_light(const struct emission *emission, const struct ray_scene *rays, int n,
                        const struct hit *hit, vec3s direction, const struct hit *end,
                        struct arrival *arrival) {
@@ -368,10 +369,10 @@ static struct reflected direct_from(const struct emission *emission, int n,
     return reflect(hit, &arrival, emission_picked_weight(&arrival, 0));
 }
 
-/* Of emissive surfaces half may face away, and what is near counts most: so several places are looked at
- * for each shadow ray, which goes to one of them by what it would give [Talbot et al. 2005]. A thousand
- * triangles in a room have a third of the noise, for the time of twice as many samples. Of a sky
- * behind windows noise is who sees it, and no less by this. */
+/* Of emissive surfaces half may face away, and what is near counts most: so several places are
+ * looked at for each shadow ray, which goes to one of them by what it would give [Talbot et al.
+ * 2005]. A thousand triangles in a room have a third of the noise, for the time of twice as many
+ * samples. Of a sky behind windows noise is who sees it, and no less by this. */
 enum { CANDIDATES = 8 };
 
 static struct reflected direct_resampled(const struct emission *emission, int n,

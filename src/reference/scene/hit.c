@@ -43,7 +43,8 @@ static vec3s emission_at(const struct hit_table *table, const struct material *m
         emission, texel_of(table, corners, material->emission_texture, material->emission_mapping));
 }
 
-/* Along u and against v of a mapping, in the plane of the triangle; zero where its uv have no area. */
+/* Along u and against v of a mapping, in the plane of the triangle; zero where its uv have
+ * no area. */
 static void tangents_of(const struct geometry *geometry, int mapping, const uint32_t index[3],
                         vec3s *along_u, vec3s *against_v) {
     vec3s edges[2];

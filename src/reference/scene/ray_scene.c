@@ -52,7 +52,7 @@ static bool is_on_edge(const struct triangle_point *point) {
     return fminf(fminf(point->u, point->v), 1 - point->u - point->v) < EDGE;
 }
 
-/* Whether the ray goes on past a pane. Shadow rays note what it lets pass, on a shared edge once. */
+/* Whether the ray goes on past a pane. Shadow rays note what it lets pass, on a shared edge once */
 static bool passes_pane(struct ray_context *context, const struct triangle_point *point,
                         vec3s direction, float at, unsigned id) {
     if (!hit_is_pane(context->rays->table, point->triangle))
@@ -149,7 +149,8 @@ bool ray_scene_init(struct ray_scene *rays, const struct hit_table *table) {
         return error_set("cannot start Embree: %s", error_text(rtcGetDeviceError(NULL)));
     rays->scene = rtcNewScene(rays->device);
     /* Watertight edges: a ray through a crack would see the far side's light. Of rays aimed at the
-     * edges of a closed sphere 1.5 % escape without this flag, which costs some 10 % of the time. */
+     * edges of a closed sphere 1.5 % escape without this flag, which costs some 10 % of
+     * the time. */
     rtcSetSceneFlags(rays->scene, RTC_SCENE_FLAG_ROBUST | EMBREE_QUERY_FILTERS);
     for (int b = 0; b < geometry->batch_count; b++)
         rays->has_panes |= hit_is_pane(table, geometry->batches[b].first_index / 3);

@@ -8,8 +8,8 @@ static double along(const float axis[3], const double v[3]) {
     return (double)axis[0] * v[0] + (double)axis[1] * v[1] + (double)axis[2] * v[2];
 }
 
-/* Of the outward normal of the plane through the point and a side, which lies c outwards of the point,
- * the part across the rectangle. */
+/* Of the outward normal of the plane through the point and a side, which lies c outwards of the
+ * point, the part across the rectangle. */
 static double normal_part(double c, double z) {
     return c / sqrt(z * z + c * c);
 }

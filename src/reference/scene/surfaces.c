@@ -10,8 +10,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* Where a textured triangle is looked at to say how bright it is; and at least so much of what it could be
- * is taken, for there may be light between. */
+/* Where a textured triangle is looked at to say how bright it is; and at least so much of what it
+ * could be is taken, for there may be light between. */
 enum { PLACES = 16 };
 static const float least_share = .05F;
 

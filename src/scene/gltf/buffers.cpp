@@ -1,7 +1,6 @@
 /* The bytes that a file's JSON names: buffers in the file, beside it or in data URIs, and pictures.
  *
- * All are taken out of the JSON, so that tinygltf reads no file and copies nothing.
- */
+ * All are taken out of the JSON, so that tinygltf reads no file and copies nothing. */
 #include "scene/gltf/json.hpp"
 
 extern "C" {

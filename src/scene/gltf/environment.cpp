@@ -1,5 +1,5 @@
-/* Our own extras, of the scene that is shown or of the asset: {"environment": "sky.exr"}, a panorama beside
- * the file, and how it is turned (degrees) and how strong it is. */
+/* Our own extras, of the scene that is shown or of the asset: {"environment": "sky.exr"}, a
+ * panorama beside the file, and how it is turned (degrees) and how strong it is. */
 #include "scene/gltf/model.hpp"
 
 extern "C" {

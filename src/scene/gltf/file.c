@@ -69,9 +69,10 @@ static char *common_folder(const char *folder, const char *path) {
     return common;
 }
 
-/* Where the name leads: the file without links, if that is below the root. place: the file, or the place
- * outside; NULL where a file is missing. The place outside is that of the name as text, so that none can tell
- * whether a file is there; it is that of links where the text stays in the root. */
+/* Where the name leads: the file without links, if that is below the root. place: the file, or the
+ * place outside; NULL where a file is missing. The place outside is that of the name as text, so
+ * that none can tell whether a file is there; it is that of links where the text stays in
+ * the root. */
 static enum file_lack resolve(const char *folder, const char *root, const char *name,
                               char **place) {
     char *as_text = join_as_text(folder, name), *path = mem_printf("%s/%s", folder, name);

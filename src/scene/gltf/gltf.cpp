@@ -56,9 +56,9 @@ void list_files(Loader &loader) {
         scene.files[scene.file_count++] = mem_strdup(file.c_str());
 }
 
-/* The JSON library allocates memory where it frees some, from where no exception comes. In threads that have one
- * of these, that ends as base/memory.h has it. The handler is the process's: the first thread sets it, the last one
- * puts back what was there. */
+/* The JSON library allocates memory where it frees some, from where no exception comes. In threads
+ * that have one of these, that ends as base/memory.h has it. The handler is the process's: the
+ * first thread sets it, the last one puts back what was there. */
 class MemoryEnds {
   public:
     MemoryEnds() {

@@ -1,4 +1,5 @@
-/* EXT_mesh_gpu_instancing: a node's mesh at many places, each of which becomes a child of the node. */
+/* EXT_mesh_gpu_instancing: a node's mesh at many places, each of which becomes a child of
+ * the node. */
 #include "scene/gltf/model.hpp"
 
 #include <cmath>

@@ -20,8 +20,8 @@ std::string quote(const json &value);
 /* "mesh 3 'name'" of an element that may be anything. */
 std::string label_of(const char *noun, size_t index, const json &element);
 
-/* text.cpp: writes U+FFFD for each byte and escape that is not Unicode; in a URI the byte itself, by a
- * percent sign. Returns the place of the first one, or npos. */
+/* text.cpp: writes U+FFFD for each byte and escape that is not Unicode; in a URI the byte itself,
+ * by a percent sign. Returns the place of the first one, or npos. */
 size_t replace_bad_text(const std::string &text, std::string &out);
 
 /* extension.cpp: refuses a version or a required extension that is not read. */
@@ -31,11 +31,12 @@ bool check_asset(Loader &loader, json &root);
  * indices and types are right afterwards. */
 bool check_schema(Loader &loader, json &root);
 
-/* mended.cpp: leaves lights out that are of an unknown type or of negative intensity. The JSON may be anything. */
+/* mended.cpp: leaves lights out that are of an unknown type or of negative intensity. The JSON may
+ * be anything. */
 bool mend_lights(Loader &loader, json &root);
 
-/* mended.cpp: numbers of nodes, lights and materials that are off by rounding, and depths of cameras that
- * are none. */
+/* mended.cpp: numbers of nodes, lights and materials that are off by rounding, and depths of
+ * cameras that are none. */
 bool mend_numbers(Loader &loader, json &root);
 
 /* buffers.cpp: takes the bytes of buffers and the pictures out of the JSON, with those of the BIN

@@ -79,7 +79,8 @@ bool load_light(const tinygltf::Light &from, struct scene_light &to) {
     return load_size(from.extras, to);
 }
 
-/* The node's extras; of a node that only turns its parent's lamp, as Blender's exporter wrote them, the parent's. */
+/* The node's extras; of a node that only turns its parent's lamp, as Blender's exporter wrote them,
+ * the parent's. */
 const tinygltf::Value &extras_of(const Model &model, int node, int parent) {
     const tinygltf::Node &own = model.nodes[size_t(node)];
     if (own.extras.IsObject() || parent < 0)

@@ -35,8 +35,8 @@ const tinygltf::Value *specular_glossiness(const tinygltf::Material &from) {
     return found == from.extensions.end() ? nullptr : &found->second;
 }
 
-/* That extension as the standard's own model: its diffuse colour, no metal, and the roughness of its
- * glossiness. Its second texture takes the place of that of metals: load_textures. */
+/* That extension as the standard's own model: its diffuse colour, no metal, and the roughness of
+ * its glossiness. Its second texture takes the place of that of metals: load_textures. */
 tinygltf::Material as_metallic_roughness(const tinygltf::Material &from) {
     const tinygltf::Value *old = specular_glossiness(from);
     if (!old)
@@ -167,8 +167,8 @@ TextureMean mean_of(const struct scene_texture &texture) {
     return mean;
 }
 
-/* What the whole of a texture is on average, for want of its texels: white where there is none, or its picture is missing. The
- * scene does not keep it. */
+/* What the whole of a texture is on average, for want of its texels: white where there is none, or
+ * its picture is missing. The scene does not keep it. */
 bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &mean) {
     mean = {1, 1, 1, 1};
     if (info.index < 0)
@@ -194,7 +194,8 @@ bool find_mean(Loader &loader, const tinygltf::TextureInfo &info, TextureMean &m
 
 const double absorption_most = 1e9; /* 1/m */
 
-/* KHR_materials_pbrSpecularGlossiness: the specular colour is the reflectance, whether of metals or not. */
+/* KHR_materials_pbrSpecularGlossiness: the specular colour is the reflectance, whether of metals or
+ * not. */
 void load_specular_color(const tinygltf::Value &from, struct material &to) {
     float *f0 = to.specular_f0;
     for (int c = 0; c < 3; c++)
@@ -232,8 +233,8 @@ bool load_reflectance(Loader &loader, const tinygltf::Material &from, struct mat
     return true;
 }
 
-/* KHR_materials_transmission, and KHR_materials_volume: without a thickness the wall is thin, and light goes straight
- * on. */
+/* KHR_materials_transmission, and KHR_materials_volume: without a thickness the wall is thin, and
+ * light goes straight on. */
 bool load_transmission(Loader &loader, const tinygltf::Material &from, struct material &to) {
     auto transmission = from.extensions.find("KHR_materials_transmission");
     if (transmission == from.extensions.end())
@@ -350,8 +351,8 @@ void make_default(struct material &to) {
 
 } // namespace
 
-/* What blends with an alpha of 1 throughout is opaque. Leaves, whose alphas are 0 or 1 but for their edges, are masked:
- * their triangles stay few, and sharp. */
+/* What blends with an alpha of 1 throughout is opaque. Leaves, whose alphas are 0 or 1 but for
+ * their edges, are masked: their triangles stay few, and sharp. */
 void settle_blending(struct scene &scene) {
     const float even = 1e-3F;
     for (int i = 0; i < scene.material_count; i++) {

@@ -1,5 +1,6 @@
-/* Our own extras, of the scene that is shown or of the asset: {"medium": {"sigma_s": .1, "sigma_a": [0, .1, .2],
- * "g": .5}}, scattering and absorption in 1/m, one number or RGB, and the mean cosine of the scattering. */
+/* Our own extras, of the scene that is shown or of the asset: {"medium": {"sigma_s": .1, "sigma_a":
+ * [0, .1, .2], "g": .5}}, scattering and absorption in 1/m, one number or RGB, and the mean cosine
+ * of the scattering. */
 #include "scene/gltf/model.hpp"
 
 #include <cmath>

@@ -69,7 +69,8 @@ bool mend_nodes(Loader &loader, json &root) {
     return true;
 }
 
-/* A number that is beyond its bound by no more than rounding, or by more where there are words for it. */
+/* A number that is beyond its bound by no more than rounding, or by more where there are words for
+ * it. */
 bool mend_bound(Loader &loader, json &object, const char *key, double least, double most,
                 const std::string &where, const char *beyond = nullptr) {
     auto found = object.find(key);

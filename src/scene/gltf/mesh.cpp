@@ -78,7 +78,8 @@ void transform_uv(const UvSource &source, float (*uv)[2], size_t count) {
     }
 }
 
-/* Chooses a mapping's coordinates. Some optimisers renumber sets and leave the transforms' numbers. */
+/* Chooses a mapping's coordinates. Some optimisers renumber sets and leave the
+ * transforms' numbers. */
 bool find_set(Loader &loader, const tinygltf::Primitive &from, const UvSource &mapping,
               const std::string &object, std::string &name) {
     const std::string own = "TEXCOORD_" + std::to_string(mapping.own_set);

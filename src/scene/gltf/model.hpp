@@ -1,8 +1,7 @@
 /* What the parts of the bridge to tinygltf share: the only file that names it.
  *
  * Model and Loader live as long as one call of gltf_load. Functions return false with an error set;
- * exceptions (out of memory, bad JSON) pass through and end in gltf_load.
- */
+ * exceptions (out of memory, bad JSON) pass through and end in gltf_load. */
 #ifndef SCENE_GLTF_MODEL_HPP
 #define SCENE_GLTF_MODEL_HPP
 
@@ -136,7 +135,8 @@ void tell_lacks(const Loader &loader);
 const double rounding = 1e-5;
 
 /* mended.cpp: remembers that an object has a defect which is mended; under --strict an error
- * instead. Later each defect is told in one note, with the first object and the number of others. */
+ * instead. Later each defect is told in one note, with the first object and the number
+ * of others. */
 bool mend(Loader &loader, const std::string &what, const std::string &object);
 void tell_mended(const Loader &loader);
 const char *const bad_clips = "channels of clips that are not valid are left out";
@@ -152,8 +152,8 @@ bool spend(Loader &loader, uint64_t count, size_t size);
 /* Lets it have more, for one more file of so many bytes. */
 void allow_memory(Loader &loader, uint64_t file_size);
 
-/* Reads an accessor that holds `count` elements, each of `width` floats, into a new array. Elements may
- * have `least` instead, unless it is 0; the others are 1 then. */
+/* Reads an accessor that holds `count` elements, each of `width` floats, into a new array. Elements
+ * may have `least` instead, unless it is 0; the others are 1 then. */
 bool load_elements(Loader &loader, int index, int width, size_t count, float **out, int least = 0);
 
 /* deform.cpp: what moves a primitive's vertices, before they are flattened. */
@@ -177,8 +177,8 @@ bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_ligh
 /* pointer.cpp: the JSON pointer of what the channel moves; "" = nothing. */
 std::string pointer_of(const tinygltf::AnimationChannel &from);
 
-/* Fills in what a channel moves, but for its keys. Target -1: the scene does not show it. Error: there is
- * no such object, or it cannot move. */
+/* Fills in what a channel moves, but for its keys. Target -1: the scene does not show it. Error:
+ * there is no such object, or it cannot move. */
 bool find_property(const Loader &loader, const std::string &pointer, struct channel &to,
                    bool &is_known);
 
@@ -194,8 +194,8 @@ bool load_meshes(Loader &loader);
 void settle_blending(struct scene &scene); /* of the loaded materials and meshes */
 bool load_lights(Loader &loader);
 
-/* light.cpp: sizes and the picture of the node's light from the extras of the node, where the light has none. A note
- * where they are none. */
+/* light.cpp: sizes and the picture of the node's light from the extras of the node, where the light
+ * has none. A note where they are none. */
 void load_node_extras(Loader &loader, int index, int parent, struct node &node);
 bool load_cameras(Loader &loader);
 bool load_nodes(Loader &loader);
@@ -204,8 +204,8 @@ bool load_clips(Loader &loader);
 bool load_environment(Loader &loader);
 bool load_medium(Loader &loader);
 
-/* environment.cpp: the extras with that key, of the scene that is shown or else of the asset; nullptr: there are
- * none. */
+/* environment.cpp: the extras with that key, of the scene that is shown or else of the asset;
+ * nullptr: there are none. */
 const tinygltf::Value *find_extras(const Model &model, const char *key);
 
 /* instances.cpp: how often a node's mesh is there by EXT_mesh_gpu_instancing, 0 = plainly; and the

@@ -41,8 +41,8 @@ bool mend_place(Loader &loader, int node) {
                 label("node", size_t(node), loader.model.nodes[node].name));
 }
 
-/* Each listed node's parent and that of nodes below, or -1. Parents that hang on no listed node count
- * for none: a scene is drawn from its list downwards. */
+/* Each listed node's parent and that of nodes below, or -1. Parents that hang on no listed node
+ * count for none: a scene is drawn from its list downwards. */
 bool find_parents(Loader &loader, const std::vector<int> &listed, std::vector<int> &parents) {
     const Model &model = loader.model;
     parents.assign(model.nodes.size(), -1);

@@ -3,8 +3,7 @@
  * tinygltf casts, drops or ignores where it should refuse, and recurses as deep as a file asks it
  * to. So the JSON is held against a table first: types, ranges, and that every index points at
  * something. Whoever reads the model afterwards need not ask again. A defect that changes no
- * picture, or that other readers pass over, is mended in the JSON, and told.
- */
+ * picture, or that other readers pass over, is mended in the JSON, and told. */
 #include "scene/gltf/json.hpp"
 #include "scene/gltf/schema.hpp"
 

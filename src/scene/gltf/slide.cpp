@@ -1,4 +1,5 @@
-/* Our own extras of a spot: {"texture": {"index": 0}}, a texture of the file whose picture colours the light. */
+/* Our own extras of a spot: {"texture": {"index": 0}}, a texture of the file whose picture colours
+ * the light. */
 #include "scene/gltf/model.hpp"
 
 namespace gltf {

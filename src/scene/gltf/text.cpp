@@ -1,4 +1,4 @@
-/* JSON whose names are not Unicode, as exporters write the Latin-1 or GBK of a modelling program. */
+/* JSON whose names are not Unicode, as exporters write the Latin-1 or GBK of a modelling program */
 #include "scene/gltf/json.hpp"
 
 extern "C" {

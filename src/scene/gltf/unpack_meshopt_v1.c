@@ -1,4 +1,5 @@
-/* Version 1 of meshopt's attribute streams, and the colour filter: KHR_meshopt_compression, appendices A and B. */
+/* Version 1 of meshopt's attribute streams, and the colour filter: KHR_meshopt_compression,
+ * appendices A and B. */
 #include "scene/gltf/unpack.h"
 
 #include "base/error.h"

@@ -71,8 +71,8 @@ void caster_gpu_free(struct caster_gpu *gpu) {
 
 /* --- what has moved --------------------------------------------------------------------------- */
 
-/* The triangles of dynamic batches. The others keep theirs: where things move none of them is of a solid, and whether it is
- * seen from behind is all one to a depth map. */
+/* The triangles of dynamic batches. The others keep theirs: where things move none of them is of a
+ * solid, and whether it is seen from behind is all one to a depth map. */
 static void update_indices(struct caster_gpu *gpu, const struct geometry *geometry) {
     for (int i = 0; i < geometry->blocking_batch_count; i++) {
         if (!geometry->batches[i].dynamic)

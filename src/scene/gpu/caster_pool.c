@@ -61,7 +61,8 @@ bool caster_pool_has(const struct caster_pool *pool, const struct caster_desc *d
     return find(pool, desc);
 }
 
-/* Nothing moves, whatever clip plays, and a camera stands in the open; what stands in for a scene has none. */
+/* Nothing moves, whatever clip plays, and a camera stands in the open; what stands in for a scene
+ * has none. */
 static bool tells_solids(const struct scene *scene) {
     return scene->clip_count == 0 && scene->metaballs_count == 0 &&
            node_count_carrying(scene, NODE_CAMERA) > 0;

@@ -4,8 +4,9 @@
 
 enum { SIZE = 16 };
 
-/* By roughness from 0 to 1, and in it by sqrt(1 - n.v) from 0 to 1. A cell is the first row of the inverse
- * matrix, x and z; and the third, x and z, over roughness^2. Divided by its middle element the matrix has no more:
+/* By roughness from 0 to 1, and in it by sqrt(1 - n.v) from 0 to 1. A cell is the first row of the
+ * inverse matrix, x and z; and the third, x and z, over roughness^2. Divided by its middle element
+ * the matrix has no more:
  *
  *     x  0  z
  *     0  1  0

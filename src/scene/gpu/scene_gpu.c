@@ -105,7 +105,8 @@ static float cutoff_of(const struct scene *scene, int texture) {
     return least < INFINITY ? least : 0;
 }
 
-/* llvmpipe decodes sRGB by a polynomial that errs by up to 2.5 % in dark colours: there texels are decoded here. */
+/* llvmpipe decodes sRGB by a polynomial that errs by up to 2.5 % in dark colours: there texels are
+ * decoded here. */
 static GLenum format_of(const struct scene_texture *source) {
     if (source->linear)
         return GL_RGBA8;

@@ -231,7 +231,7 @@ struct emitter emitter_piece(const struct emitter *emitter, const float place[2]
     return piece;
 }
 
-/* --- rays that come to it ---------------------------------------------------------------------- */
+/* --- rays that come to it --------------------------------------------------------------------- */
 
 /* Of a point, relative to the middle. */
 static void in_frame(const struct emitter *emitter, const float offset[3], float local[3]) {

@@ -120,10 +120,10 @@ static void take_block(struct environment *environment, const struct image *imag
 /* Wider ones cost much and show no more. */
 enum { WIDEST = 8192 };
 
-/* --- cubes [OpenEXR, ImfEnvmap.h] --------------------------------------------------------------- */
+/* --- cubes [OpenEXR, ImfEnvmap.h] ------------------------------------------------------------- */
 
-/* Where a direction meets the squares of a cube: +X -X +Y -Y +Z -Z, one below the other. Centres of texels along an edge
- * lie on the edge. */
+/* Where a direction meets the squares of a cube: +X -X +Y -Y +Z -Z, one below the other. Centres of
+ * texels along an edge lie on the edge. */
 static void cube_place(const float d[3], int side, double place[2], int *top) {
     int axis = fabsf(d[0]) >= fabsf(d[1]) && fabsf(d[0]) >= fabsf(d[2]) ? 0
                : fabsf(d[1]) >= fabsf(d[2])                             ? 1
@@ -152,7 +152,8 @@ static void add_cube(const float (*texels)[3], int side, const float direction[3
     }
 }
 
-/* A panorama of the cube's, which looks along +Z in the middle as OpenEXR's have it: +X of the scene. */
+/* A panorama of the cube's, which looks along +Z in the middle as OpenEXR's have it: +X of the
+ * scene. */
 static void take_cube(struct environment *environment, const float (*texels)[3], int side) {
     enum { SAMPLES = 3 }; /* a side of a texel */
     for (int i = 0; i < environment->width * environment->height; i++) {
@@ -287,7 +288,8 @@ void environment_direction(const struct environment *environment, double x, doub
     direction[2] = (float)(sin(polar) * sin(azimuth));
 }
 
-/* The difference of the cosines of its edges, as a product: next to the poles they are almost the same. */
+/* The difference of the cosines of its edges, as a product: next to the poles they are almost the
+ * same. */
 double environment_solid_angle(const struct environment *environment, int y) {
     double half = GLM_PI / (2 * environment->height), middle = (2 * y + 1) * half;
     return 2 * GLM_PI / environment->width * 2 * sin(middle) * sin(half);

@@ -103,8 +103,8 @@ static void set_frame(struct flat_shape *shape, const struct whole *whole, const
     }
 }
 
-/* A rectangle's farthest vertex is a corner, and of those farthest from the diagonal through it each is
- * another: then area says whether the triangles fill what the corners span. */
+/* A rectangle's farthest vertex is a corner, and of those farthest from the diagonal through it
+ * each is another: then area says whether the triangles fill what the corners span. */
 static bool fits_rectangle(struct flat_shape *shape, const struct whole *whole) {
     dvec3 other = {0}, right, up, turned;
     double away = 0;

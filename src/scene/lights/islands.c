@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Places are rounded to so much of the largest coordinate: some 30 times the rounding of a float. */
+/* Places are rounded to so much of the largest coordinate: some 30 times the rounding of a float */
 static const float nearness = 2e-6F;
 
 /* --- corners that touch ----------------------------------------------------------------------- */
@@ -50,7 +50,8 @@ static void join_places(uint32_t *parents, const struct primitive *primitive) {
 
 /* --- triangles -------------------------------------------------------------------------------- */
 
-/* Numbers the islands, from 1 on, in the order of their triangles, and counts what each has: in ends. */
+/* Numbers the islands, from 1 on, in the order of their triangles, and counts what each has: in
+ * ends. */
 static void number(struct islands *islands, const struct primitive *primitive, int *number_of) {
     uint32_t *parents = mem_alloc((size_t)primitive->vertex_count, sizeof *parents);
     int *of_roots = mem_alloc((size_t)primitive->vertex_count, sizeof *of_roots);

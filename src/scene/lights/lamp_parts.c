@@ -74,8 +74,8 @@ static int nearest(const double at[6], double (*means)[6], int count, double *ap
     return best;
 }
 
-/* The most powerful, then each time what is farthest from those that there are, and powerful; fewer where
- * all lie at them. */
+/* The most powerful, then each time what is farthest from those that there are, and powerful; fewer
+ * where all lie at them. */
 static int seed(const struct feature *features, int count, double (*means)[6], int most) {
     int made = 0;
     while (made < most) {
@@ -166,7 +166,8 @@ static void set_axes(struct sums *sums) {
     }
 }
 
-/* Second moments of a triangle about a point: area / 12 times those of its corners and of their sum. */
+/* Second moments of a triangle about a point: area / 12 times those of its corners and of their
+ * sum. */
 static void add_moments(struct sums *sums, const struct lamp_triangle *triangle) {
     double x[4] = {0}, y[4] = {0};
     for (int k = 0; k < 3; k++) {

@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Where a textured triangle is looked at; at most so many places of one that looks dark there; and three times the places of
- * all dark triangles of a primitive. */
+/* Where a textured triangle is looked at; at most so many places of one that looks dark there; and
+ * three times the places of all dark triangles of a primitive. */
 enum { PLACES = 16, CLOSE_PLACES = 1 << 12, CLOSE_PLACES_OF_ALL = 3 << 21 };
 
 /* Colours that differ by less are one: filters round. */
@@ -74,8 +74,8 @@ static bool average_places(const struct source *source, const uint32_t index[3],
     return alike;
 }
 
-/* One for each texel of the emission that the triangle covers, so that no small light of a large one is
- * overlooked. */
+/* One for each texel of the emission that the triangle covers, so that no small light of a large
+ * one is overlooked. */
 static uint32_t close_places(const struct source *source, const uint32_t index[3], uint32_t looks) {
     const struct material *material = source->material;
     float(*uvs)[2] = source->primitive->uv[material->emission_mapping];

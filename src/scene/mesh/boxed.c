@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
-/* A triangle cut by six planes. Corners are weights of the triangle's corners: areas relative to the triangle's need no
- * lengths. */
+/* A triangle cut by six planes. Corners are weights of the triangle's corners: areas relative to
+ * the triangle's need no lengths. */
 enum { CORNERS_MAX = 3 + 6 };
 
 struct polygon {
@@ -40,8 +40,8 @@ static void add(struct polygon *polygon, const double a[3], const double b[3], d
     polygon->count++;
 }
 
-/* Leaves where a linear function of the place is not negative [Sutherland and Hodgman 1974]; value: at the triangle's
- * corners. */
+/* Leaves where a linear function of the place is not negative [Sutherland and Hodgman 1974]; value:
+ * at the triangle's corners. */
 static void cut(struct polygon *polygon, const double value[3]) {
     struct polygon from = *polygon;
     polygon->count = 0;
@@ -72,8 +72,8 @@ static struct polygon part_of(const struct box *box, const struct geometry *geom
     return polygon;
 }
 
-/* Of the triangle of the corners 0, i and i + 1, as a share of the whole triangle's area: weights of the last two corners
- * are coordinates in which the whole has an area of 1/2. */
+/* Of the triangle of the corners 0, i and i + 1, as a share of the whole triangle's area: weights
+ * of the last two corners are coordinates in which the whole has an area of 1/2. */
 static double fan_share(const struct polygon *polygon, int i) {
     const double *a = polygon->weight[0], *b = polygon->weight[i], *c = polygon->weight[i + 1];
     return fabs((b[1] - a[1]) * (c[2] - a[2]) - (b[2] - a[2]) * (c[1] - a[1]));

@@ -105,7 +105,8 @@ static void binning_init(struct binning *binning, const struct item *items, uint
         }
 }
 
-/* Where the children's surfaces, times how many triangles they have, are least: [Wald 2007, eq. 2]. */
+/* Where the children's surfaces, times how many triangles they have, are least: [Wald 2007,
+ * eq. 2]. */
 static void improve_split(struct split *best, const struct binning *binning, int axis) {
     const struct bin *bins = binning->bins[axis];
     float after[BINS];
@@ -125,8 +126,8 @@ static void improve_split(struct split *best, const struct binning *binning, int
     }
 }
 
-/* How many items the first child has, which come first then; 0 = they stay one leaf: their middles lie at one place, or a
- * split costs more than it saves. */
+/* How many items the first child has, which come first then; 0 = they stay one leaf: their middles
+ * lie at one place, or a split costs more than it saves. */
 static uint32_t divide(struct item *items, uint32_t count, const struct bvh_box *box) {
     struct binning binning;
     struct split split = {.cost = INFINITY};

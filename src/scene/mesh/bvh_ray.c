@@ -12,8 +12,8 @@ struct ray {
     bool asks_opacity; /* passes through what is not opaque */
 };
 
-/* The distance at which a ray enters a box, INFINITY where it does not before its end. One along a side of the box has
- * 0 / 0 there, which bounds nothing. */
+/* The distance at which a ray enters a box, INFINITY where it does not before its end. One along a
+ * side of the box has 0 / 0 there, which bounds nothing. */
 static float entry(const struct bvh_box *box, const struct ray *ray, float end) {
     float from = 0;
     for (int c = 0; c < 3; c++) {

@@ -171,8 +171,8 @@ static void sort_out(struct caster *caster, const struct caster_list *all,
     }
 }
 
-/* Metaballs close, whatever their pose; but near a map's centre fronts are left out, and of exact casters backs are all
- * that blocks. */
+/* Metaballs close, whatever their pose; but near a map's centre fronts are left out, and of exact
+ * casters backs are all that blocks. */
 static enum caster_kind kind_of_dynamic(const struct caster *caster,
                                         const struct geometry *geometry, int batch) {
     bool opaque = geometry->batches[batch].first_index < geometry->opaque_index_count;

@@ -70,7 +70,8 @@ static bool has_scale_channel(const struct scene *scene, int node) {
     return false;
 }
 
-/* Whether a clip scales the node or hides it: at the time when casters are made it may be flat, or a point. */
+/* Whether a clip scales the node or hides it: at the time when casters are made it may be flat, or
+ * a point. */
 static bool is_scaled(const struct scene *scene, int node) {
     for (; node >= 0; node = scene->nodes[node].parent)
         if (has_scale_channel(scene, node))
@@ -317,7 +318,7 @@ static void measure_farthest(const struct geometry *geometry, struct geometry_pa
     part->farthest = sqrtf(farthest);
 }
 
-/* The bounds of the clip and of all parts, of which those that have just moved are measured anew. */
+/* The bounds of the clip and of all parts, of which those that have just moved are measured anew */
 static void measure(struct geometry *geometry) {
     float low[3], high[3];
     glm_vec3_copy(geometry->span.bounds_min, low);

@@ -12,7 +12,8 @@ static bool is_opaque(const struct cut_triangle *triangle, vec2s at) {
     return !material_is_hole(triangle->material, triangle_color(triangle, at).a);
 }
 
-/* Row by row along the first edge: the parts that lie as the triangle does, and between them those that are turned. */
+/* Row by row along the first edge: the parts that lie as the triangle does, and between them those
+ * that are turned. */
 static enum fill fill_bits(const struct cut_triangle *triangle, const struct triangle_part *part,
                            uint32_t bits[2]) {
     int number = 0, opaque = 0;

@@ -10,7 +10,8 @@
 
 enum { PLACES = 16, TEXELS = 16, DEPTH = 5 }; /* of a part; times a triangle is cut at most */
 
-/* Parts of a batch, however few texels they have: colours run smoothly between texels and between vertices. */
+/* Parts of a batch, however few texels they have: colours run smoothly between texels and between
+ * vertices. */
 enum { PARTS_FEW = 1 << 14 };
 
 /* Differences of base colour that are not worth a cut. */

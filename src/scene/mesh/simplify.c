@@ -305,8 +305,8 @@ static uint32_t count_around(const struct patch *patch, uint32_t vertex) {
     return patch->first[vertex + 1] - patch->first[vertex];
 }
 
-/* Whether one triangle alone has the edge. Of the ends, that with fewer triangles is asked: a fan may
- * have any number around its centre. */
+/* Whether one triangle alone has the edge. Of the ends, that with fewer triangles is asked: a fan
+ * may have any number around its centre. */
 static bool is_border(const struct patch *patch, uint32_t a, uint32_t b) {
     uint32_t few = count_around(patch, a) < count_around(patch, b) ? a : b, other = a ^ b ^ few;
     int count = 0;
@@ -315,8 +315,8 @@ static bool is_border(const struct patch *patch, uint32_t a, uint32_t b) {
     return count == 1;
 }
 
-/* Planes count by the root of their area, as lengths do, so that small things on large ones count.
- */
+/* Planes count by the root of their area, as lengths do, so that small things on large
+ * ones count. */
 static void make_quadrics(struct patch *patch) {
     find_around(patch);
     for (uint32_t t = 0; t < patch->triangle_count; t++) {

@@ -56,8 +56,9 @@ static void lay_leaf(struct layout *layout, const struct bvh_node *node) {
     }
 }
 
-/* The larger child first: it is the likelier to block, and a blocked ray is done. A box that is entered nearly whenever
- * that around it is, of that half surface, saves less than it costs, and is left out. */
+/* The larger child first: it is the likelier to block, and a blocked ray is done. A box that is
+ * entered nearly whenever that around it is, of that half surface, saves less than it costs, and is
+ * left out. */
 static void lay_node(struct layout *layout, uint32_t number, float around) {
     const struct bvh_node *node = &layout->tree->nodes[number];
     if (node->count > 0) {

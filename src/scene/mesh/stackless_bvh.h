@@ -6,7 +6,8 @@
  *     boxes     low and high sides, two to a number; STACKLESS_LEAF with the first texel and count
  *               of its triangles, or the index after the box's contents
  *     triangles three texels: a corner, two edges, 64 bits of opaque parts (scene/mesh/opacity.h),
- *               the triangle's number in the geometry */
+ *               the triangle's number in the geometry
+ */
 #ifndef SCENE_MESH_STACKLESS_BVH_H
 #define SCENE_MESH_STACKLESS_BVH_H
 

@@ -74,8 +74,8 @@ static void sum_up(struct running_sums *sums, const struct geometry *geometry, c
 }
 
 /* Each round lowers the cap to the largest share of what the one before left. They are enough for a
- * plain of two triangles 10^10 times as large as the rest, and end where there are too few triangles
- * for any to have less than that share. */
+ * plain of two triangles 10^10 times as large as the rest, and end where there are too few
+ * triangles for any to have less than that share. */
 static void init_sums(struct running_sums *sums, const struct surface_points_desc *desc) {
     enum { ROUNDS = 16 };
     const struct geometry *geometry = desc->geometry;
@@ -130,8 +130,8 @@ static bool is_hole(const struct surface_point *point, const struct surface_poin
     return material_is_hole(material, color.a);
 }
 
-/* The place of a value in the sums. What is left of it within its triangle's span is one of the two numbers of the
- * place within: triangles of many points have even ones. */
+/* The place of a value in the sums. What is left of it within its triangle's span is one of the two
+ * numbers of the place within: triangles of many points have even ones. */
 static void locate(struct surface_point *point, const struct running_sums *sums,
                    const struct surface_points_desc *desc, double value, double y) {
     const struct geometry *geometry = desc->geometry;

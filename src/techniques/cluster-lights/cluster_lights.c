@@ -1,6 +1,6 @@
-/* Clusters of VPLs as area lights [Prutkin 2012]: some tens of lights that each pixel takes all of, so that
- * nothing is interleaved or blurred. As rectangles they are lit from by Lambert's formula, as disks by the
- * paper's. The paper has no visibility; here VALs may give it, as it proposes. */
+/* Clusters of VPLs as area lights [Prutkin 2012]: some tens of lights that each pixel takes all of,
+ * so that nothing is interleaved or blurred. As rectangles they are lit from by Lambert's formula,
+ * as disks by the paper's. The paper has no visibility; here VALs may give it, as it proposes. */
 #include "base/memory.h"
 #include "passes/lights/cluster_light.h"
 #include "passes/lights/seed_importance.h"
@@ -54,7 +54,8 @@ static const struct option table[] = {
 static const struct settings_part own_part = {"cluster-lights", "area lights of clusters", table,
                                               sizeof(struct cluster_lights_settings)};
 
-/* Clustering weights of squared distance and of normals, w_d and w_n, by the form of the lights; hues have none. */
+/* Clustering weights of squared distance and of normals, w_d and w_n, by the form of the lights;
+ * hues have none. */
 static const float weight_position = 1;
 static const float weight_normal[] = {[LIGHT_FORM_RECTANGLE] = .1F, [LIGHT_FORM_DISK] = 10};
 
@@ -120,7 +121,8 @@ static int clamp_of(const struct cluster_lights_settings *own) {
     return own->near > 0 ? GATHER_CLAMP_RECTANGLE_NEAR : GATHER_CLAMP_RECTANGLE;
 }
 
-/* The gather of many lights, but each pixel takes all of them; adaptive pixels look themselves up. */
+/* The gather of many lights, but each pixel takes all of them; adaptive pixels look
+ * themselves up. */
 static struct settings gather_settings(const struct settings *settings) {
     const struct cluster_lights_settings *own =
         settings_of(struct cluster_lights_settings, settings, &own_part);

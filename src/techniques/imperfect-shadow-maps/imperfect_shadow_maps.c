@@ -1,6 +1,6 @@
-/* Imperfect shadow maps [Ritschel et al. 2008]: each VPL has a map of its own, small and made of a few
- * points of surfaces, of which each map has others: its faults are averaged over all VPLs. The peer of
- * clustered visibility, which has a few good maps. */
+/* Imperfect shadow maps [Ritschel et al. 2008]: each VPL has a map of its own, small and made of a
+ * few points of surfaces, of which each map has others: its faults are averaged over all VPLs. The
+ * peer of clustered visibility, which has a few good maps. */
 #include "base/memory.h"
 #include "shared/maps.h"
 #include "shared/splat.h"

@@ -1,5 +1,5 @@
-/* Indirect light or ambient occlusion in voxels made of points [Mavridis and Papaioannou 2011]: the other family of
- * techniques, without virtual lights. Its cost hardly depends on pixels. */
+/* Indirect light or ambient occlusion in voxels made of points [Mavridis and Papaioannou 2011]: the
+ * other family of techniques, without virtual lights. Its cost hardly depends on pixels. */
 #include "base/memory.h"
 #include "passes/frame.h"
 #include "passes/visibility/shadow_map.h"
@@ -12,7 +12,7 @@
 /* Texels a side of a light's shadow map: finer than voxels. */
 enum { SHADOW_SIZE = 512 };
 
-/* Ambient radiance of volume=ao, over the irradiance that the lights could make across the scene. */
+/* Ambient radiance of volume=ao, over the irradiance that the lights could make across the scene */
 static const float ambient = .1F;
 
 struct imperfect_volume {

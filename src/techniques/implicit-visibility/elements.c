@@ -145,7 +145,8 @@ static void consider(const struct maker *maker, struct cluster *cluster, const s
     cluster->element.pane = maker->pane;
 }
 
-/* An element lies where its cluster's surface is nearest to its middle: within a face, not on its edge. */
+/* An element lies where its cluster's surface is nearest to its middle: within a face, not on its
+ * edge. */
 static void choose_place(struct maker *maker, const struct third *third) {
     struct cluster *cluster = cluster_of(maker, third);
     consider(maker, cluster, third, third->at);

@@ -1,5 +1,6 @@
-/* Radiosity with implicit visibility [Dong 2011 chapter 4]: surface elements know their nearest partner in each of some
- * hundred directions, and so need no shadow map. All but the picture is made on the CPU, on all cores. */
+/* Radiosity with implicit visibility [Dong 2011 chapter 4]: surface elements know their nearest
+ * partner in each of some hundred directions, and so need no shadow map. All but the picture is
+ * made on the CPU, on all cores. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "gl/cancel.h"
@@ -137,8 +138,8 @@ static void lay_elements(struct implicit_visibility *technique, const struct geo
         tree_init(&technique->tree, &technique->elements, turn_length * geometry->radius);
 }
 
-/* In the pose of time 0, so that a frame depends on its time alone, and not on the pose in which it began. Error: the
- * geometry's. */
+/* In the pose of time 0, so that a frame depends on its time alone, and not on the pose in which it
+ * began. Error: the geometry's. */
 static bool lay_elements_at_start(struct implicit_visibility *technique, bool still) {
     struct geometry start;
     if (!(still ? geometry_init_still : geometry_init)(&start, technique->scene, 0))
@@ -269,7 +270,8 @@ static bool update(void *state, const struct geometry *geometry) {
     return ok;
 }
 
-/* The samples of the frame's sky, which come last (lights/light_samples.h); 0 where it does not shine. */
+/* The samples of the frame's sky, which come last (lights/light_samples.h); 0 where it does not
+ * shine. */
 static int sky_samples(const struct frame *frame) {
     return frame->emitters->sky ? frame->groups[frame->layout.groups - 1].count : 0;
 }

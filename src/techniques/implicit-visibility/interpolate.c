@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* How far an element reaches, over the longest edge of a cut triangle: all of a surface has some. */
+/* How far an element reaches, over the longest edge of a cut triangle: all of a surface has some */
 static const float reach = 1.2F;
 
 enum { CELLS_MAX = 1 << 20 };
@@ -41,7 +41,8 @@ void interpolate_pass_free(struct interpolate_pass *pass) {
     *pass = (struct interpolate_pass){0};
 }
 
-/* Cells as wide as elements reach, wider where there would be too many; and a margin of one around them. */
+/* Cells as wide as elements reach, wider where there would be too many; and a margin of one around
+ * them. */
 static void fit_grid(struct interpolate_pass *pass, float wanted, const struct geometry *geometry) {
     struct element_grid_params *grid = &pass->grid;
     double count = INFINITY;

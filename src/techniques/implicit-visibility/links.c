@@ -86,7 +86,8 @@ static void offer_windows(struct walk *walk, const struct disk *disk) {
         }
 }
 
-/* In all bins whose middle rays meet the disk. A small one reaches no middle but that of its own bin. */
+/* In all bins whose middle rays meet the disk. A small one reaches no middle but that of its own
+ * bin. */
 static void offer_disk(struct walk *walk, uint32_t j, vec3s path, bool small) {
     const struct tree_node *node = &walk->tree->nodes[j];
     struct disk disk = {.node = j, .radius2 = disk_area * node->area / GLM_PIf};
@@ -113,9 +114,8 @@ static void offer_node(struct walk *walk, uint32_t j, const float path[3], vec3s
     if (walk->links->desc.cover == LINKS_COVER_CENTER) {
         if (above)
             offer(walk, bins_find(bins, turned.raw), j, facing > 0, distance);
-    } else if (
-        facing > 0 ||
-        above) /* disks reach beyond their surface's edge: backs behind the leaf hide nothing */
+    } else if (facing > 0 || above) /* disks reach beyond their surface's edge: backs behind the
+                                       leaf hide nothing */
         offer_disk(walk, j, turned, small);
 }
 
@@ -150,7 +150,8 @@ static void walk_tree(struct walk *walk) {
 
 /* --- links ------------------------------------------------------------------------------------ */
 
-/* The nearest partner of the neighbours of an empty bin among filled ones, which thus is a leak; or nothing. */
+/* The nearest partner of the neighbours of an empty bin among filled ones, which thus is a leak; or
+ * nothing. */
 static uint32_t close_leak(const struct walk *walk, int b) {
     const struct bin *bin = &walk->links->bins.items[b];
     int filled = 0, nearest = -1;

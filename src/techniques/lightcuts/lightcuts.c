@@ -1,5 +1,6 @@
-/* Lightcuts for blocks of pixels [Walter et al. 2005, 2006; Lin and Yuksel 2020], with the visibility of VALs: each
- * pixel takes a few dozen nodes of a tree over all VPLs, chosen for its block by a bound of what they may be off. */
+/* Lightcuts for blocks of pixels [Walter et al. 2005, 2006; Lin and Yuksel 2020], with the
+ * visibility of VALs: each pixel takes a few dozen nodes of a tree over all VPLs, chosen for its
+ * block by a bound of what they may be off. */
 #include "base/memory.h"
 #include "passes/gather/vpl_cut.h"
 #include "passes/lights/vpl_tree.h"

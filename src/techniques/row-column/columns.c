@@ -152,8 +152,8 @@ static int draw(const struct columns *columns, int first, int count, uint32_t *s
     return drawn < 0 ? columns->members[first] : drawn;
 }
 
-/* Centres far from those before, and where much light is; each light is labelled with the nearest one. Returns how
- * many there are: fewer where all others lie on them. */
+/* Centres far from those before, and where much light is; each light is labelled with the nearest
+ * one. Returns how many there are: fewer where all others lie on them. */
 static int find_centers(struct columns *columns, int most, uint32_t *state) {
     int n = columns->member_count, count = 0;
     for (int i = 0; i < n; i++) {

@@ -1,8 +1,9 @@
-/* Matrix row-column sampling [Hašan et al. 2007]: of the matrix of pixels x VPLs some rows tell which VPLs do alike, and
- * of each cluster of these one is drawn for all pixels, with a map of its own.
+/* Matrix row-column sampling [Hašan et al. 2007]: of the matrix of pixels x VPLs some rows tell
+ * which VPLs do alike, and of each cluster of these one is drawn for all pixels, with a map of its
+ * own.
  *
- * It reads the rows back and clusters on the CPU: the GPU waits once a frame. The random numbers are the same in
- * each frame, so that a frame depends on its time alone. */
+ * It reads the rows back and clusters on the CPU: the GPU waits once a frame. The random numbers
+ * are the same in each frame, so that a frame depends on its time alone. */
 #include "base/error.h"
 #include "base/memory.h"
 #include "passes/frame.h"
@@ -153,7 +154,8 @@ static bool init(void **state, const struct technique_desc *desc) {
 
 /* --- rows ------------------------------------------------------------------------------------- */
 
-/* VPLs of their own that are as far apart as all: maps of these leave out as much of what is near. */
+/* VPLs of their own that are as far apart as all: maps of these leave out as much of what
+ * is near. */
 static struct vpl_buffer with_sums_of(const struct vpl_buffer *vpls, const struct vpl_buffer *all) {
     struct vpl_buffer like = *vpls;
     like.sums = all->sums;
@@ -205,8 +207,8 @@ static void read_vpls(struct row_column *technique) {
     }
 }
 
-/* VPLs of the list from `begin` on, as long as they are before `last`, with their weights; and dark ones, so that each
- * place of the pattern has one. Returns where it stopped. */
+/* VPLs of the list from `begin` on, as long as they are before `last`, with their weights; and dark
+ * ones, so that each place of the pattern has one. Returns where it stopped. */
 static int write_chosen(struct row_column *technique, int kind, int begin, int end, int last) {
     int n = technique->lights.gather.desc.interleave, count = 0, at = begin;
     for (; at < end && technique->list[at].light < last; at++) {

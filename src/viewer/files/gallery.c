@@ -79,7 +79,8 @@ static bool go_on(void *user, const struct path_tracer_progress *progress) {
     return !atomic_load(&gallery->cancelled);
 }
 
-/* As the scene begins; where nothing is seen then, as behind a door that is shut, in the middle of its clip. */
+/* As the scene begins; where nothing is seen then, as behind a door that is shut, in the middle of
+ * its clip. */
 static bool trace(struct gallery *gallery, const char *path, struct image *image) {
     struct stage stage;
     struct path_tracer_desc desc = {

@@ -29,11 +29,11 @@ struct loader {
     char message[512];
 };
 
-/* While another one is being loaded, this one is next; of several the last. desc, unless NULL: how it is opened;
- * its texts must live on. */
+/* While another one is being loaded, this one is next; of several the last. desc, unless NULL: how
+ * it is opened; its texts must live on. */
 void loader_start(struct loader *loader, const char *path, const struct scene_open_desc *desc);
 
-/* LOADER_DONE: *document is the caller's. LOADER_FAILED: error_get tells. Both are returned once. */
+/* LOADER_DONE: *document is the caller's. LOADER_FAILED: error_get tells. Both are returned once */
 enum loader_state loader_poll(struct loader *loader, struct document *document);
 
 /* What is being loaded is let go when it is there, and nothing is next. */

@@ -114,7 +114,8 @@ static bool is_changed(const struct settings *settings, const struct settings *u
     return false;
 }
 
-/* Technique and settings stay, and so does a comparison with a technique; a reference was of the scene before. */
+/* Technique and settings stay, and so does a comparison with a technique; a reference was of the
+ * scene before. */
 static void tell_what_stays(struct viewer *viewer) {
     struct compare *compare = &viewer->shown.compare;
     bool again = viewer->opening.reloading.on;
@@ -165,7 +166,8 @@ static void begin_scene(struct viewer *viewer, const struct renderer *renderer) 
     viewer_tell_sky(viewer);
 }
 
-/* The same file is looked at as before it changed; what outlives the window has seen to that where it is on. */
+/* The same file is looked at as before it changed; what outlives the window has seen to that where
+ * it is on. */
 static void show_as_before(struct viewer *viewer, struct session *before) {
     before->scene = viewer->document.scene.path;
     if (viewer->opening.reloading.on && !viewer->kept.on && !viewer_show_session(viewer, before))
@@ -281,7 +283,8 @@ static void await_document(struct viewer *viewer, const struct document *documen
     start_preview(viewer);
 }
 
-/* Whether the shaders of the scene that arrives are there; an error of the description is left to its renderer. */
+/* Whether the shaders of the scene that arrives are there; an error of the description is left to
+ * its renderer. */
 static bool has_shaders(struct viewer *viewer) {
     const struct document *arriving = &viewer->opening.arriving;
     struct renderer_desc desc = viewer_first_desc(viewer, arriving);

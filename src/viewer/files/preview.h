@@ -1,5 +1,5 @@
-/* A coarse picture of a scene that has been read, traced on a thread: it is there long before the shaders
- * are that render the scene. */
+/* A coarse picture of a scene that has been read, traced on a thread: it is there long before the
+ * shaders are that render the scene. */
 #ifndef VIEWER_PREVIEW_H
 #define VIEWER_PREVIEW_H
 

@@ -48,7 +48,8 @@ static void begin_area(const struct viewer *viewer, float width) {
                   0);
 }
 
-/* Of an output: its colour as it is shown, 0 to 1, and the surface where it has the picture's pixels. */
+/* Of an output: its colour as it is shown, 0 to 1, and the surface where it has the picture's
+ * pixels. */
 static void draw_output(struct viewer *viewer, float x, float y, float width) {
     struct renderer *renderer = &viewer->shown.renderer;
     struct bitmap bitmap;

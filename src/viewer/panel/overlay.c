@@ -52,7 +52,8 @@ static void draw_times(const struct pace *pace, bool all) {
     }
 }
 
-/* Each frame a column of its passes, those rendered smaller than the largest dim; a line where a frame takes its budget. */
+/* Each frame a column of its passes, those rendered smaller than the largest dim; a line where a
+ * frame takes its budget. */
 static void draw_graph(const struct pace *pace, float budget, float width, float height) {
     enum { COLUMNS = 80 };
     int count = pace->frame_count < COLUMNS ? pace->frame_count : COLUMNS;

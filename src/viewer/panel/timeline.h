@@ -1,5 +1,5 @@
-/* The bar of an animation below the picture: where it is, in seconds and frames, and what to do with
- * it. */
+/* The bar of an animation below the picture: where it is, in seconds and frames, and what to do
+ * with it. */
 #ifndef VIEWER_TIMELINE_H
 #define VIEWER_TIMELINE_H
 

@@ -17,8 +17,8 @@ struct compare {
     bool only_right; /* toggled: the right picture alone */
     bool heat;       /* the errors as a map, in place of the left picture */
     int heat_metric; /* of metrics */
-    bool
-        flip; /* metrics that look at neighbourhoods, too: they follow when the picture has rested */
+    bool flip; /* metrics that look at neighbourhoods, too: they follow when the picture has rested
+                */
 
     /* COMPARE_TECHNIQUE: the right picture's own. */
     const struct technique *technique;
@@ -45,22 +45,23 @@ void compare_free(struct compare *compare);
 /* Lets the other renderer go: shaders or scene are no more what they were. */
 void compare_forget(struct compare *compare);
 
-/* Makes the other technique's renderer, or changes its settings; coarse: without antialiasing; waits: as far as
- * its technique and settings are what they were. Error: they are what they were, or the comparison is off. */
+/* Makes the other technique's renderer, or changes its settings; coarse: without antialiasing;
+ * waits: as far as its technique and settings are what they were. Error: they are what they were,
+ * or the comparison is off. */
 bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse,
                     bool waits);
 
-/* Renders the other technique's picture of the same, after compare_follow, where it has a renderer. Error: the
- * comparison is then off. */
+/* Renders the other technique's picture of the same, after compare_follow, where it has a renderer.
+ * Error: the comparison is then off. */
 bool compare_render(struct compare *compare);
 
 /* Makes the right picture show that layer, LAYER_..., and says which it is; NULL = none. */
 const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,
                                       int layer);
 
-/* Measures the errors, and draws the map; begins with the metrics of whole neighbourhoods where those are
- * wanted. wake: called from another thread when those are there, and compare_follow_measuring is to
- * take them. Error: the sizes differ, or a value is not finite. */
+/* Measures the errors, and draws the map; begins with the metrics of whole neighbourhoods where
+ * those are wanted. wake: called from another thread when those are there, and
+ * compare_follow_measuring is to take them. Error: the sizes differ, or a value is not finite. */
 bool compare_measure(struct compare *compare, struct renderer *renderer, int layer,
                      void (*wake)(void));
 

@@ -51,7 +51,8 @@ static void note_known(struct compiling *compiling) {
 
 /* --- on the thread --- */
 
-/* As it is at rest, while it moves, and as it accumulates passes. Failures are reported when the window's own fails. */
+/* As it is at rest, while it moves, and as it accumulates passes. Failures are reported when the
+ * window's own fails. */
 static void draw(const struct renderer_desc *desc) {
     struct renderer renderer;
     if (!renderer_init(&renderer, desc))
@@ -100,8 +101,8 @@ static bool has_window(struct compiling *compiling) {
     return compiling->window;
 }
 
-/* A side of the stand-in's picture: the small one leaves what the large one leaves where it is parted into squares, and is
- * a power of two where that is, which is compiled in. */
+/* A side of the stand-in's picture: the small one leaves what the large one leaves where it is
+ * parted into squares, and is a power of two where that is, which is compiled in. */
 static int small_side(int side) {
     enum { SMALL = 192, PARTED = 64, POWER = 256 };
     if (side <= POWER)

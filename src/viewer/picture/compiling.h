@@ -1,6 +1,7 @@
-/* Shaders are compiled in the background, so that the window lives on meanwhile: a thread with a context of
- * its own draws a stand-in of the scene as the picture will be drawn, but smaller. Its programs are handed over as the driver has
- * linked them; what software OpenGL compiles when it first draws with them it keeps on disk, and finds there. */
+/* Shaders are compiled in the background, so that the window lives on meanwhile: a thread with a
+ * context of its own draws a stand-in of the scene as the picture will be drawn, but smaller. Its
+ * programs are handed over as the driver has linked them; what software OpenGL compiles when it
+ * first draws with them it keeps on disk, and finds there. */
 #ifndef VIEWER_COMPILING_H
 #define VIEWER_COMPILING_H
 
@@ -35,8 +36,9 @@ struct compiling {
 /* For the context of the window; wake is called from another thread when there is news. */
 void compiling_init(struct compiling *compiling, struct context *user, void (*wake)(void));
 
-/* Whether the shaders of such a picture have been compiled, or cannot be in the background; else begins that,
- * unless others are being compiled. What desc points to may go or change but for the environment. */
+/* Whether the shaders of such a picture have been compiled, or cannot be in the background; else
+ * begins that, unless others are being compiled. What desc points to may go or change but for the
+ * environment. */
 bool compiling_has(struct compiling *compiling, const struct renderer_desc *desc);
 
 /* Whether it may be asked again. */

@@ -5,7 +5,8 @@
 
 #include <math.h>
 
-/* The size that it is shown in: one that was rendered smaller, in the full one; sheets have their own. */
+/* The size that it is shown in: one that was rendered smaller, in the full one; sheets have their
+ * own. */
 static void size_of(const struct viewer *viewer, int *width, int *height) {
     const struct renderer_desc *desc = &viewer->shown.renderer.desc;
     *width = viewer->shown.left->desc.width;

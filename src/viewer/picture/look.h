@@ -1,4 +1,5 @@
-/* How the picture lies in the window: as large as fits or enlarged, alone or beside the other one. */
+/* How the picture lies in the window: as large as fits or enlarged, alone or beside the
+ * other one. */
 #ifndef VIEWER_LOOK_H
 #define VIEWER_LOOK_H
 
@@ -15,7 +16,8 @@ bool look_at_mouse(const struct viewer *viewer, float *x, float *y);
 
 enum { LOOK_ZOOM_MOST = 64 };
 
-/* Pixels of the window a pixel; look_enlarge keeps the middle where it is, and fits what would be smaller. */
+/* Pixels of the window a pixel; look_enlarge keeps the middle where it is, and fits what would be
+ * smaller. */
 double look_zoom(const struct viewer *viewer);
 void look_enlarge(struct viewer *viewer, double zoom);
 void look_scroll(struct viewer *viewer, double steps);

@@ -1,5 +1,5 @@
-/* Measures how far two pictures are apart by the metrics that look at neighbourhoods (FLIP), which take their
- * time, in the background. */
+/* Measures how far two pictures are apart by the metrics that look at neighbourhoods (FLIP), which
+ * take their time, in the background. */
 #ifndef VIEWER_MEASURING_H
 #define VIEWER_MEASURING_H
 

@@ -174,7 +174,7 @@ static const char *what_takes_long(const struct viewer *viewer, double pixels) {
     return pace->fixed_ms + pace->ms_per_pixel * pixels > long_ms ? "rendering \xe2\x80\xa6" : NULL;
 }
 
-/* Lets a turn of the loop go by that shows a sign before what takes long; whether to wait for it. */
+/* Lets a turn of the loop go by that shows a sign before what takes long; whether to wait for it */
 static bool announce(struct viewer *viewer, double pixels) {
     struct shown *shown = &viewer->shown;
     const char *before = shown->busy;

@@ -13,8 +13,9 @@ void viewer_full_size(const struct viewer *viewer, int *width, int *height);
 /* Renders and composes what has changed. Error: the scene cannot be drawn any more. */
 bool viewer_update_picture(struct viewer *viewer);
 
-/* Casters are those of time 0, as a picture rendered offscreen has them: poses the scene there before casters are
- * made, and back. viewer_pose_start: whether it was elsewhere, for viewer_pose_back. */
+/* Casters are those of time 0, as a picture rendered offscreen has them: poses the scene there
+ * before casters are made, and back. viewer_pose_start: whether it was elsewhere, for
+ * viewer_pose_back. */
 bool viewer_pose_start(struct viewer *viewer);
 void viewer_pose_back(struct viewer *viewer, bool away);
 

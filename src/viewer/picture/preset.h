@@ -9,7 +9,8 @@ enum { PRESET_TITLE_SIZE = 24, PRESET_HELP_SIZE = 320 };
 /* The word of --quality or its name, with a capital. */
 void preset_title(const struct preset *preset, char title[PRESET_TITLE_SIZE]);
 
-/* Writes for which pictures it is, its time and error against Normal, and its words on the command line. */
+/* Writes for which pictures it is, its time and error against Normal, and its words on the command
+ * line. */
 void preset_explain(const struct preset *preset, char text[PRESET_HELP_SIZE]);
 
 /* Exposure and tone map as they are: they are no part of how well a picture is made. */

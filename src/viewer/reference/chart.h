@@ -30,8 +30,8 @@ void chart_plan(struct chart *chart, const struct technique *technique,
                 const struct settings *settings);
 void chart_free(struct chart *chart);
 
-/* Times the next dot's frames and keeps the last. Settings that would take minutes here are left out.
- * Error: of a renderer; the dot is left out. */
+/* Times the next dot's frames and keeps the last. Settings that would take minutes here are left
+ * out. Error: of a renderer; the dot is left out. */
 bool chart_measure_next(struct chart *chart, const struct renderer_desc *shown);
 
 /* The fastest dot whose error is below that; -1: none is. */

@@ -1,5 +1,5 @@
-/* Traces the reference of a view in the background: the path tracer on spare threads, with a scene of its
- * own, so that the viewer may go on to another. */
+/* Traces the reference of a view in the background: the path tracer on spare threads, with a scene
+ * of its own, so that the viewer may go on to another. */
 #ifndef VIEWER_REFERENCE_TRACER_H
 #define VIEWER_REFERENCE_TRACER_H
 

@@ -113,7 +113,8 @@ static void show_picture(struct viewer *viewer, struct traced_picture *newest) {
     viewer->shown.recompose = true;
 }
 
-/* Relative RMSE of an indirect layer without the reference's noise. False: there is no reference of its size. */
+/* Relative RMSE of an indirect layer without the reference's noise. False: there is no reference of
+ * its size. */
 static bool indirect_error(const struct viewer *viewer, const struct image *indirect,
                            double *error) {
     const struct tracing *tracing = &viewer->tracing;

@@ -5,15 +5,16 @@
 
 #include "viewer/state.h"
 
-/* Traces the reference of the view as it is, in place of the one before; viewer_follow_reference takes what
- * has been traced, each turn; viewer_forget_reference ends the comparison with it. */
+/* Traces the reference of the view as it is, in place of the one before; viewer_follow_reference
+ * takes what has been traced, each turn; viewer_forget_reference ends the comparison with it. */
 void viewer_trace(struct viewer *viewer);
 void viewer_follow_reference(struct viewer *viewer);
 void viewer_forget_reference(struct viewer *viewer);
 bool viewer_is_tracing(const struct viewer *viewer);
 
-/* Relative RMSE of the layer that is shown against the right picture, by the same definition: what is known of a
- * traced reference's noise, which is its indirect light's, is taken off. False: it has not been measured. */
+/* Relative RMSE of the layer that is shown against the right picture, by the same definition: what
+ * is known of a traced reference's noise, which is its indirect light's, is taken off. False: it
+ * has not been measured. */
 bool viewer_compared_error(const struct viewer *viewer, double *error);
 
 /* That noise over the mean of the layer that is shown; 0: none is known. */

@@ -5,8 +5,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* The brightness that the middle of the picture gets, and the most that its brightest twentieth and fiftieth may: the
- * filmic curve shows 2.5 as 248 of 255, so that the form of what a lamp lights is seen. */
+/* The brightness that the middle of the picture gets, and the most that its brightest twentieth and
+ * fiftieth may: the filmic curve shows 2.5 as 248 of 255, so that the form of what a lamp lights is
+ * seen. */
 static const double middle_grey = .14, brightest = 4, below_white = 2.5;
 
 static double luminance(const float *rgb) {
@@ -51,7 +52,8 @@ double develop_highlight(const struct image *image) {
     return highlight;
 }
 
-/* The median of what is not black tells the middle, unless the lights would then be white all over. */
+/* The median of what is not black tells the middle, unless the lights would then be white
+ * all over. */
 float develop_exposure(const struct image *image) {
     size_t count;
     double *values = read_luminances(image, &count), ev = 0;

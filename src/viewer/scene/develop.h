@@ -4,8 +4,8 @@
 
 #include "base/image.h"
 
-/* The exposure, EV, in quarters of a stop, at which a picture shows most of itself by the filmic tone map;
- * 0 of a black one. */
+/* The exposure, EV, in quarters of a stop, at which a picture shows most of itself by the filmic
+ * tone map; 0 of a black one. */
 float develop_exposure(const struct image *image);
 
 /* What all but the brightest twentieth of what is not black stays below; 0 of a black picture. */

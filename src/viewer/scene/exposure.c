@@ -42,8 +42,8 @@ void viewer_keep_exposure(struct viewer *viewer) {
     viewer->exposing.waits = false;
 }
 
-/* Where nearly nothing is seen as the scene begins, as behind a door that is shut, what leaks past it is not to be
- * exposed: then the middle of its clip is shown. Whether it was. */
+/* Where nearly nothing is seen as the scene begins, as behind a door that is shut, what leaks past
+ * it is not to be exposed: then the middle of its clip is shown. Whether it was. */
 static bool skip_darkness(struct viewer *viewer, const struct image *picture) {
     static const double dark = 1e-2; /* over what the lights would give across the scene */
     struct frame frame = renderer_frame(&viewer->shown.renderer);

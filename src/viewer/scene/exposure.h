@@ -4,7 +4,8 @@
 
 #include "viewer/state.h"
 
-/* For a scene that has been opened: it is exposed by itself where that is wanted, with its first frame. */
+/* For a scene that has been opened: it is exposed by itself where that is wanted, with its first
+ * frame. */
 void viewer_begin_exposure(struct viewer *viewer);
 void viewer_follow_exposure(struct viewer *viewer);
 

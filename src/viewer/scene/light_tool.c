@@ -63,8 +63,8 @@ static bool project_ray(const struct light_stage *stage, const float position[3]
     return length > 0;
 }
 
-/* Along which a size is measured. A sphere has the same in all directions, and what is seen from the
- * side has none that can be grabbed: the picture's own then. */
+/* Along which a size is measured. A sphere has the same in all directions, and what is seen from
+ * the side has none that can be grabbed: the picture's own then. */
 static bool size_ray(const struct light_stage *stage, const struct emitter *light,
                      enum light_handle handle, struct ray *ray) {
     bool up = handle == HANDLE_HEIGHT;

@@ -7,7 +7,8 @@
 /* Whether there is a light: there may be the sky alone. */
 bool viewer_has_light(const struct viewer *viewer);
 
-/* The light that is chosen, to be changed: then viewer_touch_light. viewer_reset_light takes the scene's own. */
+/* The light that is chosen, to be changed: then viewer_touch_light. viewer_reset_light takes the
+ * scene's own. */
 struct emitter *viewer_light(const struct viewer *viewer);
 void viewer_touch_light(struct viewer *viewer);
 void viewer_reset_light(struct viewer *viewer);

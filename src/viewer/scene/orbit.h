@@ -22,15 +22,15 @@ void orbit_start(struct orbit *orbit, const struct camera *camera, const float c
 /* Circles another point from now on. */
 void orbit_grab(struct orbit *orbit, const float point[3]);
 
-/* Turns around the point, which stays where it is in the picture: right and down by fractions of the
- * picture's height. */
+/* Turns around the point, which stays where it is in the picture: right and down by fractions of
+ * the picture's height. */
 void orbit_turn(struct orbit *orbit, float right, float down);
 
 /* Moves eye and point with the picture: what was under the cursor stays there. */
 void orbit_pan(struct orbit *orbit, float right, float down);
 
-/* Goes nearer to the point (steps > 0) or away by a tenth of the distance a step; it stays where it is
- * in the picture. */
+/* Goes nearer to the point (steps > 0) or away by a tenth of the distance a step; it stays where it
+ * is in the picture. */
 void orbit_zoom(struct orbit *orbit, float steps);
 
 /* Looks at a sphere from the present side, so that all of it is in sight; circles its middle. */

@@ -11,7 +11,8 @@ bool viewer_place_camera(struct viewer *viewer, const char *text);
 /* Lights by a text. What it moves stays there. Error: it is not understood. */
 bool viewer_place_lights(struct viewer *viewer, const char *text);
 
-/* What a renderer of the document begins with, without camera and lights; and one of the scene as it is placed. */
+/* What a renderer of the document begins with, without camera and lights; and one of the scene as
+ * it is placed. */
 struct renderer_desc viewer_first_desc(const struct viewer *viewer,
                                        const struct document *document);
 bool viewer_init_renderer(struct viewer *viewer, struct renderer *renderer);

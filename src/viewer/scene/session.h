@@ -42,20 +42,22 @@ int session_bounces(const struct session *session);
 
 bool session_same_sky(const struct session *a, const struct session *b);
 
-/* Whether both have one reference but for its size: place, light, time, bounces, sky, medium, materials and glass. */
+/* Whether both have one reference but for its size: place, light, time, bounces, sky, medium,
+ * materials and glass. */
 bool session_same_view(const struct session *a, const struct session *b);
 
 /* "manylight render SCENE --size ... -o picture.png", quoted for a shell; to be freed. Settings at
  * their defaults are left out. */
 char *session_command(const struct session *session);
 
-/* One "key = value" a line: technique, direct light's method, passes, layer, clip, time, camera, views, lights, sky and the settings that are
- * not at their defaults. */
+/* One "key = value" a line: technique, direct light's method, passes, layer, clip, time, camera,
+ * views, lights, sky and the settings that are not at their defaults. */
 bool session_save(const struct session *session, const char *path);
 
-/* Sets what the file has; settings it does not name get their defaults. A line that cannot be read, as one of a setting
- * of another version, is left out and counted, and the error names file and line of the last. left_out NULL: nothing is
- * changed then, and that is an error. Error, too: the file cannot be read. */
+/* Sets what the file has; settings it does not name get their defaults. A line that cannot be read,
+ * as one of a setting of another version, is left out and counted, and the error names file and
+ * line of the last. left_out NULL: nothing is changed then, and that is an error. Error, too: the
+ * file cannot be read. */
 bool session_load(struct session *session, const char *path, int *left_out);
 
 #endif

@@ -15,7 +15,8 @@ static bool stands_in(const struct viewer *viewer, const struct emitter *light) 
     return light->number >= 0 && framing_made_light(&viewer->document.scene, light->number);
 }
 
-/* The lights beside a new sky; NULL: without one, where all of the scene's shine if no other does. To be freed. */
+/* The lights beside a new sky; NULL: without one, where all of the scene's shine if no other does.
+ * To be freed. */
 static struct emitters with_sky(const struct viewer *viewer, const struct environment *sky) {
     struct emitters lights = emitters_copy(&viewer->placed.emitters);
     int kept = 0;
@@ -40,8 +41,9 @@ static void take_lights(struct viewer *viewer, struct emitters *lights) {
     placed->emitters = *lights;
 }
 
-/* The renderer is made anew: its programs and its textures are the sky's, too. text: of the lights that shine
- * then; NULL = those that do, and the sky. Error: all is what it was, and the sky still the caller's. */
+/* The renderer is made anew: its programs and its textures are the sky's, too. text: of the lights
+ * that shine then; NULL = those that do, and the sky. Error: all is what it was, and the sky still
+ * the caller's. */
 static bool put(struct viewer *viewer, struct environment *sky, const char *text) {
     struct environment **own = &viewer->document.scene.environment, *before = *own;
     struct placed placed = viewer->placed;

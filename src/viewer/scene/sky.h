@@ -4,8 +4,8 @@
 
 #include "viewer/state.h"
 
-/* Reads a sky, which takes the place of the one before when its shaders have been compiled. Error: shown, too; the
- * one before stays. */
+/* Reads a sky, which takes the place of the one before when its shaders have been compiled. Error:
+ * shown, too; the one before stays. */
 bool viewer_open_sky(struct viewer *viewer, const char *path);
 
 /* Takes the sky whose shaders have come. */
@@ -25,8 +25,8 @@ bool viewer_sky_shines(const struct viewer *viewer);
 bool viewer_can_do_without_sky(const struct viewer *viewer);
 void viewer_let_sky_shine(struct viewer *viewer, bool shines);
 
-/* Whether something is there that shines without it: then it can be removed, and the scene's lights shine where no
- * other does. */
+/* Whether something is there that shines without it: then it can be removed, and the scene's lights
+ * shine where no other does. */
 bool viewer_can_remove_sky(const struct viewer *viewer);
 void viewer_remove_sky(struct viewer *viewer);
 

@@ -1,7 +1,7 @@
-/* What happened to a window, in order, handed on by turns: each turn gets no more than it can tell the
- * order of. A key that was pressed and released while a frame took its time is pressed in one turn, with the modifiers
- * that were held then, and released in a later one, so that nothing is lost or typed with the wrong modifier,
- * however slow frames are. */
+/* What happened to a window, in order, handed on by turns: each turn gets no more than it can tell
+ * the order of. A key that was pressed and released while a frame took its time is pressed in one
+ * turn, with the modifiers that were held then, and released in a later one, so that nothing is
+ * lost or typed with the wrong modifier, however slow frames are. */
 #ifndef VIEWER_WINDOW_EVENTS_H
 #define VIEWER_WINDOW_EVENTS_H
 
@@ -26,9 +26,10 @@ struct events {
 /* Cursor and wheel go on where the last event was theirs, too. */
 void events_add(struct events *events, const struct event *event);
 
-/* How many of the first belong to one turn, at least one where there is one: the cursor goes to one place;
- * a button, or the wheel, comes alone, when the cursor is known to be there; keys come together, each
- * once and none after one that is pressed, and text after them. events_drop lets them go. */
+/* How many of the first belong to one turn, at least one where there is one: the cursor goes to one
+ * place; a button, or the wheel, comes alone, when the cursor is known to be there; keys come
+ * together, each once and none after one that is pressed, and text after them. events_drop lets
+ * them go. */
 int events_of_turn(const struct events *events);
 void events_drop(struct events *events, int count);
 

@@ -1,5 +1,5 @@
-/* Dear ImGui 1.86 to 1.92 behind one interface: keys and mouse became events in 1.87, the highlight got another name in
- * 1.91.4, textures of fonts follow by themselves from 1.92 on. */
+/* Dear ImGui 1.86 to 1.92 behind one interface: keys and mouse became events in 1.87, the highlight
+ * got another name in 1.91.4, textures of fonts follow by themselves from 1.92 on. */
 #ifndef VIEWER_WINDOW_IMGUI_VERSIONS_HPP
 #define VIEWER_WINDOW_IMGUI_VERSIONS_HPP
 

@@ -60,7 +60,8 @@ void look_text(ImU32 color, const char *text);
     std::vsnprintf(text, sizeof text, format, arguments);                                          \
     va_end(arguments)
 
-/* Reads the fonts with all letters wanted; and again, between frames, of another size, or where some are lacking. */
+/* Reads the fonts with all letters wanted; and again, between frames, of another size, or where
+ * some are lacking. */
 void look_load_fonts(void);
 void look_reload_fonts(void);
 void look_follow_letters(void);
@@ -68,8 +69,8 @@ void look_follow_letters(void);
 /* The text itself, whose letters the fonts will have in the next frame. */
 const char *look_read(const char *text);
 
-/* Gives mouse and keyboard to Dear ImGui before a frame begins, and the keyboard to the panel or takes it away; and
- * when the frame has begun: viewer/window/ui_keys.cpp. */
+/* Gives mouse and keyboard to Dear ImGui before a frame begins, and the keyboard to the panel or
+ * takes it away; and when the frame has begun: viewer/window/ui_keys.cpp. */
 void look_take_input(const struct input *input);
 void look_begin_keys(void);
 

@@ -23,17 +23,18 @@ void ui_free(void); /* accepts what was not begun, or failed half-way */
 void ui_frame_begin(const struct input *input);
 void ui_frame_end(void);
 
-/* From then on, where the widgets whose middle can be seen lie, by name: a line "x y width height name" for
- * each of the frame, for scripts that press them. Valid until the next frame begins. */
+/* From then on, where the widgets whose middle can be seen lie, by name: a line "x y width height
+ * name" for each of the frame, for scripts that press them. Valid until the next frame begins. */
 void ui_note_places(void);
 const char *ui_places(void);
 
-/* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. Keys are a
- * panel's, too, from Tab, which goes through its widgets, to Esc or a click. */
+/* Whether the mouse is over a widget, or text is typed into one: then it is not the picture's. Keys
+ * are a panel's, too, from Tab, which goes through its widgets, to Esc or a click. */
 bool ui_wants_mouse(void);
 bool ui_wants_keys(void);
 
-/* Whether a click has begun to open a field to type in, which takes some frames: what is typed is to wait. */
+/* Whether a click has begun to open a field to type in, which takes some frames: what is typed is
+ * to wait. */
 bool ui_is_opening_field(void);
 
 /* Closes the list of choices that is open; whether there was one. */
@@ -60,8 +61,8 @@ enum ui_area {
 void ui_area_begin(const char *id, enum ui_area kind, float x, float y, float width, float height);
 void ui_area_end(void);
 
-/* A UI_PAGE in the middle of a window of that size: so many lines wide and high, or as much as there is room
- * for. ui_area_end ends it. */
+/* A UI_PAGE in the middle of a window of that size: so many lines wide and high, or as much as
+ * there is room for. ui_area_end ends it. */
 void ui_page_begin(const char *id, float window_width, float window_height, float lines_wide,
                    float lines_high);
 
@@ -133,7 +134,8 @@ enum ui_result ui_int(const struct ui_row *row, int *value, int minimum, int max
 enum ui_result ui_float(const struct ui_row *row, float *value, float minimum, float maximum);
 enum ui_result ui_choice(const struct ui_row *row, int *value, const char *const *names, int count);
 
-/* A number with two decimals that is dragged, by this much a pixel, ten times with Shift; two clicks type it. */
+/* A number with two decimals that is dragged, by this much a pixel, ten times with Shift; two
+ * clicks type it. */
 enum ui_result ui_drag(const struct ui_row *row, float *value, float minimum, float maximum,
                        float step);
 

@@ -1,5 +1,6 @@
-/* The fonts of the viewer's texts. Letters beyond those that its own words need, as in the names of files,
- * are read when a text first has them: fonts of Chinese, Japanese and Korean have tens of thousands. */
+/* The fonts of the viewer's texts. Letters beyond those that its own words need, as in the names of
+ * files, are read when a text first has them: fonts of Chinese, Japanese and Korean have tens of
+ * thousands. */
 #include "viewer/window/look.hpp"
 
 extern "C" {

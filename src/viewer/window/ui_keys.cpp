@@ -1,5 +1,5 @@
-/* The keyboard in a panel, behind the C of ui.h: Tab enters it and goes on, Esc or a click leaves it. Only then do
- * arrows and Space mean its widgets; else they are the picture's. */
+/* The keyboard in a panel, behind the C of ui.h: Tab enters it and goes on, Esc or a click leaves
+ * it. Only then do arrows and Space mean its widgets; else they are the picture's. */
 #include "viewer/window/look.hpp"
 
 #include <algorithm>
@@ -23,7 +23,8 @@ static void leave(void) {
     look.has_keys = false;
 }
 
-/* All widgets lie below each other: Dear ImGui's own Tab goes to those alone into which one types. */
+/* All widgets lie below each other: Dear ImGui's own Tab goes to those alone into which
+ * one types. */
 static void go_on(bool shift, bool keys[WIDGET_KEY_COUNT]) {
     if (ImGui::GetIO().WantTextInput)
         ImGui::ClearActiveID();

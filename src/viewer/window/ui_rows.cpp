@@ -46,8 +46,9 @@ bool is_wide(double minimum, double maximum) {
 
 /* --- rows --- */
 
-/* A slider, and its value beside it, which a knob would cover. A value that is typed (after a click on
- * it, or two on the slider, or Ctrl and one) counts when Enter is pressed, not with each digit. */
+/* A slider, and its value beside it, which a knob would cover. A value that is typed (after a click
+ * on it, or two on the slider, or Ctrl and one) counts when Enter is pressed, not with
+ * each digit. */
 template <typename T>
 static ui_result slider(const ui_row *row, ImGuiDataType type, T *value, T minimum, T maximum,
                         const char *format, ImGuiSliderFlags flags) {

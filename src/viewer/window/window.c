@@ -48,8 +48,8 @@ static void add(GLFWwindow *handle, const struct event *event) {
     events_add(&window->events, event);
 }
 
-/* A key that is held comes again and again. What it types comes as text; fields repeat the other keys by
- * themselves, as long as the window draws. */
+/* A key that is held comes again and again. What it types comes as text; fields repeat the other
+ * keys by themselves, as long as the window draws. */
 static void on_key(GLFWwindow *handle, int code, int scancode, int action, int modifiers) {
     (void)scancode;
     if (action == GLFW_REPEAT)
@@ -117,7 +117,8 @@ static void set_callbacks(struct window *window) {
     glfwSetDropCallback(window->handle, on_drop);
 }
 
-/* A taskbar takes the one that it has room for. Wayland has no icons of windows, and GLFW says so. */
+/* A taskbar takes the one that it has room for. Wayland has no icons of windows, and GLFW
+ * says so. */
 static void set_icon(struct window *window) {
     enum { ICONS = 3 };
     static const int sizes[ICONS] = {16, 48, 128};

@@ -64,8 +64,8 @@ enum widget_key {
 
 enum window_button { BUTTON_LEFT, BUTTON_RIGHT, BUTTON_MIDDLE, BUTTON_COUNT };
 
-/* What happened in a turn: as much as has no order (viewer/window/events.h). Positions are in pixels of
- * the framebuffer, y down. */
+/* What happened in a turn: as much as has no order (viewer/window/events.h). Positions are in
+ * pixels of the framebuffer, y down. */
 struct input {
     int width, height; /* of the framebuffer; 0 while minimised */
     float scale;       /* of widgets: 2 = twice as many pixels an inch */
@@ -104,8 +104,8 @@ void window_hide(struct window *window);
 /* Accepts NULL. */
 void window_free(struct window *window);
 
-/* One that is never seen: for its context, which is like the window's and shares nothing with it. From
- * the thread that has the window. Error: as above. */
+/* One that is never seen: for its context, which is like the window's and shares nothing with it.
+ * From the thread that has the window. Error: as above. */
 struct window *window_create_hidden(void);
 void window_free_hidden(struct window *window);
 
@@ -119,8 +119,8 @@ void *window_getproc(const char *name);
 /* GLFW's own, for the user interface. */
 void *window_native(struct window *window);
 
-/* What happened in the next turn; where nothing has yet, waits up to so many seconds for it. holds: what
- * happened is kept for later turns. Valid until the next poll. */
+/* What happened in the next turn; where nothing has yet, waits up to so many seconds for it. holds:
+ * what happened is kept for later turns. Valid until the next poll. */
 const struct input *window_poll(struct window *window, double wait, bool holds);
 
 /* Ends a window_poll that waits; from any thread. */

@@ -1,4 +1,5 @@
-/* What the parts of the bridge to OpenImageIO share. They are all that names it, and lie in a shared object of their own. */
+/* What the parts of the bridge to OpenImageIO share. They are all that names it, and lie in a
+ * shared object of their own. */
 #ifndef BASE_FILE_OPENIMAGEIO_BRIDGE_HPP
 #define BASE_FILE_OPENIMAGEIO_BRIDGE_HPP
 

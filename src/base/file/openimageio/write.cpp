@@ -1,4 +1,5 @@
-/* Files in formats that OpenImageIO alone writes, and the check of a file. No exception leaves it. */
+/* Files in formats that OpenImageIO alone writes, and the check of a file. No exception
+ * leaves it. */
 #include "base/file/openimageio/bridge.hpp"
 
 #include <cstring>

@@ -18,7 +18,8 @@
 /* Attributes of an EXR that is a mean of passes. */
 static const char passes_attribute[] = "manylight:passes", weight_attribute[] = "manylight:weight";
 
-/* That of OpenEXR's C++ library. The C library's default takes longer, for slightly smaller files. */
+/* That of OpenEXR's C++ library. The C library's default takes longer, for slightly
+ * smaller files. */
 static const int zip_level = 4;
 
 /* Called under a lock of the file's, so that nothing can be asked of it. */
@@ -230,8 +231,8 @@ static void copy_line(float *to, int step, const uint8_t *from, int width, int t
     }
 }
 
-/* Lines of all channels, one after another. The library's own routine mixes channels up that are read in another
- * order than the file's. */
+/* Lines of all channels, one after another. The library's own routine mixes channels up that are
+ * read in another order than the file's. */
 static exr_result_t unpack(exr_decode_pipeline_t *decode) {
     const struct target *target = decode->decoding_user_data;
     const uint8_t *from = decode->unpacked_buffer;
@@ -350,7 +351,8 @@ static struct image list_channels(const struct source *source) {
     return all;
 }
 
-/* The note of which layer was taken waits until the pixels are read: a file that is not goes to another reader. */
+/* The note of which layer was taken waits until the pixels are read: a file that is not goes to
+ * another reader. */
 static bool read_layer(const struct source *source, struct image *image, const char *path,
                        const char *layer, int channels[3]) {
     struct image all = list_channels(source);
@@ -427,7 +429,8 @@ static bool fits_half(const struct image *image, int channel) {
     return true;
 }
 
-/* Light is brighter now and then than a half can tell, which would be infinite; means of passes are added up. */
+/* Light is brighter now and then than a half can tell, which would be infinite; means of passes are
+ * added up. */
 static bool is_half(const struct image *image) {
     for (int i = 0; i < image->channel_count; i++)
         if (is_colour(image->names[i]) && !fits_half(image, i))
@@ -498,7 +501,8 @@ struct batch {
     bool *ok;
 };
 
-/* In place of the library's routines, which would write at once and refuse a chunk before its turn. */
+/* In place of the library's routines, which would write at once and refuse a chunk before
+ * its turn. */
 static exr_result_t keep(exr_encode_pipeline_t *encode) {
     (void)encode;
     return EXR_ERR_SUCCESS;

@@ -145,7 +145,8 @@ static bool read_hdr_header(struct cursor *cursor, struct hdr_header *header) {
                                                 : error_set("ends too soon");
 }
 
-/* One byte of each pixel after another, as runs: above 128 a run of one value, else so many values. */
+/* One byte of each pixel after another, as runs: above 128 a run of one value, else so
+ * many values. */
 static bool read_runs(struct cursor *cursor, unsigned char *row, int width) {
     for (int c = 0; c < RGBE; c++)
         for (int x = 0; x < width;) {
@@ -166,8 +167,8 @@ static bool read_runs(struct cursor *cursor, unsigned char *row, int width) {
     return true;
 }
 
-/* Pixels one by one. In files of before 1991 three ones mean that the pixel before comes so often again; another such
- * mark counts 256 times as much. */
+/* Pixels one by one. In files of before 1991 three ones mean that the pixel before comes so often
+ * again; another such mark counts 256 times as much. */
 static bool read_pixels(struct cursor *cursor, unsigned char *row, int width) {
     int shift = 0;
     for (int x = 0; x < width; cursor->at += RGBE) {
@@ -292,7 +293,8 @@ static void write_run(struct text *file, unsigned char value, int length) {
     text_append(file, run, 2);
 }
 
-/* One byte of each pixel after another. A short run is worth its two bytes where nothing comes before it. */
+/* One byte of each pixel after another. A short run is worth its two bytes where nothing comes
+ * before it. */
 static void write_runs(struct text *file, const unsigned char *row, int width) {
     for (int at = 0; at < width;) {
         int begin = at, length = 0, first = run_length(row, at, width);

@@ -1,5 +1,6 @@
-/* Constant ambient light, for tests and as an example: no VPLs, no maps, no blur, one compute pass. The level is written
- * as textures store irradiance. A technique with a value in W/m2 multiplies it by frame->irradiance_scale first. */
+/* Constant ambient light, for tests and as an example: no VPLs, no maps, no blur, one compute pass.
+ * The level is written as textures store irradiance. A technique with a value in W/m2 multiplies it
+ * by frame->irradiance_scale first. */
 #include "base/memory.h"
 #include "gl/pass.h"
 #include "gl/program.h"
