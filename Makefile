@@ -226,7 +226,8 @@ include mk/library.mk mk/install.mk mk/test.mk mk/python.mk mk/deb.mk
 
 # --- benchmark ------------------------------------------------------------------------------------
 
-BENCHES := bench chart accuracy methods fronts parsimony direct convergence stability table figures
+BENCHES := validate bench chart accuracy methods fronts parsimony direct convergence stability table figures
 .PHONY: $(BENCHES)
+validate: python
 $(BENCHES): all
-	@$(MAKE) --no-print-directory -f bench/Makefile $@ BUILD=$(BUILD) BINARY=$(BINARY) SCENE_NAMES="$(SCENE_NAMES)"
+	@$(MAKE) --no-print-directory -f bench/Makefile $@ BUILD=$(BUILD) BINARY=$(BINARY) SCENE_NAMES="$(SCENE_NAMES)" PYTHON="$(PYTHON)"
