@@ -228,9 +228,12 @@ def rows(folder):
 # Why a method may err by more than 5 %.
 REASONS = {
     "imperfect-volume": "voxels blur light, and a voxel at a wall has light of its neighbours",
-    "implicit-visibility": "elements see each other by their nearest partners, and interpolate what they receive",
+    "implicit-visibility": "an element sees the nearest partner of each direction, and light between elements is interpolated",
     "clustered, path=paper": "VALs stand for their VPLs in visibility",
-    "cssm": "a Fourier series of few terms rings where the blocker is near",
+    "pcss": "64 rays to a lamp as wide as the room, of which few see past the box",
+    "msm": "four moments of one map, from the middle of a lamp as wide as the room",
+    "vssm": "two moments of one map, from the middle of a lamp as wide as the room",
+    "cssm": "a Fourier series of one map, from the middle of a lamp as wide as the room",
 }
 
 HEAD = """# Validation
