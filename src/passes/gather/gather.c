@@ -63,11 +63,6 @@ static struct gather_desc later_desc(const struct gather_desc *desc) {
     return later;
 }
 
-/* Rays are for few VPLs of a pixel, whose few draws lose little in halves. */
-static GLenum format_of(const struct gather_desc *desc) {
-    return desc->visibility.lookup == VISIBILITY_LOOKUP_TRACED ? GL_RGBA16F : GL_RGBA32F;
-}
-
 bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) {
     int size[2] = {desc->width, desc->height};
     if (desc->receivers == RECEIVERS_ADAPTIVE)
@@ -76,7 +71,7 @@ bool gather_pass_init(struct gather_pass *pass, const struct gather_desc *desc) 
     const struct gather_desc later = later_desc(desc);
     if (init_program(&pass->program, desc) &&
         (!desc->later || init_program(&pass->later_program, &later)) &&
-        irradiance_init(&pass->irradiance, "gathered irradiance", format_of(desc), size[0], size[1],
+        irradiance_init(&pass->irradiance, "gathered irradiance", GL_RGBA32F, size[0], size[1],
                         desc->interleave) &&
         buffer_init(&pass->params, "gather parameters", sizeof(struct gather_params), NULL) &&
         buffer_init(&pass->lookup_params, "lookup parameters", sizeof(struct lookup_params), NULL))
