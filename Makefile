@@ -38,8 +38,7 @@ PARTS := caustics lab library video viewer volume $(filter-out %/clustered %/ins
 $(if $(filter-out $(PARTS),$(WITHOUT)),$(error WITHOUT takes $(PARTS)))
 FILES_OF_viewer := src/apps/view.c $(filter-out %/session.c,$(shell find src/viewer -name '*.c*'))
 FILES_OF_volume := src/passes/volume/% src/passes/volumes.c src/passes/volume_points.c src/techniques/volume.c \
-    src/techniques/volume_box.c src/techniques/imperfect-volume/% src/renderer/ambient_occlusion.c \
-    src/inspect/voxels.frag
+    src/techniques/volume_box.c src/techniques/imperfect-volume/% src/renderer/ambient_occlusion.c
 FILES_OF_caustics := src/passes/caustics/% src/renderer/caustics_passes.c
 FILES_OF_video := src/base/file/video_file.c
 LEFT_OUT := src/base/file/openimageio/% $(foreach part,$(WITHOUT),$(or $(FILES_OF_$(part)),src/$(part)/%))

@@ -104,6 +104,7 @@ $(CHECKS): | $(BUILD)/check/main
 
 # LAYER=passes: all programs of test/passes, with the rows of `make tests`, in place of the fast ones.
 check:
+	$(if $(and $(LAYER),$(if $(wildcard test/$(LAYER)/test_*.c),,no)),$(error LAYER takes a folder of test/ with tests))
 	@$(MAKE) --no-print-directory tests TESTS='$(if $(LAYER),$(patsubst %.c,$(BUILD)/test/%,$(notdir $(wildcard test/$(LAYER)/test_*.c))),$(CHECKS))'
 	@test/lint quick
 

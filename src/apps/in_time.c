@@ -89,7 +89,7 @@ static bool is_better(const struct measure_desc *measure, struct renderer *rende
                       const struct image *picture, bool *better) {
     struct estimate estimate;
     double frame, traced;
-    bool ok = estimate_init(&estimate, measure) &&
+    bool ok = estimate_init(&estimate, measure, "") &&
               estimate_error(&estimate, renderer, INFINITY, &frame) &&
               estimate_picture_error(&estimate, picture, frame, &traced);
     *better = ok && traced < frame;

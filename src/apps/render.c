@@ -243,10 +243,12 @@ static bool read_image(const struct values *values, struct renderer *renderer,
         *image = image_copy(&values->picture);
     else if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
         return false;
+    char traced[64];
+    snprintf(traced, sizeof traced, "path, %d samples per pixel, denoised", values->traced);
     const struct about about = {.scene = values->stage.path,
                                 .camera = values->stage.camera,
                                 .technique =
-                                    values->traced > 0 ? "path" : renderer->technique->name,
+                                    values->traced > 0 ? traced : renderer->technique->name,
                                 .placed = &renderer->desc.camera,
                                 .settings = &renderer->desc.settings,
                                 .time = frame_time(values, values->progress->frame)};
@@ -305,7 +307,6 @@ static bool is_there(const struct values *values, struct renderer *renderer, con
     return output_is_there(path, renderer->desc.width, renderer->desc.height);
 }
 
-/* What is done of the frames, and what tells of it. */
 struct work {
     struct progress progress;
     int count, done, skipped; /* frames */
@@ -336,8 +337,8 @@ static bool write_outputs(struct values *values, struct renderer *renderer, int 
     return each_output(values, renderer, frame, write_output) && write_videos(values, renderer);
 }
 
-static bool trace(struct values *values, const struct renderer_desc *desc,
-                  const struct stage *stage, struct work *work) {
+static bool trace_picture(struct values *values, const struct renderer_desc *desc,
+                          const struct stage *stage, struct work *work) {
     const struct measure_desc measure = measure_of(desc, stage);
     return traced_render(&measure, values->traced, desc->background.kind != BACKGROUND_SCENE,
                          &work->progress, &values->picture);
@@ -358,7 +359,7 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
     if (!stage_pose(stage, time))
         return false;
     if (values->traced > 0)
-        return trace(values, &renderer->desc, stage, work) &&
+        return trace_picture(values, &renderer->desc, stage, work) &&
                write_outputs(values, renderer, frame);
     if (!stage_show(stage, renderer))
         return false;
@@ -547,8 +548,7 @@ static bool check_choice(const struct values *values) {
            error_set("--budget excludes path=, which sets what it would choose");
 }
 
-/* All that must be right before anything is opened. --max-error and --budget take the normal
- * quality for the while. */
+/* Checks before anything is opened; --max-error and --budget start as the normal quality. */
 static bool resolve(struct values *values, const struct frames *frames,
                     struct renderer_desc *desc) {
     const struct technique_values *named = &values->technique;

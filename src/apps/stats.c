@@ -26,7 +26,7 @@ static void print_left_out(FILE *out, const struct renderer *renderer) {
     const struct step *step = renderer->technique->steps;
     for (; step && step->timer; step++)
         if (!step_runs(step, renderer->technique_state))
-            fprintf(out, "  %-28s left out, without %s\n", step->timer, step->when);
+            fprintf(out, "  %-28s needs %s\n", step->timer, step->when);
 }
 
 static bool is_by_rays(const struct renderer *renderer) {

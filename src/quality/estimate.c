@@ -24,16 +24,18 @@ static int side_of_squares(int width, int height) {
 
 /* --- tracing --- */
 
-/* The picture has means over the samples that saw a surface. */
-static void take_sums(const struct image *picture, int samples, struct image *sums) {
+/* The picture has means over the samples that saw a surface; as a whole, over all samples. */
+static void take_sums(const struct image *picture, const char *name, int samples,
+                      struct image *sums) {
     int layer[3], alpha = image_find_channel(picture, "A");
-    image_find_layer(picture, "indirect", layer);
+    image_find_layer(picture, name, layer);
     if (!sums->pixels)
         image_init(sums, picture->width, picture->height, "R G B A");
     for (int y = 0; y < sums->height; y++)
         for (int x = 0; x < sums->width; x++) {
             const float *from = image_at(picture, x, y);
-            float *to = image_at(sums, x, y), seen = from[alpha] * (float)samples;
+            float *to = image_at(sums, x, y);
+            float seen = (*name ? from[alpha] : 1) * (float)samples;
             for (int c = 0; c < 3; c++)
                 to[c] += from[layer[c]] * seen;
             to[3] += seen;
@@ -50,7 +52,7 @@ static bool trace(const struct estimate *estimate, int samples, uint32_t seed, s
     paths.seed = seed;
     if (!picture_trace_paths(estimate->desc.stage, &paths, &picture, NULL))
         return false;
-    take_sums(&picture, samples, sums);
+    take_sums(&picture, estimate->layer, samples, sums);
     image_free(&picture);
     return true;
 }
@@ -66,9 +68,9 @@ static bool add_round(struct estimate *estimate) {
     return ok;
 }
 
-bool estimate_init(struct estimate *estimate, const struct measure_desc *desc) {
-    *estimate =
-        (struct estimate){.desc = *desc, .every = side_of_squares(desc->width, desc->height)};
+bool estimate_init(struct estimate *estimate, const struct measure_desc *desc, const char *layer) {
+    *estimate = (struct estimate){
+        .desc = *desc, .layer = layer, .every = side_of_squares(desc->width, desc->height)};
     return add_round(estimate);
 }
 
@@ -80,12 +82,12 @@ void estimate_free(struct estimate *estimate) {
 
 /* --- telling --- */
 
-/* Of the whole picture's indirect layer, the pixels that were traced. */
+/* Of the layer, the pixels that were traced. */
 static bool take_pixels(const struct estimate *estimate, const struct image *picture,
                         struct image *pixels) {
     const struct image *traced = &estimate->halves[0];
     struct image layer;
-    if (!layer_extract(&layer, picture, "indirect"))
+    if (!layer_extract(&layer, picture, estimate->layer))
         return false;
     image_init(pixels, traced->width, traced->height, "R G B");
     for (int y = 0; y < pixels->height; y++)

@@ -11,7 +11,8 @@
 
 struct estimate {
     struct measure_desc desc;
-    /* Indirect layers of the traced pixels, one in each block of every x every pixels. */
+    const char *layer; /* layer that errors are of: "indirect", or "" for the whole picture */
+    /* Layers of the traced pixels, one in each block of every x every pixels. */
     struct image halves[2];
     int every, samples; /* samples: per pixel, in each half */
 };
@@ -19,12 +20,12 @@ struct estimate {
 /* Traces about ESTIMATE_SIDE^2 pixels of desc's stage at its size, bounces and materials. The stage
  * must not change afterwards. Error: as of the path tracer. */
 enum { ESTIMATE_SIDE = 96 };
-bool estimate_init(struct estimate *estimate, const struct measure_desc *desc);
+bool estimate_init(struct estimate *estimate, const struct measure_desc *desc, const char *layer);
 
 /* Accepts a zeroed estimate. */
 void estimate_free(struct estimate *estimate);
 
-/* Computes the relative RMSE of the indirect layer of a picture, weighted by coverage as in
+/* Computes the relative RMSE of the layer of a picture, weighted by coverage as in
  * layer_extract_covered. The precision is a twentieth if the error is at most `asked`, else a
  * seventh, or that of the largest number of paths. Error: as of the path tracer. */
 bool estimate_picture_error(struct estimate *estimate, const struct image *picture, double asked,

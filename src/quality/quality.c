@@ -148,9 +148,9 @@ bool quality_climb(double error, int most_passes, quality_teller *tell, void *us
 
 struct draft {
     const struct quality_desc *desc;
-    struct measure_desc measure; /* with the settings of the choice at hand */
-    struct estimate estimate;
-    struct renderer mean; /* of so many passes; zeroed before the first */
+    struct measure_desc measure;        /* with the settings of the choice at hand */
+    struct estimate estimate, of_whole; /* of indirect light; of a picture, zeroed until needed */
+    struct renderer mean;               /* of so many passes; zeroed before the first */
     int passes;
 };
 
@@ -172,10 +172,16 @@ static bool is_possible(struct draft *draft, const struct quality_choice *choice
            takes_paths(draft, choice);
 }
 
+/* Direct and specular light have noise, too: the whole picture counts where it errs more. */
 static bool tell_traced(struct draft *draft, int samples, double *error) {
     struct image picture = {0};
+    struct estimate *whole = &draft->of_whole;
+    double asked = draft->desc->error, own = 0;
     bool ok = traced_render(&draft->measure, samples, false, NULL, &picture) &&
-              estimate_picture_error(&draft->estimate, &picture, draft->desc->error, error);
+              estimate_picture_error(&draft->estimate, &picture, asked, error) &&
+              (whole->layer || estimate_init(whole, &draft->measure, "")) &&
+              estimate_picture_error(whole, &picture, asked, &own);
+    *error = fmax(*error, own);
     image_free(&picture);
     return ok;
 }
@@ -212,9 +218,11 @@ bool quality_find(const struct quality_desc *desc, struct quality_found *found) 
     const struct quality_choice normal = quality_named(QUALITY_NORMAL);
     struct draft draft = {.desc = desc, .measure = *desc->measure};
     *found = (struct quality_found){normal, INFINITY, false};
-    bool ok = is_possible(&draft, &normal) && estimate_init(&draft.estimate, &draft.measure) &&
+    bool ok = is_possible(&draft, &normal) &&
+              estimate_init(&draft.estimate, &draft.measure, "indirect") &&
               quality_climb(desc->error, desc->most_passes, tell, &draft, found);
     renderer_free(&draft.mean);
     estimate_free(&draft.estimate);
+    estimate_free(&draft.of_whole);
     return ok;
 }

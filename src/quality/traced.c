@@ -7,7 +7,7 @@
 #include "scene/caustics.h"
 #include "shared/composite.h"
 
-/* All others speak of frames. */
+/* Settings of the path tracer; all others are of frames. */
 static const char obeyed[] =
     "lights.bounces lights.seed surface.materials medium.scatter medium.absorb "
     "medium.g medium.scene picture.exposure picture.tone-map";
@@ -22,7 +22,8 @@ bool traced_is_possible(const struct measure_desc *desc) {
         if (!setting_equal(&setting, &desc->settings, &defaults) &&
             !setting_is_among(&setting, obeyed))
             return false;
-    return gl.software && !caustics_shown(&desc->stage->scene, &desc->settings);
+    return gl.software && !caustics_shown(&desc->stage->scene, &desc->settings) &&
+           !geometry_has_panes(&desc->stage->geometry); /* frames have them in no layer */
 }
 
 static bool show(void *user, const struct path_tracer_progress *progress) {

@@ -118,7 +118,7 @@ static void test_estimate(void **state) {
     struct image picture, reference;
     measure.width = measure.height = 2 * SIDE; /* of which a quarter of the pixels is traced */
     double error, first;
-    check_ok("estimate", estimate_init(&estimate, &measure));
+    check_ok("estimate", estimate_init(&estimate, &measure, "indirect"));
     assert_int_equal(estimate.every, 2);
     check_ok("renderer", measure_start(&renderer, &measure));
     renderer_render(&renderer);
@@ -159,9 +159,15 @@ static void test_slivers(void **state) {
         errors[i] = error_of(&picture, &references[i]);
     }
     check_near("by many samples", errors[1], errors[0], .05 * errors[0]);
-    check_ok("estimate", estimate_init(&estimate, &measure));
+    check_ok("estimate", estimate_init(&estimate, &measure, "indirect"));
     check_ok("error", estimate_picture_error(&estimate, &picture, errors[1], &estimated));
     check_near("estimated", estimated, errors[1], .1 * errors[1]);
+    estimate_free(&estimate);
+    /* Of the whole picture, slivers and all. */
+    double whole = relative_rmse(&picture, &references[1], "");
+    check_ok("estimate", estimate_init(&estimate, &measure, ""));
+    check_ok("error", estimate_picture_error(&estimate, &picture, whole, &estimated));
+    check_near("estimated of all light", estimated, whole, .1 * whole);
     for (int i = 0; i < 2; i++)
         image_free(&references[i]);
     image_free(&picture);
@@ -315,7 +321,7 @@ static void test_words(void **state) {
         {"--quality draft --max-error 5%", 2, "--quality and --max-error exclude each other"},
         {"--quality better", 2, "quality: 'better' is not one of draft, normal, high, final"},
         {"--max-error 200%", 2, "max-error"},
-        {"--quality draft --stats", 0, "left out, without gather.adaptive>0"},
+        {"--quality draft --stats", 0, "needs gather.adaptive>0"},
         {"--max-error 90% --set vpls=64,vals=4", 0, "cornell-box: path=draft, which errs"},
         {"--max-error 2% --passes 1 --set vpls=64,vals=4,adaptive=0", 0, "nothing errs much less"},
     };

@@ -317,7 +317,7 @@ bool quality_check(struct results *results, const struct quality_check_desc *des
     list_choices(&check);
     bool ok =
         layer_extract_covered(&check.reference, desc->reference, "indirect", desc->reference) &&
-        estimate_init(&check.estimate, desc->measure) && try_all(&check);
+        estimate_init(&check.estimate, desc->measure, "indirect") && try_all(&check);
     for (int i = 0; i < check.count; i++)
         image_free(&check.tried[i].picture);
     estimate_free(&check.estimate);

@@ -39,6 +39,7 @@ static bool init_taps(struct blur_pass *pass, const struct blur_desc *desc) {
     if (desc->lender) {
         pass->taps = desc->lender->taps;
         pass->half = desc->lender->half;
+        pass->borrows = true;
         return true;
     }
     return init_target(&pass->taps, "blur taps", GL_RGBA32UI, desc) &&
@@ -50,8 +51,10 @@ bool blur_pass_init(struct blur_pass *pass, const struct blur_desc *desc) {
     if (init_pack(pass) && init_taps(pass, desc) &&
         init_target(&pass->blurred, "blurred irradiance", GL_RGBA16F, desc) &&
         (desc->square || init_axis(&pass->along_x, true, false)) &&
-        init_axis(&pass->along_y, false, desc->specular))
+        init_axis(&pass->along_y, false, desc->specular)) {
+        pass->desc.lender = NULL;
         return true;
+    }
     blur_pass_free(pass);
     return false;
 }
@@ -65,7 +68,7 @@ void blur_pass_free(struct blur_pass *pass) {
     program_free(&pass->pack_program);
     free_axis(&pass->along_x);
     free_axis(&pass->along_y);
-    if (!pass->desc.lender) {
+    if (!pass->borrows) {
         irradiance_free(&pass->taps);
         irradiance_free(&pass->half);
     }

@@ -25,8 +25,8 @@ struct blur_desc {
     float level_weight[PIXEL_LEVELS];
     bool specular; /* pixels of smooth surfaces take the first level; needs the specular target */
     bool square;   /* blurs the whole square at once, as published; else along x, then y */
-    /* Another blur of this size and kind (square or not) whose taps this one overwrites. It
-     * outlives this blur. NULL: own taps. */
+    /* Another blur of this size and kind (square or not) whose taps this one overwrites; it lives
+     * as long. init forgets its address. NULL: own taps. */
     const struct blur_pass *lender;
 };
 
@@ -37,8 +37,9 @@ struct blur_pass {
         GLuint program;
         struct buffer params;
     } along_x, along_y; /* with desc.square: along_y alone, for all rows */
-    struct irradiance taps,
-        half; /* RGBA32UI, src/passes/gather/blur_tap.glsl; `half` only without desc.square */
+    /* RGBA32UI, passes/gather/blur_tap.glsl; `half` only without desc.square. */
+    struct irradiance taps, half;
+    bool borrows; /* both are another blur's */
     struct irradiance blurred;
 };
 

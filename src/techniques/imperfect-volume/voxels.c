@@ -20,8 +20,9 @@ bool voxel_view_fit(struct voxel_view *view, const struct volume_light *light, i
     }
     voxel_view_free(view);
     view->defines = defines;
-    if (program_init(&view->program, &(struct program_desc){.screen = {"inspect/voxels.frag"},
-                                                            .defines = defines}) &&
+    if (program_init(&view->program,
+                     &(struct program_desc){.screen = {"techniques/imperfect-volume/voxels.frag"},
+                                            .defines = defines}) &&
         irradiance_init(&view->picture, "inspected voxels", GL_RGBA32F, width, height, 1))
         return true;
     voxel_view_free(view);
