@@ -12,7 +12,7 @@ import numpy as np
 import manylight
 from manylight import Camera, Light, Material, Mesh
 
-TEXELS = 40  # a metre
+TEXELS = 40  # a metre; 8 where a mean counts
 WALL_HEIGHTS = (2.75, 2.25, 1.75, 1.25, .75, .25)
 FLOOR_DEPTHS = (.25, .75, 1.25, 1.75)
 DIRECT = ("hard", "pcss", "msm", "vssm", "cssm", "samples")
@@ -62,17 +62,18 @@ class Surface:
         self.corner, self.right, self.up = (np.array(v, float) for v in (corner, right, up))
         self.sides = [np.linalg.norm(self.right), np.linalg.norm(self.up)]
         self.points = points
+        self.texels = TEXELS if points else 8
         normal = np.array(normal, float)
         eye = self.corner + .5 * (self.right + self.up) + away * normal
         self.camera = Camera(tuple(eye), tuple(-normal), tuple(self.up / self.sides[1]), fov_y=0, y_extent=.5 * self.sides[1])
-        self.size = tuple(int(round(side * TEXELS)) for side in self.sides)
+        self.size = tuple(int(round(side * self.texels)) for side in self.sides)
 
     def irradiance(self, layers):
         """W/m2 at the points, bilinear; of all of it where there are none."""
         values = math.pi * (layers["direct"] + layers["indirect"]).mean(2)[::-1]
         if not self.points:
             return np.array([values.mean()])
-        return np.array([bilinear(values, TEXELS * x - .5, TEXELS * y - .5) for x, y in self.points])
+        return np.array([bilinear(values, self.texels * x - .5, self.texels * y - .5) for x, y in self.points])
 
 
 def bilinear(values, x, y):
