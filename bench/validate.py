@@ -204,7 +204,8 @@ def measure(case, draw):
 
 
 def draw_reference(case):
-    return lambda scene, surface: manylight.reference(scene, surface.size, camera=surface.camera, noise=.005,
+    return lambda scene, surface: manylight.reference(scene, surface.size, camera=surface.camera,
+                                                      noise=.005 if surface.points else .04,
                                                       bounces=case.settings.get("bounces", 1))
 
 
