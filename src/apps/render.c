@@ -156,6 +156,7 @@ static const struct arguments arguments = {
     .print_more = print_more,
 };
 
+/* Each frame of several needs files of its own. */
 static bool check_name(const struct values *values, const char *name, int frame_count,
                        bool *is_float) {
     bool numbered = frame_name_is_numbered(name);
@@ -307,12 +308,14 @@ static bool is_there(const struct values *values, struct renderer *renderer, con
     return output_is_there(path, renderer->desc.width, renderer->desc.height);
 }
 
+/* Frames that are done, and their progress. */
 struct work {
     struct progress progress;
     int count, done, skipped; /* frames */
     bool stopped;             /* within a frame, which is not drawn to its end */
 };
 
+/* With `share` of the current frame. */
 static double share_done(const struct work *work, double share) {
     return (work->done + share) / (work->count - work->skipped);
 }
@@ -337,13 +340,6 @@ static bool write_outputs(struct values *values, struct renderer *renderer, int 
     return each_output(values, renderer, frame, write_output) && write_videos(values, renderer);
 }
 
-static bool trace_picture(struct values *values, const struct renderer_desc *desc,
-                          const struct stage *stage, struct work *work) {
-    const struct measure_desc measure = measure_of(desc, stage);
-    return traced_render(&measure, values->traced, desc->background.kind != BACKGROUND_SCENE,
-                         &work->progress, &values->picture);
-}
-
 /* Paths make single pictures alone: a sequence would flicker by their noise. */
 static bool may_trace(const struct values *values) {
     const struct technique_values *named = &values->technique;
@@ -359,7 +355,8 @@ static bool render_frame(struct values *values, struct renderer *renderer, struc
     if (!stage_pose(stage, time))
         return false;
     if (values->traced > 0)
-        return trace_picture(values, &renderer->desc, stage, work) &&
+        return traced_show(&renderer->desc, stage, values->traced, &work->progress,
+                           &values->picture) &&
                write_outputs(values, renderer, frame);
     if (!stage_show(stage, renderer))
         return false;
@@ -493,6 +490,7 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
     (found.reached ? log_note : log_warning)("%s: %s", stage->name, values->choice);
     free(what);
     values->traced = found.choice.samples;
+    values->picture = found.picture;
     if (values->passes == 0)
         values->passes = found.choice.passes;
     desc->progressive = has_mean(values);

@@ -152,6 +152,8 @@ struct draft {
     struct estimate estimate, of_whole; /* of indirect light; of a picture, zeroed until needed */
     struct renderer mean;               /* of so many passes; zeroed before the first */
     int passes;
+    struct image traced; /* with so many samples; zeroed before the first */
+    int samples;
 };
 
 /* Means of passes take longer than paths that err as much, and are for where there are none. */
@@ -174,15 +176,16 @@ static bool is_possible(struct draft *draft, const struct quality_choice *choice
 
 /* Direct and specular light have noise, too: the whole picture counts where it errs more. */
 static bool tell_traced(struct draft *draft, int samples, double *error) {
-    struct image picture = {0};
+    struct image *picture = &draft->traced;
     struct estimate *whole = &draft->of_whole;
     double asked = draft->desc->error, own = 0;
-    bool ok = traced_render(&draft->measure, samples, false, NULL, &picture) &&
-              estimate_picture_error(&draft->estimate, &picture, asked, error) &&
+    image_free(picture);
+    draft->samples = samples;
+    bool ok = traced_render(&draft->measure, samples, false, NULL, picture) &&
+              estimate_picture_error(&draft->estimate, picture, asked, error) &&
               (whole->layer || estimate_init(whole, &draft->measure, "")) &&
-              estimate_picture_error(whole, &picture, asked, &own);
+              estimate_picture_error(whole, picture, asked, &own);
     *error = fmax(*error, own);
-    image_free(&picture);
     return ok;
 }
 
@@ -217,10 +220,14 @@ static bool tell(void *user, const struct quality_choice *choice, double *error)
 bool quality_find(const struct quality_desc *desc, struct quality_found *found) {
     const struct quality_choice normal = quality_named(QUALITY_NORMAL);
     struct draft draft = {.desc = desc, .measure = *desc->measure};
-    *found = (struct quality_found){normal, INFINITY, false};
+    *found = (struct quality_found){.choice = normal, .error = INFINITY};
     bool ok = is_possible(&draft, &normal) &&
               estimate_init(&draft.estimate, &draft.measure, "indirect") &&
               quality_climb(desc->error, desc->most_passes, tell, &draft, found);
+    if (ok && found->choice.samples == draft.samples)
+        found->picture = draft.traced;
+    else
+        image_free(&draft.traced);
     renderer_free(&draft.mean);
     estimate_free(&draft.estimate);
     estimate_free(&draft.of_whole);

@@ -58,6 +58,9 @@ struct quality_found {
     struct quality_choice choice;
     double error; /* estimated error */
     bool reached; /* true: error is small enough; false: this is near the least error */
+    /* Picture of a path-traced choice, if it was the last one that was tried; else zeroed. The
+     * caller frees it. */
+    struct image picture;
 };
 
 /* Estimates the error of a choice; infinity: it is impossible. Called cheapest first. Error: no

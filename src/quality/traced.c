@@ -44,6 +44,16 @@ bool traced_render(const struct measure_desc *desc, int samples, bool hides_sky,
     return picture_trace_paths(desc->stage, &paths, image, NULL);
 }
 
+bool traced_show(const struct renderer_desc *desc, const struct stage *stage, int samples,
+                 struct progress *progress, struct image *picture) {
+    const struct measure_desc measure = measure_of(desc, stage);
+    bool hides_sky = desc->background.kind != BACKGROUND_SCENE;
+    if (picture->pixels && !hides_sky)
+        return true;
+    image_free(picture);
+    return traced_render(&measure, samples, hides_sky, progress, picture);
+}
+
 /* --- display --- */
 
 static bool write_layer(const struct texture *texture, const struct image *image, int layer) {
