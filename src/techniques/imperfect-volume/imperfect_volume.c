@@ -44,7 +44,9 @@ static const struct irradiance *draw_voxels(void *state, struct renderer *render
     (void)renderer;
     if (!voxel_view_fit(view, &technique->light, gbuffer->width, gbuffer->height))
         return NULL;
-    voxel_view_draw(view, frame, gbuffer, &technique->light);
+    if (!view->drawn)
+        voxel_view_draw(view, frame, gbuffer, &technique->light);
+    view->drawn = true;
     return &view->picture;
 }
 
@@ -97,7 +99,8 @@ static void render_lights(void *state, const struct frame *frame) {
 }
 
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
-    const struct imperfect_volume *technique = state;
+    struct imperfect_volume *technique = state;
+    technique->voxels.drawn = false;
     volume_light_render_view(&technique->light, frame, gbuffer);
 }
 

@@ -10,6 +10,7 @@ struct voxel_view {
     GLuint program;
     char *defines; /* defines of the program */
     struct irradiance picture;
+    bool drawn; /* the picture is that of the last frame */
 };
 
 /* Makes program and picture for a volume of radiance. Error: GPU memory, shader; view is then
