@@ -75,13 +75,4 @@ SHARED_FUNCTION float cluster_color(int k, int channel) {
     return (pure + (1.0f - pure) * pale) * (k % 3 == 0 ? 0.8f : 1.0f);
 }
 
-/* Parameters of light walks (passes/lights/light_walk.glsl). */
-
-/* Bounces before Russian roulette may end a walk. */
-#define WALK_SURE 8
-
-/* Depth by which texels of the light's RSM may be below a VPL's surface, over the scene's
- * radius. */
-#define BOUNCE_START 1e-3F
-
 #endif

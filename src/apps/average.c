@@ -1,8 +1,8 @@
 /* manylight average: one picture of several that are means of other passes of it. */
-#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/frames.h"
 #include "apps/outputs.h"
+#include "apps/subcommands.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"

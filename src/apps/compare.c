@@ -1,8 +1,8 @@
 /* manylight compare: error metrics between two pictures, a picture of the error, and an exit status
  * over a threshold. */
-#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/outputs.h"
+#include "apps/subcommands.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"

@@ -1,10 +1,10 @@
 /* manylight info: what renders here, and what a scene holds. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/facts.h"
 #include "apps/options.h"
 #include "apps/scene_summary.h"
+#include "apps/subcommands.h"
 
 #include "gl/api.h"
 

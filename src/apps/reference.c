@@ -1,10 +1,10 @@
 /* manylight reference: the path-traced reference; or what the GPU's VPLs would make of it if their
  * visibility were exact. */
-#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/subcommands.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"

@@ -1,6 +1,5 @@
 /* manylight render: pictures offscreen. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/background.h"
 #include "apps/frames.h"
@@ -9,6 +8,7 @@
 #include "apps/options.h"
 #include "apps/outputs.h"
 #include "apps/stats.h"
+#include "apps/subcommands.h"
 #include "apps/videos.h"
 
 #include "base/clock.h"

@@ -1,8 +1,8 @@
 /* manylight view: the desktop viewer. */
-#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/subcommands.h"
 
 #include "base/error.h"
 #include "base/file/image_file.h"

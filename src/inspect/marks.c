@@ -6,8 +6,8 @@
 #include "passes/maps.h"
 #include "passes/targets.h"
 #include "passes/vpls.h"
-#include "shared/vpl.h"
 #include "shared/inspect.h"
+#include "shared/vpl.h"
 
 #include <math.h>
 

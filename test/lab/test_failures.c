@@ -1,8 +1,8 @@
 /* The failure suite in small: every row with every technique within what it promises. */
 #include "render_support.h"
 
-#include "lab/measure/failures.h"
 #include "base/error.h"
+#include "lab/measure/failures.h"
 
 #include <stdio.h>
 

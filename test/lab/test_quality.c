@@ -4,8 +4,8 @@
 #include "command_support.h"
 #include "render_support.h"
 
-#include "lab/measure/reference.h"
 #include "base/error.h"
+#include "lab/measure/reference.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "quality/estimate.h"

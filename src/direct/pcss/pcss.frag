@@ -5,8 +5,8 @@
 // receiver to the light: a share of it, or of a sun metres.
 #include "lib/gbuffer.glsl"
 #include "lib/unshadowed.glsl"
-#include "shared/maps.h"
 #include "passes/visibility/direct_light.glsl"
+#include "shared/maps.h"
 
 layout(std140, binding = BLOCK_LOOKUP) uniform lookup_uniforms {
     lookup_params lookup;

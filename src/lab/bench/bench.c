@@ -2,11 +2,11 @@
 #include "lab/bench/bench.h"
 
 #include "apps/subcommands.h"
-#include "lab/measure/timing.h"
 #include "base/error.h"
 #include "base/file/folder.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "lab/measure/timing.h"
 
 #include <assert.h>
 #include <stdlib.h>

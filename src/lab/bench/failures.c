@@ -1,10 +1,10 @@
 /* manylight bench failures: errors where such methods break, held to what is promised. */
 #include "lab/bench/bench.h"
 
-#include "lab/measure/failures.h"
 #include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
+#include "lab/measure/failures.h"
 
 static const struct table table = {"per cent",
                                    {{"rRMSE", "relative-rmse", NULL},

@@ -1,10 +1,10 @@
 #include "lab/bench/bench.h"
 
-#include "lab/measure/result_rows.h"
 #include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
+#include "lab/measure/result_rows.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,15 +1,15 @@
 /* manylight export: a scene for other renderers. */
-#include "apps/subcommands.h"
 #include "apps/arguments.h"
 #include "apps/interrupt.h"
 #include "apps/options.h"
+#include "apps/subcommands.h"
 
-#include "lab/export/meshes.h"
-#include "lab/export/mitsuba.h"
-#include "lab/export/pack.h"
 #include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/memory.h"
+#include "lab/export/meshes.h"
+#include "lab/export/mitsuba.h"
+#include "lab/export/pack.h"
 #include "scene/texture.h"
 
 #include <stdlib.h>

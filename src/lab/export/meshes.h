@@ -2,8 +2,8 @@
 #ifndef LAB_EXPORT_MESHES_H
 #define LAB_EXPORT_MESHES_H
 
-#include "lab/export/target.h"
 #include "base/unit.h"
+#include "lab/export/target.h"
 
 /* Sorts the stage's triangles into target->meshes; points and lines are left out. */
 void export_meshes_find(struct export_target *target);

@@ -1,9 +1,9 @@
 #include "lab/export/mitsuba.h"
 
+#include "apps/interrupt.h"
 #include "lab/export/lights.h"
 #include "lab/export/meshes.h"
 #include "lab/export/textures.h"
-#include "apps/interrupt.h"
 
 #include <cglm/cglm.h>
 #include <stdio.h>

@@ -1,12 +1,12 @@
 #include "lab/export/pack.h"
 
-#include "lab/export/lights.h"
-#include "lab/export/textures.h"
 #include "base/error.h"
 #include "base/file/output_file.h"
 #include "base/file/piped_file.h"
 #include "base/json.h"
 #include "base/memory.h"
+#include "lab/export/lights.h"
+#include "lab/export/textures.h"
 #include "lab/score/sha256.h"
 #include "scene/lights/environment.h"
 

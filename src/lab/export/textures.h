@@ -2,8 +2,8 @@
 #ifndef LAB_EXPORT_TEXTURES_H
 #define LAB_EXPORT_TEXTURES_H
 
-#include "lab/export/target.h"
 #include "base/unit.h"
+#include "lab/export/target.h"
 
 /* Writes NAME: the factor times each texel's colour. */
 bool export_color_texture(const struct export_target *target, int texture, vec3s factor,

@@ -2,8 +2,8 @@
 #include "lab/manual/bash.h"
 #include "lab/manual/value.h"
 
-#include "lab/bench/bench.h"
 #include "apps/subcommands.h"
+#include "lab/bench/bench.h"
 
 #include <string.h>
 

@@ -1,7 +1,7 @@
 #include "lab/measure/baseline.h"
 
-#include "lab/measure/errors.h"
 #include "base/clock.h"
+#include "lab/measure/errors.h"
 #include "quality/picture.h"
 #include "scene/material.h"
 #include "scene/medium.h"

@@ -2,8 +2,8 @@
 #ifndef LAB_MEASURE_ERRORS_H
 #define LAB_MEASURE_ERRORS_H
 
-#include "lab/measure/results.h"
 #include "base/image.h"
+#include "lab/measure/results.h"
 
 /* Adds relative-rmse, relative-mae, relative-bias (% of the reference's mean) and gradient of the
  * indirect layer, and ldr-flip of the picture: few wrong pixels make the first, many the second,

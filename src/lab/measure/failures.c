@@ -1,13 +1,13 @@
 #include "lab/measure/failures.h"
 
-#include "lab/measure/errors.h"
-#include "lab/measure/variants.h"
 #include "base/error.h"
 #include "base/file/folder.h"
 #include "base/memory.h"
+#include "lab/measure/errors.h"
+#include "lab/measure/panels.h"
+#include "lab/measure/variants.h"
 #include "metrics/errors.h"
 #include "metrics/layer.h"
-#include "lab/measure/panels.h"
 #include "quality/picture.h"
 
 #include <math.h>

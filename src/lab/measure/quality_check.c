@@ -1,7 +1,7 @@
 #include "lab/measure/quality_check.h"
 
-#include "lab/measure/reference.h"
 #include "base/clock.h"
+#include "lab/measure/reference.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 #include "quality/estimate.h"

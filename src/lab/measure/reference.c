@@ -1,13 +1,13 @@
 #define _POSIX_C_SOURCE 200809L
 #include "lab/measure/reference.h"
 
-#include "lab/measure/variants.h"
 #include "base/error.h"
 #include "base/file/folder.h"
 #include "base/file/image_file.h"
 #include "base/log.h"
 #include "base/memory.h"
 #include "base/progress.h"
+#include "lab/measure/variants.h"
 #include "quality/picture.h"
 #include "scene/caustics.h"
 #include "scene/hash.h"

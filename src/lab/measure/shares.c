@@ -1,7 +1,7 @@
 #include "lab/measure/shares.h"
 
-#include "lab/measure/reference.h"
 #include "base/error.h"
+#include "lab/measure/reference.h"
 
 #include <math.h>
 

@@ -2,8 +2,8 @@
 #ifndef LAB_MEASURE_SHARES_H
 #define LAB_MEASURE_SHARES_H
 
-#include "lab/measure/results.h"
 #include "base/image.h"
+#include "lab/measure/results.h"
 
 /* Adds "visible-share" and "visible-bias", RMS and mean, %, of the share that is seen less the
  * reference's, over the pixels to which unhidden lights would give a hundredth of what they give to

@@ -1,9 +1,9 @@
 /* manylight score: the errors of a folder of pictures, whoever made them, and faults that make such
  * errors meaningless. */
-#include "apps/subcommands.h"
 #include "apps/arguments.h"
-#include "lab/measure/reference.h"
 #include "apps/outputs.h"
+#include "apps/subcommands.h"
+#include "lab/measure/reference.h"
 #include "lab/score/entry.h"
 #include "lab/score/method.h"
 
@@ -12,8 +12,8 @@
 #include "base/file/output_file.h"
 #include "base/json.h"
 #include "base/memory.h"
-#include "lab/score/sha256.h"
 #include "lab/score/faults.h"
+#include "lab/score/sha256.h"
 #include "metrics/layer.h"
 #include "metrics/metric.h"
 

@@ -1,8 +1,8 @@
 // Puts the interleaved tiles back into picture order, and each pixel's depth, normal and light together.
-#include "passes/gather/blur_tap.glsl"
-#include "passes/gather/list_texel.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/interleaving.glsl"
+#include "passes/gather/blur_tap.glsl"
+#include "passes/gather/list_texel.glsl"
 #include "shared/gather.h"
 
 PASS_BLOCK(blur_params, 96)

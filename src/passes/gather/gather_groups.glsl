@@ -1,8 +1,8 @@
 // Of VPLs side by side two test the visibility of all: one for those of much the same hue. Where red light and green
 // shared an answer, shadows would be of neither's hue.
+#include "lib/vpl_sums.glsl"
 #include "passes/gather/representative.glsl"
 #include "passes/gather/visibility_pixel.glsl"
-#include "lib/vpl_sums.glsl"
 
 struct light_group {
     vec3 sum, own, place; // own: what its representative gives, less where it does not arrive

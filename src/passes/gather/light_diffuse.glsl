@@ -1,6 +1,6 @@
 // What a surface receives of a light: irradiance times pi.
-#include "passes/gather/geometry_term.glsl"
 #include "lib/medium.glsl"
+#include "passes/gather/geometry_term.glsl"
 
 // How brightly a VPL shines towards a point, over what it would if it emitted evenly. Its lobe mirrors its light [Walter et
 // al. 2007], and is as wide as the patch that the VPL stands for is from there [Hašan et al. 2009].

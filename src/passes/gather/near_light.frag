@@ -1,7 +1,7 @@
 // What each texel of the reflective shadow map reflects, for the near field: once for the texel, not for
 // each of the many samples that meet it.
-#include "passes/gather/near_light.glsl"
 #include "lib/vpl_shares.glsl"
+#include "passes/gather/near_light.glsl"
 #include "passes/lights/rsm_light.glsl"
 #include "shared/gather.h"
 #include "shared/vpl.h"

@@ -1,6 +1,6 @@
 // What the lights' views see, as the near field reads it.
-#include "passes/gather/near_light.glsl"
 #include "lib/light.glsl"
+#include "passes/gather/near_light.glsl"
 #include "shared/gather.h"
 
 layout(binding = UNIT_NEAR_LIGHT) uniform usampler2DArray near_lights[LIGHT_MAP_KINDS];

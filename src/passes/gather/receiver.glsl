@@ -8,9 +8,9 @@
 #include "passes/gather/receiver_all.glsl"
 #elif RECEIVERS == RECEIVERS_ADAPTIVE
 // The pixel or the edge sample that a list has in the texel.
-#include "passes/gather/receiver_facet.glsl"
 #include "lib/edge_sample.glsl"
 #include "lib/gbuffer.glsl"
+#include "passes/gather/receiver_facet.glsl"
 
 layout(binding = UNIT_ADAPTIVE_PIXELS) uniform usampler2D adaptive_pixels;
 layout(binding = UNIT_EDGE_SAMPLES) uniform usampler2D edge_samples;
@@ -58,10 +58,10 @@ vec3 receiver_triangle(surface s, ivec2 pixel) {
 }
 #else
 // All pixels but those that lists have.
-#include "passes/gather/list_texel.glsl"
-#include "passes/gather/receiver_facet.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/interleaving.glsl"
+#include "passes/gather/list_texel.glsl"
+#include "passes/gather/receiver_facet.glsl"
 
 layout(binding = UNIT_LIST_TEXELS) uniform usampler2D list_texels;
 

@@ -1,7 +1,7 @@
 // All pixels: a texel's is the one at the tile's place in the pattern.
-#include "passes/gather/receiver_facet.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/interleaving.glsl"
+#include "passes/gather/receiver_facet.glsl"
 
 bool receiver_pixel(interleaving pattern, ivec2 place, out ivec2 pixel) {
     pixel = interleaved_pixel(pattern, ivec2(gl_FragCoord.xy), place);

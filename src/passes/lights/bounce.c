@@ -8,7 +8,7 @@
 #include "passes/frame.h"
 #include "passes/targets.h"
 #include "shared/bounce.h"
-#include "shared/vpl.h"
+#include "shared/light_walk.h"
 
 #include <math.h>
 #include <stdlib.h>

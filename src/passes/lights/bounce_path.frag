@@ -4,7 +4,7 @@
 #include "lib/vpl_texels.glsl"
 #include "passes/lights/light_walk.glsl"
 #include "shared/bounce.h"
-#include "shared/vpl.h"
+#include "shared/light_walk.h"
 
 layout(binding = UNIT_PATH_NUMBERS) uniform sampler2D path_numbers;
 

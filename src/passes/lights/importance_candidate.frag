@@ -3,13 +3,13 @@
 // the sum of geometry terms with pixels spread evenly over the picture, other pixels for each candidate. One ray tests
 // visibility for all of them: to a pixel picked in proportion to its term, so that the estimate is unbiased.
 #define CLAMP GATHER_CLAMP_DISK
-#include "passes/gather/geometry_term.glsl"
 #include "lib/vpl_shares.glsl"
 #include "lib/weighted_pick.glsl"
+#include "passes/gather/geometry_term.glsl"
 #include "passes/lights/seen_pixel.glsl"
 #include "passes/lights/vpl_reflected.glsl"
-#include "shared/importance_map.h"
 #include "passes/visibility/bvh.glsl"
+#include "shared/importance_map.h"
 #include VPL_CHOICE
 #ifdef LATER
 // A candidate counts for later bounces, too: as a VPL where its light walks to.

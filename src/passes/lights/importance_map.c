@@ -6,7 +6,7 @@
 #include "gl/program.h"
 #include "passes/frame.h"
 #include "shared/importance_map.h"
-#include "shared/vpl.h"
+#include "shared/light_walk.h"
 
 #include <stdlib.h>
 

@@ -8,7 +8,7 @@
 #include "lib/random.glsl"
 #include "lib/tangent.glsl"
 #include "lib/weighted_pick.glsl"
-#include "shared/vpl.h"
+#include "shared/light_walk.h"
 
 vec2 walk_number(int ray);
 float walk_weight(vec3 position, vec3 normal);

@@ -1,8 +1,8 @@
 // What VPL i would give to the picture where nothing is between: to pixels that are even over it, others for each VPL.
 // Near ones it lights as a disk of its area, so that one next to a pixel is not all there is.
 #define CLAMP GATHER_CLAMP_DISK
-#include "passes/gather/geometry_term.glsl"
 #include "lib/vpl_texels.glsl"
+#include "passes/gather/geometry_term.glsl"
 #include "passes/lights/seen_pixel.glsl"
 
 layout(location = TARGET_RESULT) out float value;

@@ -2,8 +2,8 @@
 // reflecting pane receives it, direct light of panes behind that by shadow rays, and the sky that glass reflects.
 #include "lib/panorama.glsl"
 #include "passes/picture/sight.glsl"
-#include "shared/show_panes.h"
 #include "passes/visibility/shadow_ray.glsl"
+#include "shared/show_panes.h"
 
 layout(location = TARGET_RESULT) out vec4 own;
 layout(location = TARGET_TRANSMITTANCE) out vec4 passes;

@@ -6,9 +6,9 @@
 //     void cells_add(inout cells c, cell k)
 //     blocked cells_blocked(cells c)
 // before filter_light_map.glsl uses them.
-#include "shared/maps.h"
 #include "passes/visibility/depth_maps.glsl"
 #include "passes/visibility/sums.glsl"
+#include "shared/maps.h"
 
 layout(binding = UNIT_DEPTH_BOUNDS) uniform sampler2DArray depth_bounds;
 

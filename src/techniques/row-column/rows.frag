@@ -4,8 +4,8 @@
 
 PASS_BLOCK(gather_params, 64)
 
-#include "passes/gather/geometry_term.glsl"
 #include "lib/vpl_texels.glsl"
+#include "passes/gather/geometry_term.glsl"
 #include "passes/visibility/visibility.glsl"
 
 // The columns of the VPLs begin at x, those of the maps' pixels at y.
