@@ -15,8 +15,10 @@ from manylight import Camera, Light, Material, Mesh
 TEXELS = 40  # a metre; 8 where a mean counts
 WALL_HEIGHTS = (2.75, 2.25, 1.75, 1.25, .75, .25)
 FLOOR_DEPTHS = (.25, .75, 1.25, 1.75)
-DIRECT = ("hard", "pcss", "msm", "vssm", "cssm", "samples")
-WIDE = DIRECT[1:]  # methods for lights with a size
+WIDE = [name for name in manylight.direct_methods() if name != "hard"]  # methods for lights with a size
+# All but the one without visibility, and the default's other ways.
+TECHNIQUES = sorted(["clustered, path=maps", "clustered, path=paper"] + [
+    name for name in manylight.techniques() if name != "unshadowed"])
 # A bounce of imperfect-volume takes a march: bounces by albedo, after which under .02 % of the light is left.
 MARCHES = {.2: 8, .5: 16, .7: 24}
 TECHNIQUES = ("clustered", "clustered, path=maps", "clustered, path=paper", "instant-radiosity", "lightcuts", "row-column",
@@ -105,8 +107,8 @@ def front_wall():
 
 
 class Case:
-    def __init__(self, name, what, scene, parts, kinds, factor=1, **settings):
-        self.name, self.what, self.scene, self.parts, self.kinds = name, what, scene, parts, kinds
+    def __init__(self, name, what, scene, parts, kind, factor=1, **settings):
+        self.name, self.what, self.scene, self.parts, self.kind = name, what, scene, parts, kind
         self.factor, self.settings = factor, settings
 
 
@@ -162,11 +164,11 @@ def cases(folder):
 
 def methods_of(case):
     """Names and arguments of what can draw the case."""
-    if case.kinds == "direct":
+    if case.kind == "direct":
         return [(name, dict(direct=name)) for name in WIDE]
-    if case.kinds == "point":
+    if case.kind == "point":
         return [("hard", dict(direct="hard"))]
-    if case.kinds == "sky":
+    if case.kind == "sky":
         return [("clustered", {})]
     found = []
     for name in TECHNIQUES:
@@ -194,7 +196,7 @@ def measure(case, draw):
 
 def draw_reference(case):
     return lambda scene, surface: manylight.reference(scene, surface.size, camera=surface.camera,
-                                                      noise={"sky": .02}.get(case.kinds, .005 if surface.points else .04),
+                                                      noise={"sky": .02}.get(case.kind, .005 if surface.points else .04),
                                                       bounces=case.settings.get("bounces", 1))
 
 
@@ -253,7 +255,7 @@ def page(cells, columns):
     names = list(dict.fromkeys(name for name, _ in cells))
     for title, kinds in (("Direct light", ("direct", "point", "sky")), ("Indirect light", ("indirect",))):
         print(f"\n## {title}\n")
-        table(cells, names, [case for case in columns if case.kinds in kinds])
+        table(cells, names, [case for case in columns if case.kind in kinds])
     print("\n## Mean over all cases\n\n| method | cases | mean of the cases' absolute mean deviations, % |\n|---|---|---|")
     for name in names:
         own = [abs(off.mean()) for (other, _), off in cells.items() if other == name]
