@@ -4,13 +4,15 @@
  * The body is a fragment shader that runs as one of two stages; passes need not know which:
  *     fragment    one triangle covers the viewport (glsl/fullscreen.vert, glsl/layers.vert)
  *     compute     the same text as a compute shader, dispatched in groups of 8x8 pixels
- * gl/screen_glsl.c makes the compute shader. It replaces lines of these forms:
- *     layout(location = L) out T name;    variable, stored to image IMAGE_SCREEN_TARGETS + L
- *     gl_FragCoord                        variable
- *     flat in int instance;               layer: z of the dispatch
- *     layout(early_fragment_tests) in;    nothing: only marked pixels are dispatched
- *     discard;                            leaves the pixel unmarked; in main only
- *     void main()                         void screen_body(), called by the main of the dispatch
+ * gl/screen_glsl.c makes the compute shader. It replaces lines of these forms.
+ *
+ *     layout(location = L) out T name;    variable, stored to image IMAGE_SCREEN_TARGETS + L.
+ *     gl_FragCoord                        variable.
+ *     flat in int instance;               layer: z of the dispatch.
+ *     layout(early_fragment_tests) in;    nothing: only marked pixels are dispatched.
+ *     discard;                            leaves the pixel unmarked; in main only.
+ *     void main()                         void screen_body(), called by the main of the dispatch.
+ *
  * Write each output, each input and main of a body on a line of such a form. A body sets no depth,
  * takes no derivatives, and discards only if its passes mark pixels. `#ifdef SCREEN_COMPUTE` is
  * allowed.

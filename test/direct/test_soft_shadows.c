@@ -183,8 +183,8 @@ static void test_more(void **state) {
     }
 }
 
-/* A floor below a plate that fills the map but for a thing far aside and near the light, by which
- * its depth is a part of the map's range alone: the series hides some of the light. */
+/* A floor below a plate that fills the map, except for a thing far aside and near the light. The
+ * plate's depth is then a part of the map's range: the series hides some of the light. */
 static void open_cover(struct stage *stage, double plate) {
     char nodes[2048];
     snprintf(

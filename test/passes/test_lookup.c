@@ -367,8 +367,8 @@ static struct map_view view_of(float x, float y, float axis_x, float axis_y, flo
         .center = {x, y, 0}, .axis = {axis_x, axis_y, 0}, .tangent = {0, 0, 1}, .near = near_clip};
 }
 
-/* VAL 0 looks along +x. Of the others the nearest is empty, the next looks away from it, two on the
- * left look back at it and see what is behind it, and another has its back to all that is there. */
+/* VAL 0 looks along +x. The nearest of the others is empty, and the next looks away from it. Two on
+ * the left look back at it and see what is behind it. Another has its back to everything. */
 static void test_map_in_front(void **state) {
     (void)state;
     enum { VALS = 6, ASKED = 4 };

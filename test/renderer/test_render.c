@@ -411,8 +411,8 @@ static void test_more_vpls(void **state) {
 
 /* --- memory ----------------------------------------------------------------------------------- */
 
-/* Of the bounds 15 MiB are for what detail gathers, 3 for planes of blocks and what is plain, 34
- * for edge samples with the normals of samples, and 20 for planes in a map per VPL. */
+/* The bounds have 15 MiB for adaptive pixels, and 3 for planes of blocks. 34 are for edge samples
+ * with the normals of samples, and 20 for planes in a map per VPL. */
 static void test_memory(void **state) {
     (void)state;
     struct stage stage;

@@ -277,8 +277,8 @@ static vec3s place_in(const struct light_extent *extent, vec2s number) {
                          glms_vec3_mul(share, glms_vec3_sub(extent->high, extent->low)));
 }
 
-/* No patch of the node's area or a larger one sends more from any place of its box to any of the
- * receiver's, and from a single place near by one of that area sends as much. */
+/* No patch of at least the node's area sends more from a place of its box to one of the receiver's.
+ * From a single place near by a patch of that area sends as much. */
 static void test_patch_bounds(void **state) {
     (void)state;
     static struct question questions[QUESTIONS];

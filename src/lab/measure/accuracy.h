@@ -11,11 +11,11 @@
 #define AGAINST_CENTERS "pixel centres"
 #define AGAINST_RAYS "rays from the VPLs"
 
-/* Where the error of a frame comes from: the way from the reference to the frame in single steps.
- * Adds a subject for each step, whose variant is the step's name, with its errors against the
- * reference and against the step before, the last one before antialiasing also against pixel
- * centres; and the reference's "noise" with the first. desc: size and settings that all share.
- * Error: of the reference or a picture. */
+/* Measures where the error of a frame comes from, by single steps from the reference to the frame.
+ * Adds a subject for each step, named by the step, with its errors against the reference and
+ * against the step before. The last step before antialiasing also has errors against pixel centres;
+ * the first has the reference's "noise". desc: size and settings of all steps. Error: of the
+ * reference or a picture. */
 int budget_subjects(void); /* how many they are */
 bool budget_measure(struct results *results, const struct measure_desc *desc,
                     const struct reference_desc *reference);

@@ -1,6 +1,5 @@
-/* Matrix row-column sampling [Hašan et al. 2007]: of the matrix of pixels x VPLs some rows tell
- * which VPLs do alike, and of each cluster of these one is drawn for all pixels, with a map of its
- * own.
+/* Matrix row-column sampling [Hašan et al. 2007]. Some rows of the matrix of pixels x VPLs show
+ * which VPLs are alike. One VPL of each cluster is drawn for all pixels, with a map of its own.
  *
  * It reads the rows back and clusters on the CPU: the GPU waits once a frame. The random numbers
  * are the same in each frame, so that a frame depends on its time alone. */

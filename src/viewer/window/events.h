@@ -1,7 +1,6 @@
-/* What happened to a window, in order, handed on by turns: each turn gets no more than it can tell
- * the order of. A key that was pressed and released while a frame took its time is pressed in one
- * turn, with the modifiers that were held then, and released in a later one, so that nothing is
- * lost or typed with the wrong modifier, however slow frames are. */
+/* Hands on the events of a window, in their order, by turns. A key that is pressed and released
+ * during one slow frame is pressed in one turn and released in a later one. Each press keeps the
+ * modifiers of its time, so nothing is lost or typed with a wrong modifier. */
 #ifndef VIEWER_WINDOW_EVENTS_H
 #define VIEWER_WINDOW_EVENTS_H
 
