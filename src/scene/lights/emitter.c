@@ -311,8 +311,7 @@ bool emitter_meet(const struct emitter *emitter, const float origin[3], const fl
 
 /* --- radiometry ------------------------------------------------------------------------------- */
 
-/* In the cosine of the angle to the axis: how far it is from dark to full light. */
-static float falloff_width(const struct emitter *emitter) {
+float emitter_falloff_width(const struct emitter *emitter) {
     return fmaxf(.001F, emitter->cos_inner - emitter->cos_outer);
 }
 
@@ -321,7 +320,7 @@ float emitter_cone(const struct emitter *emitter, float cos_angle) {
         return fmaxf(cos_angle, 0);
     if (emitter->type != EMITTER_SPOT)
         return 1;
-    float width = falloff_width(emitter);
+    float width = emitter_falloff_width(emitter);
     float falloff = glm_clamp((cos_angle - emitter->cos_outer) / width, 0, 1);
     return falloff * falloff;
 }
@@ -349,7 +348,7 @@ double emitter_solid_angle(const struct emitter *emitter) {
 
 /* The integral of the cone's falloff over all directions, sr. */
 static double cone_integral(const struct emitter *emitter) {
-    double outer = (double)emitter->cos_outer, width = (double)falloff_width(emitter);
+    double outer = (double)emitter->cos_outer, width = (double)emitter_falloff_width(emitter);
     double full = fmin(outer + width, 1), rising = (full - outer) / width;
     return 2 * GLM_PI * (width * rising * rising * rising / 3 + 1 - full);
 }

@@ -91,6 +91,9 @@ bool emitter_meet(const struct emitter *emitter, const float origin[3], const fl
  * light's cosine; 1 for other types. */
 float emitter_cone(const struct emitter *emitter, float cos_angle);
 
+/* Returns the difference of cosines between a spot's rim and its full light. */
+float emitter_falloff_width(const struct emitter *emitter);
+
 /* Returns the attenuation by the light's range in [0, 1]: 1 - (distance / range)^4, as
  * KHR_lights_punctual recommends; 1 without a range. distance: metres. */
 float emitter_in_range(const struct emitter *emitter, float distance);
