@@ -92,6 +92,8 @@
 #define UNIT_PANES 51
 #define UNIT_SKY_PIECES 52   /* shared/sky.h */
 #define UNIT_RSM_SPECULAR 53 /* LIGHT_MAP_KINDS of them */
+#define UNIT_LIGHT_NODES 55
+#define UNIT_SAMPLED_LIGHTS 56
 #define UNIT_OWN 64
 
 /* Attributes of the scene's vertices. UV is the first mapping of a material, the others follow. */
@@ -117,6 +119,9 @@
 #define TARGET_GBUFFER_EMISSION 2
 #define TARGET_GBUFFER_SPECULAR 3
 #define TARGET_DIRECT_SPECULAR 1
+#define TARGET_SAMPLED 1
+#define TARGET_SAMPLED_EXACT_SPECULAR 2
+#define TARGET_SAMPLED_SPECULAR 3
 #define TARGET_BASIS_COS 0
 #define TARGET_BASIS_SIN 1
 #define TARGET_BASIS_Z_COS 2

@@ -19,7 +19,7 @@ struct direct_desc {
     bool slides;                 /* lights may have slides */
     struct caster_pool *casters; /* must outlive the method */
     bool may_trace;              /* rays may be traced: the BVH is ready in time */
-    /* For environment_direct only (direct/environment.h). */
+    /* For environment_direct and sampled_direct only (direct/environment.h, direct/sampled.h). */
     const struct direct_method *lamps;
     const struct environment_lights *sky;
 };

@@ -34,10 +34,11 @@ struct light_samples_desc {
     /* Width above which a light has several samples, as a fraction of radius; for suns, radians. */
     float wide;
     float radius; /* of the scene, m */
+    double many;  /* flux of all sampled lights, W; 0: none */
 };
 
-/* Places the samples of emitters that fit a layout. Groups of their sky come last, as directional
- * lights, and must fit. A light gets fewer samples if all would not fit. The numbers do not depend
+/* Places the samples of emitters that fit a layout. A light of EMITTER_MANY follows,
+ * and then groups of their sky, as directional lights, which must fit. A light gets fewer samples if all would not fit. The numbers do not depend
  * on the pass. */
 void light_samples_place(struct light_samples *samples, const struct emitters *emitters,
                          const struct light_samples_sky *sky, const struct light_samples_desc *desc,

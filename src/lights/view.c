@@ -75,17 +75,19 @@ void view_shift(struct view *view, const float ndc[2]) {
 /* --- lights --- */
 
 _Static_assert((int)EMITTER_DIRECTIONAL == LIGHT_TYPE_DIRECTIONAL &&
-                   (int)EMITTER_AREA == LIGHT_TYPE_AREA && (int)EMITTER_IS_CAP == LIGHT_SHAPE_CAP,
+                   (int)EMITTER_AREA == LIGHT_TYPE_AREA && (int)EMITTER_MANY == LIGHT_TYPE_MANY && (int)EMITTER_IS_CAP == LIGHT_SHAPE_CAP,
                "shaders know types and shapes by the same numbers");
 
 static int view_count(const struct emitter *light) {
+    if (light->type == EMITTER_MANY)
+        return 0;
     bool narrow = light->type == EMITTER_SPOT && light->cos_outer >= 0.5f;
     return light->type == EMITTER_DIRECTIONAL || narrow ? 1 : 6;
 }
 
 /* A light that shines one way has one map of its own. */
 static int map_count(const struct emitter *light) {
-    return light->type == EMITTER_POINT ? 6 : 1;
+    return light->type == EMITTER_POINT ? 6 : light->type == EMITTER_MANY ? 0 : 1;
 }
 
 void light_layout_count(struct light_layout *layout, const struct emitters *emitters) {
@@ -94,6 +96,7 @@ void light_layout_count(struct light_layout *layout, const struct emitters *emit
     for (int i = 0; i < emitters->count; i++) {
         int views = view_count(&emitters->items[i]);
         layout->views[views > 1 ? LIGHT_MAP_FACE : LIGHT_MAP_SINGLE] += views;
+        layout->many |= emitters->items[i].type == EMITTER_MANY;
         layout->maps += map_count(&emitters->items[i]);
         layout->sized |= emitter_shape(&emitters->items[i]) != EMITTER_IS_POINT;
     }
@@ -117,7 +120,7 @@ bool light_layout_of(struct light_layout *layout, const struct emitters *emitter
 
 bool light_layouts_same(const struct light_layout *a, const struct light_layout *b) {
     return a->lights == b->lights && a->groups == b->groups && a->maps == b->maps &&
-           a->sized == b->sized && a->sky == b->sky && a->unseen == b->unseen &&
+           a->sized == b->sized && a->sky == b->sky && a->many == b->many && a->unseen == b->unseen &&
            memcmp(a->views, b->views, sizeof a->views) == 0;
 }
 
@@ -194,9 +197,10 @@ void view_of_directional(struct view *view, const struct emitter *light,
     set_view(view, light, 0, geometry);
 }
 
-/* What it shines into: solid angle, sr; of a directional light area, m2. */
+/* What it shines into: solid angle, sr; of a directional light area, m2; of many lights 1. */
 static float measure(const struct emitter *light, const struct view *first) {
-    return light->type == EMITTER_DIRECTIONAL
+    return light->type == EMITTER_MANY ? 1
+           : light->type == EMITTER_DIRECTIONAL
                ? 4 * glm_vec3_norm((float *)first->right) * glm_vec3_norm((float *)first->up)
                : (float)emitter_solid_angle(light);
 }
@@ -236,13 +240,15 @@ static struct light light_of(const struct emitter *emitter, const struct view *f
         light.slide_width = (float)emitter->slide->width;
         light.slide_height = (float)emitter->slide->height;
     }
+    if (emitter->type == EMITTER_MANY) /* else each pass would shine by it */
+        light.extent = emitter->intensity[0];
     for (int c = 0; c < 3; c++) {
-        light.intensity[c] = emitter->intensity[c];
+        light.intensity[c] = emitter->type == EMITTER_MANY ? 0 : emitter->intensity[c];
         light.position[c] = (directional ? first->origin : emitter->position)[c];
         light.direction[c] = emitter->direction[c];
         light.right[c] = emitter->right[c];
         light.up[c] = emitter->up[c];
-        light.radiance[c] = emitter->intensity[c] / (GLM_PIf * light.direct_scale);
+        light.radiance[c] = light.intensity[c] / (GLM_PIf * light.direct_scale);
     }
     return light;
 }

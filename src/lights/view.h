@@ -25,6 +25,7 @@ struct light_layout {
     int maps;   /* maps that lights own: one each, six of a point light */
     bool sized; /* a light has a size */
     bool sky;   /* some lights are a sky's */
+    bool many;  /* one light is all sampled lights (passes/sampled_lights.h) */
     /* For light samples only: most of their light falls on places that no visible surface faces
      * (renderer/light_search.h). */
     bool unseen;

@@ -44,7 +44,8 @@ static int allocate_group(const struct slot_lights *lights, const struct frame *
 int slot_lights_allocate(const struct slot_lights *lights, const struct frame *frame, int slots) {
     int count = 0;
     for (int g = 0; g < frame->layout.groups; g++)
-        count = allocate_group(lights, frame, frame->groups[g], slots, count);
+        if (frame->emitters->items[frame->groups[g].first].type != EMITTER_MANY)
+            count = allocate_group(lights, frame, frame->groups[g], slots, count);
     return count;
 }
 

@@ -38,7 +38,7 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
             sky_group_emitter(&plan->sky, &plan->sky_samples, i, desc->emitters.sky);
         typical += typical_irradiance(&emitter, desc->geometry->radius);
     }
-    for (int i = 0; i < desc->emitters.count; i++)
+    for (int i = 0; i < desc->emitters.count + desc->emitters.sampled; i++)
         typical += typical_irradiance(&desc->emitters.items[i], desc->geometry->radius);
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
@@ -68,6 +68,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .light_block = renderer->sample_block,
         .layout = renderer->plan.sample_layout,
         .groups = renderer->light_samples.groups,
+        .sampled = &renderer->sampled,
         .sky_pieces = &renderer->sky_pieces,
         .geometry = renderer_geometry(renderer),
         .assignment = &antialias_of(renderer)->assignment,

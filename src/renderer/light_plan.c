@@ -1,7 +1,50 @@
 #include "renderer/light_plan.h"
 
 #include "base/error.h"
+#include "base/memory.h"
+#include "renderer/caustics.h"
 #include "renderer/light_search.h"
+#include "scene/medium.h"
+#include "techniques/many_lights.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Most lights that all have maps. Of more, lights with maps are directional ones and each that has
+ * more than this part of all flux. */
+enum { MAPPED_LIGHTS_MAX = 16 };
+
+/* Sampled lights light no medium and no glass, and need rays. */
+static bool may_sample(const struct renderer_desc *desc) {
+    struct medium medium = medium_of(desc->scene, &desc->settings, desc->geometry->radius);
+    return desc->technique->samples_lights && !medium_exists(&medium) &&
+           !renderer_has_caustics(desc) && many_lights_may_trace(desc->scene, desc->geometry);
+}
+
+struct emitters renderer_divide_lights(const struct renderer_desc *desc) {
+    struct emitters all = emitters_copy(&desc->emitters);
+    if (all.count <= MAPPED_LIGHTS_MAX || !may_sample(desc))
+        return all;
+    struct emitter *sampled = mem_alloc((size_t)all.count, sizeof *sampled);
+    double flux = 0;
+    int count = 0;
+    for (int i = 0; i < all.count; i++)
+        if (all.items[i].type != EMITTER_DIRECTIONAL)
+            flux += emitter_flux(&all.items[i], 1);
+    for (int i = 0; i < all.count; i++) {
+        const struct emitter *light = &all.items[i];
+        bool mapped = light->type == EMITTER_DIRECTIONAL ||
+                      MAPPED_LIGHTS_MAX * emitter_flux(light, 1) > flux;
+        if (mapped)
+            all.items[count++] = *light;
+        else
+            sampled[all.sampled++] = *light;
+    }
+    memcpy(all.items + count, sampled, (size_t)all.sampled * sizeof *sampled);
+    all.count = count;
+    free(sampled);
+    return all;
+}
 
 /* Takes the fit of before where that is as wanted: it takes a while. */
 static void plan_sky(struct light_plan *plan, const struct renderer *renderer,
@@ -10,7 +53,7 @@ static void plan_sky(struct light_plan *plan, const struct renderer *renderer,
     const struct environment_settings *sky =
         settings_of(struct environment_settings, &desc->settings, &sky_part);
     const struct environment *environment = desc->emitters.sky;
-    int room = LIGHTS_MAX - desc->emitters.count;
+    int room = LIGHTS_MAX - desc->emitters.count - (desc->emitters.sampled > 0);
     struct sky_wanted *wanted = &plan->wanted;
     *wanted = (struct sky_wanted){environment, sky->fit, sky->lights};
     if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
@@ -30,6 +73,13 @@ enum { LIGHT_SAMPLES = 4 };
 /* A wider light has several light samples; over the scene's radius, of a sun in radians. */
 static const float wide_light = .3F;
 
+static double sampled_flux(const struct emitters *emitters) {
+    double flux = 0;
+    for (int i = 0; i < emitters->sampled; i++)
+        flux += emitter_flux(&emitters->items[emitters->count + i], 1);
+    return flux;
+}
+
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc) {
     struct light_samples samples;
@@ -39,8 +89,8 @@ bool renderer_plan_lights(struct light_plan *plan, const struct renderer *render
         return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
                          desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
     plan_sky(plan, renderer, desc);
-    plan->light_samples =
-        (struct light_samples_desc){LIGHT_SAMPLES, wide_light, desc->geometry->radius};
+    plan->light_samples = (struct light_samples_desc){
+        LIGHT_SAMPLES, wide_light, desc->geometry->radius, sampled_flux(&desc->emitters)};
     light_samples_place(&samples, &desc->emitters,
                         &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
                         &plan->light_samples, 0);

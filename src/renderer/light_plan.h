@@ -4,7 +4,11 @@
 
 #include "renderer/renderer.h"
 
-/* Fills `plan` for `desc`. It reuses the renderer's fit where nothing changed. Error: too many
+/* Returns a copy of the lights of `desc`, divided: where lights are many and rays can test
+ * visibility, few lights have maps, and all others are sampled (passes/sampled_lights.h). */
+struct emitters renderer_divide_lights(const struct renderer_desc *desc);
+
+/* Fills `plan` for `desc`, whose lights are divided. It reuses the renderer's fit where nothing changed. Error: too many
  * lights. */
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc);

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/halton.h"
 #include "base/memory.h"
+#include "direct/sampled.h"
 #include "renderer/caustics.h"
 #include "renderer/light_plan.h"
 #include "renderer/light_search.h"
@@ -70,10 +71,12 @@ static bool init_antialias(struct renderer *renderer) {
         &(struct antialias_desc){desc->width, desc->height, renderer_picture(renderer).samples});
 }
 
-/* With the light of an environment, where there is one. */
+/* With the light of sampled lights and of an environment, where there are some. */
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    renderer->direct = renderer->plan.sky.count > 0 ? &environment_direct : desc->direct;
+    renderer->direct = desc->emitters.sampled > 0       ? &sampled_direct
+                       : renderer->plan.sky.count > 0 ? &environment_direct
+                                                      : desc->direct;
     return renderer->direct->init(
         &renderer->direct_state,
         &(struct direct_desc){
@@ -353,14 +356,15 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
                                   .light_search = light_search_create(),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
                                   .sample_block = mem_alloc(1, sizeof *renderer->sample_block)};
-    renderer->desc.emitters = emitters_copy(&desc->emitters);
     set_defaults(&renderer->desc);
+    renderer->desc.emitters = renderer_divide_lights(&renderer->desc);
     renderer_view_geometry(renderer);
     renderer->casters = caster_pool_create(desc->scene, renderer_geometry(renderer));
     timers_init(&renderer->timers, desc->timed, gl.software);
     if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, renderer_geometry(renderer)) &&
         (!desc->scene->environment || sky_pieces_init(&renderer->sky_pieces)) &&
+        sampled_lights_init(&renderer->sampled, &renderer->desc.emitters) &&
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
@@ -397,6 +401,7 @@ void renderer_free(struct renderer *renderer) {
     timers_free(&renderer->timers);
     scene_gpu_free(&renderer->scene);
     texture_free(&renderer->sky_pieces);
+    sampled_lights_free(&renderer->sampled);
     caster_pool_free(renderer->casters);
     light_search_free(renderer->light_search);
     buffers_free(&renderer->view_buffer, &renderer->light_buffer, &renderer->sample_buffer);
@@ -481,6 +486,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->layout, &renderer->plan.layout) ||
         plan->wanted.environment != renderer->plan.wanted.environment ||
+        (desc->emitters.sampled > 0) != (old->emitters.sampled > 0) ||
         (plan->sky.count > 0 && !settings_same(&desc->settings, &old->settings, &sky_part)))
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->sample_layout, &renderer->plan.sample_layout))
@@ -513,8 +519,11 @@ bool renderer_makes_programs(const struct renderer *renderer, const struct rende
     struct renderer_desc desc = *wanted;
     struct light_plan plan;
     set_defaults(&desc);
-    return renderer_plan_lights(&plan, renderer, &desc) &&
-           parts_between(renderer, &desc, &plan) & with_programs;
+    desc.emitters = renderer_divide_lights(&desc);
+    bool makes = renderer_plan_lights(&plan, renderer, &desc) &&
+                 parts_between(renderer, &desc, &plan) & with_programs;
+    emitters_free(&desc.emitters);
+    return makes;
 }
 
 /* Puts a new one in its place. */
@@ -528,6 +537,17 @@ static bool start_anew(struct renderer *renderer, const struct renderer_desc *wa
     return true;
 }
 
+/* Keeps the old lights or the new ones, and frees the others. sampled: new; NULL: as before. */
+static void follow_lights(struct renderer *renderer, struct emitters *old, struct emitters *fresh,
+                          struct sampled_lights *sampled, bool changed) {
+    struct sampled_lights before = renderer->sampled;
+    if (sampled && changed)
+        renderer->sampled = *sampled;
+    if (sampled)
+        sampled_lights_free(changed ? &before : sampled);
+    emitters_free(changed ? old : fresh);
+}
+
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *wanted) {
     struct renderer_desc desc = *wanted;
     struct emitters old = renderer->desc.emitters;
@@ -536,18 +556,21 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     /* Glass becomes an occluder, or a pane: all that was made of the geometry is another. */
     if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc))
         return start_anew(renderer, wanted);
-    if (!renderer_plan_lights(&plan, renderer, &desc))
-        return false;
+    desc.emitters = renderer_divide_lights(&desc);
     bool same_lights = emitters_same(&desc.emitters, &old);
+    struct sampled_lights sampled = renderer->sampled;
+    if (!renderer_plan_lights(&plan, renderer, &desc) ||
+        (!same_lights && !sampled_lights_init(&sampled, &desc.emitters))) {
+        emitters_free(&desc.emitters);
+        return false;
+    }
     bool same_samples = sky_groups_same(&plan.sky_samples, &renderer->plan.sky_samples);
-    desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
     unsigned parts = parts_between(renderer, &desc, &plan);
     bool same_medium = settings_same(&desc.settings, &renderer->desc.settings, &medium_part);
     bool same_picture = parts == 0 && same_lights && same_samples && same_medium &&
                         cameras_same(&desc.camera, &renderer->desc.camera);
     bool ok = change(renderer, &desc, &plan, parts);
-    if (!same_lights)
-        emitters_free(ok ? &old : &desc.emitters);
+    follow_lights(renderer, &old, &desc.emitters, same_lights ? NULL : &sampled, ok);
     renderer->lights_drawn &=
         (same_lights && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
     if (ok && !same_picture)

@@ -13,6 +13,7 @@
 #include "passes/picture/composite.h"
 #include "passes/picture/geometry.h"
 #include "passes/picture/mean.h"
+#include "passes/sampled_lights.h"
 #include "renderer/airlight.h"
 #include "renderer/settings.h"
 #include "scene/camera_range.h"
@@ -34,7 +35,9 @@ struct renderer_desc {
     struct settings settings;           /* default: renderer_settings_init */
     const struct scene *scene;          /* must outlive the renderer, as must the geometry */
     const struct geometry *geometry;
-    struct emitters emitters; /* at least one; the renderer copies them */
+    /* At least one. The renderer copies them and divides them into lights with maps and sampled
+     * lights. */
+    struct emitters emitters;
     struct camera camera;
     /* Reuses the lights' passes of the previous frame if only the camera moved. The picture is the
      * same. */
@@ -113,6 +116,7 @@ struct renderer {
     struct light_block *light_block, *sample_block;
     struct buffer light_buffer, sample_buffer;
     struct light_samples light_samples;
+    struct sampled_lights sampled; /* lights without maps; zeroed without any */
     /* Directions of the environment's light samples; zeroed without an environment. */
     struct texture sky_pieces;
     struct emitters sample_emitters; /* the light samples as emitters; owns nothing */

@@ -104,7 +104,13 @@ struct scene_texture {
     bool nearest; /* nearest texel; else bilinear with mip maps */
 };
 
-enum emitter_type { EMITTER_SPOT, EMITTER_POINT, EMITTER_DIRECTIONAL, EMITTER_AREA };
+enum emitter_type {
+    EMITTER_SPOT,
+    EMITTER_POINT,
+    EMITTER_DIRECTIONAL,
+    EMITTER_AREA,
+    EMITTER_MANY, /* all sampled lights as one (passes/sampled_lights.h); none of a scene */
+};
 
 /* Effect of a node's scale on a light's size. */
 enum light_scaling {

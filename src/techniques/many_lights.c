@@ -6,7 +6,7 @@
 /* --- passes that depend on no camera, unless VPLs are placed by importance --- */
 
 static struct light_rays rays_of(const struct many_lights *lights, const struct frame *frame) {
-    const struct caster_bvh *bvh = lights->importance.bvh;
+    const struct caster_bvh *bvh = lights->tree ? lights->tree : lights->importance.bvh;
     return (struct light_rays){bvh ? bvh->buffer.texels : 0, lights->albedos.buffer.texels,
                                frame->sky_pieces->id};
 }
@@ -82,6 +82,20 @@ static void add_adaptive_near_field(struct many_lights *lights, const struct ste
                                     .of_lists = true});
 }
 
+static void add_sampled(struct many_lights *lights, const struct step_inputs *inputs) {
+    const struct light_rays rays = rays_of(lights, inputs->frame);
+    struct near_sampled_inputs near = {.shares = &lights->vpl.shares,
+                                       .importance = &lights->importance.map,
+                                       .rays = &rays,
+                                       .irradiance = &lights->gather.irradiance,
+                                       .lists = &lights->adaptive.lists};
+    near_sampled_pass_render(&lights->near_sampled, inputs->frame, inputs->gbuffer, &near);
+    near.irradiance = &lights->adaptive_gather.irradiance;
+    near.of_lists = true;
+    if (lights->near_sampled.adaptive_program)
+        near_sampled_pass_render(&lights->near_sampled, inputs->frame, inputs->gbuffer, &near);
+}
+
 static void blur_irradiance(struct many_lights *lights, const struct step_inputs *inputs) {
     struct blur_inputs blurred = {.source = &lights->gather.irradiance};
     if (lights->adaptive.program) {
@@ -131,6 +145,8 @@ const struct step many_lights_steps[] = {
     {STEP_FINISH, "near field", "gather.clamp=near", MADE(near_field.program), add_near_field},
     {STEP_FINISH, "adaptive near field", "gather.adaptive>0, gather.clamp=near",
      MADE(near_field.adaptive_program), add_adaptive_near_field},
+    {STEP_FINISH, "near field, sampled", "gather.clamp=near, more than 16 lights",
+     MADE(near_sampled.program), add_sampled},
     {STEP_FINISH, "blur", "gather.interleave>1", MADE(blur.pack_program), blur_irradiance},
     {STEP_FINISH, "specular rays", "gather.specular=rays, specular surfaces",
      MADE(specular_rays.program), trace_specular},

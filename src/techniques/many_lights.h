@@ -8,6 +8,7 @@
 #include "passes/gather/gather.h"
 #include "passes/gather/specular_rays.h"
 #include "passes/gather/near_field.h"
+#include "passes/gather/near_sampled.h"
 #include "passes/lights/albedos.h"
 #include "passes/lights/bounce.h"
 #include "passes/lights/importance_map.h"
@@ -113,10 +114,11 @@ struct many_lights {
     struct settings settings; /* settings at init */
     struct many_lights_visibility visibility;
     struct caster_pool *casters;
-    const struct caster_bvh *tree; /* BVH if VPLs or specular rays trace it; else NULL */
+    const struct caster_bvh *tree; /* BVH if VPLs, specular rays or sampled lights trace it; else NULL */
     int specular;                  /* SPECULAR_... */
     bool medium;                   /* frames have a medium */
     bool slides;                   /* lights may have slides */
+    bool sampled;                  /* some lights have no maps (passes/sampled_lights.h) */
     struct gbuffer rsm[LIGHT_MAP_KINDS];
     struct geometry_pass geometry;
     struct importance_map_pass importance; /* if VPLs are placed by importance */
@@ -127,6 +129,7 @@ struct many_lights {
     struct bounce_pass bounce;
     struct path_starts path_starts;          /* if VPLs are placed by importance */
     struct near_field_pass near_field;       /* with clamp=near */
+    struct near_sampled_pass near_sampled;   /* the same, of sampled lights */
     struct specular_rays_pass specular_rays; /* with specular=rays */
     /* Passes of the picture's size: */
     struct gather_pass gather;
@@ -212,7 +215,7 @@ struct contribution many_lights_contribution(const void *state);
 
 /* Members of a struct technique whose static functions have the members' names. */
 #define MANY_LIGHTS_TECHNIQUE                                                                      \
-    .parts = parts, .presets = presets, .init = init, .free = free_state,                          \
+    .samples_lights = true, .parts = parts, .presets = presets, .init = init, .free = free_state,                          \
     .render_lights = render_lights, .follows_camera = many_lights_follow_camera,                   \
     .render_view = render_view, .contribution = many_lights_contribution, .outputs = outputs,      \
     .steps = many_lights_steps

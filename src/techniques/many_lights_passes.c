@@ -207,6 +207,15 @@ static int near_occlusion(const struct many_lights *lights) {
                                                                  : NEAR_BY_VIEWS;
 }
 
+static bool init_near_sampled(struct many_lights *lights, const struct near_field_desc *others) {
+    struct near_sampled_desc desc = {.adaptive = others->adaptive,
+                                     .by_importance = others->by_importance,
+                                     .medium = lights->medium,
+                                     .slides = lights->slides};
+    memcpy(desc.list_slots, others->list_slots, sizeof desc.list_slots);
+    return !lights->sampled || near_sampled_pass_init(&lights->near_sampled, &desc);
+}
+
 static bool init_near_field(struct many_lights *lights, const struct technique_desc *desc) {
     const struct gather_settings *own =
         settings_of(struct gather_settings, desc->settings, &gather_part);
@@ -224,7 +233,8 @@ static bool init_near_field(struct many_lights *lights, const struct technique_d
         .lights = *desc->lights,
     };
     adaptive_pixels_fit_near_field(lights, &near_field);
-    return !wanted || near_field_pass_init(&lights->near_field, &near_field);
+    return !wanted || (near_field_pass_init(&lights->near_field, &near_field) &&
+                       init_near_sampled(lights, &near_field));
 }
 
 static bool init_blur(struct many_lights *lights, const struct technique_desc *desc) {
@@ -288,8 +298,8 @@ static int specular_of(const struct technique_desc *desc) {
 }
 
 static bool init_tree(struct many_lights *lights) {
-    bool asks =
-        lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED || lights->specular == SPECULAR_RAYS;
+    bool asks = lights->visibility.lookup == VISIBILITY_LOOKUP_TRACED ||
+                lights->specular == SPECULAR_RAYS || lights->sampled;
     return !asks || caster_pool_acquire_tree(lights->casters, &lights->tree);
 }
 
@@ -312,7 +322,7 @@ static bool wants_importance(const struct many_lights *lights, const struct tech
     const struct lights_settings *own =
         settings_of(struct lights_settings, desc->settings, &lights_part);
     const struct light_layout *layout = desc->lights;
-    bool gains = (has_light_samples(layout) || layout->unseen) &&
+    bool gains = (has_light_samples(layout) || layout->unseen || layout->many) &&
                  lights->visibility.lookup != VISIBILITY_LOOKUP_NONE;
     return layout->lights > 0 && (own->importance == IMPORTANCE_ON ||
                                   (own->importance == IMPORTANCE_AUTO && gains &&
@@ -344,11 +354,13 @@ static bool init_path_starts(struct many_lights *lights, const struct technique_
                                                        .seed = own->seed,
                                                        .medium = lights->medium,
                                                        .slides = lights->slides,
+                                                       .sampled = lights->sampled,
                                                        .sky_rays = has_sky_rays(lights, desc)});
 }
 
 static bool init_albedos(struct many_lights *lights, const struct technique_desc *desc) {
-    bool has_rays = has_sky_rays(lights, desc) || lights->specular == SPECULAR_RAYS;
+    bool has_rays =
+        has_sky_rays(lights, desc) || lights->specular == SPECULAR_RAYS || lights->sampled;
     return (lights->bounces == 1 && !has_rays) ||
            albedos_init(&lights->albedos,
                         &(struct albedos_desc){
@@ -366,6 +378,7 @@ static bool init_importance(struct many_lights *lights, const struct technique_d
                                     &(struct importance_map_desc){.casters = desc->casters,
                                                                   .lights = desc->lights->lights,
                                                                   .vpls = own->vpls,
+                                                                  .sampled = lights->sampled,
                                                                   .sky_rays = desc->lights->sky});
 }
 
@@ -379,6 +392,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                    .casters = desc->casters,
                                    .specular = specular_of(desc),
                                    .medium = desc->medium,
+                                   .sampled = desc->lights->many,
                                    .slides = desc->scene->slide_count > 0};
     if (init_tree(lights) && init_rsm(lights, desc, rsm_size(desc)) &&
         geometry_pass_init(
@@ -393,6 +407,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                          .reach = reach,
                                          .by_importance = many_lights_follow_camera(lights),
                                          .sky_rays = has_sky_rays(lights, desc),
+                                         .sampled = lights->sampled,
                                          .lobes = lights->specular == SPECULAR_RAYS,
                                          .medium = lights->medium,
                                          .slides = lights->slides}) &&
@@ -424,6 +439,7 @@ void many_lights_free(struct many_lights *lights) {
     albedos_free(&lights->albedos);
     path_starts_free(&lights->path_starts);
     near_field_pass_free(&lights->near_field);
+    near_sampled_pass_free(&lights->near_sampled);
     specular_rays_pass_free(&lights->specular_rays);
     caster_pool_release_tree(lights->casters, &lights->tree);
     free_sized(lights);

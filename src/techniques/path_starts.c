@@ -7,12 +7,14 @@ bool path_starts_init(struct path_starts *starts, const struct path_starts_desc 
                                                                .lights = desc->lights,
                                                                .vpls = desc->count,
                                                                .sky_rays = desc->sky_rays,
+                                                          .sampled = desc->sampled,
                                                                .bounces = desc->bounces}) &&
         vpl_pass_init(&starts->places, &(struct vpl_desc){.count = desc->count,
                                                           .seed = desc->seed,
                                                           .reach = 1,
                                                           .by_importance = true,
                                                           .sky_rays = desc->sky_rays,
+                                                          .sampled = desc->sampled,
                                                           .of_paths = true,
                                                           .medium = desc->medium,
                                                           .slides = desc->slides}) &&

@@ -17,7 +17,7 @@ struct path_starts_desc {
     int count;                   /* number of starts, at least one a path */
     int bounces;                 /* more than 1 */
     int seed;
-    bool medium, slides, sky_rays; /* as in struct vpl_desc */
+    bool medium, slides, sky_rays, sampled; /* as in struct vpl_desc */
 };
 
 struct path_starts {

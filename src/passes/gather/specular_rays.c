@@ -4,6 +4,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
+#include "passes/sampled_lights.h"
 #include "shared/gather.h"
 
 #include <math.h>
@@ -13,9 +14,10 @@ static bool init_program(struct specular_rays_pass *pass) {
     const struct light_layout *lights = &pass->desc.lights;
     int kinds = (lights->views[LIGHT_MAP_SINGLE] > 0) << LIGHT_MAP_SINGLE |
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
-    char *defines = mem_printf("%s%sLATER %d;LIGHTS %d;MAP_KINDS %d;VPL_AREA %s",
+    char *defines = mem_printf("%s%s%sLATER %d;LIGHTS %d;MAP_KINDS %d;VPL_AREA %s",
                                light_defines(pass->desc.medium, pass->desc.slides),
-                               lights->sky ? "HAS_SKY;" : "", pass->desc.later, lights->lights,
+                               lights->sky ? "HAS_SKY;" : "",
+                               lights->many ? "HAS_SAMPLED;" : "", pass->desc.later, lights->lights,
                                kinds, vpl_area_file(pass->desc.by_importance));
     bool ok = program_init(&pass->program, &(struct program_desc){
                                                .screen = {"passes/gather/specular_rays.frag",
@@ -90,6 +92,7 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
     };
     int n = radiance->interleave;
     frame_add_light(frame, &state);
+    sampled_lights_add(frame->sampled, &state);
     light_rays_add(&state, &rays);
     rsm_add(&state, inputs->rsm);
     if (pass->desc.later)

@@ -39,8 +39,14 @@ vec2 sample_of(ivec2 pixel, int ray) {
 float share_of_rays(specular_surface seen, surface s, surface end, vec3 direction, chosen_light chosen, float rays) {
     vec3 path = end.position - s.position;
     vpl_share shares = vpl_share_at(chosen.index);
+    light l = light_at(chosen.index);
     float area = chosen.distance2 / max(chosen.cosine, VPL_COSINE_MIN) * shares.measure;
-    area = vpl_area_at(area, chosen.index, light_at(chosen.index), end.position);
+#ifdef HAS_SAMPLED
+    if (chosen.sampled >= 0)
+        area = sampled_vpl_area(l, shares.measure, end.position, end.normal, floatBitsToUint(chosen.cosine));
+    else
+#endif
+        area = vpl_area_at(area, chosen.index, l, end.position);
     specular_densities there = specular_densities_at(seen, direction, -dot(end.normal, direction), dot(path, path),
                                                      rays, area * params.vpl_weight);
     return specular_weight(there.rays, there.vpls);

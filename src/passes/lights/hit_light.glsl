@@ -4,6 +4,9 @@
 #include "lib/rsm_specular.glsl"
 #include "passes/visibility/bvh.glsl"
 
+#ifdef HAS_SAMPLED
+#include "passes/lights/vpl_sampled.glsl"
+#endif
 #ifdef HAS_SKY
 #include "passes/lights/sky_pieces.glsl"
 #define IS_SKY(light) has_sky_pieces(light)
@@ -27,12 +30,43 @@ const float SKY_COSINE_MIN = 0.1;
 const float MAP_TEXELS = 2.0;
 const float MAP_COSINE = 0.5;
 const float END_ALPHA_MIN = 0.2;
+// Makes a second random number of one.
+const float SAMPLE_TURNS = 4096.0;
 
 struct chosen_light {
     int index;
     float share;             // chance that it is chosen
     float cosine, distance2; // distance2 1: a directional light
+    int sampled;             // number of a sampled light; -1: another
+    float probability;       // of a sampled light among all
 };
+
+#ifdef HAS_SAMPLED
+bool is_many(light l) {
+    return l.type == LIGHT_TYPE_MANY;
+}
+
+light sampled_light_middle(int i) {
+    return sampled_light_piece(i, vec2(0.5));
+}
+
+int sample_light(surface end, float random, out float probability) {
+    return light_tree_sample(end.position, end.normal, random, probability);
+}
+#else
+bool is_many(light l) {
+    return false;
+}
+
+light sampled_light_middle(int i) {
+    return light_at(0);
+}
+
+int sample_light(surface end, float random, out float probability) {
+    probability = 1.0;
+    return -1;
+}
+#endif
 
 // Luminance of the irradiance from all of a light.
 float most_from(light l, bool is_sky, surface end, out float cosine, out float distance2) {
@@ -42,14 +76,18 @@ float most_from(light l, bool is_sky, surface end, out float cosine, out float d
 }
 
 chosen_light choose_light(surface end, float random) {
-    chosen_light chosen = chosen_light(0, 0.0, 0.0, 1.0);
+    chosen_light chosen = chosen_light(0, 0.0, 0.0, 1.0, -1, 1.0);
     float sum = 0.0, taken = 0.0;
     for (int i = 0; i < (end.present ? light_count : 0); i++) {
-        float cosine, distance2;
-        float most = most_from(light_at(i), IS_SKY(i), end, cosine, distance2);
+        float cosine, distance2, probability = 1.0;
+        light l = light_at(i);
+        int sampled = is_many(l) ? sample_light(end, fract(random * SAMPLE_TURNS), probability) : -1;
+        if (sampled >= 0)
+            l = sampled_light_middle(sampled);
+        float most = most_from(l, IS_SKY(i), end, cosine, distance2) / probability;
         sum += most;
         if (weighted_pick(most, sum, random)) {
-            chosen = chosen_light(i, 0.0, cosine, distance2);
+            chosen = chosen_light(i, 0.0, cosine, distance2, sampled, probability);
             taken = most;
         }
     }
@@ -91,18 +129,20 @@ vec3 end_reflects(surface end, vec3 albedo, vec4 code, vec3 to_light, vec3 to_re
 // takes one.
 vec3 hit_radiance(surface end, vec3 albedo, chosen_light chosen, vec3 to_receiver, float receiver_alpha, float random) {
     light l = light_at(chosen.index);
+    if (chosen.sampled >= 0)
+        l = sampled_light_middle(chosen.sampled);
     bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
     float distance2;
     vec3 incoming, power = light_towards(l, end.position, incoming, distance2), normal = end.normal;
     vec4 code = vec4(0.0);
     if (IS_SKY(chosen.index))
         take_sky_direction(chosen.index, random, incoming, power);
-    else
+    else if (chosen.sampled < 0)
         take_from_map(l, end, albedo, code);
     vec3 reflects = end_reflects(end, albedo, code, -incoming, to_receiver, receiver_alpha);
     vec3 light_place = directional ? end.position - params.farthest * incoming : l.position;
     bool asks = reflects != vec3(0.0);
     bool hidden = is_blocked(end.position, normal, asks ? light_place : end.position); // no way, no ray
     power *= medium_passes_light(end.position, incoming, !directional, distance2);
-    return hidden ? vec3(0.0) : reflects * power / (distance2 * chosen.share);
+    return hidden ? vec3(0.0) : reflects * power / (distance2 * chosen.share * chosen.probability);
 }

@@ -5,6 +5,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"
+#include "passes/sampled_lights.h"
 #include "shared/importance_map.h"
 #include "shared/light_walk.h"
 
@@ -14,7 +15,8 @@ static_assert(VPL_DENSITY_SIDE == 1 << (VPL_DENSITY_LEVELS - 1), "levels down to
 
 /* Squared: candidates of a round. */
 static int side_of(const struct importance_map_pass *pass) {
-    return pass->desc.bounces > 1 || pass->desc.sky_rays ? CANDIDATES_SIDE_MANY : CANDIDATES_SIDE;
+    return pass->desc.bounces > 1 || pass->desc.sky_rays || pass->desc.sampled
+               ? CANDIDATES_SIDE_MANY : CANDIDATES_SIDE;
 }
 
 /* Area of a VPL of later bounces, over the squared radius of the scene. */
@@ -22,9 +24,10 @@ static const float later_area = 1e-3F;
 
 static bool init_round(struct importance_map_pass *pass, int round) {
     static const char *const choices[] = {"candidate_by_light", "vpl_by_importance"};
-    char *defines = mem_printf("ROUND %d;%s%sVPL_CHOICE passes/lights/%s.glsl", round,
+    char *defines = mem_printf("ROUND %d;%s%s%sVPL_CHOICE passes/lights/%s.glsl", round,
                                pass->desc.bounces > 1 ? "LATER;" : "",
-                               pass->desc.sky_rays ? "SKY_RAYS;" : "", choices[round > 0]);
+                               pass->desc.sky_rays ? "SKY_RAYS;" : "",
+                               pass->desc.sampled ? "HAS_SAMPLED;" : "", choices[round > 0]);
     bool ok =
         program_init(&pass->candidate_programs[round],
                      &(struct program_desc){.screen = {"passes/lights/importance_candidate.frag"},
@@ -129,6 +132,7 @@ static void draw_candidates(const struct importance_map_pass *pass, const struct
     };
     rsm_add(&state, rsm);
     light_rays_add(&state, rays);
+    sampled_lights_add(frame->sampled, &state);
     if (round > 0)
         importance_map_add(&state, &pass->map);
     pass_set_state(&state);

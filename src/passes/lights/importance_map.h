@@ -24,6 +24,7 @@ struct importance_map_desc {
     int lights;                  /* lights of the frame's layout, at least 1 */
     int vpls;                    /* N */
     bool sky_rays;               /* VPLs of the environment come from rays */
+    bool sampled;                /* some lights are sampled */
     int bounces;                 /* above 1: the map is for the second and later bounces */
 };
 

@@ -9,6 +9,7 @@
 #include "gl/vertex_array.h"
 #include "lights/light_samples.h"
 #include "passes/frame.h"
+#include "passes/sampled_lights.h"
 #include "passes/vpls.h"
 #include "shared/vpl.h"
 #include "shared/vpl_share.h"
@@ -27,9 +28,10 @@ static bool init_programs(struct vpl_pass *pass) {
     int count = pass->desc.count < VPL_PARTNERS_MAX ? pass->desc.count : VPL_PARTNERS_MAX;
     char *defines = mem_printf("PARTNERS %d", count);
     char *vpl_defines = mem_printf(
-        "%s%s%s%sVPL_CHOICE passes/lights/vpl_by_%s.glsl",
+        "%s%s%s%s%sVPL_CHOICE passes/lights/vpl_by_%s.glsl",
         light_defines(pass->desc.medium, pass->desc.slides), pass->desc.of_paths ? "LATER;" : "",
-        pass->desc.sky_rays ? "SKY_RAYS;" : "", pass->desc.lobes ? "VPL_LOBES;" : "",
+        pass->desc.sky_rays ? "SKY_RAYS;" : "",
+        pass->desc.sampled ? "HAS_SAMPLED;" : "", pass->desc.lobes ? "VPL_LOBES;" : "",
         pass->desc.by_importance ? "importance" : "flux");
     const struct program_desc vpl = {.vertex = "passes/lights/vpl.vert", .defines = vpl_defines};
     bool ok = program_init(&pass->program, &vpl) &&
@@ -135,6 +137,9 @@ static void follow_fluxes(struct vpl_pass *pass, const struct frame *frame) {
  * not in those of the few that are this light's. */
 static float near_reach(const struct light *light, float measure, float asked) {
     float widest = measure / (float)VPL_COSINE_MIN;
+    const float reach_of_many = 2; /* few rays find it (passes/gather/near_sampled.h) */
+    if (light->type == LIGHT_TYPE_MANY)
+        return fminf(asked, reach_of_many);
     return light->type == LIGHT_TYPE_DIRECTIONAL ? asked : fminf(asked, 1 / sqrtf(widest));
 }
 
@@ -200,10 +205,11 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
         .vertex_array = pass->vertices,
         .blocks = {{BLOCK_LIGHTS, frame->lights}, {BLOCK_VPL_SHARES, &pass->shares}},
     };
-    if (pass->desc.by_importance) {
+    if (pass->desc.by_importance)
         importance_map_add(&state, importance);
+    if (pass->desc.by_importance || pass->desc.sampled)
         light_rays_add(&state, rays);
-    }
+    sampled_lights_add(frame->sampled, &state);
     frame_add_light(frame, &state);
     add_maps(pass, &state, rsm);
     if (pass->desc.lobes)

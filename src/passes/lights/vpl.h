@@ -27,6 +27,7 @@ struct vpl_desc {
     float reach; /* requested near-field reach, in spacings of VPLs */
     bool by_importance;
     bool sky_rays; /* traces rays from the environment for its VPLs; needs by_importance */
+    bool sampled;  /* some lights are sampled; needs light rays */
     bool of_paths; /* makes path starts; needs by_importance, with a map of later bounces */
     bool lobes;    /* RSMs have specular reflectance */
     bool medium;   /* frames have a medium */

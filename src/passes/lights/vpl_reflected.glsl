@@ -5,6 +5,9 @@
 #ifdef SKY_RAYS
 #include "passes/lights/sky_ray.glsl"
 #endif
+#ifdef HAS_SAMPLED
+#include "passes/lights/vpl_sampled.glsl"
+#endif
 #ifdef VPL_LOBES
 // The lobe by which a VPL mirrors its light, as the light's map has the surface.
 #include "lib/lobe_albedo.glsl"
@@ -63,6 +66,10 @@ vpl vpl_reflected(int index, int number, float measure, vec2 place) {
         return vpl_by_sky_ray(index, number, measure, place);
 #endif
     light l = light_at(index);
+#ifdef HAS_SAMPLED
+    if (l.type == LIGHT_TYPE_MANY)
+        return vpl_by_sampled_light(l, number, measure, place);
+#endif
     bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
     vec3 direction = l.direction;
     vec2 ndc = place * 2.0 - 1.0;

@@ -20,16 +20,18 @@ int emitter_find(const struct scene *scene, const char *text) {
 }
 
 struct emitters emitters_copy(const struct emitters *emitters) {
-    size_t count = (size_t)emitters->count;
-    struct emitters copy = {mem_alloc(count, sizeof *copy.items), emitters->count, emitters->sky};
+    size_t count = (size_t)(emitters->count + emitters->sampled);
+    struct emitters copy = *emitters;
+    copy.items = mem_alloc(count, sizeof *copy.items);
     if (count) /* else there may be no items */
         memcpy(copy.items, emitters->items, count * sizeof *copy.items);
     return copy;
 }
 
 bool emitters_same(const struct emitters *a, const struct emitters *b) {
-    return a->count == b->count && a->sky == b->sky &&
-           (a->count == 0 || memcmp(a->items, b->items, (size_t)a->count * sizeof *a->items) == 0);
+    size_t count = (size_t)(a->count + a->sampled);
+    return a->count == b->count && a->sampled == b->sampled && a->sky == b->sky &&
+           (count == 0 || memcmp(a->items, b->items, count * sizeof *a->items) == 0);
 }
 
 void emitters_free(struct emitters *emitters) {
@@ -114,8 +116,9 @@ void emitter_place(struct emitter *emitter, const struct scene *scene, int n, do
 
 struct emitters emitters_place(const struct scene *scene, double time) {
     float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
-    struct emitters all = {mem_alloc((size_t)emitter_node_count(scene), sizeof *all.items), 0,
-                           scene->environment};
+    struct emitters all = {
+        .items = mem_alloc((size_t)emitter_node_count(scene), sizeof *all.items),
+        .sky = scene->environment};
     bool *shown = nodes_shown(scene, time);
     scene_node_worlds(scene, time, worlds);
     for (int i = 0; i < scene->node_count; i++)
@@ -340,6 +343,7 @@ double emitter_solid_angle(const struct emitter *emitter) {
         return 4 * GLM_PI;
     case EMITTER_AREA:
         return 2 * GLM_PI;
+    case EMITTER_MANY:
     case EMITTER_DIRECTIONAL:
         break;
     }
@@ -364,6 +368,8 @@ double emitter_flux(const struct emitter *emitter, float radius) {
         return mean * 4 * GLM_PI;
     case EMITTER_AREA:
         return mean * GLM_PI;
+    case EMITTER_MANY:
+        return mean;
     case EMITTER_DIRECTIONAL:
         break;
     }
