@@ -67,8 +67,7 @@ static void add_many(struct light_samples *samples, double flux) {
 }
 
 struct emitters light_samples_emitters(struct light_samples *samples) {
-    return (struct emitters){
-        .items = samples->items, .count = samples->count, .sky = samples->sky};
+    return (struct emitters){.items = samples->items, .count = samples->count, .sky = samples->sky};
 }
 
 struct light_layout light_samples_layout(struct light_samples *samples) {

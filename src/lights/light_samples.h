@@ -38,8 +38,8 @@ struct light_samples_desc {
 };
 
 /* Places the samples of emitters that fit a layout. A light of EMITTER_MANY follows,
- * and then groups of their sky, as directional lights, which must fit. A light gets fewer samples if all would not fit. The numbers do not depend
- * on the pass. */
+ * and then groups of their sky, as directional lights, which must fit. A light gets fewer samples
+ * if all would not fit. The numbers do not depend on the pass. */
 void light_samples_place(struct light_samples *samples, const struct emitters *emitters,
                          const struct light_samples_sky *sky, const struct light_samples_desc *desc,
                          int pass);

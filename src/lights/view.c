@@ -75,7 +75,8 @@ void view_shift(struct view *view, const float ndc[2]) {
 /* --- lights --- */
 
 _Static_assert((int)EMITTER_DIRECTIONAL == LIGHT_TYPE_DIRECTIONAL &&
-                   (int)EMITTER_AREA == LIGHT_TYPE_AREA && (int)EMITTER_MANY == LIGHT_TYPE_MANY && (int)EMITTER_IS_CAP == LIGHT_SHAPE_CAP,
+                   (int)EMITTER_AREA == LIGHT_TYPE_AREA && (int)EMITTER_MANY == LIGHT_TYPE_MANY &&
+                   (int)EMITTER_IS_CAP == LIGHT_SHAPE_CAP,
                "shaders know types and shapes by the same numbers");
 
 static int view_count(const struct emitter *light) {
@@ -120,8 +121,8 @@ bool light_layout_of(struct light_layout *layout, const struct emitters *emitter
 
 bool light_layouts_same(const struct light_layout *a, const struct light_layout *b) {
     return a->lights == b->lights && a->groups == b->groups && a->maps == b->maps &&
-           a->sized == b->sized && a->sky == b->sky && a->many == b->many && a->unseen == b->unseen &&
-           memcmp(a->views, b->views, sizeof a->views) == 0;
+           a->sized == b->sized && a->sky == b->sky && a->many == b->many &&
+           a->unseen == b->unseen && memcmp(a->views, b->views, sizeof a->views) == 0;
 }
 
 int light_map_size(int kind, int size) {

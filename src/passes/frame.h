@@ -27,7 +27,7 @@ struct frame {
     const struct light_block *light_block; /* contents of `lights` */
     struct light_layout layout;            /* layout of the lights' maps */
     const struct light_group *groups;      /* layout.groups light groups; NULL for direct light */
-    const struct sampled_lights *sampled; /* lights without maps */
+    const struct sampled_lights *sampled;  /* lights without maps */
     /* Directions of an environment's light samples (shared/sky.h). */
     const struct texture *sky_pieces;
     /* Bounds and radius of the scene, for views of other lights. */

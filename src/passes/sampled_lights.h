@@ -9,9 +9,10 @@
 #include "scene/lights/emitter.h"
 
 struct sampled_lights {
-    struct buffer nodes;  /* struct light_node; texels: UNIT_LIGHT_NODES */
-    struct buffer lights; /* struct sampled_light, in the tree's order; texels: UNIT_SAMPLED_LIGHTS */
-    double flux;          /* of all, W */
+    struct buffer nodes; /* struct light_node; texels: UNIT_LIGHT_NODES */
+    struct buffer
+        lights;  /* struct sampled_light, in the tree's order; texels: UNIT_SAMPLED_LIGHTS */
+    double flux; /* of all, W */
 };
 
 /* Uploads emitters->sampled lights; without any, `lights` is zeroed. Error: out of GPU memory. */

@@ -33,8 +33,8 @@ struct emitters renderer_divide_lights(const struct renderer_desc *desc) {
             flux += emitter_flux(&all.items[i], 1);
     for (int i = 0; i < all.count; i++) {
         const struct emitter *light = &all.items[i];
-        bool mapped = light->type == EMITTER_DIRECTIONAL ||
-                      MAPPED_LIGHTS_MAX * emitter_flux(light, 1) > flux;
+        bool mapped =
+            light->type == EMITTER_DIRECTIONAL || MAPPED_LIGHTS_MAX * emitter_flux(light, 1) > flux;
         if (mapped)
             all.items[count++] = *light;
         else
@@ -98,4 +98,14 @@ bool renderer_plan_lights(struct light_plan *plan, const struct renderer *render
     plan->sample_layout.unseen =
         light_search_is_unseen(renderer->light_search, desc, &plan->sample_layout);
     return true;
+}
+
+void renderer_keep_lights(struct renderer *renderer, struct emitters *old, struct emitters *fresh,
+                          struct sampled_lights *sampled, bool changed) {
+    struct sampled_lights before = renderer->sampled;
+    if (sampled && changed)
+        renderer->sampled = *sampled;
+    if (sampled)
+        sampled_lights_free(changed ? &before : sampled);
+    emitters_free(changed ? old : fresh);
 }

@@ -74,9 +74,8 @@ static bool init_antialias(struct renderer *renderer) {
 /* With the light of sampled lights and of an environment, where there are some. */
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
-    renderer->direct = desc->emitters.sampled > 0       ? &sampled_direct
-                       : renderer->plan.sky.count > 0 ? &environment_direct
-                                                      : desc->direct;
+    renderer->direct = renderer->plan.sky.count > 0 ? &environment_direct : desc->direct;
+    renderer->direct = desc->emitters.sampled > 0 ? &sampled_direct : renderer->direct;
     return renderer->direct->init(
         &renderer->direct_state,
         &(struct direct_desc){
@@ -368,8 +367,7 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
         init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
-        buffer_init(&renderer->sample_buffer, "light samples", sizeof *renderer->sample_block,
-                    NULL)) {
+        buffer_init(&renderer->sample_buffer, "samples", sizeof *renderer->sample_block, NULL)) {
         renderer_write_views(renderer);
         return true;
     }
@@ -537,23 +535,12 @@ static bool start_anew(struct renderer *renderer, const struct renderer_desc *wa
     return true;
 }
 
-/* Keeps the old lights or the new ones, and frees the others. sampled: new; NULL: as before. */
-static void follow_lights(struct renderer *renderer, struct emitters *old, struct emitters *fresh,
-                          struct sampled_lights *sampled, bool changed) {
-    struct sampled_lights before = renderer->sampled;
-    if (sampled && changed)
-        renderer->sampled = *sampled;
-    if (sampled)
-        sampled_lights_free(changed ? &before : sampled);
-    emitters_free(changed ? old : fresh);
-}
-
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *wanted) {
     struct renderer_desc desc = *wanted;
     struct emitters old = renderer->desc.emitters;
     struct light_plan plan;
     set_defaults(&desc);
-    /* Glass becomes an occluder, or a pane: all that was made of the geometry is another. */
+    /* Glass becomes an occluder or a pane, so the geometry changes. */
     if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc))
         return start_anew(renderer, wanted);
     desc.emitters = renderer_divide_lights(&desc);
@@ -570,7 +557,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     bool same_picture = parts == 0 && same_lights && same_samples && same_medium &&
                         cameras_same(&desc.camera, &renderer->desc.camera);
     bool ok = change(renderer, &desc, &plan, parts);
-    follow_lights(renderer, &old, &desc.emitters, same_lights ? NULL : &sampled, ok);
+    renderer_keep_lights(renderer, &old, &desc.emitters, same_lights ? NULL : &sampled, ok);
     renderer->lights_drawn &=
         (same_lights && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
     if (ok && !same_picture)

@@ -114,11 +114,12 @@ struct many_lights {
     struct settings settings; /* settings at init */
     struct many_lights_visibility visibility;
     struct caster_pool *casters;
-    const struct caster_bvh *tree; /* BVH if VPLs, specular rays or sampled lights trace it; else NULL */
-    int specular;                  /* SPECULAR_... */
-    bool medium;                   /* frames have a medium */
-    bool slides;                   /* lights may have slides */
-    bool sampled;                  /* some lights have no maps (passes/sampled_lights.h) */
+    const struct caster_bvh
+        *tree;    /* BVH if VPLs, specular rays or sampled lights trace it; else NULL */
+    int specular; /* SPECULAR_... */
+    bool medium;  /* frames have a medium */
+    bool slides;  /* lights may have slides */
+    bool sampled; /* some lights have no maps (passes/sampled_lights.h) */
     struct gbuffer rsm[LIGHT_MAP_KINDS];
     struct geometry_pass geometry;
     struct importance_map_pass importance; /* if VPLs are placed by importance */
@@ -215,7 +216,7 @@ struct contribution many_lights_contribution(const void *state);
 
 /* Members of a struct technique whose static functions have the members' names. */
 #define MANY_LIGHTS_TECHNIQUE                                                                      \
-    .samples_lights = true, .parts = parts, .presets = presets, .init = init, .free = free_state,                          \
+    .samples_lights = true, .parts = parts, .presets = presets, .init = init, .free = free_state,  \
     .render_lights = render_lights, .follows_camera = many_lights_follow_camera,                   \
     .render_view = render_view, .contribution = many_lights_contribution, .outputs = outputs,      \
     .steps = many_lights_steps

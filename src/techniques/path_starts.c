@@ -7,7 +7,7 @@ bool path_starts_init(struct path_starts *starts, const struct path_starts_desc 
                                                                .lights = desc->lights,
                                                                .vpls = desc->count,
                                                                .sky_rays = desc->sky_rays,
-                                                          .sampled = desc->sampled,
+                                                               .sampled = desc->sampled,
                                                                .bounces = desc->bounces}) &&
         vpl_pass_init(&starts->places, &(struct vpl_desc){.count = desc->count,
                                                           .seed = desc->seed,

@@ -45,7 +45,7 @@ struct technique {
     const struct preset *presets;             /* ends with a row without a name; NULL: none */
     const struct refinement *refinement;      /* NULL: later passes are made as the first */
     bool samples_lights; /* VPLs start from lights without maps, too (passes/sampled_lights.h) */
-    bool seeks_lights; /* lights.importance=auto: follows the camera if it sees no lamp's light */
+    bool seeks_lights;   /* lights.importance=auto: follows the camera if it sees no lamp's light */
     /* Refuses combinations of values; NULL: none. Error: names the settings, for the user. */
     bool (*check)(const struct settings *settings);
     /* True if rays through a BVH test the visibility of all its lights; NULL: never. */

@@ -16,9 +16,9 @@ static bool init_program(struct specular_rays_pass *pass) {
                 (lights->views[LIGHT_MAP_FACE] > 0) << LIGHT_MAP_FACE;
     char *defines = mem_printf("%s%s%sLATER %d;LIGHTS %d;MAP_KINDS %d;VPL_AREA %s",
                                light_defines(pass->desc.medium, pass->desc.slides),
-                               lights->sky ? "HAS_SKY;" : "",
-                               lights->many ? "HAS_SAMPLED;" : "", pass->desc.later, lights->lights,
-                               kinds, vpl_area_file(pass->desc.by_importance));
+                               lights->sky ? "HAS_SKY;" : "", lights->many ? "HAS_SAMPLED;" : "",
+                               pass->desc.later, lights->lights, kinds,
+                               vpl_area_file(pass->desc.by_importance));
     bool ok = program_init(&pass->program, &(struct program_desc){
                                                .screen = {"passes/gather/specular_rays.frag",
                                                           .blended = true, .tiled = true},

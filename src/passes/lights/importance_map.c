@@ -16,7 +16,8 @@ static_assert(VPL_DENSITY_SIDE == 1 << (VPL_DENSITY_LEVELS - 1), "levels down to
 /* Squared: candidates of a round. */
 static int side_of(const struct importance_map_pass *pass) {
     return pass->desc.bounces > 1 || pass->desc.sky_rays || pass->desc.sampled
-               ? CANDIDATES_SIDE_MANY : CANDIDATES_SIDE;
+               ? CANDIDATES_SIDE_MANY
+               : CANDIDATES_SIDE;
 }
 
 /* Area of a VPL of later bounces, over the squared radius of the scene. */
@@ -24,10 +25,10 @@ static const float later_area = 1e-3F;
 
 static bool init_round(struct importance_map_pass *pass, int round) {
     static const char *const choices[] = {"candidate_by_light", "vpl_by_importance"};
-    char *defines = mem_printf("ROUND %d;%s%s%sVPL_CHOICE passes/lights/%s.glsl", round,
-                               pass->desc.bounces > 1 ? "LATER;" : "",
-                               pass->desc.sky_rays ? "SKY_RAYS;" : "",
-                               pass->desc.sampled ? "HAS_SAMPLED;" : "", choices[round > 0]);
+    char *defines =
+        mem_printf("ROUND %d;%s%s%sVPL_CHOICE passes/lights/%s.glsl", round,
+                   pass->desc.bounces > 1 ? "LATER;" : "", pass->desc.sky_rays ? "SKY_RAYS;" : "",
+                   pass->desc.sampled ? "HAS_SAMPLED;" : "", choices[round > 0]);
     bool ok =
         program_init(&pass->candidate_programs[round],
                      &(struct program_desc){.screen = {"passes/lights/importance_candidate.frag"},

@@ -30,9 +30,8 @@ static bool init_programs(struct vpl_pass *pass) {
     char *vpl_defines = mem_printf(
         "%s%s%s%s%sVPL_CHOICE passes/lights/vpl_by_%s.glsl",
         light_defines(pass->desc.medium, pass->desc.slides), pass->desc.of_paths ? "LATER;" : "",
-        pass->desc.sky_rays ? "SKY_RAYS;" : "",
-        pass->desc.sampled ? "HAS_SAMPLED;" : "", pass->desc.lobes ? "VPL_LOBES;" : "",
-        pass->desc.by_importance ? "importance" : "flux");
+        pass->desc.sky_rays ? "SKY_RAYS;" : "", pass->desc.sampled ? "HAS_SAMPLED;" : "",
+        pass->desc.lobes ? "VPL_LOBES;" : "", pass->desc.by_importance ? "importance" : "flux");
     const struct program_desc vpl = {.vertex = "passes/lights/vpl.vert", .defines = vpl_defines};
     bool ok = program_init(&pass->program, &vpl) &&
               program_init(&pass->sums_program,

@@ -13,24 +13,19 @@
 enum {
     SAMPLES = 16,       /* of a pixel with neighbours on its surface */
     ALONE_SAMPLES = 48, /* of a pixel without */
-    RADIUS = 4,         /* of the blur: half the pattern of samples, pixels */
 };
-
-/* Neighbours of a pixel, as the blurs of indirect light have them (techniques/many_lights.h). */
-static const float distance = .1F, cosine = .995F, specular_cosine = .966F, narrow_cosine = .996F;
 
 static bool init_programs(struct sampled_direct_pass *pass) {
     const struct sampled_direct_desc *desc = &pass->desc;
     const char *specular = desc->specular ? "HAS_SPECULAR" : "";
     char *defines = mem_printf("%s%s", light_defines(desc->medium, desc->slides), specular);
-    bool ok = program_init(
-                  &pass->sample_program,
-                  &(struct program_desc){.screen = {"passes/visibility/sampled_direct.frag"},
-                                         .defines = defines}) &&
-              program_init(
-                  &pass->add_program,
-                  &(struct program_desc){.screen = {"passes/visibility/sampled_direct_add.frag"},
-                                         .defines = specular});
+    bool ok =
+        program_init(&pass->sample_program,
+                     &(struct program_desc){.screen = {"passes/visibility/sampled_direct.frag"},
+                                            .defines = defines}) &&
+        program_init(&pass->add_program,
+                     &(struct program_desc){.screen = {"passes/visibility/sampled_direct_add.frag"},
+                                            .defines = specular});
     free(defines);
     return ok;
 }
@@ -48,19 +43,7 @@ static bool init_specular(struct sampled_direct_pass *pass) {
     return init_light(&pass->exact_specular, "exact specular light", desc) &&
            irradiance_init(&pass->radiance, "specular light of samples", GL_RGBA32F, desc->width,
                            desc->height, 1) &&
-           init_light(&pass->specular, "direct specular", desc) &&
-           blur_pass_init(&pass->specular_blur, &(struct blur_desc){
-                                                    .width = desc->width,
-                                                    .height = desc->height,
-                                                    .radius = RADIUS,
-                                                    .distance = distance,
-                                                    .cosine = specular_cosine,
-                                                    .detail_cosine = narrow_cosine,
-                                                    .specular = true,
-                                                    .level_radius = {.5F, RADIUS},
-                                                    .level_weight = {1, 1},
-                                                    .lender = &pass->blur,
-                                                });
+           init_light(&pass->specular, "direct specular", desc);
 }
 
 /* What is as large as the picture. */
@@ -77,21 +60,13 @@ static bool init_targets(struct sampled_direct_pass *pass) {
     return irradiance_init(&pass->irradiance, "light of samples", GL_RGBA32F, desc->width,
                            desc->height, 1) &&
            init_light(&pass->exact, "exact light", desc) &&
-           init_light(&pass->light, "direct", desc) &&
-           blur_pass_init(&pass->blur, &(struct blur_desc){.width = desc->width,
-                                                           .height = desc->height,
-                                                           .radius = RADIUS,
-                                                           .distance = distance,
-                                                           .cosine = cosine}) &&
-           (!desc->specular || init_specular(pass)) &&
+           init_light(&pass->light, "direct", desc) && (!desc->specular || init_specular(pass)) &&
            framebuffer_init(&pass->sample_framebuffer, &samples) &&
            framebuffer_init(&pass->framebuffer, &light);
 }
 
 static void free_targets(struct sampled_direct_pass *pass) {
     framebuffers_free(&pass->sample_framebuffer, &pass->framebuffer);
-    blur_pass_free(&pass->specular_blur);
-    blur_pass_free(&pass->blur);
     irradiance_free(&pass->irradiance);
     irradiance_free(&pass->radiance);
     textures_free(&pass->exact, &pass->exact_specular, &pass->light, &pass->specular);
@@ -127,8 +102,17 @@ static struct pass_state state_of(const struct sampled_direct_pass *pass, GLuint
                                .height = pass->desc.height};
 }
 
-static void draw_samples(const struct sampled_direct_pass *pass, const struct frame *frame,
-                         const struct gbuffer *gbuffer) {
+void sampled_direct_pass_render(const struct sampled_direct_pass *pass, const struct frame *frame,
+                                const struct gbuffer *gbuffer) {
+    const struct sampled_direct_params params = {
+        .samples = SAMPLES,
+        .alone_samples = ALONE_SAMPLES,
+        .distance = pass->desc.distance,
+        .cosine = pass->desc.cosine,
+        .scale = frame->irradiance_scale,
+        .turn = frame_turn(frame),
+        .pass = frame->pass,
+    };
     struct pass_state state = state_of(pass, pass->sample_program, pass->sample_framebuffer);
     pass_add_texture(&state, UNIT_GBUFFER_DEPTH, gbuffer->depth.id);
     pass_add_texture(&state, UNIT_GBUFFER_NORMAL, gbuffer->normal.id);
@@ -141,19 +125,20 @@ static void draw_samples(const struct sampled_direct_pass *pass, const struct fr
     pass_add_block(&state, BLOCK_PASS, &pass->params);
     sampled_lights_add(frame->sampled, &state);
     frame_add_light(frame, &state);
+    buffer_write(&pass->params, 0, sizeof params, &params);
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
 }
 
-static void add_to_others(const struct sampled_direct_pass *pass, const struct frame *frame,
-                          const struct sampled_direct_inputs *inputs) {
+void sampled_direct_pass_add(const struct sampled_direct_pass *pass, const struct frame *frame,
+                             const struct sampled_direct_inputs *inputs) {
     struct pass_state state = state_of(pass, pass->add_program, pass->framebuffer);
-    pass_add_texture(&state, UNIT_IRRADIANCE, pass->blur.blurred.texture.id);
+    pass_add_texture(&state, UNIT_IRRADIANCE, inputs->irradiance->texture.id);
     pass_add_texture(&state, UNIT_DIRECT, inputs->direct->id);
     pass_add_texture(&state, UNIT_EXACT, pass->exact.id);
     if (pass->desc.specular) {
-        pass_add_texture(&state, UNIT_RADIANCE, pass->specular_blur.blurred.texture.id);
+        pass_add_texture(&state, UNIT_RADIANCE, inputs->radiance->texture.id);
         pass_add_texture(&state, UNIT_DIRECT_SPECULAR, inputs->specular->id);
         pass_add_texture(&state, UNIT_EXACT_SPECULAR, pass->exact_specular.id);
     }
@@ -161,25 +146,4 @@ static void add_to_others(const struct sampled_direct_pass *pass, const struct f
     pass_begin(frame->timers, &state);
     pass_draw_fullscreen(1);
     pass_end(frame->timers);
-}
-
-void sampled_direct_pass_render(const struct sampled_direct_pass *pass, const struct frame *frame,
-                                const struct gbuffer *gbuffer,
-                                const struct sampled_direct_inputs *inputs) {
-    const struct sampled_direct_params params = {
-        .samples = SAMPLES,
-        .alone_samples = ALONE_SAMPLES,
-        .distance = distance,
-        .cosine = cosine,
-        .scale = frame->irradiance_scale,
-        .turn = frame_turn(frame),
-        .pass = frame->pass,
-    };
-    buffer_write(&pass->params, 0, sizeof params, &params);
-    draw_samples(pass, frame, gbuffer);
-    blur_pass_render(&pass->blur, frame, gbuffer, &(struct blur_inputs){.source = &pass->irradiance});
-    if (pass->desc.specular)
-        blur_pass_render(&pass->specular_blur, frame, gbuffer,
-                         &(struct blur_inputs){.source = &pass->radiance});
-    add_to_others(pass, frame, inputs);
 }

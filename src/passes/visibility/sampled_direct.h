@@ -1,21 +1,25 @@
-/* Adds the direct light of sampled lights to that of all others [Conty Estevez and Kulla 2018; Lin
- * and Yuksel 2020].
+/* Adds the direct light of sampled lights to that of all others [Conty and Kulla 2018; Lin and
+ * Yuksel 2020].
  *
  * Each pixel samples a few lights by the light tree and traces a ray to each. Lights that it takes
- * for sure are exact. For all others pixels of an 8 x 8 pattern take different samples, and a
- * geometry-aware blur takes their mean. Pixels with few neighbours on their surface take more
+ * for sure are exact. For all others pixels of an 8 x 8 pattern take different samples, and the
+ * caller's blur takes their mean. Pixels with few neighbours on their surface take more
  * samples. Cost: pixels x samples x (depth of the tree + a
  * ray). */
 #ifndef PASSES_SAMPLED_DIRECT_H
 #define PASSES_SAMPLED_DIRECT_H
 
-#include "passes/gather/blur.h"
+#include "passes/targets.h"
 #include "scene/gpu/caster_pool.h"
 
-struct gbuffer;
+struct frame;
+
+/* Radius of the blur: half the pattern, pixels. */
+enum { SAMPLED_DIRECT_RADIUS = 4 };
 
 struct sampled_direct_desc {
     int width, height;
+    float distance, cosine;      /* alpha and beta of the blur, for neighbours */
     struct caster_pool *casters; /* must outlive the pass */
     bool specular;               /* the G-buffer has a specular target */
     bool medium;                 /* frames have a medium */
@@ -33,7 +37,6 @@ struct sampled_direct_pass {
     /* Of all other lights, before the blur, times irradiance_scale. */
     struct irradiance irradiance, radiance;
     GLuint sample_framebuffer;
-    struct blur_pass blur, specular_blur;
     struct texture light;    /* RGBA32F, irradiance over pi of all lights, W/(sr m2) */
     struct texture specular; /* RGBA32F, radiance towards the camera, with desc.specular */
     GLuint framebuffer;
@@ -47,14 +50,17 @@ void sampled_direct_pass_free(struct sampled_direct_pass *pass);
 /* Error: out of GPU memory; the pass stays unchanged. */
 bool sampled_direct_pass_resize(struct sampled_direct_pass *pass, int width, int height);
 
-/* Direct light of all other lights, as pass->light and pass->specular. */
+/* Fills pass->exact, irradiance and radiance. Timer "sampled lights". */
+void sampled_direct_pass_render(const struct sampled_direct_pass *pass, const struct frame *frame,
+                                const struct gbuffer *gbuffer);
+
 struct sampled_direct_inputs {
-    const struct texture *direct, *specular;
+    const struct texture *direct, *specular; /* of all other lights, as pass->light and specular */
+    const struct irradiance *irradiance, *radiance; /* blurred */
 };
 
-/* Fills pass->light and pass->specular. Timers "sampled lights" and "blur". */
-void sampled_direct_pass_render(const struct sampled_direct_pass *pass, const struct frame *frame,
-                                const struct gbuffer *gbuffer,
-                                const struct sampled_direct_inputs *inputs);
+/* Fills pass->light and pass->specular with the sum. Timer "sampled lights". */
+void sampled_direct_pass_add(const struct sampled_direct_pass *pass, const struct frame *frame,
+                             const struct sampled_direct_inputs *inputs);
 
 #endif

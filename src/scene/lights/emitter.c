@@ -116,9 +116,8 @@ void emitter_place(struct emitter *emitter, const struct scene *scene, int n, do
 
 struct emitters emitters_place(const struct scene *scene, double time) {
     float(*worlds)[16] = mem_alloc((size_t)scene->node_count, sizeof *worlds);
-    struct emitters all = {
-        .items = mem_alloc((size_t)emitter_node_count(scene), sizeof *all.items),
-        .sky = scene->environment};
+    struct emitters all = {.items = mem_alloc((size_t)emitter_node_count(scene), sizeof *all.items),
+                           .sky = scene->environment};
     bool *shown = nodes_shown(scene, time);
     scene_node_worlds(scene, time, worlds);
     for (int i = 0; i < scene->node_count; i++)
