@@ -47,9 +47,11 @@ SHARED_FUNCTION float light_node_cosines(float distance2, float radius2, float c
     float sin2_u = radius2 < distance2 ? radius2 / distance2 : 1.0f;
     float sin_u = radius2 < distance2 ? LIGHT_TREE_ROOT(sin2_u) : 0.0f;
     float cos_u = radius2 < distance2 ? LIGHT_TREE_ROOT(1.0f - sin2_u) : -1.0f;
-    float sin_o = LIGHT_TREE_ROOT(cos_o > -1.0f && cos_o < 1.0f ? 1.0f - cos_o * cos_o : 0.0f);
-    float receives = light_cos_less(cos_normal, cos_u, sin_u);
-    float sends = light_cos_less(light_cos_less(cos_axis, cos_o, sin_o), cos_u, sin_u);
+    float receives = light_cos_less(cos_normal, cos_u, sin_u), sends = 1.0f;
+    if (cos_o > -1.0f) {
+        float sin_o = LIGHT_TREE_ROOT(cos_o < 1.0f ? 1.0f - cos_o * cos_o : 0.0f);
+        sends = light_cos_less(light_cos_less(cos_axis, cos_o, sin_o), cos_u, sin_u);
+    }
     if (receives < -LIGHT_COSINE_MIN || sends < cos_e - LIGHT_COSINE_MIN)
         return 0.0f;
     receives = receives > LIGHT_COSINE_MIN ? receives : LIGHT_COSINE_MIN;

@@ -2,33 +2,69 @@
 
 #include "base/memory.h"
 
+#include <stdbool.h>
 #include <stdlib.h>
 
-/* Who is next: the greatest weight / (2 got + 1). */
-static int next_taker(const double *weights, const int *got, int count) {
-    int best = 0;
-    for (int i = 1; i < count; i++)
-        if (weights[i] * (2 * got[best] + 1) > weights[best] * (2 * got[i] + 1))
-            best = i;
-    return best;
+/* Takers in a heap: each comes before those below it. */
+struct queue {
+    const double *weights;
+    int *got, *takers, count;
+};
+
+/* The greater weight / (2 got + 1), or the first of equal ones. */
+static bool comes_before(const struct queue *queue, int a, int b) {
+    double of_a = queue->weights[a] * (2 * queue->got[b] + 1);
+    double of_b = queue->weights[b] * (2 * queue->got[a] + 1);
+    return of_a != of_b ? of_a > of_b : a < b;
 }
 
-/* The greatest weight that has got none; -1 where there is none. */
-static int next_without(const double *weights, const int *got, int count) {
-    int best = -1;
+static void sink(struct queue *queue, int at) {
+    int *takers = queue->takers;
+    for (int child = 2 * at + 1; child < queue->count; child = 2 * at + 1) {
+        if (child + 1 < queue->count && comes_before(queue, takers[child + 1], takers[child]))
+            child++;
+        if (!comes_before(queue, takers[child], takers[at]))
+            return;
+        int sinks = takers[at];
+        takers[at] = takers[child];
+        takers[child] = sinks;
+        at = child;
+    }
+}
+
+static struct queue queue_make(const double *weights, int *got, int count) {
+    struct queue queue = {weights, got, mem_alloc((size_t)count, sizeof *queue.takers), count};
     for (int i = 0; i < count; i++)
-        if (got[i] == 0 && weights[i] > 0 && (best < 0 || weights[i] > weights[best]))
-            best = i;
-    return best;
+        queue.takers[i] = i;
+    for (int i = count / 2 - 1; i >= 0; i--)
+        sink(&queue, i);
+    return queue;
 }
 
+/* Gives one thing to the next taker. */
+static int take(struct queue *queue) {
+    int taker = queue->takers[0];
+    queue->got[taker]++;
+    sink(queue, 0);
+    return taker;
+}
+
+/* Each weight above 0 has one first, the greatest before others: with none got, they come first in
+ * a queue of these weights. */
 static void count_shares(const double *weights, int taker_count, int thing_count, int *counts) {
-    int without;
-    for (int i = 0; i < thing_count; i++)
-        if ((without = next_without(weights, counts, taker_count)) >= 0)
-            counts[without]++;
-        else
-            counts[next_taker(weights, counts, taker_count)]++;
+    int *firsts = mem_alloc((size_t)taker_count, sizeof *firsts), given = 0;
+    struct queue queue = queue_make(weights, firsts, taker_count);
+    while (given < thing_count && queue.count > 0 && weights[queue.takers[0]] > 0) {
+        counts[queue.takers[0]] = 1;
+        queue.takers[0] = queue.takers[--queue.count];
+        sink(&queue, 0);
+        given++;
+    }
+    mem_free(queue.takers, firsts);
+    queue = queue_make(weights, counts, taker_count);
+    for (; given < thing_count; given++)
+        take(&queue);
+    free(queue.takers);
 }
 
 /* As weights, whole shares come out as they are, and the first of a small one not at the front. */
@@ -37,11 +73,12 @@ static void spread(const int *counts, int taker_count, struct dealt *things, int
     int *got = mem_alloc((size_t)taker_count, sizeof *got);
     for (int i = 0; i < taker_count; i++)
         weights[i] = counts[i];
+    struct queue queue = queue_make(weights, got, taker_count);
     for (int i = 0; i < thing_count; i++) {
-        int taker = next_taker(weights, got, taker_count);
-        things[i] = (struct dealt){taker, got[taker]++};
+        int taker = take(&queue);
+        things[i] = (struct dealt){taker, got[taker] - 1};
     }
-    mem_free(weights, got);
+    mem_free(weights, got, queue.takers);
 }
 
 void deal(const double *weights, int taker_count, struct dealt *things, int thing_count,

@@ -78,6 +78,47 @@ static vec3s from_piece(const struct emission *emission, const struct ray_scene 
     return glms_vec3_scale(glms_vec3_mul(scattered, passes), share);
 }
 
+/* Lights of the tree for each sampler. */
+enum { AIRLIGHT_CHOICES = 8 };
+
+/* Samples a light of the tree by its light at some point of the ray, or evenly: all light along the
+ * ray has a chance. Returns its number, or -1; writes 1 over its probability. */
+static int choose_light(const struct emission *emission, const struct ray *ray,
+                        struct sampler *sampler, float *weight) {
+    float along = point_by_depth(ray, &emission->medium, sampler_next(sampler).x).along;
+    vec2s sample = sampler_next(sampler);
+    vec3s x = glms_vec3_muladds(ray->direction, along, ray->origin), anywhere = glms_vec3_zero();
+    float probability;
+    int count = emission->light_count, n = (int)(sample.y * (float)count);
+    if (sample.x < .5F)
+        n = light_tree_sample(&emission->tree, x.raw, anywhere.raw, sample.y, &probability);
+    if (n < 0)
+        return -1;
+    probability = light_tree_probability(&emission->tree, x.raw, anywhere.raw, n);
+    *weight = 1 / (.5F * probability + .5F / (float)count);
+    return n;
+}
+
+static vec3s from_source(const struct emission *emission, const struct ray_scene *rays,
+                         const struct ray *ray, int n, struct sampler *sampler) {
+    vec2s place = sampler_next(sampler);
+    struct emitter piece = emission_piece(emission, n, place);
+    return from_piece(emission, rays, ray, &piece, sampler_next(sampler).x);
+}
+
+static vec3s from_tree(const struct emission *emission, const struct ray_scene *rays,
+                       const struct ray *ray, struct sampler *sampler) {
+    vec3s sum = glms_vec3_zero();
+    float weight;
+    for (int i = 0; emission->has_tree && i < AIRLIGHT_CHOICES; i++) {
+        int n = choose_light(emission, ray, sampler, &weight);
+        if (n >= 0)
+            sum = glms_vec3_muladds(from_source(emission, rays, ray, n, sampler),
+                                    weight / AIRLIGHT_CHOICES, sum);
+    }
+    return sum;
+}
+
 vec3s airlight_along(const struct emission *emission, const struct ray_scene *rays, vec3s origin,
                      vec3s direction, float length, const struct sampler *samplers, int count) {
     struct ray ray = {origin, direction, {0}};
@@ -86,12 +127,9 @@ vec3s airlight_along(const struct emission *emission, const struct ray_scene *ra
         return sum;
     for (int i = 0; i < count; i++) {
         struct sampler sampler = samplers[i];
-        for (int n = 0; n < emission->count; n++) {
-            vec2s place = sampler_next(&sampler);
-            struct emitter piece = emission_piece(emission, n, place);
-            sum = glms_vec3_add(sum,
-                                from_piece(emission, rays, &ray, &piece, sampler_next(&sampler).x));
-        }
+        sum = glms_vec3_add(sum, from_tree(emission, rays, &ray, &sampler));
+        for (int n = emission->has_tree ? emission->light_count : 0; n < emission->count; n++)
+            sum = glms_vec3_add(sum, from_source(emission, rays, &ray, n, &sampler));
     }
     return glms_vec3_scale(sum, 1 / (float)count);
 }

@@ -18,6 +18,7 @@ struct light_vertex {
     vec3s position, normal; /* geometric normal, on the light's side */
     vec3s radiance;         /* reflected by a Lambertian surface, W/(sr m2) */
     float density;          /* density of light rays there, 1/m2; 0: reflects none */
+    float chosen;           /* how often its light is chosen there on average */
     float found;            /* as in struct arrival */
     bool diffuse;           /* else the reflection is in a light_specular */
 };

@@ -8,12 +8,12 @@ enum { LIGHTS_PER_VERTEX = 4 };
 /* --- by way of light vertices ----------------------------------------------------------------- */
 
 /* Of a light vertex among the ways to it: the ray that x samples finds it, with that density, and
- * then the light is picked, or found by a sampled ray, too. The power heuristic with exponent 2
- * [Veach 1997, §9.2.4]: of the weights tried, the best on scenes where light bounces off small
- * patches. */
-static float vertex_weight(float density, float p_ray, float light_found) {
-    float picked = p_ray / density; /* the densities' squares could overflow */
-    float found = picked * light_found;
+ * then the light is picked, so often on average, or found by a sampled ray, too. The power
+ * heuristic with exponent 2 [Veach 1997, §9.2.4]: of the weights tried, the best on scenes where
+ * light bounces off small patches. */
+static float vertex_weight(float density, float p_ray, float chosen, float light_found) {
+    float ray = p_ray / density; /* the densities' squares could overflow */
+    float picked = ray * chosen, found = ray * light_found;
     return 1 / (1 + picked * picked + found * found);
 }
 
@@ -52,9 +52,10 @@ static vec3s sent_to(const struct light_vertices *lights, uint32_t i, const stru
 static struct reflected from_light_vertex(const struct light_vertices *lights, uint32_t i,
                                           const struct hit *x, float p_cosine) {
     float light_found, p_light = LIGHTS_PER_VERTEX * lights->items[i].density, p_ray = p_cosine;
+    float chosen = lights->items[i].chosen;
     vec3s radiance = sent_to(lights, i, x, &light_found);
     if (x->brdf.diffuse) {
-        float share = p_cosine / p_light * vertex_weight(p_light, p_ray, light_found);
+        float share = p_cosine / p_light * vertex_weight(p_light, p_ray, chosen, light_found);
         return (struct reflected){.diffuse = glms_vec3_scale(radiance, share)};
     }
     vec3s to_y = vec3s_unit(glms_vec3_sub(lights->items[i].position, x->position));
@@ -63,8 +64,8 @@ static struct reflected from_light_vertex(const struct light_vertices *lights, u
         return (struct reflected){0};
     struct brdf_value value = brdf_eval(&x->brdf, x->normal, x->towards, to_y);
     p_ray *= hit_density(x, to_y, cosine) / (cosine * GLM_1_PIf);
-    vec3s light =
-        glms_vec3_scale(radiance, p_cosine / p_light * vertex_weight(p_light, p_ray, light_found));
+    float share = p_cosine / p_light * vertex_weight(p_light, p_ray, chosen, light_found);
+    vec3s light = glms_vec3_scale(radiance, share);
     return (struct reflected){
         glms_vec3_scale(light, value.diffuse),
         glms_vec3_scale(glms_vec3_mul(light, value.specular), GLM_PIf),
@@ -177,16 +178,21 @@ static float step_density(const struct hit *x, const struct step *step) {
  * quarter of the rays. p_ray: step_density's. */
 static vec3s from_ray(const struct ray_scene *rays, const struct emission *emission,
                       const struct hit *y, float p_ray, struct sampler *sampler) {
-    struct reservoir reservoir = {.pick = emission->count > 1 ? sampler_next(sampler).x : 0};
+    vec2s picks = emission->count > 1 ? sampler_next(sampler) : (vec2s){{0, 0}};
+    struct reservoir reservoir = {.pick = picks.x};
     vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
-    for (int n = 0; n < emission->count; n++) {
+    struct light_choice choices[CHOICES_MAX];
+    int count = emission_choose(emission, y, picks.y, PATH_CHOICES, choices);
+    for (int i = 0; i < count; i++) {
+        int n = choices[i].n;
         struct arrival arrival;
         if (!emission_reach(emission, n, emission_place(emission, n, sample, y), y, &arrival))
             continue;
-        float p_light = LIGHTS_PER_VERTEX * arrival.density / p_ray;
+        float weight = choices[i].weight, p_light = LIGHTS_PER_VERTEX * arrival.density / p_ray;
+        arrival.found *= weight;
+        weight *= emission_picked_weight(&arrival, weight * p_light);
         struct reflected given = {.diffuse =
-                                      glms_vec3_scale(emission_reflected(y, &arrival),
-                                                      emission_picked_weight(&arrival, p_light))};
+                                      glms_vec3_scale(emission_reflected(y, &arrival), weight)};
         reservoir_offer(&reservoir, &given, arrival.at);
     }
     return reservoir_light(&reservoir, rays, y).diffuse;
@@ -196,13 +202,17 @@ static vec3s from_ray(const struct ray_scene *rays, const struct emission *emiss
 static vec3s from_found_light(const struct ray_scene *rays, const struct emission *emission,
                               const struct hit *y, const struct step *next, float p_ray) {
     vec3s sum = glms_vec3_zero();
-    for (int n = 0; next->leaves && n < emission->count; n++) {
+    for (int n = emission_next_met(emission, y, next->direction, -1);
+         next->leaves && n < emission->count;
+         n = emission_next_met(emission, y, next->direction, n)) {
         struct arrival arrival;
         if (!emission_found(emission, rays, n, y, next->direction, &next->end, next->hits,
                             &arrival))
             continue;
+        float weight = emission_choice_weight(emission, y, PATH_CHOICES, n), found = arrival.found;
         float p_light = LIGHTS_PER_VERTEX * arrival.density / p_ray;
-        float share = emission_found_weight(&arrival, p_light) / arrival.found;
+        arrival.found *= weight;
+        float share = emission_found_weight(&arrival, weight * p_light) / found;
         sum = glms_vec3_add(sum, glms_vec3_scale(emission_reflected(y, &arrival), share));
     }
     return sum;

@@ -336,11 +336,12 @@ static double estimate_noise(const struct tracer *tracer) {
     return mean_sum > 0 ? sqrt(variance_sum / values) / (mean_sum / values) : 0;
 }
 
-/* The same of the direct light, which has noise where a light has a size. */
+/* The same of the direct light, which has noise where a light has a size or lights are sampled. */
 static double estimate_direct_noise(const struct tracer *tracer) {
     size_t pixel_count = (size_t)tracer->desc.width * (size_t)tracer->desc.height;
     double mean_sum = 0, variance_sum = 0;
-    for (size_t i = 0; tracer->emission.has_sizes && i < pixel_count; i++) {
+    bool is_noisy = tracer->emission.has_sizes || tracer->emission.has_tree;
+    for (size_t i = 0; is_noisy && i < pixel_count; i++) {
         struct film_direct_estimate estimate = film_pixel_estimate_direct(&tracer->pixels[i]);
         double alpha = (double)tracer->pixels[i].coverage / tracer->done;
         mean_sum += alpha * estimate.mean;

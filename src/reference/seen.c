@@ -1,5 +1,8 @@
 #include "reference/seen.h"
 
+/* Lights of the tree for one surface. */
+enum { SEEN_CHOICES = 32 };
+
 /* What the light would give from four places, always the same: from its middle alone, one that is
  * half below the horizon might count for nothing. */
 static vec3s rough_light(const struct emission *emission, int n, const struct hit *hit) {
@@ -37,10 +40,11 @@ static void look(const struct emission *emission, int n, const struct ray_scene 
     tally->do_arrive += glms_vec3_hadd(passes) / 3;
 }
 
-static void add_light(struct seen *seen, const struct emission *emission, int n,
-                      const struct ray_scene *rays, const struct hit *hit,
-                      const struct sampler *samplers, int count) {
+static void add_light(struct seen *seen, const struct emission *emission,
+                      struct light_choice choice, const struct ray_scene *rays,
+                      const struct hit *hit, const struct sampler *samplers, int count) {
     struct tally tally = {0};
+    int n = choice.n;
     vec3s light = glms_vec3_zero();
     for (int i = 0; i < count; i++) {
         struct sampler sampler = samplers[i];
@@ -49,10 +53,11 @@ static void add_light(struct seen *seen, const struct emission *emission, int n,
         light = glms_vec3_add(light, unshadowed(emission, n, hit, sample));
         look(emission, n, rays, hit, sample, &tally);
     }
-    seen->unshadowed = glms_vec3_muladds(light, GLM_1_PIf / (float)count, seen->unshadowed);
+    seen->unshadowed =
+        glms_vec3_muladds(light, choice.weight * GLM_1_PIf / (float)count, seen->unshadowed);
     if (tally.could == 0)
         return;
-    vec3s weight = rough_light(emission, n, hit);
+    vec3s weight = glms_vec3_scale(rough_light(emission, n, hit), choice.weight);
     seen->all = glms_vec3_add(seen->all, weight);
     seen->visible = glms_vec3_muladds(weight, tally.do_arrive / tally.could, seen->visible);
 }
@@ -60,8 +65,13 @@ static void add_light(struct seen *seen, const struct emission *emission, int n,
 struct seen seen_from(const struct emission *emission, const struct ray_scene *rays,
                       const struct hit *hit, const struct sampler *samplers, int count) {
     struct seen seen = {0};
-    for (int n = 0; n < emission->count; n++)
-        add_light(&seen, emission, n, rays, hit, samplers,
-                  emission_has_size(emission, n) ? count : 1);
+    struct light_choice choices[CHOICES_MAX];
+    struct sampler sampler = *samplers;
+    sampler.pair += (uint32_t)emission->count;
+    float random = emission->has_tree ? sampler_next(&sampler).x : 0;
+    int chosen = emission_choose(emission, hit, random, SEEN_CHOICES, choices);
+    for (int i = 0; i < chosen; i++)
+        add_light(&seen, emission, choices[i], rays, hit, samplers,
+                  emission_has_size(emission, choices[i].n) ? count : 1);
     return seen;
 }

@@ -7,6 +7,7 @@
 
 #include "base/memory.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -48,6 +49,17 @@ static void add_lights(struct emission *emission, const struct emitters *emitter
             (struct source){.light = *light, .solid_angle = (float)emitter_solid_angle(light)};
         emission->has_sizes |= emitter_shape(light) != EMITTER_IS_POINT;
     }
+    emission->light_count = emission->count;
+    emission->has_tree = emission->count > LIGHTS_ALL_MAX;
+}
+
+static void build_tree(struct emission *emission) {
+    size_t count = (size_t)emission->light_count;
+    struct light_bounds *bounds = mem_alloc(count, sizeof *bounds);
+    for (size_t i = 0; i < count; i++)
+        bounds[i] = light_bounds_of(&emission->sources[i].light);
+    light_tree_init(&emission->tree, bounds, emission->light_count);
+    free(bounds);
 }
 
 static int add_found(struct emission *emission, enum source_kind kind) {
@@ -68,6 +80,8 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
     if (table)
         surfaces_init(&emission->surfaces, table, emitters);
     add_lights(emission, emitters);
+    if (emission->has_tree)
+        build_tree(emission);
     if (emission->surfaces.count > 0)
         emission->surfaces_number = add_found(emission, SOURCE_SURFACES);
     if (emitters->sky && sky_init(&emission->sky, emitters->sky))
@@ -79,8 +93,45 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
 void emission_free(struct emission *emission) {
     mem_free(emission->sources, emission->rays);
     surfaces_free(&emission->surfaces);
+    light_tree_free(&emission->tree);
     sky_free(&emission->sky);
     *emission = (struct emission){0};
+}
+
+/* --- choices ---------------------------------------------------------------------------------- */
+
+int emission_choose(const struct emission *emission, const struct hit *hit, float random, int most,
+                    struct light_choice choices[CHOICES_MAX]) {
+    struct light_sample samples[LIGHT_SAMPLES_MAX];
+    int count = 0;
+    if (emission->has_tree)
+        count = light_tree_sample_some(&emission->tree, hit->position.raw, hit->normal.raw, random,
+                                       most, samples);
+    for (int i = 0; i < count; i++)
+        choices[i] =
+            (struct light_choice){samples[i].light, 1 / ((float)most * samples[i].probability)};
+    for (int n = emission->has_tree ? emission->light_count : 0; n < emission->count; n++)
+        choices[count++] = (struct light_choice){n, 1};
+    return count;
+}
+
+float emission_choice_weight(const struct emission *emission, const struct hit *hit, int most,
+                             int n) {
+    if (!emission->has_tree || n >= emission->light_count)
+        return 1;
+    float probability =
+        light_tree_probability(&emission->tree, hit->position.raw, hit->normal.raw, n);
+    return probability > 0 ? 1 / ((float)most * probability) : FLT_MAX;
+}
+
+int emission_next_met(const struct emission *emission, const struct hit *hit, vec3s direction,
+                      int n) {
+    if (!emission->has_tree || n >= emission->light_count)
+        return n + 1;
+    bool meets = emission->has_sizes && !hit->brdf.diffuse;
+    int met =
+        meets ? light_tree_next_met(&emission->tree, n, hit->position.raw, direction.raw) : -1;
+    return met < 0 ? emission->light_count : met;
 }
 
 bool emission_has_size(const struct emission *emission, int n) {
@@ -357,7 +408,7 @@ vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival) {
 
 static struct reflected direct_from(const struct emission *emission, int n,
                                     const struct ray_scene *rays, const struct hit *hit,
-                                    vec2s sample) {
+                                    vec2s sample, float weight) {
     struct arrival arrival;
     vec2s place = emission_place(emission, n, sample, hit);
     if (!emission_reach(emission, n, place, hit, &arrival))
@@ -366,7 +417,8 @@ static struct reflected direct_from(const struct emission *emission, int n,
     if (glms_vec3_max(passes) <= 0)
         return (struct reflected){0};
     arrival.irradiance = glms_vec3_mul(arrival.irradiance, passes);
-    return reflect(hit, &arrival, emission_picked_weight(&arrival, 0));
+    arrival.found *= weight;
+    return reflect(hit, &arrival, weight * emission_picked_weight(&arrival, 0));
 }
 
 /* Of emissive surfaces half may face away, and what is near counts most: so several places are
@@ -398,17 +450,34 @@ static struct reflected direct_by_ray(const struct emission *emission, const str
     if (glms_vec3_dot(direction, hit->geometric_normal) <= 0)
         return sum;
     bool ends = ray_scene_hit(rays, ray_scene_departure(rays, hit), direction, &end);
-    for (int n = 0; n < emission->count; n++) {
+    for (int n = emission_next_met(emission, hit, direction, -1); n < emission->count;
+         n = emission_next_met(emission, hit, direction, n)) {
         struct arrival arrival;
         if (!emission_found(emission, rays, n, hit, direction, &end, ends, &arrival))
             continue;
-        float share = emission_found_weight(&arrival, 0) / arrival.found;
-        sum = add(sum, reflect(hit, &arrival, share));
+        float found = arrival.found;
+        arrival.found *= emission_choice_weight(emission, hit, DIRECT_CHOICES, n);
+        sum = add(sum, reflect(hit, &arrival, emission_found_weight(&arrival, 0) / found));
     }
     return sum;
 }
 
-/* The mean over samplers; n = the count of sources: by rays that may come to any. */
+/* Of lights of the tree, by one place of each choice. */
+static struct reflected direct_of_choices(const struct emission *emission,
+                                          const struct ray_scene *rays, const struct hit *hit,
+                                          struct sampler *sampler) {
+    struct light_choice choices[CHOICES_MAX];
+    struct reflected sum = {0};
+    int count = emission_choose(emission, hit, sampler_next(sampler).x, DIRECT_CHOICES, choices);
+    for (int i = 0; i < count && choices[i].n < emission->light_count; i++) {
+        vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
+        sum = add(sum, direct_from(emission, choices[i].n, rays, hit, sample, choices[i].weight));
+    }
+    return sum;
+}
+
+/* The mean over samplers; n = -1: of the lights of the tree; n = the count of sources: by rays that
+ * may come to any. */
 static struct reflected direct_of_many(const struct emission *emission, int n,
                                        const struct ray_scene *rays, const struct hit *hit,
                                        const struct sampler *samplers, int count) {
@@ -416,12 +485,14 @@ static struct reflected direct_of_many(const struct emission *emission, int n,
     for (int i = 0; i < count; i++) {
         struct sampler sampler = samplers[i];
         sampler.pair += (uint32_t)n;
-        if (n == emission->count)
+        if (n < 0)
+            light = direct_of_choices(emission, rays, hit, &sampler);
+        else if (n == emission->count)
             light = direct_by_ray(emission, rays, hit, sampler_next(&sampler));
         else if (n == emission->surfaces_number)
             light = direct_resampled(emission, n, rays, hit, &sampler);
         else
-            light = direct_from(emission, n, rays, hit, sampler_next(&sampler));
+            light = direct_from(emission, n, rays, hit, sampler_next(&sampler), 1);
         sum = add(sum, light);
     }
     return scale(sum, 1 / (float)count);
@@ -431,9 +502,11 @@ struct reflected emission_direct(const struct emission *emission, const struct r
                                  const struct hit *hit, const struct sampler *samplers, int count) {
     int ways = emission_can_be_found(emission, hit) ? emission->count + 1 : emission->count;
     struct reflected sum = {0}, light;
-    for (int n = 0; n < ways; n++) {
+    if (emission->has_tree)
+        sum = direct_of_many(emission, -1, rays, hit, samplers, count);
+    for (int n = emission->has_tree ? emission->light_count : 0; n < ways; n++) {
         if (n < emission->count && !emission_has_size(emission, n))
-            light = direct_from(emission, n, rays, hit, (vec2s){{0, 0}});
+            light = direct_from(emission, n, rays, hit, (vec2s){{0, 0}}, 1);
         else
             light = direct_of_many(emission, n, rays, hit, samplers, count);
         sum = add(sum, light);

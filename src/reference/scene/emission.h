@@ -9,8 +9,18 @@
 #include "reference/scene/sky.h"
 #include "reference/scene/surfaces.h"
 #include "scene/lights/emitter.h"
+#include "scene/lights/light_tree.h"
 
 enum source_kind { SOURCE_LIGHT, SOURCE_SURFACES, SOURCE_SKY };
+
+/* Most lights that all count at each surface. More are sampled by a tree: so many for a sampler of
+ * direct light, for a vertex of a path; and at most at once. */
+enum {
+    LIGHTS_ALL_MAX = 64,
+    DIRECT_CHOICES = 8,
+    PATH_CHOICES = 8,
+    CHOICES_MAX = LIGHTS_ALL_MAX + 2
+};
 
 struct source {
     enum source_kind kind;
@@ -20,8 +30,10 @@ struct source {
 };
 
 struct emission {
-    struct source *sources;
-    int count;
+    struct source *sources; /* lights come first */
+    int count, light_count;
+    bool has_tree; /* lights are sampled */
+    struct light_tree tree;
     struct surfaces surfaces;
     struct sky sky;
     int surfaces_number, sky_number; /* indices of these sources; -1: none */
@@ -47,6 +59,12 @@ struct arrival {
     float found; /* density of rays of the reflection at the place, over `picked` */
 };
 
+/* A source that counts at a surface. */
+struct light_choice {
+    int n;
+    float weight; /* 1 over how often it is chosen on average; 1: always */
+};
+
 /* Makes the sources, with ray_count light rays (or none). `table` must outlive it and has the
  * emissive surfaces; NULL: their approximating lights are used. A black environment is no source.
  * The medium is empty; set it afterwards. */
@@ -55,6 +73,20 @@ void emission_init(struct emission *emission, const struct emitters *emitters,
 
 /* Accepts a zeroed object. */
 void emission_free(struct emission *emission);
+
+/* Chooses the sources that count at a surface: all, or `most` samples of the lights by the tree,
+ * stratified, and the others. Returns their number. random: in [0, 1). */
+int emission_choose(const struct emission *emission, const struct hit *hit, float random, int most,
+                    struct light_choice choices[CHOICES_MAX]);
+
+/* Returns the weight of the n-th source among emission_choose's. */
+float emission_choice_weight(const struct emission *emission, const struct hit *hit, int most,
+                             int n);
+
+/* Returns the next source after n (-1: the first) that a ray of the surface's reflection may meet;
+ * `count` after the last. */
+int emission_next_met(const struct emission *emission, const struct hit *hit, vec3s direction,
+                      int n);
 
 /* True if the n-th light has more than one place. */
 bool emission_has_size(const struct emission *emission, int n);
@@ -101,7 +133,8 @@ float emission_picked_weight(const struct arrival *arrival, float other_density)
 vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival);
 
 /* Returns the reflected direct light of all lights. Shadow rays: one to a point light; `count` to
- * others, and `count` of the reflection if they can hit a light. */
+ * others, and `count` of the reflection if they can hit a light. With a tree: DIRECT_CHOICES times
+ * `count` to lights. */
 struct reflected emission_direct(const struct emission *emission, const struct ray_scene *rays,
                                  const struct hit *hit, const struct sampler *samplers, int count);
 

@@ -21,6 +21,9 @@ enum {
 /* Least side of a box in costs, over the longest side of its parent's: lamps may lie in a line. */
 static const float least_side = .01F;
 
+/* Greatest number below 1. */
+static const float below_one = 1 - FLT_EPSILON / 2;
+
 /* Least power of a light that shines, over the sum of all: importances stay above 0. */
 static const float least_power = 1e-12F;
 
@@ -293,22 +296,61 @@ static bool first_of_pair(const struct light_node *pair, const float position[3]
     return sum > 0;
 }
 
+/* Samples that go on from a node: their random numbers, and the probability of the node. */
+struct walk {
+    int node, first, end;
+    float probability;
+};
+
+/* Leads the samples of a walk to both children, and leaves those of the second for later. Returns
+ * how many walks there are then. */
+static int split_walk(const struct light_tree *tree, struct walk *walks, int count, float first,
+                      float *random) {
+    struct walk *walk = &walks[count - 1], second = *walk;
+    int child = tree->nodes[walk->node].link;
+    float rest = 1 - first;
+    for (; second.first < walk->end && random[second.first] < first; second.first++)
+        random[second.first] = float_min(random[second.first] / first, below_one);
+    for (int i = second.first; i < walk->end; i++)
+        random[i] = float_min((random[i] - first) / rest, below_one);
+    second.node = child + 1;
+    second.probability *= rest;
+    *walk = (struct walk){child, walk->first, second.first, walk->probability * first};
+    count -= walk->first == walk->end;
+    if (second.first < second.end)
+        walks[count++] = second;
+    return count;
+}
+
+int light_tree_sample_some(const struct light_tree *tree, const float position[3],
+                           const float normal[3], float random, int count,
+                           struct light_sample *samples) {
+    struct walk walks[LIGHT_SAMPLES_MAX] = {{0, 0, count, 1}};
+    float randoms[LIGHT_SAMPLES_MAX], first;
+    int found = 0, left = tree->node_count > 0;
+    for (int i = 0; i < count; i++)
+        randoms[i] = ((float)i + random) / (float)count;
+    while (left > 0) {
+        struct walk *walk = &walks[left - 1];
+        int link = tree->nodes[walk->node].link;
+        if (link >= 0) {
+            bool arrives = first_of_pair(&tree->nodes[link], position, normal, &first);
+            left = arrives ? split_walk(tree, walks, left, first, randoms) : left - 1;
+            continue;
+        }
+        for (int i = walk->first; i < walk->end; i++)
+            samples[found++] = (struct light_sample){-1 - link, walk->probability};
+        left--;
+    }
+    return found;
+}
+
 int light_tree_sample(const struct light_tree *tree, const float position[3], const float normal[3],
                       float random, float *probability) {
-    int node = 0;
-    *probability = 1;
-    while (node < tree->node_count && tree->nodes[node].link >= 0) {
-        int child = tree->nodes[node].link;
-        float first;
-        if (!first_of_pair(&tree->nodes[child], position, normal, &first))
-            return -1;
-        bool is_first = random < first;
-        float part = is_first ? first : 1 - first;
-        random = float_min((is_first ? random : random - first) / part, 1 - FLT_EPSILON / 2);
-        *probability *= part;
-        node = is_first ? child : child + 1;
-    }
-    return node < tree->node_count ? -1 - tree->nodes[node].link : -1;
+    struct light_sample sample = {-1, 0};
+    light_tree_sample_some(tree, position, normal, random, 1, &sample);
+    *probability = sample.probability;
+    return sample.light;
 }
 
 float light_tree_probability(const struct light_tree *tree, const float position[3],
@@ -321,4 +363,40 @@ float light_tree_probability(const struct light_tree *tree, const float position
         probability *= node % 2 == 0 ? first : 1 - first;
     }
     return probability;
+}
+
+/* --- rays ------------------------------------------------------------------------------------- */
+
+/* Whether a ray may meet the ball around a node's box. */
+static bool may_meet(const struct light_node *node, const float origin[3],
+                     const float direction[3]) {
+    bool is_distant = node->reach <= 0;
+    vec3 to;
+    glm_vec3_sub((float *)node->center, (float *)(is_distant ? direction : origin), to);
+    float radius = 1.0001F * node->radius + 1e-6F * glm_vec3_norm(to); /* with rounding */
+    float along = is_distant ? 0 : fmaxf(glm_vec3_dot(to, (float *)direction), 0);
+    glm_vec3_muladds((float *)direction, -along, to);
+    return glm_vec3_norm2(to) <= radius * radius;
+}
+
+int light_tree_next_met(const struct light_tree *tree, int light, const float origin[3],
+                        const float direction[3]) {
+    int node = light < 0 ? 0 : tree->leaves[light];
+    bool enters = light < 0;
+    while (tree->node_count > 0) {
+        int link = tree->nodes[node].link;
+        if (enters && (node == 0 || may_meet(&tree->nodes[node], origin, direction))) {
+            if (link < 0)
+                return -1 - link;
+            node = link;
+            continue;
+        }
+        while (node % 2 == 1)
+            node = tree->parents[node / 2];
+        if (node == 0)
+            return -1;
+        node++;
+        enters = true;
+    }
+    return -1;
 }

@@ -40,8 +40,27 @@ float light_node_importance(const struct light_node *node, const float position[
 int light_tree_sample(const struct light_tree *tree, const float position[3], const float normal[3],
                       float random, float *probability);
 
+/* A light, and the probability of one sample of it. */
+struct light_sample {
+    int light;
+    float probability;
+};
+enum { LIGHT_SAMPLES_MAX = 64 };
+
+/* Samples several lights at once, stratified, and faster than one by one: sample i of count, at
+ * most LIGHT_SAMPLES_MAX, is light_tree_sample's by (i + random) / count. Returns how many have a
+ * light. */
+int light_tree_sample_some(const struct light_tree *tree, const float position[3],
+                           const float normal[3], float random, int count,
+                           struct light_sample *samples);
+
 /* Returns the probability with which light_tree_sample returns the light. */
 float light_tree_probability(const struct light_tree *tree, const float position[3],
                              const float normal[3], int light);
+
+/* Returns the next light after `light` (-1: the first), in the tree's order, whose box a ray with a
+ * unit direction may meet; -1: none. */
+int light_tree_next_met(const struct light_tree *tree, int light, const float origin[3],
+                        const float direction[3]);
 
 #endif
