@@ -53,7 +53,7 @@ void gbuffer_free(struct gbuffer *gbuffer) {
 
 void rsm_add(struct pass_state *state, const struct gbuffer rsm[LIGHT_MAP_KINDS]) {
     for (GLuint kind = 0; kind < LIGHT_MAP_KINDS; kind++) {
-        const struct gbuffer *maps = &rsm[rsm[kind].layers ? kind : !kind];
+        const struct gbuffer *maps = &rsm[rsm[kind].depth.id ? kind : !kind];
         pass_add_texture(state, UNIT_RSM_DEPTH + kind, maps->depth.id);
         pass_add_texture(state, UNIT_RSM_NORMAL + kind, maps->normal.id);
         pass_add_texture(state, UNIT_RSM_ALBEDO + kind, maps->albedo.id);

@@ -303,6 +303,13 @@ static bool init_tree(struct many_lights *lights) {
     return !asks || caster_pool_acquire_tree(lights->casters, &lights->tree);
 }
 
+/* Samplers must have textures, even if no light has a map. */
+static bool init_blank_rsm(struct gbuffer *rsm, bool has_specular) {
+    bool ok = gbuffer_init(rsm, &(struct gbuffer_desc){"rsm", 1, 1, 1, false, has_specular, false});
+    rsm->layers = 0;
+    return ok;
+}
+
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
     const struct light_layout *layout = desc->lights;
     bool ok = true, has_specular = lights->specular == SPECULAR_RAYS;
@@ -313,6 +320,8 @@ static bool init_rsm(struct many_lights *lights, const struct technique_desc *de
              gbuffer_init(&lights->rsm[kind], &(struct gbuffer_desc){"rsm", texels, texels, layers,
                                                                      false, has_specular, facets});
     }
+    if (layout->views[LIGHT_MAP_SINGLE] + layout->views[LIGHT_MAP_FACE] == 0)
+        ok = init_blank_rsm(&lights->rsm[LIGHT_MAP_SINGLE], has_specular);
     return ok;
 }
 

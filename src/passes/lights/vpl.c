@@ -47,11 +47,7 @@ bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc) {
     size_t size = (size_t)desc->count * sizeof *pass->points;
     pass->points = mem_alloc((size_t)desc->count, sizeof *pass->points);
     if (!init_programs(pass) || !buffer_init(&pass->samples, "Halton points", size, NULL) ||
-        !buffer_init(&pass->shares, "shares of VPLs", sizeof(struct vpl_share_block), NULL) ||
-        !texture_init(&pass->no_maps, &(struct texture_desc){.label = "no maps",
-                                                             .target = GL_TEXTURE_2D_ARRAY,
-                                                             .format = GL_R8,
-                                                             .width = 1})) {
+        !buffer_init(&pass->shares, "shares of VPLs", sizeof(struct vpl_share_block), NULL)) {
         vpl_pass_free(pass);
         return false;
     }
@@ -66,7 +62,6 @@ void vpl_pass_free(struct vpl_pass *pass) {
     programs_free(&pass->program, &pass->sums_program);
     vertex_array_free(&pass->vertices);
     buffers_free(&pass->samples, &pass->shares);
-    texture_free(&pass->no_maps);
     free(pass->points);
     *pass = (struct vpl_pass){0};
 }
@@ -177,18 +172,6 @@ void vpl_pass_sum_up(const struct vpl_pass *pass, const struct vpl_buffer *vpls)
     pass_draw(GL_POINTS, vpls->count, 1);
 }
 
-/* A sampler must have a texture, even if no light is there to look it up. */
-static void add_maps(const struct vpl_pass *pass, struct pass_state *state,
-                     const struct gbuffer rsm[LIGHT_MAP_KINDS]) {
-    const struct gbuffer none = {.depth = pass->no_maps,
-                                 .normal = pass->no_maps,
-                                 .albedo = pass->no_maps,
-                                 .specular = pass->no_maps};
-    const struct gbuffer blank[LIGHT_MAP_KINDS] = {none, none};
-    bool lit = rsm[LIGHT_MAP_SINGLE].layers || rsm[LIGHT_MAP_FACE].layers;
-    rsm_add(state, lit ? rsm : blank);
-}
-
 void vpl_pass_share_out(struct vpl_pass *pass, const struct frame *frame) {
     follow_fluxes(pass, frame);
     write_shares(pass, frame);
@@ -210,7 +193,7 @@ void vpl_pass_render(const struct vpl_pass *pass, const struct frame *frame,
         light_rays_add(&state, rays);
     sampled_lights_add(frame->sampled, &state);
     frame_add_light(frame, &state);
-    add_maps(pass, &state, rsm);
+    rsm_add(&state, rsm);
     if (pass->desc.lobes)
         pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
     pass_begin(frame->timers, &state);

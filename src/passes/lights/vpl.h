@@ -43,7 +43,6 @@ struct vpl_pass {
     double fluxes[LIGHTS_MAX];     /* flux of each light at the last allocation, W */
     int counts[LIGHTS_MAX];        /* n of each */
     struct buffer samples, shares; /* the points; struct vpl_share_block, for BLOCK_VPL_SHARES */
-    struct texture no_maps;        /* stands in if a frame without light has no RSM */
 };
 
 bool vpl_pass_init(struct vpl_pass *pass, const struct vpl_desc *desc);
