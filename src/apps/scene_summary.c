@@ -158,18 +158,17 @@ static void print_size(struct json *json, const struct emitter *light) {
     }
 }
 
-static void print_name(struct json *json, const struct scene *scene, enum node_kind kind, int n) {
+static void print_name(struct json *json, int n, const char *name) {
     fact_count(json, "number", "  %lld", n);
-    fact_text(json, "name", "  %-20s ", node_name_carrying(scene, kind, n));
+    fact_text(json, "name", "  %-20s ", name);
 }
 
-static void print_light(struct json *json, const struct scene *scene, int n) {
-    struct emitter light;
-    emitter_place(&light, scene, n, 0);
-    const struct node *node = &scene->nodes[node_carrying(scene, NODE_LIGHT, n)];
-    const struct scene_light *source = &scene->lights[node->light];
+static void print_light(struct json *json, const struct scene *scene, int node,
+                        const struct emitter *placed) {
+    const struct scene_light *source = &scene->lights[scene->nodes[node].light];
+    const struct emitter light = *placed;
     bool is_sun = light.type == EMITTER_DIRECTIONAL;
-    print_name(json, scene, NODE_LIGHT, n);
+    print_name(json, light.number, node_shown_name(scene, NODE_LIGHT, node));
     fact_text(json, "type", "%s ", emitter_type_names[light.type]);
     fact_vector(json, is_sun ? "irradiance" : "intensity", "", light.intensity,
                 is_sun ? " W/m2" : " W/sr");
@@ -195,7 +194,7 @@ static void print_light(struct json *json, const struct scene *scene, int n) {
 static void print_camera(struct json *json, const struct scene *scene, int n) {
     struct camera camera;
     camera_place(&camera, scene, n, 0);
-    print_name(json, scene, NODE_CAMERA, n);
+    print_name(json, n, node_name_carrying(scene, NODE_CAMERA, n));
     fact_text(json, "type", "%s, ", camera.orthographic ? "orthographic" : "perspective");
     if (camera.orthographic)
         fact_number(json, "height", "%.4g m high", 2 * (double)camera.y_extent);
@@ -216,18 +215,41 @@ static void print_camera(struct json *json, const struct scene *scene, int n) {
 }
 
 /* As text the first hundred: each is looked for among all nodes. */
+/* Rows of a list. */
+static int rows_of(const struct json *json, int count) {
+    enum { MOST_ROWS = 100 };
+    return !json->out && count > MOST_ROWS ? MOST_ROWS : count;
+}
+
+static void close_list(struct json *json, int count) {
+    json_close(json, "]");
+    if (count > rows_of(json, count))
+        printf("  ... and %d more\n", count - rows_of(json, count));
+}
+
+static void print_lights(struct json *json, const struct scene *scene) {
+    struct emitters all = emitters_place(scene, 0);
+    open_list(json, "lights", all.count);
+    for (int node = 0, n = 0; n < rows_of(json, all.count); node++) {
+        if (scene->nodes[node].light < 0)
+            continue;
+        open_row(json);
+        print_light(json, scene, node, &all.items[n++]);
+        close_row(json);
+    }
+    close_list(json, all.count);
+    emitters_free(&all);
+}
+
 static void print_each(struct json *json, const char *noun, const struct scene *scene, int count,
                        void (*print)(struct json *json, const struct scene *scene, int n)) {
-    const int most = json->out ? count : 100;
     open_list(json, noun, count);
-    for (int n = 0; n < count && n < most; n++) {
+    for (int n = 0; n < rows_of(json, count); n++) {
         open_row(json);
         print(json, scene, n);
         close_row(json);
     }
-    json_close(json, "]");
-    if (count > most)
-        printf("  ... and %d more\n", count - most);
+    close_list(json, count);
 }
 
 static void print_sky(struct json *json, const struct environment *sky) {
@@ -254,7 +276,7 @@ static void print_medium(struct json *json, const struct medium *medium) {
 
 /* Counted as --light and --camera count them: by node. */
 static void print_placed(struct json *json, const struct scene *scene) {
-    print_each(json, "lights", scene, emitter_node_count(scene), print_light);
+    print_lights(json, scene);
     if (scene->environment)
         print_sky(json, scene->environment);
     if (medium_exists(&scene->medium))

@@ -141,39 +141,39 @@ static const char *carried_name(const struct scene *scene, enum node_kind kind, 
     return "";
 }
 
-/* As lists and messages call it. */
-static const char *shown_name(const struct scene *scene, enum node_kind kind, int node) {
+const char *node_shown_name(const struct scene *scene, enum node_kind kind, int node) {
     const char *name = scene->nodes[node].name;
     return *name ? name : carried_name(scene, kind, node);
 }
 
 const char *node_name_carrying(const struct scene *scene, enum node_kind kind, int n) {
-    return shown_name(scene, kind, node_carrying(scene, kind, n));
+    return node_shown_name(scene, kind, node_carrying(scene, kind, n));
 }
 
-static bool matches(const struct scene *scene, enum node_kind kind, int node, int n,
-                    const char *text) {
-    char *end;
-    long number = strtol(text, &end, 10);
+static bool matches(const struct scene *scene, enum node_kind kind, int node, const char *text) {
     return strcmp(scene->nodes[node].name, text) == 0 ||
-           strcmp(carried_name(scene, kind, node), text) == 0 || (!*end && number == n);
+           strcmp(carried_name(scene, kind, node), text) == 0;
 }
 
 int node_find_carrying(const struct scene *scene, enum node_kind kind, const char *text) {
     static const char *const nouns[] = {"mesh", "light", "camera"};
     enum { MOST_LISTED = 20 };
-    char list[MOST_LISTED * (SCENE_NAME_SIZE + 16)] = "";
+    char list[MOST_LISTED * (SCENE_NAME_SIZE + 16)] = "", *end;
+    long number = strtol(text, &end, 10);
     int n = 0;
     for (int node = 0; node < scene->node_count; node++) {
         if (node_carries(&scene->nodes[node], kind) < 0)
             continue;
-        if (*text && matches(scene, kind, node, n, text))
+        if (*text && (matches(scene, kind, node, text) || (!*end && number == n)))
             return n;
-        const char *name = shown_name(scene, kind, node);
-        size_t used = strlen(list);
-        if (n < MOST_LISTED)
-            snprintf(list + used, sizeof list - used, " %d%s%s", n, *name ? "=" : "", name);
         n++;
+    }
+    for (int node = 0, listed = 0; node < scene->node_count && listed < MOST_LISTED; node++) {
+        if (node_carries(&scene->nodes[node], kind) < 0)
+            continue;
+        const char *name = node_shown_name(scene, kind, node);
+        size_t used = strlen(list);
+        snprintf(list + used, sizeof list - used, " %d%s%s", listed++, *name ? "=" : "", name);
     }
     error_set("no %s '%s' (there is:%s)", nouns[kind], text, *list ? list : " none");
     return -1;

@@ -13,6 +13,9 @@ int node_count_carrying(const struct scene *scene, enum node_kind kind);
 /* Returns the n-th node with the contents, in node order, which must exist. */
 int node_carrying(const struct scene *scene, enum node_kind kind, int n);
 
+/* Returns the name of the node, or else the name of its contents of that kind. */
+const char *node_shown_name(const struct scene *scene, enum node_kind kind, int node);
+
 /* Returns the name of the n-th node with the contents, or else the name of its contents. It must
  * exist. */
 const char *node_name_carrying(const struct scene *scene, enum node_kind kind, int n);

@@ -198,10 +198,12 @@ bool camera_from_text(struct camera *camera, const struct scene *scene, const ch
 /* Marks all area lights; false where there is none. */
 static bool mark_area_lights(const struct scene *scene, bool *marked) {
     bool found = false;
-    for (int n = 0; n < emitter_node_count(scene); n++) {
-        int node = node_carrying(scene, NODE_LIGHT, n);
-        bool is_area = scene->lights[scene->nodes[node].light].type == EMITTER_AREA;
-        marked[n] |= is_area;
+    for (int node = 0, n = 0; node < scene->node_count; node++) {
+        int light = scene->nodes[node].light;
+        if (light < 0)
+            continue;
+        bool is_area = scene->lights[light].type == EMITTER_AREA;
+        marked[n++] |= is_area;
         found |= is_area;
     }
     return found;
@@ -365,6 +367,7 @@ void camera_to_text(const struct camera *camera, const struct scene *scene, int 
 }
 
 char *emitters_to_text(const struct emitters *emitters, const struct scene *scene, double time) {
+    struct emitters placed = emitters_place(scene, time);
     struct text text = {0};
     const char *separator = "";
     for (int i = 0; i < emitters->count; i++) {
@@ -372,7 +375,7 @@ char *emitters_to_text(const struct emitters *emitters, const struct scene *scen
         struct emitter before = emitter_new(light->type);
         char changes[PLACING_TEXT_SIZE] = "";
         if (light->number >= 0)
-            emitter_place(&before, scene, light->number, time);
+            before = placed.items[light->number];
         append_words(emitter_words, light, &before, changes);
         bool apart = *changes || light->number < 0;
         text_print(&text, "%s", apart && i ? "; " : separator);
@@ -384,5 +387,6 @@ char *emitters_to_text(const struct emitters *emitters, const struct scene *scen
     }
     if (emitters->sky)
         text_print(&text, "%ssky", separator);
+    emitters_free(&placed);
     return text.data;
 }

@@ -25,11 +25,13 @@ static void pose(struct viewer *viewer) {
     }
     if (!placed->camera_moved)
         place_camera(viewer);
+    struct emitters moved = emitters_place(&document->scene, placed->time);
     for (int i = 0; i < placed->emitters.count; i++) {
         struct emitter *light = &placed->emitters.items[i];
         if (!viewer_light_is_moved(viewer, i))
-            emitter_place(light, &document->scene, light->number, placed->time);
+            *light = moved.items[light->number];
     }
+    emitters_free(&moved);
     placed->posed_time = placed->time;
     viewer_touch(viewer);
 }

@@ -72,16 +72,16 @@ bool viewer_place_lights(struct viewer *viewer, const char *text) {
     struct placed *placed = &viewer->placed;
     if (!emitters_from_text(&placed->emitters, scene, text, placed->time))
         return false;
+    struct emitters before = emitters_place(scene, placed->time);
     placed->chosen_light = 0;
     placed->lights_moved = 0;
     for (int i = 0; i < placed->emitters.count && i < LIGHTS_MAX; i++) {
         const struct emitter *light = &placed->emitters.items[i];
-        struct emitter before;
-        if (light->number >= 0)
-            emitter_place(&before, scene, light->number, placed->time);
-        bool moved = light->number < 0 || memcmp(&before, light, sizeof before) != 0;
+        bool moved =
+            light->number < 0 || memcmp(&before.items[light->number], light, sizeof *light) != 0;
         placed->lights_moved |= (uint64_t)moved << i;
     }
+    emitters_free(&before);
     return true;
 }
 
