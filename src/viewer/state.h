@@ -207,7 +207,6 @@ struct viewer {
         char views[SESSION_VIEWS][PLACING_TEXT_SIZE]; /* that were kept: viewer/scene/placed.c */
         struct emitters emitters;                     /* that shine */
         int chosen_light;                             /* of them, which is moved and turned */
-        uint64_t lights_moved;                        /* by hand: a bit of each */
         double time, posed_time;                      /* of the animation, seconds */
     } placed;
     struct shown shown;

@@ -26,6 +26,7 @@ struct emitter {
     float cos_inner, cos_outer; /* spot */
     float range; /* greatest distance of its light, metres (KHR_lights_punctual); 0: infinite */
     int lamp, stands_in;       /* as in struct scene_light */
+    int moved;                 /* 1: by hand in the viewer, so that clips leave it; else 0 */
     const struct slide *slide; /* slide of a spot, owned by the scene; NULL: none */
 };
 

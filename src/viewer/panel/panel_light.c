@@ -12,16 +12,16 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { NAME_SIZE = SCENE_NAME_SIZE + 16 };
+/* Of more lights than have a list the number alone chooses one. */
+enum { NAME_SIZE = SCENE_NAME_SIZE + 16, NAMES_MAX = 64 };
 
 /* Which of those that shine, by the numbers of --light and info. */
 static void draw_choice(struct viewer *viewer) {
     const struct scene *scene = &viewer->document.scene;
     struct placed *placed = &viewer->placed;
-    char texts[LIGHTS_MAX][NAME_SIZE];
-    const char *names[LIGHTS_MAX];
-    int count = placed->emitters.count < LIGHTS_MAX ? placed->emitters.count : LIGHTS_MAX,
-        added = 0;
+    char texts[NAMES_MAX][NAME_SIZE];
+    const char *names[NAMES_MAX];
+    int all = placed->emitters.count, count = all <= NAMES_MAX ? all : 0, added = 0;
     for (int i = 0; i < count; i++) {
         const struct emitter *light = &placed->emitters.items[i];
         if (light->number < 0) {
@@ -32,11 +32,12 @@ static void draw_choice(struct viewer *viewer) {
         }
         names[i] = texts[i];
     }
-    bool moved = placed->lights_moved >> placed->chosen_light & 1;
+    bool moved = viewer_light(viewer)->moved;
     struct ui_row row = {.name = "light",
                          .help = "of those that shine, the one that is shown here",
                          .differs = moved && viewer_light(viewer)->number >= 0};
-    if (ui_choice(&row, &placed->chosen_light, names, count) == UI_RESET)
+    if ((count > 0 ? ui_choice(&row, &placed->chosen_light, names, count)
+                   : ui_int(&row, &placed->chosen_light, 0, all - 1)) == UI_RESET)
         viewer_reset_light(viewer);
 }
 
@@ -145,14 +146,12 @@ static bool draw_cone(struct emitter *light) {
 
 static void draw_additions(struct viewer *viewer) {
     static const char *const names[] = {"+ spot", "+ point", "+ sun", "+ area"};
-    ui_disabled_begin(viewer->placed.emitters.count >= LIGHTS_MAX);
     for (int type = EMITTER_SPOT; type <= EMITTER_AREA; type++) {
         if (type > EMITTER_SPOT)
             ui_same_line();
         if (ui_button(names[type], "a new light before the camera, as strong as the chosen one"))
             viewer_add_light(viewer, (enum emitter_type)type);
     }
-    ui_disabled_end();
 }
 
 static void draw_light(struct viewer *viewer) {

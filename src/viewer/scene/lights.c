@@ -15,11 +15,11 @@ struct emitter *viewer_light(const struct viewer *viewer) {
 }
 
 bool viewer_light_is_moved(const struct viewer *viewer, int i) {
-    return viewer->placed.emitters.items[i].number < 0 || (viewer->placed.lights_moved >> i & 1);
+    return viewer->placed.emitters.items[i].number < 0 || viewer->placed.emitters.items[i].moved;
 }
 
 void viewer_touch_light(struct viewer *viewer) {
-    viewer->placed.lights_moved |= (uint64_t)1 << viewer->placed.chosen_light;
+    viewer_light(viewer)->moved = 1;
     viewer_touch(viewer);
 }
 
@@ -28,7 +28,6 @@ void viewer_reset_light(struct viewer *viewer) {
     if (light->number < 0)
         return;
     emitter_place(light, &viewer->document.scene, light->number, viewer->placed.time);
-    viewer->placed.lights_moved &= ~((uint64_t)1 << viewer->placed.chosen_light);
     viewer_touch(viewer);
 }
 
@@ -76,8 +75,6 @@ static void place_ahead(const struct viewer *viewer, struct emitter *light) {
 void viewer_add_light(struct viewer *viewer, enum emitter_type type) {
     struct placed *placed = &viewer->placed;
     float radius = viewer->document.geometry.radius;
-    if (placed->emitters.count == LIGHTS_MAX)
-        return;
     struct emitter light = emitter_new(type);
     if (type == EMITTER_AREA)
         light.size[0] = light.size[1] = .2F * radius;
@@ -104,8 +101,6 @@ void viewer_remove_light(struct viewer *viewer) {
     int n = placed->chosen_light;
     if (!viewer_can_remove_light(viewer) || n >= emitters->count)
         return;
-    uint64_t below = ((uint64_t)1 << n) - 1, bits = placed->lights_moved;
-    placed->lights_moved = (bits & below) | (bits >> 1 & ~below);
     memmove(&emitters->items[n], &emitters->items[n + 1],
             (size_t)(emitters->count - n - 1) * sizeof *emitters->items);
     emitters->count--;

@@ -74,12 +74,10 @@ bool viewer_place_lights(struct viewer *viewer, const char *text) {
         return false;
     struct emitters before = emitters_place(scene, placed->time);
     placed->chosen_light = 0;
-    placed->lights_moved = 0;
-    for (int i = 0; i < placed->emitters.count && i < LIGHTS_MAX; i++) {
-        const struct emitter *light = &placed->emitters.items[i];
-        bool moved =
+    for (int i = 0; i < placed->emitters.count; i++) {
+        struct emitter *light = &placed->emitters.items[i];
+        light->moved =
             light->number < 0 || memcmp(&before.items[light->number], light, sizeof *light) != 0;
-        placed->lights_moved |= (uint64_t)moved << i;
     }
     emitters_free(&before);
     return true;

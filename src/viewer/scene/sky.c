@@ -33,10 +33,8 @@ static struct emitters with_sky(const struct viewer *viewer, const struct enviro
 /* Those that were moved keep their bits. */
 static void take_lights(struct viewer *viewer, struct emitters *lights) {
     struct placed *placed = &viewer->placed;
-    if (lights->count != placed->emitters.count) {
-        placed->lights_moved = 0;
+    if (lights->count != placed->emitters.count)
         placed->chosen_light = 0;
-    }
     emitters_free(&placed->emitters);
     placed->emitters = *lights;
 }
