@@ -2,6 +2,7 @@
 
 #include "base/memory.h"
 #include "direct/environment.h"
+#include "passes/frame.h"
 #include "passes/gather/blur.h"
 #include "passes/visibility/sampled_direct.h"
 
@@ -90,21 +91,28 @@ static void render_lights(void *state, const struct frame *frame) {
         sampled->others->render_lights(sampled->others_state, frame);
 }
 
+/* Passes after the first stay as they are: their mean is unbiased. */
+static const struct irradiance *blurred(const struct blur_pass *blur, const struct frame *frame,
+                                        const struct gbuffer *gbuffer,
+                                        const struct irradiance *source) {
+    if (frame->pass > 0)
+        return source;
+    blur_pass_render(blur, frame, gbuffer, &(struct blur_inputs){.source = source});
+    return &blur->blurred;
+}
+
 static void render_view(void *state, const struct frame *frame, const struct gbuffer *gbuffer) {
     struct sampled *sampled = state;
     const struct direct_method *others = sampled->others;
     const struct sampled_direct_pass *pass = &sampled->pass;
-    struct sampled_direct_inputs inputs = {.direct = others->light(sampled->others_state),
-                                           .irradiance = &sampled->blur.blurred,
-                                           .radiance = &sampled->specular_blur.blurred};
     others->render_view(sampled->others_state, frame, gbuffer);
     sampled_direct_pass_render(pass, frame, gbuffer);
-    blur_pass_render(&sampled->blur, frame, gbuffer,
-                     &(struct blur_inputs){.source = &pass->irradiance});
+    struct sampled_direct_inputs inputs = {
+        .direct = others->light(sampled->others_state),
+        .irradiance = blurred(&sampled->blur, frame, gbuffer, &pass->irradiance)};
     if (pass->desc.specular) {
         inputs.specular = others->specular(sampled->others_state);
-        blur_pass_render(&sampled->specular_blur, frame, gbuffer,
-                         &(struct blur_inputs){.source = &pass->radiance});
+        inputs.radiance = blurred(&sampled->specular_blur, frame, gbuffer, &pass->radiance);
     }
     sampled_direct_pass_add(pass, frame, &inputs);
 }

@@ -217,7 +217,7 @@ static void test_too_many(void **state) {
     struct emitter lights[LIGHTS_MAX + 1];
     open_stage(&stage, three_lights);
     struct renderer_desc desc =
-        desc_of(&stage, "unshadowed", "vpls=128 interleave=2 rsm-size=16 shadow-size=16", 8, 8);
+        desc_of(&stage, "imperfect-volume", "rsm-size=16 shadow-size=16", 8, 8);
     for (int i = 0; i <= LIGHTS_MAX; i++)
         lights[i] = stage.emitters.items[0];
     desc.emitters = (struct emitters){.items = lights, .count = LIGHTS_MAX + 1};

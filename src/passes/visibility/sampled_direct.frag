@@ -1,5 +1,5 @@
 // Direct light of lights that a tree samples, one ray each. A light whose probability is at least one sample's share counts
-// once. Light of the most probable lights is exact. All other light goes to a second target, for a blur: pixels of an 8 x 8
+// once. Light of the most probable lights is exact. All other light goes to a second target, for a blur: pixels of an 4 x 4
 // pattern divide the numbers that choose lights evenly.
 #include "passes/gather/receiver_facet.glsl"
 #include "lib/light_tree.glsl"
@@ -19,15 +19,15 @@ layout(location = TARGET_SAMPLED_SPECULAR) out vec4 radiance;
 #endif
 
 const float INVERSE_PI = 0.31830988618;
-const int PATTERN = 8, NEIGHBOURS = 8;
+const int PATTERN = 4, NEIGHBOURS = 8;
 
 // The pixel's place of its pattern, from 0 to 1: bits of x and y alternate from the last, so that near pixels differ most.
 float pattern_number(ivec2 pixel) {
     uvec2 at = uvec2(pixel % PATTERN);
     at.y ^= at.x;
     uint number = 0u;
-    for (uint bit = 0u; bit < 3u; bit++)
-        number |= ((at.y >> bit & 1u) << 1u | (at.x >> bit & 1u)) << (4u - 2u * bit);
+    for (uint bit = 0u; bit < 2u; bit++)
+        number |= ((at.y >> bit & 1u) << 1u | (at.x >> bit & 1u)) << (2u - 2u * bit);
     return (float(number) + 0.5) / float(PATTERN * PATTERN);
 }
 

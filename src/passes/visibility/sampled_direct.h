@@ -2,7 +2,7 @@
  * Yuksel 2020].
  *
  * Each pixel samples a few lights by the light tree and traces a ray to each. Lights that it takes
- * for sure are exact. For all others pixels of an 8 x 8 pattern take different samples, and the
+ * for sure are exact. For all others pixels of an 4 x 4 pattern take different samples, and the
  * caller's blur takes their mean. Pixels with few neighbours on their surface take more
  * samples. Cost: pixels x samples x (depth of the tree + a
  * ray). */
@@ -15,7 +15,7 @@
 struct frame;
 
 /* Radius of the blur: half the pattern, pixels. */
-enum { SAMPLED_DIRECT_RADIUS = 4 };
+enum { SAMPLED_DIRECT_RADIUS = 2 };
 
 struct sampled_direct_desc {
     int width, height;
@@ -56,7 +56,7 @@ void sampled_direct_pass_render(const struct sampled_direct_pass *pass, const st
 
 struct sampled_direct_inputs {
     const struct texture *direct, *specular; /* of all other lights, as pass->light and specular */
-    const struct irradiance *irradiance, *radiance; /* blurred */
+    const struct irradiance *irradiance, *radiance; /* blurred, or as rendered */
 };
 
 /* Fills pass->light and pass->specular with the sum. Timer "sampled lights". */

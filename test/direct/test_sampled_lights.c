@@ -1,0 +1,221 @@
+/* Lights without maps: more lights than have maps give the light that maps and paths find. */
+#include "render_support.h"
+
+#include "base/error.h"
+#include "base/halton.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { SIZE = 64, LIGHTS = 60 };
+
+static const char *const settings = "vpls=512 shadow-size=256 rsm-size=64";
+
+/* Stages of one room; its first light is a spot. */
+static void open_room(struct stage *stage) {
+    open_stage(stage, "scenes/cornell-box.glb");
+}
+
+static struct image render_with(const struct stage *stage, struct emitter *lights, int count,
+                                const char *technique) {
+    struct renderer_desc desc = desc_of(stage, technique, settings, SIZE, SIZE);
+    desc.emitters = (struct emitters){.items = lights, .count = count};
+    return render_layers(&desc);
+}
+
+/* Spreads lights over the upper half of the room, by powers of one to three. */
+static void spread_lights(const struct stage *stage, struct emitter *lights, int count,
+                          enum emitter_type type, const float size[2]) {
+    const struct geometry *room = &stage->geometry;
+    for (int i = 0; i < count; i++) {
+        lights[i] = emitter_new(type);
+        for (int c = 0; c < 3; c++) {
+            static const uint32_t bases[] = {2, 3, 5};
+            float low = room->bounds_min[c], high = room->bounds_max[c];
+            float place = .1F + .8F * (float)radical_inverse(bases[c], (uint32_t)i + 1);
+            lights[i].position[c] = low + (high - low) * (c == 1 ? .5F + .5F * place : place);
+            lights[i].intensity[c] =
+                (1 + (float)((i + c) % 3)) * room->radius * room->radius / (float)count;
+        }
+        memcpy(lights[i].size, size, sizeof lights[i].size);
+    }
+}
+
+/* --- a second implementation: maps ------------------------------------------------------------ */
+
+/* imperfect-volume gives each light a map. */
+static void test_maps(void **state) {
+    (void)state;
+    static const struct {
+        const char *what;
+        enum emitter_type type;
+        float size[2]; /* over the room's radius */
+        double rmse;
+    } rows[] = {{"points", EMITTER_POINT, {0, 0}, .08},
+                {"spots", EMITTER_SPOT, {0, 0}, .25},
+                {"rectangles", EMITTER_AREA, {.1F, .05F}, .15},
+                {"disks", EMITTER_AREA, {.1F, 0}, .15},
+                {"spheres", EMITTER_POINT, {.02F, 0}, .15}};
+    struct stage stage;
+    open_room(&stage);
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        struct emitter lights[LIGHTS];
+        const float size[2] = {rows[i].size[0] * stage.geometry.radius,
+                               rows[i].size[1] * stage.geometry.radius};
+        spread_lights(&stage, lights, LIGHTS, rows[i].type, size);
+        struct image maps = render_with(&stage, lights, LIGHTS, "imperfect-volume");
+        struct image sampled = render_with(&stage, lights, LIGHTS, "unshadowed");
+        printf("%s\n", rows[i].what);
+        check_near("direct light, mean",
+                   layer_mean(&sampled, "direct") / layer_mean(&maps, "direct"), 1, .01);
+        check_at_most("direct light, relative RMSE", relative_rmse(&sampled, &maps, "direct"),
+                      rows[i].rmse);
+        images_free(&maps, &sampled);
+    }
+    stage_free(&stage);
+}
+
+/* --- paths ------------------------------------------------------------------------------------ */
+
+static void test_reference(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter lights[LIGHTS];
+    open_room(&stage);
+    spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
+    emitters_free(&stage.emitters);
+    struct emitters own = {.items = lights, .count = LIGHTS};
+    stage.emitters = emitters_copy(&own);
+    struct image traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced);
+    struct image frame = render_with(&stage, lights, LIGHTS, "clustered");
+    check_near("direct light, mean",
+               layer_mean(&frame, "direct") / layer_mean(&reference, "direct"), 1, .01);
+    check_near("indirect light, mean",
+               layer_mean(&frame, "indirect") / layer_mean(&reference, "indirect"), 1, .03);
+    check_at_most("indirect light, relative RMSE", relative_rmse(&frame, &reference, "indirect"),
+                  .15);
+    images_free(&traced, &reference, &frame);
+    stage_free(&stage);
+}
+
+/* The mean of passes; one pass is the frame. */
+static struct image render_passes(const struct stage *stage, struct emitter *lights,
+                                  const char *technique, int passes) {
+    struct renderer renderer;
+    struct image image;
+    struct renderer_desc desc = desc_of(stage, technique, settings, SIZE, SIZE);
+    desc.emitters = (struct emitters){.items = lights, .count = LIGHTS};
+    desc.progressive = true;
+    check_ok("renderer", renderer_init(&renderer, &desc));
+    for (int pass = 0; pass < passes; pass++)
+        renderer_add_pass(&renderer, pass);
+    check_ok("layers", renderer_read_layers(&renderer, &image));
+    renderer_free(&renderer);
+    return image;
+}
+
+/* Passes have other samples, and their mean errs less. */
+static void test_passes(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter lights[LIGHTS];
+    double errors[2];
+    open_room(&stage);
+    spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
+    for (int i = 0; i < 2; i++) {
+        int passes = i == 0 ? 1 : 8;
+        struct image maps = render_passes(&stage, lights, "imperfect-volume", passes),
+                     sampled = render_passes(&stage, lights, "unshadowed", passes);
+        errors[i] = relative_rmse(&sampled, &maps, "direct");
+        images_free(&maps, &sampled);
+    }
+    check_at_most("error of eight passes over that of one", errors[1] / errors[0], .7);
+    stage_free(&stage);
+}
+
+/* --- relations -------------------------------------------------------------------------------- */
+
+static void test_order(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter lights[LIGHTS], reversed[LIGHTS];
+    open_room(&stage);
+    spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
+    for (int i = 0; i < LIGHTS; i++)
+        reversed[i] = lights[LIGHTS - 1 - i];
+    struct image a = render_with(&stage, lights, LIGHTS, "unshadowed"),
+                 b = render_with(&stage, reversed, LIGHTS, "unshadowed");
+    check_near("direct light, mean", layer_mean(&a, "direct") / layer_mean(&b, "direct"), 1, .002);
+    images_free(&a, &b);
+    stage_free(&stage);
+}
+
+/* One light among dark ones, and one that outshines all others, have maps. */
+static void test_one_strong(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter lights[LIGHTS];
+    open_room(&stage);
+    for (int faint = 0; faint < 2; faint++) {
+        spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
+        lights[0] = stage.emitters.items[0];
+        for (int i = 1; i < LIGHTS; i++)
+            for (int c = 0; c < 3; c++)
+                lights[i].intensity[c] *= faint ? 1e-6F : 0;
+        struct image alone = render_with(&stage, lights, 1, "clustered"),
+                     among = render_with(&stage, lights, LIGHTS, "clustered");
+        check_at_most("direct light, relative RMSE", relative_rmse(&among, &alone, "direct"), 1e-5);
+        check_at_most("indirect light, relative RMSE", relative_rmse(&among, &alone, "indirect"),
+                      faint ? .1 : 1e-5);
+        images_free(&alone, &among);
+    }
+    stage_free(&stage);
+}
+
+/* Lights outside a closed room light nothing in it. */
+static void test_behind_walls(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter lights[LIGHTS];
+    open_room(&stage);
+    spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
+    for (int i = 0; i < LIGHTS; i++) /* the room is open in front */
+        lights[i].position[2] = stage.geometry.bounds_min[2] - .1F * stage.geometry.radius;
+    struct image image = render_with(&stage, lights, LIGHTS, "clustered");
+    check_at_most("direct light, mean", layer_mean(&image, "direct"), 0);
+    check_at_most("indirect light, mean", layer_mean(&image, "indirect"), 0);
+    image_free(&image);
+    stage_free(&stage);
+}
+
+/* Lights come and go: sampled lights, and parts that only frames with them have. */
+static void test_follow(void **state) {
+    (void)state;
+    struct stage stage;
+    struct renderer renderer = {0};
+    struct emitter lights[LIGHTS];
+    open_room(&stage);
+    spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
+    struct renderer_desc desc = desc_of(&stage, "clustered", settings, SIZE, SIZE);
+    for (int i = 0; i < 3; i++) {
+        desc.emitters = (struct emitters){.items = lights, .count = i == 1 ? 2 : LIGHTS};
+        desc.width = i == 2 ? SIZE / 2 : SIZE;
+        struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+        assert_true(same_pixels(&followed, &fresh));
+        lights[i].position[0] *= .5F;
+        images_free(&followed, &fresh);
+    }
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_maps),       cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_passes),     cmocka_unit_test(test_order),
+        cmocka_unit_test(test_one_strong), cmocka_unit_test(test_behind_walls),
+        cmocka_unit_test(test_follow),
+    };
+    return cmocka_run_group_tests_name("sampled lights", tests, open_group_context,
+                                       close_group_context);
+}
