@@ -26,6 +26,19 @@ struct light_node {
 };
 STD140_SIZE(light_node, 16 * LIGHT_NODE_ROWS)
 
+/* A triangle that emits to the side of the cross product of its edges. */
+#define LIGHT_TRIANGLE_ROWS 3
+
+struct light_triangle {
+    vec3 corner; /* metres */
+    float red;   /* mean radiance, W/(sr m2) */
+    vec3 edge_1; /* from the corner to another, metres */
+    float green;
+    vec3 edge_2;
+    float blue;
+};
+STD140_SIZE(light_triangle, 16 * LIGHT_TRIANGLE_ROWS)
+
 /* Cosines are at least this where a light may arrive, for rounding. */
 #define LIGHT_COSINE_MIN 1e-4f
 

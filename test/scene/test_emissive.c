@@ -9,8 +9,11 @@
 
 #include "base/file/image_file.h"
 #include "scene/lights/emissive.h"
+#include "scene/lights/emissive_triangles.h"
 #include "scene/lights/lamp_parts.h"
+#include "scene/lights/light_bounds.h"
 #include "scene/node.h"
+#include "shared/light_tree.h"
 
 #include <stdio.h>
 
@@ -238,6 +241,35 @@ static void test_strip(void **state) {
     check_near("above", (double)part.center[1] - 2, 3e-4, 1e-5);
 }
 
+/* --- triangles -------------------------------------------------------------------------------- */
+
+static struct emissive_triangles list_triangles(const struct scene *scene) {
+    struct geometry geometry;
+    struct emissive_triangles list;
+    struct emitters emitters = emitters_place(scene, 0);
+    check_ok("geometry", geometry_init(&geometry, scene, 0));
+    emissive_triangles_init(&list, scene, &geometry, &emitters);
+    for (int i = 0; i < list.count; i++)
+        assert_true(list.places[i].triangle < geometry.index_count / 3);
+    emitters_free(&emitters);
+    geometry_free(&geometry);
+    return list;
+}
+
+/* Power over pi, the sum of RGB, W. */
+static double power_of_triangles(const struct emissive_triangles *list) {
+    double power = 0;
+    for (int i = 0; i < list->count; i++)
+        power += 3 * (double)light_bounds_of_triangle(&list->items[i]).power;
+    return power;
+}
+
+/* The quad's first triangle. */
+#define ONE_TRIANGLE                                                                               \
+    "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"}, "            \
+    "{\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 3, "              \
+    "\"type\": \"SCALAR\"}]"
+
 /* --- scenes ----------------------------------------------------------------------------------- */
 
 /* Emission, over pi and the sum of RGB, of all lights. */
@@ -285,7 +317,70 @@ static void test_many(void **state) {
         assert_true(node->parent >= 0);
     }
     assert_int_equal(own, EMISSIVE_LIGHTS_MAX - STAND_INS_OF_REST);
+    struct emissive_triangles rest = list_triangles(&scene); /* widths of 1 to 16 */
+    assert_int_equal(rest.count, 2 * (PANES - own));
+    check_near("power of the rest", power_of_triangles(&rest), 3. * 16 * 17 / 2, 1e-3);
+    emissive_triangles_free(&rest);
     scene_free(&scene);
+}
+
+/* A unit ball of radiance 1 before a patch that faces it: E = pi / d^2. */
+static void test_ball_of_triangles(void **state) {
+    (void)state;
+    static struct triangles ball;
+    const float distance = 3;
+    double irradiance = 0;
+    make_ball(&ball, 32);
+    for (int i = 0; i < ball.count; i++) {
+        struct light_triangle triangle = {.red = 1, .green = 1, .blue = 1};
+        double(*corners)[3] = ball.items[i].corners;
+        for (int c = 0; c < 3; c++) {
+            triangle.corner[c] = (float)corners[0][c];
+            triangle.edge_1[c] = (float)(corners[1][c] - corners[0][c]);
+            triangle.edge_2[c] = (float)(corners[2][c] - corners[0][c]);
+        }
+        struct light_bounds bounds = light_bounds_of_triangle(&triangle);
+        vec3 to = {0, 0, distance};
+        for (int k = 0; k < 3; k++)
+            for (int c = 0; c < 3; c++)
+                to[c] -= (float)corners[k][c] / 3;
+        double sees = fmax((double)glm_vec3_dot(to, bounds.axis), 0), far2 = glm_vec3_norm2(to);
+        irradiance += (double)bounds.power * sees * (double)to[2] / (far2 * far2);
+    }
+    check_near("E", irradiance, GLM_PI / 9, 5e-3 * GLM_PI / 9);
+}
+
+/* A shape of one triangle, of both sides, mirrored and turned. */
+static void test_listed_triangles(void **state) {
+    (void)state;
+    static const struct {
+        const char *what, *material, *node;
+        int triangles;
+        double power;  /* over pi, the sum of RGB, W */
+        double facing; /* of the first triangle, along z */
+    } rows[] = {
+        {"one side", "", "\"scale\": [2, 3, 1]", 1, 3 * 3, 1},
+        {"two sides", ", \"doubleSided\": true", "\"scale\": [2, 3, 1]", 2, 2 * 3 * 3, 1},
+        {"mirrored", "", "\"scale\": [-1, 1, 1]", 1, 1.5, 1},
+        {"turned", "", "\"rotation\": [0, 1, 0, 0], \"scale\": [1, 4, 1]", 1, 6, -1},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+        char material[128], node[128];
+        struct scene scene;
+        sprintf(material, "[{\"emissiveFactor\": [1, 1, 1]%s}]", rows[i].material);
+        sprintf(node, "[{\"mesh\": 0, %s}]", rows[i].node);
+        check_ok(rows[i].what,
+                 load_parts(&scene, "listed.glb",
+                            &(struct gltf_parts){
+                                .accessors = ONE_TRIANGLE, .materials = material, .nodes = node}));
+        struct emissive_triangles list = list_triangles(&scene);
+        assert_int_equal(list.count, rows[i].triangles);
+        check_near("power", power_of_triangles(&list), rows[i].power, 1e-5);
+        struct light_bounds bounds = light_bounds_of_triangle(&list.items[0]);
+        check_near("facing", (double)bounds.axis[2], rows[i].facing, 1e-6);
+        emissive_triangles_free(&list);
+        scene_free(&scene);
+    }
 }
 
 /* A triangle, a mirrored one, and one of two sides, below nodes that turn and stretch them. */
@@ -293,9 +388,7 @@ static void test_shaped(void **state) {
     (void)state;
     struct scene scene;
     const struct gltf_parts parts = {
-        .accessors = "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\":"
-                     " \"VEC3\"}, {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123,"
-                     " \"count\": 3, \"type\": \"SCALAR\"}]",
+        .accessors = ONE_TRIANGLE,
         .materials = "[{\"emissiveFactor\": [1, 1, 1], \"name\": \"glow\"}]",
         .nodes = "[{\"mesh\": 0, \"name\": \"flag\", \"scale\": [2, 3, 1], \"translation\":"
                  " [0, 0, 5]}, {\"mesh\": 0, \"scale\": [-1, 1, 1]}]"};
@@ -422,11 +515,18 @@ static void test_glow(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_furnace),     cmocka_unit_test(test_square),
-        cmocka_unit_test(test_texture),     cmocka_unit_test(test_touching),
-        cmocka_unit_test(test_ball),        cmocka_unit_test(test_strip),
-        cmocka_unit_test(test_many),        cmocka_unit_test(test_shaped),
-        cmocka_unit_test(test_which_shine), cmocka_unit_test(test_glow),
+        cmocka_unit_test(test_furnace),
+        cmocka_unit_test(test_square),
+        cmocka_unit_test(test_texture),
+        cmocka_unit_test(test_touching),
+        cmocka_unit_test(test_ball),
+        cmocka_unit_test(test_strip),
+        cmocka_unit_test(test_many),
+        cmocka_unit_test(test_shaped),
+        cmocka_unit_test(test_which_shine),
+        cmocka_unit_test(test_glow),
+        cmocka_unit_test(test_listed_triangles),
+        cmocka_unit_test(test_ball_of_triangles),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }

@@ -15,17 +15,7 @@
 enum { PLACES = 16 };
 static const float least_share = .05F;
 
-/* --- which shine ------------------------------------------------------------------------------ */
-
-/* Whether a lamp shines; and whether it is stood in for. */
-static bool find_lamp(const struct emitters *emitters, int lamp, bool *is_stood_in_for) {
-    for (int i = 0; i < emitters->count; i++)
-        if (emitters->items[i].lamp == lamp) {
-            *is_stood_in_for = emitters->items[i].stands_in;
-            return true;
-        }
-    return false;
-}
+/* --- how bright they are ---------------------------------------------------------------------- */
 
 /* A point in the triangle, even in its area. */
 static struct triangle_point point_in(uint32_t triangle, float across, float along) {
@@ -70,9 +60,8 @@ static void add_triangle(struct surfaces *surfaces, uint32_t triangle, double *p
     }
 }
 
-static void add_surface(struct surfaces *surfaces, const struct emissive_surface *surface,
-                        bool listed, double *powers) {
-    struct emissive_span span = emissive_find(surfaces->table->geometry, surface);
+static void add_surface(struct surfaces *surfaces, struct emissive_span span, bool listed,
+                        double *powers) {
     for (uint32_t i = span.first; i < span.end; i++) {
         surfaces->shines[i] = true;
         if (listed)
@@ -105,13 +94,15 @@ void surfaces_init(struct surfaces *surfaces, const struct hit_table *table,
     surfaces->list = mem_alloc(2 * triangles, sizeof *surfaces->list);
     for (size_t i = 0; i < triangles; i++)
         surfaces->first[i] = -1;
+    enum lamp_state *lamps = emissive_lamp_states(scene, emitters);
+    struct emissive_span *spans = emissive_find_all(table->geometry, scene);
     for (int i = 0; i < scene->surface_count; i++) {
-        bool listed;
-        if (find_lamp(emitters, scene->surfaces[i].lamp, &listed))
-            add_surface(surfaces, &scene->surfaces[i], listed, powers);
+        enum lamp_state lamp = lamps[scene->surfaces[i].lamp];
+        if (lamp != LAMP_IS_DARK)
+            add_surface(surfaces, spans[i], lamp == LAMP_STOOD_IN_FOR, powers);
     }
     finish_list(surfaces, powers);
-    free(powers);
+    mem_free(powers, lamps, spans);
 }
 
 void surfaces_free(struct surfaces *surfaces) {

@@ -362,14 +362,53 @@ void emissive_add_lights(struct scene *scene) {
     findings_free(&findings);
 }
 
+static struct emissive_span span_in(const struct geometry_part *part,
+                                    const struct emissive_surface *surface) {
+    return (struct emissive_span){(part->first_index + (uint32_t)surface->first) / 3,
+                                  (part->first_index + (uint32_t)surface->end) / 3};
+}
+
 struct emissive_span emissive_find(const struct geometry *geometry,
                                    const struct emissive_surface *surface) {
     for (int i = 0; i < geometry->part_count; i++) {
         const struct geometry_part *part = &geometry->parts[i];
-        uint32_t first = part->first_index + (uint32_t)surface->first;
         if (part->node == surface->node && part->primitive == surface->primitive)
-            return (struct emissive_span){first / 3,
-                                          (part->first_index + (uint32_t)surface->end) / 3};
+            return span_in(part, surface);
     }
     return (struct emissive_span){0, 0};
+}
+
+struct emissive_span *emissive_find_all(const struct geometry *geometry,
+                                        const struct scene *scene) {
+    struct emissive_span *spans = mem_alloc((size_t)scene->surface_count, sizeof *spans);
+    int nodes = 0;
+    for (int i = 0; i < geometry->part_count; i++)
+        nodes = geometry->parts[i].node >= nodes ? geometry->parts[i].node + 1 : nodes;
+    int *last = mem_alloc((size_t)nodes, sizeof *last); /* part of each node, + 1 */
+    int *before = mem_alloc((size_t)geometry->part_count + 1, sizeof *before);
+    for (int i = 1; i <= geometry->part_count; i++) {
+        before[i] = last[geometry->parts[i - 1].node];
+        last[geometry->parts[i - 1].node] = i;
+    }
+    for (int s = 0; s < scene->surface_count; s++) {
+        const struct emissive_surface *surface = &scene->surfaces[s];
+        for (int i = surface->node < nodes ? last[surface->node] : 0; i > 0; i = before[i])
+            if (geometry->parts[i - 1].primitive == surface->primitive)
+                spans[s] = span_in(&geometry->parts[i - 1], surface);
+    }
+    mem_free(last, before);
+    return spans;
+}
+
+enum lamp_state *emissive_lamp_states(const struct scene *scene, const struct emitters *emitters) {
+    int most = 0;
+    for (int i = 0; i < scene->surface_count; i++)
+        most = scene->surfaces[i].lamp > most ? scene->surfaces[i].lamp : most;
+    enum lamp_state *states = mem_alloc((size_t)most + 1, sizeof *states);
+    for (int i = 0; i < emitters->count; i++) {
+        const struct emitter *light = &emitters->items[i];
+        if (light->lamp > 0 && light->lamp <= most)
+            states[light->lamp] = light->stands_in ? LAMP_STOOD_IN_FOR : LAMP_HAS_LIGHTS;
+    }
+    return states;
 }

@@ -11,6 +11,7 @@
 #ifndef SCENE_LIGHTS_EMISSIVE_H
 #define SCENE_LIGHTS_EMISSIVE_H
 
+#include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
 
 /* Most lights in all; most rectangles of one surface; most of the least powerful together. Fewer
@@ -28,5 +29,12 @@ struct emissive_span {
 };
 struct emissive_span emissive_find(const struct geometry *geometry,
                                    const struct emissive_surface *surface);
+
+/* Returns the spans of all surfaces of the scene, faster than one by one. The caller frees them. */
+struct emissive_span *emissive_find_all(const struct geometry *geometry, const struct scene *scene);
+
+/* Returns the states of lamps by their number, as the emitters have them. The caller frees them. */
+enum lamp_state { LAMP_IS_DARK, LAMP_HAS_LIGHTS, LAMP_STOOD_IN_FOR };
+enum lamp_state *emissive_lamp_states(const struct scene *scene, const struct emitters *emitters);
 
 #endif

@@ -167,6 +167,14 @@ void lamp_triangles_add(struct lamp_triangles *triangles, const struct scene *sc
     }
 }
 
+void lamp_triangle_radiance(const struct scene *scene, const struct primitive *primitive,
+                            const uint32_t index[3], const float *srgb_to_linear, uint32_t *looks,
+                            double radiance[3]) {
+    struct source source = {scene, primitive, &scene->materials[primitive->material],
+                            srgb_to_linear};
+    average(&source, index, looks, radiance);
+}
+
 void lamp_triangles_free(struct lamp_triangles *triangles) {
     free(triangles->items);
     *triangles = (struct lamp_triangles){0};

@@ -23,6 +23,12 @@ enum { LAMP_LOOKS = 1 << 24 };
 void lamp_triangles_add(struct lamp_triangles *triangles, const struct scene *scene,
                         const struct primitive *primitive, const float world[16]);
 
+/* Writes the mean radiance of one triangle of a primitive, W/(sr m2). srgb_to_linear, looks: as in
+ * struct lamp_triangles. */
+void lamp_triangle_radiance(const struct scene *scene, const struct primitive *primitive,
+                            const uint32_t index[3], const float *srgb_to_linear, uint32_t *looks,
+                            double radiance[3]);
+
 /* Accepts a zeroed object. */
 void lamp_triangles_free(struct lamp_triangles *triangles);
 

@@ -2,6 +2,7 @@
 
 #include "base/extremes.h"
 #include "base/unit.h"
+#include "shared/light_tree.h"
 
 #include <math.h>
 
@@ -50,13 +51,17 @@ struct light_bounds light_bounds_of(const struct emitter *emitter) {
     return bounds;
 }
 
-struct light_bounds light_bounds_of_triangle(const float corners[3][3], const float normal[3],
-                                             float power) {
-    struct light_bounds bounds = {.theta_e = GLM_PI_2f, .power = power, .reach = INFINITY};
+struct light_bounds light_bounds_of_triangle(const struct light_triangle *triangle) {
+    struct light_bounds bounds = {.theta_e = GLM_PI_2f, .reach = INFINITY};
+    vec3 across;
+    glm_vec3_cross((float *)triangle->edge_1, (float *)triangle->edge_2, across);
+    float mean = (triangle->red + triangle->green + triangle->blue) / 3;
+    bounds.power = mean * glm_vec3_norm(across) / 2;
+    vec3_unit_to(across, bounds.axis);
     for (int c = 0; c < 3; c++) {
-        bounds.axis[c] = normal[c];
-        bounds.low[c] = float_min(float_min(corners[0][c], corners[1][c]), corners[2][c]);
-        bounds.high[c] = float_max(float_max(corners[0][c], corners[1][c]), corners[2][c]);
+        float one = triangle->edge_1[c], two = triangle->edge_2[c];
+        bounds.low[c] = triangle->corner[c] + float_min(float_min(one, two), 0);
+        bounds.high[c] = triangle->corner[c] + float_max(float_max(one, two), 0);
     }
     return bounds;
 }

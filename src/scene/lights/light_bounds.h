@@ -17,10 +17,9 @@ struct light_bounds {
 /* Returns the bounds of all light of one emitter. */
 struct light_bounds light_bounds_of(const struct emitter *emitter);
 
-/* Returns the bounds of a triangle that emits to the side of a unit normal. power: area times mean
- * radiance, W/sr. */
-struct light_bounds light_bounds_of_triangle(const float corners[3][3], const float normal[3],
-                                             float power);
+/* Returns the bounds of a triangle (glsl/shared/light_tree.h). */
+struct light_triangle;
+struct light_bounds light_bounds_of_triangle(const struct light_triangle *triangle);
 
 /* Returns the bounds of both; dark ones count nothing. */
 struct light_bounds light_bounds_merge(const struct light_bounds *a, const struct light_bounds *b);
