@@ -63,19 +63,33 @@ float sampled_light_flux(int i) {
     return sampled_light_row(i, 1).w;
 }
 
-// The place of a light's shape that two numbers choose, evenly over its area (emitter_piece in scene/lights/emitter.h).
-light sampled_light_piece(int i, vec2 place) {
+// A light as a point, and its shape.
+light sampled_light_at(int i, out int shape, out vec2 size) {
     vec4 a = sampled_light_row(i, 0), b = sampled_light_row(i, 1), c = sampled_light_row(i, 2);
     vec4 d = sampled_light_row(i, 3), e = sampled_light_row(i, 4), f = sampled_light_row(i, 5);
     vec4 g = sampled_light_row(i, 6);
     light l = light(a.xyz, 0.0, b.xyz, floatBitsToInt(c.w), c.xyz, 0, d.xyz, d.w, e.xyz, e.w, vec3(0.0), 1.0, 0,
                     LIGHT_SHAPE_POINT, 0.0, 0.0, 0.0, 0, 0.0, f.w, floatBitsToInt(g.x), g.y, g.z, g.w);
-    int shape = floatBitsToInt(f.z);
-    float turn = 6.28318531 * place.y, radius = 0.5 * f.x;
+    shape = floatBitsToInt(f.z);
+    size = f.xy;
+    return l;
+}
+
+vec3 disk_place(vec3 right, vec3 up, vec2 place) {
+    float turn = 6.28318531 * place.y;
+    return sqrt(place.x) * (cos(turn) * right + sin(turn) * up);
+}
+
+// The place of a light's shape that two numbers choose, evenly over its area (emitter_piece in scene/lights/emitter.h).
+light sampled_light_piece(int i, vec2 place) {
+    int shape;
+    vec2 size;
+    light l = sampled_light_at(i, shape, size);
+    float turn = 6.28318531 * place.y, radius = 0.5 * size.x;
     if (shape == LIGHT_SHAPE_RECTANGLE)
-        l.position += (place.x - 0.5) * f.x * l.right + (place.y - 0.5) * f.y * l.up;
+        l.position += (place.x - 0.5) * size.x * l.right + (place.y - 0.5) * size.y * l.up;
     if (shape == LIGHT_SHAPE_DISK)
-        l.position += radius * sqrt(place.x) * (cos(turn) * l.right + sin(turn) * l.up);
+        l.position += radius * disk_place(l.right, l.up, place);
     if (shape == LIGHT_SHAPE_SPHERE) {
         float z = 1.0 - 2.0 * place.x, across = sqrt(max(1.0 - z * z, 0.0));
         l.direction = across * (cos(turn) * l.right + sin(turn) * l.up) + z * l.direction;
@@ -85,5 +99,18 @@ light sampled_light_piece(int i, vec2 place) {
         l.type = LIGHT_TYPE_AREA;
         l.intensity *= 4.0; // a bit of it has a quarter of the area that is seen
     }
+    return l;
+}
+
+// The same towards a receiver, from which a sphere looks as a disk does; whether the light has a size.
+light sampled_light_towards(int i, vec3 receiver, vec2 place, out bool is_sized) {
+    int shape;
+    vec2 size;
+    light l = sampled_light_at(i, shape, size);
+    is_sized = shape != LIGHT_SHAPE_POINT;
+    if (shape != LIGHT_SHAPE_SPHERE)
+        return sampled_light_piece(i, place);
+    vec3 away = normalize(receiver - l.position), right = perpendicular(away);
+    l.position += 0.5 * size.x * disk_place(right, cross(away, right), place);
     return l;
 }

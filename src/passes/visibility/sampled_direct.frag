@@ -1,5 +1,5 @@
 // Direct light of lights that a tree samples, one ray each. A light whose probability is at least one sample's share counts
-// once. Light of the most probable lights is exact. All other light goes to a second target, for a blur: pixels of an 4 x 4
+// once. Light of the most probable points is exact. All other light goes to a second target, for a blur: pixels of an 4 x 4
 // pattern divide the numbers that choose lights evenly.
 #include "passes/gather/receiver_facet.glsl"
 #include "lib/light_tree.glsl"
@@ -63,10 +63,13 @@ void main() {
     for (int k = 0; k < count;) {
         float probability, start = (float(k) + shift) / n, number = start;
         int i = light_tree_sample(s.position, s.normal, number, probability);
-        float share = 1.0 / min(probability * n, 1.0);
+        bool is_sized;
+        vec2 place = random_of(uvec3(pixel, k + count * params.pass));
+        light l = sampled_light_towards(max(i, 0), s.position, place, is_sized);
+        // Each sample of a light with a size has another place of it.
+        float share = 1.0 / (is_sized ? probability * n : min(probability * n, 1.0));
         // Alike for pixels with more samples, as they all are blurred together.
-        float sharp = smoothstep(1.0, 2.0, probability * float(params.samples));
-        light l = sampled_light_piece(max(i, 0), random_of(uvec3(pixel, k + count * params.pass)));
+        float sharp = is_sized ? 0.0 : smoothstep(1.0, 2.0, probability * float(params.samples));
         vec3 direction = normalize(s.position - l.position);
         float cosine = max(-dot(s.normal, direction), 0.0);
         bool lights = i >= 0 && cosine > 0.0 && dot(facet, direction) < 0.0;
@@ -79,7 +82,7 @@ void main() {
         radiance.rgb += reflected * (1.0 - sharp);
 #endif
         // On past all numbers that choose the same light.
-        k = max(k + 1, int(ceil((start + (1.0 - number) * probability) * n - shift)));
+        k = is_sized ? k + 1 : max(k + 1, int(ceil((start + (1.0 - number) * probability) * n - shift)));
     }
     exact.rgb *= INVERSE_PI;
     irradiance.rgb *= params.scale;
