@@ -188,6 +188,9 @@ def _made(kind: str, i: int, part: Any) -> Descriptor:
     try:
         if not isinstance(part, of):
             raise ArgumentError(f"{described(part)} is not a manylight.{of.__name__}")
+        for member in dataclasses.fields(part):
+            if getattr(part, member.name) is None and member.default is not None:
+                raise ArgumentError(f"{member.name}: None")
         return maker(part)
     except ArgumentError as error:
         raise ArgumentError(f"{kind} {i}: {error}") from None

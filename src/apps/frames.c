@@ -112,7 +112,7 @@ static int take_run(const char *text, int *digits) {
 /* "####" of Blender, "@@@@" of RV, "%04d" of Nuke and ffmpeg, "$F4" of Houdini; else of
  * no length. */
 static struct place place_at(const char *text) {
-    static const char *const with_digits[] = {"%%0%2[0-9]d%n", "$F%2[0-9]%n", "${F%2[0-9]}%n"},
+    static const char *const with_digits[] = {"%%%2[0-9]d%n", "$F%2[0-9]%n", "${F%2[0-9]}%n"},
                              *const alone[] = {"%d", "${F}", "$F"};
     struct place place = {.at = text};
     char digits[3] = "1";
@@ -145,6 +145,11 @@ bool frame_name_refuse(const char *name, const char *reason) {
     struct place place = find_place(name);
     return error_set("%s: '%.*s' stands for the number of a frame, and %s", name, place.length,
                      place.at, reason);
+}
+
+bool frame_name_is_plain(const char *name) {
+    const char *slash = strrchr(name, '/');
+    return !strpbrk(slash ? slash : name, "%$<{") || find_place(name).at;
 }
 
 bool frame_name_is_numbered(const char *name) {

@@ -18,6 +18,10 @@ void frames_free(struct frames *frames);
 bool frames_sort(struct frames *frames, int *twice);
 char *frames_text(const struct frames *frames);
 
+/* False if the file's name has a character of placeholders and none that is known: "p.{frame}.png"
+ * would get every frame of a farm. */
+bool frame_name_is_plain(const char *name);
+
 /* Whether a part of the name stands for a frame's number: ####, @@@@, %04d, %d, $F4 or $F. The last
  * one counts. */
 bool frame_name_is_numbered(const char *name);

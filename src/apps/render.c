@@ -167,6 +167,8 @@ static bool check_name(const struct values *values, const char *name, int frame_
                          "--skip-existing");
     if (!values->frames && numbered)
         return frame_name_refuse(name, "there is no --frames");
+    if (values->frames && !frame_name_is_plain(name))
+        return error_set("%s: its form of a frame's number is not known; #### and %%04d are", name);
     if (frame_count > 1 && !numbered)
         return error_set("%s: %d frames need #### or %%04d in the file's name", name, frame_count);
     return true;

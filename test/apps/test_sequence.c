@@ -47,12 +47,13 @@ static void test_names(void **state) {
                  {"#.png", "42.png"},
                  {"still.png", "still.png"},
                  {"a@b/%04d.png", "a@b/0042.png"},
+                 {"a.%4d.png", "a.0042.png"},
                  {"a.%d.png", "a.42.png"},
                  {"a.$F4.exr", "a.0042.exr"},
                  {"$F_a.$F.exr", "$F_a.42.exr"},
                  {"a.${F3}x.exr", "a.042x.exr"},
                  {"@@@@.png", "0042.png"},
-                 {"%s%x$FF%4d.png", "%s%x$FF%4d.png"}};
+                 {"%s%x$FF%.4d.png", "%s%x$FF%.4d.png"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char *name = frame_name(cases[i].name, 42);
         assert_string_equal(name, cases[i].expected);
@@ -177,6 +178,10 @@ static void test_misuse(void **state) {
         const char *arguments, *message;
         int status;
     } cases[] = {
+        {"-o 'a.{frame}.png' --frames 4",
+         "a.{frame}.png: its form of a frame's number is not known; #### and %04d are", 2},
+        {"-o 'a.%.4d.png' --frames 4",
+         "a.%.4d.png: its form of a frame's number is not known; #### and %04d are", 2},
         {"-o a.png --frames 0..4", "a.png: 5 frames need #### or %04d in the file's name", 2},
         {"-o a.##.png", "'##' stands for the number of a frame, and there is no --frames", 2},
         {"-o a.##.png --frames 4..1", "frames: '4..1' is not like 0..249, 0..100x5 or 1,5,9", 2},

@@ -84,7 +84,7 @@ def check_vectors(device):
     for eye in ((0, 1), (0, 1, 2, 3), 5, "0,1,2", (0, 1j, 2), (0, None, 2), [[0], [1], [2]], np.zeros((3, 1)),
                 (True, False, True), (0, np.inf, 0), [[0], [1, 2]]):
         refuse("eye: ", lambda: centre(device, camera=Camera(eye)))
-    for color in ((.5, .5, .5), (200, 100, 50, 255), np.array([200, 100, 50, 255], np.uint8), (-.1, 0, 0, 1)):
+    for color in (None, (.5, .5, .5), (200, 100, 50, 255), np.array([200, 100, 50, 255], np.uint8), (-.1, 0, 0, 1)):
         refuse("material 0: base_color: ", lambda: centre(device, material=Material(color)))
     refuse("camera: fov_y (radians): 60 is not from 0 to 3.142",
            lambda: device.render(scene_of(), (9, 9), camera=Camera(fov_y=60)))

@@ -40,8 +40,8 @@ static void write_ball(const char *name) {
 }
 
 /* A white metal, seen from +z by an orthographic camera of 1 x 1 m. */
-static void open_ball(struct stage *stage) {
-    char buffers[128], views[256], accessors[256];
+static void open_ellipsoid(struct stage *stage, const char *radii) {
+    char buffers[128], views[256], accessors[256], nodes[128];
     write_ball("ball.bin");
     snprintf(buffers, sizeof buffers,
              "[{\"byteLength\": 320}, {\"uri\": \"ball.bin\", \"byteLength\": %d}]",
@@ -54,6 +54,7 @@ static void open_ball(struct stage *stage) {
              "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": %d, \"type\": \"VEC3\"},"
              " {\"bufferView\": 1, \"componentType\": 5123, \"count\": %d, \"type\": \"SCALAR\"}]",
              VERTICES, INDICES);
+    snprintf(nodes, sizeof nodes, "[{\"mesh\": 0, \"scale\": [%s]}]", radii);
     open_stage(stage, write_parts("ball.glb",
                                   &(struct gltf_parts){
                                       .buffers = buffers,
@@ -63,7 +64,7 @@ static void open_ball(struct stage *stage) {
                                       .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\":"
                                                 " 0, \"NORMAL\": 0}, \"indices\": 1, \"material\":"
                                                 " 0}]}]",
-                                      .nodes = "[{\"mesh\": 0, \"scale\": [0.4, 0.4, 0.4]}]"}));
+                                      .nodes = nodes}));
     stage->camera = (struct camera){.eye = {0, 0, 3},
                                     .right = {1, 0, 0},
                                     .up = {0, 1, 0},
@@ -72,15 +73,25 @@ static void open_ball(struct stage *stage) {
                                     .y_extent = .5F};
 }
 
-/* A mirror ball reflects E pi r^2 evenly to all sides, so that each side sees E r^2 / 4 W/sr. */
-static void check_ball(const struct renderer_desc *desc, const char *what) {
-    double wanted = GLM_PI * (double)(radius * radius) / 4, sum = 0;
+static void open_ball(struct stage *stage) {
+    open_ellipsoid(stage, "0.4, 0.4, 0.4");
+}
+
+/* Checks the picture's mean, W/sr. */
+static void check_mean(const struct renderer_desc *desc, double wanted, double share,
+                       const char *what) {
+    double sum = 0;
     struct image drawn = render_layers(desc);
     int green = image_find_channel(&drawn, "direct.specular.G");
     for (int i = 0; i < desc->width * desc->height; i++)
         sum += (double)image_at(&drawn, i % desc->width, i / desc->width)[green];
-    check_near(what, sum / desc->width / desc->height, wanted, .06 * wanted);
+    check_near(what, sum / desc->width / desc->height, wanted, share * wanted);
     image_free(&drawn);
+}
+
+/* A mirror ball reflects E pi r^2 evenly to all sides, so that each side sees E r^2 / 4 W/sr. */
+static void check_ball(const struct renderer_desc *desc, const char *what) {
+    check_mean(desc, GLM_PI * (double)(radius * radius) / 4, .06, what);
 }
 
 static const int sizes[] = {64, 65, 33, 128};
@@ -110,6 +121,30 @@ static void test_suns(void **state) {
     stage_free(&stage);
 }
 
+/* A needle of 3 pixels across bends much across alone. A mirror shows E / (4 K) W/sr, with K the
+ * Gaussian curvature where it mirrors the sun: 1 / K = (a b c)^2 / sum((a n_x)^2 ...)^2. */
+static void test_needle(void **state) {
+    (void)state;
+    static const float angles[] = {0, 10, 20};
+    const double across = .05 * .05, along = .4 * .4;
+    struct stage stage;
+    open_ellipsoid(&stage, "0.05, 0.4, 0.05");
+    stage.scene.materials[0].roughness = 0;
+    for (int i = 0; i < 3; i++) {
+        struct emitter sun = {.type = EMITTER_DIRECTIONAL, .number = -1};
+        double up = sin((double)glm_rad(angles[i]) / 2), y2 = up * up;
+        double inverse = across * along * across / pow(across * (1 - y2) + along * y2, 2);
+        char what[64];
+        emitter_aim(&sun, (float[]){0, -sinf(glm_rad(angles[i])), -cosf(glm_rad(angles[i]))});
+        glm_vec3_broadcast(GLM_PIf, sun.intensity);
+        struct renderer_desc desc = desc_of(&stage, "unshadowed", "", 64, 64);
+        desc.emitters = (struct emitters){.items = &sun, .count = 1};
+        snprintf(what, sizeof what, "needle, %.0f degrees", (double)angles[i]);
+        check_mean(&desc, GLM_PI * inverse / 4, .3, what);
+    }
+    stage_free(&stage);
+}
+
 /* The same sun as the one bright texel of a sky. */
 static void paint_sun(const float direction[3], float radiance[3]) {
     const struct environment sky = {.width = SKY_WIDTH, .height = SKY_HEIGHT};
@@ -135,7 +170,7 @@ static void test_sun_of_sky(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_suns),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(test_suns), cmocka_unit_test(test_needle),
                                        cmocka_unit_test(test_sun_of_sky)};
     return cmocka_run_group_tests_name("highlights", tests, open_group_context,
                                        close_group_context);

@@ -1,11 +1,12 @@
 /* Panels that a tool joined in one primitive: those that do not touch are lamps of their own, as
- * before. */
+ * before. So are the faces of a box. */
 #include "support.h"
 
 #include "base/memory.h"
 #include "scene/lights/emissive.h"
 #include "scene/lights/emitter.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -53,10 +54,8 @@ static void make_primitive(struct primitive *primitive, const struct panel *pane
     mix_triangles(primitive);
 }
 
-/* In one primitive, or each in its own. */
-static void make_scene(struct scene *scene, const struct panel *panels, int count, bool joined,
-                       bool double_sided) {
-    int primitives = joined ? 1 : count;
+/* A scene of one mesh, whose primitives are empty. */
+static void start_scene(struct scene *scene, int primitives, bool double_sided) {
     *scene = (struct scene){.path = mem_strdup("panels"), .node_count = 1, .mesh_count = 1};
     scene->material_count = scene->texture_count = 1;
     scene->nodes = mem_alloc(1, sizeof *scene->nodes);
@@ -77,6 +76,13 @@ static void make_scene(struct scene *scene, const struct panel *panels, int coun
     scene->meshes = mem_alloc(1, sizeof *scene->meshes);
     scene->meshes[0].primitives = mem_alloc((size_t)primitives, sizeof(struct primitive));
     scene->meshes[0].primitive_count = primitives;
+}
+
+/* In one primitive, or each in its own. */
+static void make_scene(struct scene *scene, const struct panel *panels, int count, bool joined,
+                       bool double_sided) {
+    int primitives = joined ? 1 : count;
+    start_scene(scene, primitives, double_sided);
     for (int i = 0; i < primitives; i++)
         make_primitive(&scene->meshes[0].primitives[i], &panels[i], joined ? count : 1);
     emissive_add_lights(scene);
@@ -143,8 +149,87 @@ static void test_touching(void **state) {
     check_joined("a gap of a thousandth", gap, 2, 2, 2);
 }
 
+/* A solid of eight corners; `top` scales its upper four: below 1 the sides are no rectangles. */
+static void make_solid(struct primitive *primitive, const float size[3], float top) {
+    static const uint32_t quads[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                         {1, 3, 7, 5}, {3, 2, 6, 7}, {2, 0, 4, 6}};
+    *primitive = (struct primitive){.vertex_count = 8,
+                                    .position = mem_alloc(8, sizeof *primitive->position),
+                                    .uv = {mem_alloc(8, sizeof *primitive->uv[0])},
+                                    .indices = mem_alloc(36, sizeof(uint32_t))};
+    for (int i = 0; i < 8; i++)
+        primitive->uv[0][i][0] = .125F;
+    for (int i = 0; i < 8; i++)
+        for (int c = 0; c < 3; c++)
+            primitive->position[i][c] =
+                (i >> c & 1 ? .5F : -.5F) * size[c] * (i & 4 && c < 2 ? top : 1);
+    for (int half = 0; half < 2; half++)
+        for (int i = 0; i < 6; i++)
+            for (int k = 0; k < 3; k++)
+                primitive->indices[primitive->index_count++] = quads[i][k ? k + half : 0];
+}
+
+static void make_solid_lamp(struct scene *scene, const float size[3], float top) {
+    start_scene(scene, 1, false);
+    make_solid(&scene->meshes[0].primitives[0], size, top);
+    emissive_add_lights(scene);
+}
+
+/* Each face of a box shines as it is, however thin the box. */
+static void test_box(void **state) {
+    (void)state;
+    static const float sizes[][3] = {{1, 1, 1}, {2, 1, .3F}, {.6F, .3F, .01F}};
+    for (int i = 0; i < 3; i++) {
+        struct scene scene;
+        make_solid_lamp(&scene, sizes[i], 1);
+        struct emitters lights = emitters_place(&scene, 0);
+        assert_int_equal(lights.count, 6);
+        for (int n = 0; n < lights.count; n++) {
+            const struct emitter *light = &lights.items[n];
+            int axis = 0;
+            for (int c = 1; c < 3; c++)
+                if (fabsf(light->direction[c]) > fabsf(light->direction[axis]))
+                    axis = c;
+            double area = (double)(sizes[i][(axis + 1) % 3] * sizes[i][(axis + 2) % 3]);
+            check_near("W/sr of a face", (double)light->intensity[0] / area, 2, 1e-3);
+            check_near("its place", fabs((double)light->position[axis]), (double)sizes[i][axis] / 2,
+                       1e-3);
+        }
+        emitters_free(&lights);
+        scene_free(&scene);
+    }
+}
+
+/* A solid with other faces is one lamp of several rectangles. */
+static void test_no_box(void **state) {
+    (void)state;
+    struct scene scene;
+    make_solid_lamp(&scene, (const float[]){1, 1, .2F}, .5F);
+    assert_int_equal(scene.surface_count, 1);
+    assert_int_equal(scene.light_count, STAND_INS_MAX);
+    scene_free(&scene);
+}
+
+/* Strips have triangles without area from one panel to the next: these join nothing. */
+static void test_bridge(void **state) {
+    (void)state;
+    static const struct panel panels[] = {{0, 0, 1, 1, false, 0}, {5, 0, 1, 1, false, 0}};
+    struct scene scene;
+    start_scene(&scene, 1, false);
+    struct primitive *primitive = &scene.meshes[0].primitives[0];
+    make_primitive(primitive, panels, 2);
+    primitive->indices = mem_resize(primitive->indices, 15, sizeof(uint32_t));
+    memcpy(&primitive->indices[12], (const uint32_t[]){3, 3, 4}, 3 * sizeof(uint32_t));
+    primitive->index_count = 15;
+    emissive_add_lights(&scene);
+    assert_int_equal(scene.light_count, 2);
+    scene_free(&scene);
+}
+
 int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_apart),
-                                       cmocka_unit_test(test_touching)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_apart),  cmocka_unit_test(test_touching), cmocka_unit_test(test_box),
+        cmocka_unit_test(test_no_box), cmocka_unit_test(test_bridge),
+    };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -55,8 +55,10 @@ void main() {
         return;
     float lit = arriving(s, l, direction);
     specular_surface seen = gbuffer_specular(s, pixel);
-    specular_surface wide = widened(seen, angular_width(l, sqrt(distance2)), pixel);
-    vec3 reflected = unshadowed_specular(l, wide, s.position, direction, distance2) * widened_scale(seen, wide);
+    float wide_angle = angular_width(l, sqrt(distance2));
+    specular_surface wide = widened(seen, wide_angle, pixel);
+    vec3 reflected = unshadowed_specular(l, wide, s.position, direction, distance2) * widened_scale(seen, wide) *
+                     bent_lobe(seen, wide, -direction, wide_angle, pixel);
     direct.rgb = l.radiance * (share * lit * diffuse_share(seen, direction));
     specular.rgb = l.radiance * reflected * lit * in_range;
 #else

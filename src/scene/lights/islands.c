@@ -1,6 +1,7 @@
 #include "scene/lights/islands.h"
 
 #include "base/memory.h"
+#include "scene/lights/faces.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -48,20 +49,32 @@ static void join_places(uint32_t *parents, const struct primitive *primitive) {
     free(corners);
 }
 
+/* True for triangles without area, which strips have from one part to the next. */
+static bool has_twins(const struct primitive *primitive, const uint32_t triangle[3]) {
+    for (int k = 0; k < 3; k++)
+        if (memcmp(primitive->position[triangle[k]], primitive->position[triangle[(k + 1) % 3]],
+                   sizeof primitive->position[0]) == 0)
+            return true;
+    return false;
+}
+
 /* --- triangles -------------------------------------------------------------------------------- */
 
 /* Numbers the islands, from 1 on, in the order of their triangles, and counts what each has: in
- * ends. */
+ * ends. Triangles without area join nothing and are an island of their own. */
 static void number(struct islands *islands, const struct primitive *primitive, int *number_of) {
     uint32_t *parents = mem_alloc((size_t)primitive->vertex_count, sizeof *parents);
-    int *of_roots = mem_alloc((size_t)primitive->vertex_count, sizeof *of_roots);
+    int *of_roots = mem_alloc((size_t)primitive->vertex_count, sizeof *of_roots), without_area = 0;
     for (int v = 0; v < primitive->vertex_count; v++)
         parents[v] = (uint32_t)v;
     join_places(parents, primitive);
     for (int i = 0; i < primitive->index_count; i++)
-        join(parents, primitive->indices[i - i % 3], primitive->indices[i]);
+        if (!has_twins(primitive, &primitive->indices[i - i % 3]))
+            join(parents, primitive->indices[i - i % 3], primitive->indices[i]);
     for (int i = 0; i < primitive->index_count; i += 3) {
-        int *of_root = &of_roots[root_of(parents, primitive->indices[i])];
+        int *of_root = has_twins(primitive, &primitive->indices[i])
+                           ? &without_area
+                           : &of_roots[root_of(parents, primitive->indices[i])];
         *of_root = *of_root ? *of_root : ++islands->count;
         number_of[i / 3] = *of_root;
         islands->ends[*of_root] += 3;
@@ -88,11 +101,28 @@ static void sort(const struct islands *islands, struct primitive *primitive, con
     free(from);
 }
 
+/* Makes an island of each face of a solid. */
+static void split(struct islands *islands, struct primitive *primitive) {
+    int *ends = mem_alloc((size_t)primitive->index_count / 3 + 1, sizeof *ends), count = 0;
+    for (int i = 0; i < islands->count; i++) {
+        int of_faces[FACES_MAX];
+        struct primitive island = *primitive;
+        island.indices += islands->ends[i];
+        island.index_count = islands->ends[i + 1] - islands->ends[i];
+        int faces = faces_sort(&island, of_faces);
+        for (int k = 0; k < faces; k++)
+            ends[++count] = islands->ends[i] + of_faces[k];
+    }
+    free(islands->ends);
+    *islands = (struct islands){ends, count};
+}
+
 void islands_init(struct islands *islands, struct primitive *primitive) {
     size_t triangles = (size_t)primitive->index_count / 3;
     int *number_of = mem_alloc(triangles, sizeof *number_of);
     *islands = (struct islands){mem_alloc(triangles + 1, sizeof *islands->ends), 0};
     number(islands, primitive, number_of);
     sort(islands, primitive, number_of);
+    split(islands, primitive);
     free(number_of);
 }

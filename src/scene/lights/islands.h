@@ -1,4 +1,5 @@
 /* Parts of a primitive that do not touch: for example panels of one material that a tool joined.
+ * Solids of a few flat faces, for example boxes, are split into these (scene/lights/faces.h).
  *
  * Triangles touch if corners have equal positions, with or without a shared vertex. */
 #ifndef SCENE_LIGHTS_ISLANDS_H
