@@ -88,6 +88,12 @@ light sampled_light_piece(int i, vec2 place) {
     float turn = 6.28318531 * place.y, radius = 0.5 * size.x;
     if (shape == LIGHT_SHAPE_RECTANGLE)
         l.position += (place.x - 0.5) * size.x * l.right + (place.y - 0.5) * size.y * l.up;
+    if (shape == LIGHT_SHAPE_TRIANGLE) {
+        float root = sqrt(place.x);
+        l.position += (1.0 - root) * l.right + root * place.y * l.up;
+        l.right = normalize(l.right);
+        l.up = cross(l.right, l.direction);
+    }
     if (shape == LIGHT_SHAPE_DISK)
         l.position += radius * disk_place(l.right, l.up, place);
     if (shape == LIGHT_SHAPE_SPHERE) {

@@ -27,6 +27,7 @@
 #define LIGHT_SHAPE_DISK 2
 #define LIGHT_SHAPE_SPHERE 3
 #define LIGHT_SHAPE_CAP 4
+#define LIGHT_SHAPE_TRIANGLE 5 /* of sampled lights alone */
 
 #define LIGHT_ROWS 9
 

@@ -12,7 +12,7 @@ struct sampled_light {
     float flux_before; /* flux of all lights before this one, over that of all */
     vec3 position;
     float flux;     /* over that of all */
-    vec3 direction; /* orthonormal with right and up */
+    vec3 direction; /* orthonormal with right and up; those of a triangle are its edges */
     int type;       /* LIGHT_TYPE_... */
     vec3 right;
     float cos_inner;

@@ -58,8 +58,6 @@ static void add_sky(struct light_samples *samples, const struct light_samples_sk
 
 static void add_many(struct light_samples *samples, double flux) {
     struct emitter many = emitter_new(EMITTER_MANY);
-    if (flux <= 0)
-        return;
     for (int c = 0; c < 3; c++)
         many.intensity[c] = (float)flux;
     samples->groups[samples->group_count++] = (struct light_group){samples->count, 1};
@@ -82,11 +80,12 @@ struct light_layout light_samples_layout(struct light_samples *samples) {
 void light_samples_place(struct light_samples *samples, const struct emitters *emitters,
                          const struct light_samples_sky *sky, const struct light_samples_desc *desc,
                          int pass) {
-    int wide = 0, many = desc->many > 0;
+    int wide = 0;
     for (int i = 0; i < emitters->count; i++)
         wide += is_wide(&emitters->items[i], desc);
     int each = wide > 0 && desc->count > wide ? desc->count / wide : 1;
-    while (each > 1 && emitters->count + sky->groups->count + many + wide * (each - 1) > LIGHTS_MAX)
+    while (each > 1 &&
+           emitters->count + sky->groups->count + desc->many + wide * (each - 1) > LIGHTS_MAX)
         each--;
     for (bool fits = false; !fits; each--) {
         samples->count = samples->group_count = 0;
@@ -94,7 +93,8 @@ void light_samples_place(struct light_samples *samples, const struct emitters *e
             const struct emitter *light = &emitters->items[i];
             add_pieces(samples, light, is_wide(light, desc) ? each : 1, pass);
         }
-        add_many(samples, desc->many);
+        if (desc->many)
+            add_many(samples, desc->flux);
         add_sky(samples, sky, emitters->sky, pass);
         struct light_layout layout = light_samples_layout(samples);
         fits = each == 1 || light_layout_fits(&layout);

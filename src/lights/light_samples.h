@@ -34,7 +34,8 @@ struct light_samples_desc {
     /* Width above which a light has several samples, as a fraction of radius; for suns, radians. */
     float wide;
     float radius; /* of the scene, m */
-    double many;  /* flux of all sampled lights, W; 0: none */
+    bool many;    /* some lights are sampled */
+    double flux;  /* of all sampled lights, W */
 };
 
 /* Places the samples of emitters that fit a layout. A light of EMITTER_MANY follows,

@@ -1,6 +1,8 @@
 #include "passes/sampled_lights.h"
 
 #include "base/memory.h"
+#include "base/unit.h"
+#include "scene/lights/emissive_triangles.h"
 #include "scene/lights/light_tree.h"
 #include "shared/bindings.h"
 #include "shared/light_tree.h"
@@ -35,11 +37,71 @@ static struct sampled_light light_of(const struct emitter *emitter) {
     return light;
 }
 
+/* A triangle emits from its front: intensity is its area times its radiance. */
+static struct sampled_light light_of_triangle(const struct light_triangle *triangle) {
+    struct sampled_light light = {.type = EMITTER_AREA, .shape = LIGHT_SHAPE_TRIANGLE, .slide = -1};
+    vec3 across;
+    glm_vec3_cross((float *)triangle->edge_1, (float *)triangle->edge_2, across);
+    float area = glm_vec3_norm(across) / 2;
+    glm_vec3_scale((vec3){triangle->red, triangle->green, triangle->blue}, area, light.intensity);
+    glm_vec3_copy((float *)triangle->corner, light.position);
+    vec3_unit_to(across, light.direction);
+    glm_vec3_copy((float *)triangle->edge_1, light.right);
+    glm_vec3_copy((float *)triangle->edge_2, light.up);
+    return light;
+}
+
+/* Lights with their bounds, while their tree is built. */
+struct list {
+    struct sampled_light *lights;
+    struct light_bounds *bounds;
+    int count;
+};
+
+static void list_add(struct list *list, const struct sampled_light *light,
+                     const struct light_bounds *bounds, double flux) {
+    list->lights[list->count] = *light;
+    list->lights[list->count].flux = (float)flux;
+    list->bounds[list->count++] = *bounds;
+}
+
+static void list_triangles(struct list *list, const struct emissive_triangles *triangles) {
+    for (int i = 0; i < triangles->count; i++) {
+        const struct light_triangle *triangle = &triangles->items[i];
+        struct sampled_light light = light_of_triangle(triangle);
+        struct light_bounds bounds = light_bounds_of_triangle(triangle);
+        double mean =
+            ((double)light.intensity[0] + (double)light.intensity[1] + (double)light.intensity[2]) /
+            3;
+        list_add(list, &light, &bounds, GLM_PI * mean);
+    }
+}
+
+static void list_lights(struct list *list, const struct emitters *emitters,
+                        const struct scene *scene, const struct geometry *geometry) {
+    const struct emitter *sampled = emitters->items + emitters->count;
+    const struct emitters own = {.items = emitters->items + emitters->count,
+                                 .count = emitters->sampled};
+    struct emissive_triangles triangles;
+    emissive_triangles_init(&triangles, scene, geometry, &own);
+    size_t most = (size_t)emitters->sampled + (size_t)triangles.count;
+    *list = (struct list){mem_alloc(most, sizeof *list->lights),
+                          mem_alloc(most, sizeof *list->bounds), 0};
+    for (int i = 0; i < emitters->sampled; i++) {
+        struct sampled_light light = light_of(&sampled[i]);
+        struct light_bounds bounds = light_bounds_of(&sampled[i]);
+        if (!sampled[i].stands_in)
+            list_add(list, &light, &bounds, emitter_flux(&sampled[i], 1));
+    }
+    list_triangles(list, &triangles);
+    emissive_triangles_free(&triangles);
+}
+
 /* Lights in the order of the tree's leaves, which lie near each other. */
 struct ordered {
     struct light_node *nodes;
-    const struct emitter *emitters;
-    struct sampled_light *lights;
+    const struct sampled_light *from;
+    struct sampled_light *to;
     int count;
     double flux;
 };
@@ -51,45 +113,37 @@ static void order_below(struct ordered *ordered, int node) {
         order_below(ordered, link + 1);
         return;
     }
-    const struct emitter *emitter = &ordered->emitters[-1 - link];
-    struct sampled_light *light = &ordered->lights[ordered->count];
-    double flux = emitter_flux(emitter, 1);
-    *light = light_of(emitter);
+    struct sampled_light *light = &ordered->to[ordered->count];
+    *light = ordered->from[-1 - link];
     light->flux_before = (float)ordered->flux;
-    light->flux = (float)flux;
     ordered->nodes[node].link = -1 - ordered->count++;
-    ordered->flux += flux;
+    ordered->flux += (double)light->flux;
 }
 
-static void build_tree(struct light_tree *tree, const struct emitter *lights, int count) {
-    struct light_bounds *bounds = mem_alloc((size_t)count, sizeof *bounds);
-    for (int i = 0; i < count; i++)
-        bounds[i] = light_bounds_of(&lights[i]);
-    light_tree_init(tree, bounds, count);
-    free(bounds);
-}
-
-bool sampled_lights_init(struct sampled_lights *lights, const struct emitters *emitters) {
-    *lights = (struct sampled_lights){0};
+bool sampled_lights_init(struct sampled_lights *lights, const struct emitters *emitters,
+                         const struct scene *scene, const struct geometry *geometry) {
     struct light_tree tree;
-    struct ordered ordered = {.emitters = emitters->items + emitters->count};
+    struct list list;
+    *lights = (struct sampled_lights){0};
     if (emitters->sampled == 0)
         return true;
-    build_tree(&tree, ordered.emitters, emitters->sampled);
-    ordered.nodes = tree.nodes;
-    ordered.lights = mem_alloc((size_t)emitters->sampled, sizeof *ordered.lights);
+    list_lights(&list, emitters, scene, geometry);
+    light_tree_init(&tree, list.bounds, list.count);
+    struct ordered ordered = {.nodes = tree.nodes,
+                              .from = list.lights,
+                              .to = mem_alloc((size_t)list.count, sizeof *ordered.to)};
     if (tree.node_count > 0)
         order_below(&ordered, 0);
     for (int i = 0; i < ordered.count; i++) {
-        ordered.lights[i].flux_before /= (float)ordered.flux;
-        ordered.lights[i].flux /= (float)ordered.flux;
+        ordered.to[i].flux_before /= (float)ordered.flux;
+        ordered.to[i].flux /= (float)ordered.flux;
     }
     lights->flux = ordered.flux;
     bool ok = buffer_init_texels(&lights->nodes, GL_RGBA32F, "light tree",
                                  (size_t)tree.node_count * sizeof *tree.nodes, tree.nodes) &&
               buffer_init_texels(&lights->lights, GL_RGBA32F, "sampled lights",
-                                 (size_t)ordered.count * sizeof *ordered.lights, ordered.lights);
-    free(ordered.lights);
+                                 (size_t)ordered.count * sizeof *ordered.to, ordered.to);
+    mem_free(ordered.to, list.lights, list.bounds);
     light_tree_free(&tree);
     if (!ok)
         sampled_lights_free(lights);

@@ -7,6 +7,7 @@
 #include "gl/buffer.h"
 #include "gl/pass.h"
 #include "scene/lights/emitter.h"
+#include "scene/mesh/geometry.h"
 
 struct sampled_lights {
     struct buffer nodes; /* struct light_node; texels: UNIT_LIGHT_NODES */
@@ -15,8 +16,10 @@ struct sampled_lights {
     double flux; /* of all, W */
 };
 
-/* Uploads emitters->sampled lights; without any, `lights` is zeroed. Error: out of GPU memory. */
-bool sampled_lights_init(struct sampled_lights *lights, const struct emitters *emitters);
+/* Uploads emitters->sampled lights, with emissive triangles in place of stand-ins. Without any,
+ * `lights` is zeroed. Error: out of GPU memory. */
+bool sampled_lights_init(struct sampled_lights *lights, const struct emitters *emitters,
+                         const struct scene *scene, const struct geometry *geometry);
 void sampled_lights_free(struct sampled_lights *lights);
 
 /* Binds the textures of lib/light_tree.glsl. */

@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Most lights that all have maps. Of more, lights with maps are directional ones and each that has
- * more than this part of all flux. */
+ * more than this part of all flux. Triangles take the place of stand-ins. */
 enum { MAPPED_LIGHTS_MAX = 16 };
 
 /* Sampled lights light no medium and no glass, and need rays. */
@@ -33,8 +33,8 @@ struct emitters renderer_divide_lights(const struct renderer_desc *desc) {
             flux += emitter_flux(&all.items[i], 1);
     for (int i = 0; i < all.count; i++) {
         const struct emitter *light = &all.items[i];
-        bool mapped =
-            light->type == EMITTER_DIRECTIONAL || MAPPED_LIGHTS_MAX * emitter_flux(light, 1) > flux;
+        bool mapped = !light->stands_in && (light->type == EMITTER_DIRECTIONAL ||
+                                            MAPPED_LIGHTS_MAX * emitter_flux(light, 1) > flux);
         if (mapped)
             all.items[count++] = *light;
         else
@@ -73,13 +73,6 @@ enum { LIGHT_SAMPLES = 4 };
 /* A wider light has several light samples; over the scene's radius, of a sun in radians. */
 static const float wide_light = .3F;
 
-static double sampled_flux(const struct emitters *emitters) {
-    double flux = 0;
-    for (int i = 0; i < emitters->sampled; i++)
-        flux += emitter_flux(&emitters->items[emitters->count + i], 1);
-    return flux;
-}
-
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc) {
     struct light_samples samples;
@@ -90,7 +83,7 @@ bool renderer_plan_lights(struct light_plan *plan, const struct renderer *render
                          desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
     plan_sky(plan, renderer, desc);
     plan->light_samples = (struct light_samples_desc){
-        LIGHT_SAMPLES, wide_light, desc->geometry->radius, sampled_flux(&desc->emitters)};
+        LIGHT_SAMPLES, wide_light, desc->geometry->radius, desc->emitters.sampled > 0, 0};
     light_samples_place(&samples, &desc->emitters,
                         &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
                         &plan->light_samples, 0);

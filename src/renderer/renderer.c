@@ -296,7 +296,8 @@ static void shift_light_samples(struct renderer *renderer) {
 }
 
 static void place_light_samples(struct renderer *renderer) {
-    const struct light_plan *plan = &renderer->plan;
+    struct light_plan *plan = &renderer->plan;
+    plan->light_samples.flux = renderer->sampled.flux;
     light_samples_place(&renderer->light_samples, &renderer->desc.emitters,
                         &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
                         &plan->light_samples, renderer->pass);
@@ -350,6 +351,10 @@ static void set_defaults(struct renderer_desc *desc) {
         renderer_settings_init(&desc->settings);
 }
 
+static bool init_sampled(struct sampled_lights *sampled, const struct renderer_desc *desc) {
+    return sampled_lights_init(sampled, &desc->emitters, desc->scene, desc->geometry);
+}
+
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
     *renderer = (struct renderer){.desc = *desc,
                                   .light_search = light_search_create(),
@@ -363,8 +368,7 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, renderer_geometry(renderer)) &&
         (!desc->scene->environment || sky_pieces_init(&renderer->sky_pieces)) &&
-        sampled_lights_init(&renderer->sampled, &renderer->desc.emitters) &&
-        init_parts(renderer, PART_ALL) &&
+        init_sampled(&renderer->sampled, &renderer->desc) && init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
         buffer_init(&renderer->sample_buffer, "samples", sizeof *renderer->sample_block, NULL)) {
@@ -547,7 +551,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     bool same_lights = emitters_same(&desc.emitters, &old);
     struct sampled_lights sampled = renderer->sampled;
     if (!renderer_plan_lights(&plan, renderer, &desc) ||
-        (!same_lights && !sampled_lights_init(&sampled, &desc.emitters))) {
+        (!same_lights && !init_sampled(&sampled, &desc))) {
         emitters_free(&desc.emitters);
         return false;
     }

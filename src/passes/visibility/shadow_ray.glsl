@@ -16,7 +16,11 @@ vec3 arriving(light l, vec3 place, vec3 above, float weight, out vec3 direction)
     float away, clearance = bvh_clearance();
     vec3 power = weight * arriving_unshadowed(l, place, direction, away);
     bool asks = dot(power, vec3(1.0)) > 0.0 && away > clearance;
-    bvh_ray ray = bvh_ray_along(place + clearance * above, -direction, away - clearance);
+    // It ends before the light, which may lie on a surface.
+    vec3 origin = place + clearance * above, way = -direction;
+    if (l.type != LIGHT_TYPE_DIRECTIONAL)
+        way = (l.position - origin) / away;
+    bvh_ray ray = bvh_ray_along(origin, way, away - clearance);
     return asks && !bvh_meets_any(ray, asks) ? power : vec3(0.0);
 }
 
