@@ -63,7 +63,8 @@ static const struct option options[] = {
     {"noise", 0, OPTION_FLOAT, offsetof(struct values, noise), 0, 0, 1, .value_name = "X%",
      .help =
          "limit of the standard error over the mean, for indirect light, direct light of lights\n"
-         "with a size, specular light (over the mean of all light), and ao; 0: 1%"},
+         "with a size or of more than 64, specular light (over the mean of all light), and ao;\n"
+         "0: 1%"},
     {"centers", 0, OPTION_FLAG, offsetof(struct values, tracer.centers),
      .help = "samples at pixel centres only, as a rasteriser has them: no antialiasing"},
     {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none",

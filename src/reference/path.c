@@ -178,7 +178,8 @@ static float step_density(const struct hit *x, const struct step *step) {
  * quarter of the rays. p_ray: step_density's. */
 static vec3s from_ray(const struct ray_scene *rays, const struct emission *emission,
                       const struct hit *y, float p_ray, struct sampler *sampler) {
-    vec2s picks = emission->count > 1 ? sampler_next(sampler) : (vec2s){{0, 0}};
+    bool picks_one = emission->count > 1 || emission->surfaces.tree.node_count > 0;
+    vec2s picks = picks_one ? sampler_next(sampler) : (vec2s){{0, 0}};
     struct reservoir reservoir = {.pick = picks.x};
     vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
     struct light_choice choices[CHOICES_MAX];
@@ -186,7 +187,7 @@ static vec3s from_ray(const struct ray_scene *rays, const struct emission *emiss
     for (int i = 0; i < count; i++) {
         int n = choices[i].n;
         struct arrival arrival;
-        if (!emission_reach(emission, n, emission_place(emission, n, sample, y), y, &arrival))
+        if (!emission_reach_near(emission, n, picks.y, sample, y, &arrival))
             continue;
         float weight = choices[i].weight, p_light = LIGHTS_PER_VERTEX * arrival.density / p_ray;
         arrival.found *= weight;

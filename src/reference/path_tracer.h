@@ -3,13 +3,14 @@
  * A path of b bounces is camera -> x0 ... -> xb -> light. Vertices are sampled by the BRDF. The
  * last is also found by light rays' first hits, which all pixels share (light_vertices.h). The
  * power heuristic weights both, light by light [Veach 1997, §9.2.4]. Environments, and on specular
- * surfaces lights with a size, are also found by rays of the BRDF. There is no clamping and no
- * Russian roulette. Independent streams of samples give the noise. Caustics of point lights on
- * smooth metal stay noisy. A medium attenuates all segments; the layer airlight has single
- * scattering (reference/airlight.h). Without `smooth` glass and mirrors are opaque specular
- * surfaces. Shading normals have no terminator correction. A surface reflects only between
- * directions on one side of its triangle. Cost: pixels x samples x paths x bounces rays, plus
- * shadow rays. */
+ * surfaces lights with a size, are also found by rays of the BRDF. More than 64 lights, and many
+ * emissive triangles, are sampled by trees (scene/lights/light_tree.h), else each light counts at
+ * each vertex. There is no clamping and no Russian roulette. Independent streams of samples give
+ * the noise. Caustics of point lights on smooth metal stay noisy. A medium attenuates all segments;
+ * the layer airlight has single scattering (reference/airlight.h). Without `smooth` glass and
+ * mirrors are opaque specular surfaces. Shading normals have no terminator correction. A surface
+ * reflects only between directions on one side of its triangle. Cost: pixels x samples x paths x
+ * bounces rays, plus shadow rays. */
 #ifndef REFERENCE_PATH_TRACER_H
 #define REFERENCE_PATH_TRACER_H
 

@@ -202,11 +202,10 @@ static vec3s through_medium(const struct emission *emission, const struct hit *h
         light, medium_transmittance(&emission->medium, hit->position, direction, distance));
 }
 
-bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
-                    struct arrival *arrival) {
+/* Light of a piece of the n-th light. picked: the density of its place, of a sky or surfaces. */
+static bool reach(const struct emission *emission, int n, struct emitter light, double picked,
+                  const struct hit *hit, struct arrival *arrival) {
     const struct source *source = &emission->sources[n];
-    double picked; /* density with which the place is */
-    struct emitter light = piece_of(emission, n, place, &picked);
     vec3s to_light = glms_vec3_negate(vector_of(light.direction));
     float distance = 2 * emission->radius; /* beyond the bounds from every point within */
     float strength = 1;                    /* irradiance across the beam, for an intensity of 1 */
@@ -255,6 +254,33 @@ bool emission_reach(const struct emission *emission, int n, vec2s place, const s
     return true;
 }
 
+bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
+                    struct arrival *arrival) {
+    double picked;
+    struct emitter light = piece_of(emission, n, place, &picked);
+    return reach(emission, n, light, picked, hit, arrival);
+}
+
+bool emission_reach_near(const struct emission *emission, int n, float which, vec2s sample,
+                         const struct hit *hit, struct arrival *arrival) {
+    struct emitter piece;
+    double densities[2];
+    if (n != emission->surfaces_number || emission->surfaces.tree.node_count == 0)
+        return emission_reach(emission, n, emission_place(emission, n, sample, hit), hit, arrival);
+    vec3s place = {{which, sample.x, sample.y}};
+    if (!surfaces_piece_near(&emission->surfaces, hit, place, &piece, densities) ||
+        !reach(emission, n, piece, densities[0], hit, arrival))
+        return false;
+    arrival->density *= (float)(densities[1] / densities[0]);
+    return true;
+}
+
+float emission_times_chosen(const struct emission *emission, const struct hit *hit, int most, int n,
+                            vec2s place) {
+    return n == emission->surfaces_number ? surfaces_chosen(&emission->surfaces, hit, place.raw)
+                                          : 1 / emission_choice_weight(emission, hit, most, n);
+}
+
 /* --- rays that come to a light ---------------------------------------------------------------- */
 
 /* What comes from a direction: its radiance, the density with which the source picks it, 1/sr, and
@@ -266,14 +292,16 @@ struct found {
 
 static bool find_surface(const struct emission *emission, const struct hit *hit, vec3s direction,
                          const struct hit *end, struct found *found) {
-    float density = surfaces_density(&emission->surfaces, end);
+    double densities[2];
     float cosine = -glms_vec3_dot(end->geometric_normal, direction);
     float distance2 = glms_vec3_distance2(end->position, hit->position);
-    if (density <= 0 || cosine <= 0 || glms_vec3_max(end->emission) <= 0)
+    if (cosine <= 0 || glms_vec3_max(end->emission) <= 0 ||
+        !surfaces_densities(&emission->surfaces, hit, end, densities) || !(densities[0] > 0))
         return false;
-    *found = (struct found){end->emission, density * distance2 / cosine,
+    *found = (struct found){end->emission, (float)densities[0] * distance2 / cosine,
                             cosine / distance2 * GLM_1_PIf *
-                                emission->sources[emission->surfaces_number].share};
+                                emission->sources[emission->surfaces_number].share *
+                                (float)(densities[1] / densities[0])};
     return true;
 }
 
@@ -430,10 +458,12 @@ enum { CANDIDATES = 8 };
 static struct reflected direct_resampled(const struct emission *emission, int n,
                                          const struct ray_scene *rays, const struct hit *hit,
                                          struct sampler *sampler) {
-    struct reservoir reservoir = {.pick = sampler_next(sampler).x};
+    vec2s picks = sampler_next(sampler);
+    struct reservoir reservoir = {.pick = picks.x};
     for (int i = 0; i < CANDIDATES; i++) {
         struct arrival arrival;
-        if (!emission_reach(emission, n, sampler_next(sampler), hit, &arrival))
+        float which = ((float)i + picks.y) / CANDIDATES;
+        if (!emission_reach_near(emission, n, which, sampler_next(sampler), hit, &arrival))
             continue;
         struct reflected given = reflect(hit, &arrival, emission_picked_weight(&arrival, 0));
         reservoir_offer(&reservoir, &given, arrival.at);

@@ -112,6 +112,16 @@ vec2s emission_even_place(const struct emission *emission, int n, vec2s sample,
 bool emission_reach(const struct emission *emission, int n, vec2s place, const struct hit *hit,
                     struct arrival *arrival);
 
+/* Samples a place of the n-th light for this surface by three numbers in [0, 1) and computes its
+ * light. Many surfaces are sampled by their tree, other lights as by emission_place. */
+bool emission_reach_near(const struct emission *emission, int n, float which, vec2s sample,
+                         const struct hit *hit, struct arrival *arrival);
+
+/* Returns how often emission_choose and emission_reach_near sample the n-th light's place on
+ * average, over how often emission_place does. */
+float emission_times_chosen(const struct emission *emission, const struct hit *hit, int most, int n,
+                            vec2s place);
+
 /* True if rays of the surface's reflection can hit some light: for specular surfaces any light with
  * a size. */
 bool emission_can_be_found(const struct emission *emission, const struct hit *hit);

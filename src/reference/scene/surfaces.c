@@ -6,6 +6,7 @@
 #include "base/memory.h"
 #include "scene/lights/emissive.h"
 #include "scene/mesh/corners.h"
+#include "shared/light_tree.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -81,6 +82,25 @@ static void finish_list(struct surfaces *surfaces, const double *powers) {
     surfaces->flux = sum / 3;
 }
 
+/* Powers are relative. */
+static void build_tree(struct surfaces *surfaces) {
+    const struct geometry *geometry = surfaces->table->geometry;
+    struct light_bounds *bounds = mem_alloc((size_t)surfaces->count, sizeof *bounds);
+    for (int i = 0; i < surfaces->count; i++) {
+        const struct surface_triangle *item = &surfaces->list[i];
+        float power = item->density;
+        struct light_triangle triangle = {.red = power, .green = power, .blue = power};
+        vec3s edges[2],
+            corner = corners_edges(geometry, &geometry->indices[3 * (size_t)item->triangle], edges);
+        glm_vec3_copy(corner.raw, triangle.corner);
+        glm_vec3_copy(edges[item->back].raw, triangle.edge_1);
+        glm_vec3_copy(edges[!item->back].raw, triangle.edge_2);
+        bounds[i] = light_bounds_of_triangle(&triangle);
+    }
+    light_tree_init(&surfaces->tree, bounds, surfaces->count);
+    free(bounds);
+}
+
 void surfaces_init(struct surfaces *surfaces, const struct hit_table *table,
                    const struct emitters *emitters) {
     const struct scene *scene = table->scene;
@@ -102,42 +122,84 @@ void surfaces_init(struct surfaces *surfaces, const struct hit_table *table,
             add_surface(surfaces, spans[i], lamp == LAMP_STOOD_IN_FOR, powers);
     }
     finish_list(surfaces, powers);
+    if (surfaces->count > SURFACES_BY_POWER_MAX)
+        build_tree(surfaces);
     mem_free(powers, lamps, spans);
 }
 
 void surfaces_free(struct surfaces *surfaces) {
     mem_free(surfaces->shines, surfaces->first, surfaces->list);
     alias_free(&surfaces->alias);
+    light_tree_free(&surfaces->tree);
     *surfaces = (struct surfaces){0};
 }
 
 /* --- light ------------------------------------------------------------------------------------ */
 
-struct emitter surfaces_piece(const struct surfaces *surfaces, const float place[2],
-                              double *density) {
-    float across = place[0];
-    const struct surface_triangle *picked = &surfaces->list[alias_pick(&surfaces->alias, &across)];
-    struct triangle_point point = point_in(picked->triangle, across, place[1]);
+static struct emitter piece_of(const struct surfaces *surfaces, int n, float across, float along,
+                               double density) {
+    const struct surface_triangle *picked = &surfaces->list[n];
+    struct triangle_point point = point_in(picked->triangle, across, along);
     struct emitter piece = {.type = EMITTER_AREA};
     vec3s normal = surfaces->table->normal_of[picked->triangle];
     vec3s position = hit_position(surfaces->table, &point);
     vec3s radiance = hit_emission(surfaces->table, &point);
-    *density = (double)picked->density;
     glm_vec3_scale(normal.raw, picked->back ? -1 : 1, piece.direction);
     glm_vec3_copy(position.raw, piece.position);
-    glm_vec3_divs(radiance.raw, picked->density, piece.intensity);
+    glm_vec3_divs(radiance.raw, (float)density, piece.intensity);
     return piece;
 }
 
-float surfaces_density(const struct surfaces *surfaces, const struct hit *hit) {
+struct emitter surfaces_piece(const struct surfaces *surfaces, const float place[2],
+                              double *density) {
+    float across = place[0];
+    int n = (int)alias_pick(&surfaces->alias, &across);
+    *density = (double)surfaces->list[n].density;
+    return piece_of(surfaces, n, across, place[1], *density);
+}
+
+static double density_by_tree(const struct surfaces *surfaces, const struct hit *from, int n) {
+    float probability =
+        light_tree_probability(&surfaces->tree, from->position.raw, from->normal.raw, n);
+    return (double)probability / area_of(surfaces->table, surfaces->list[n].triangle);
+}
+
+bool surfaces_piece_near(const struct surfaces *surfaces, const struct hit *from, vec3s place,
+                         struct emitter *piece, double densities[2]) {
+    float probability;
+    int n = light_tree_sample(&surfaces->tree, from->position.raw, from->normal.raw, place.x,
+                              &probability);
+    if (n < 0)
+        return false;
+    densities[0] = (double)probability / area_of(surfaces->table, surfaces->list[n].triangle);
+    densities[1] = (double)surfaces->list[n].density;
+    *piece = piece_of(surfaces, n, place.y, place.z, densities[0]);
+    return true;
+}
+
+float surfaces_chosen(const struct surfaces *surfaces, const struct hit *from,
+                      const float place[2]) {
+    float across = place[0];
+    if (surfaces->tree.node_count == 0)
+        return 1;
+    int n = (int)alias_pick(&surfaces->alias, &across);
+    return (float)(density_by_tree(surfaces, from, n) / (double)surfaces->list[n].density);
+}
+
+bool surfaces_densities(const struct surfaces *surfaces, const struct hit *from,
+                        const struct hit *hit, double densities[2]) {
     int first = surfaces->first ? surfaces->first[hit->triangle] : -1;
     const struct hit_table *table = surfaces->table;
     if (first < 0)
-        return 0;
+        return false;
     bool is_double = table->scene->materials[table->material_of[hit->triangle]].double_sided;
     if (hit->is_back && !is_double)
-        return 0;
-    return surfaces->list[first + (hit->is_back ? 1 : 0)].density;
+        return false;
+    int n = first + (hit->is_back ? 1 : 0);
+    densities[0] = densities[1] = (double)surfaces->list[n].density;
+    if (surfaces->tree.node_count > 0)
+        densities[0] = density_by_tree(surfaces, from, n);
+    return true;
 }
 
 vec3s surfaces_glow(const struct surfaces *surfaces, const struct hit *hit) {
