@@ -9,7 +9,7 @@ from ._cffi import ffi, lib
 from ._errors import ArgumentError
 from ._image import Layers, to_layers
 from ._names import settings_text
-from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc
+from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc, camera_of
 
 
 class SceneInfo(NamedTuple):
@@ -76,8 +76,7 @@ class Scene:
         out = Descriptor("camera").pointer
         name = ffi.NULL if text is None else ffi.new("char[]", encode(text))
         call(lib.manylight_scene_camera, self._handle, name, time, out)
-        return Camera(tuple(out.eye), tuple(out.forward), tuple(out.up), out.fov_y, out.y_extent, out.near_plane,
-                      out.far_plane, tuple(out.right))
+        return camera_of(out)
 
 
 def scene_of(scene: "Scene | str | os.PathLike[str]") -> Scene:

@@ -142,7 +142,7 @@ static bool project(const struct renderer *renderer, const float position[3], in
     pixel[0] = (int)x;
     pixel[1] = (int)y;
     glm_vec3_sub((float *)position, (float *)view->origin, from_eye);
-    *depth = glm_vec3_dot(from_eye, (float *)view->forward);
+    *depth = glm_vec3_dot(from_eye, (float *)renderer->desc.camera.forward);
     return true;
 }
 

@@ -230,7 +230,28 @@ struct manylight_camera {
     float fov_y;                 /* vertical, radians, below pi; 0: orthographic by y_extent */
     float y_extent;              /* half height of an orthographic picture, m; both 0: fov_y .8 */
     float near_plane, far_plane; /* m; clip distances; far 0: none */
+    /* Shifted lens: place of the picture's middle, from the axis to the right and up, in halves of
+     * width and height. Cameras of a scene have none. */
+    float shift[2];
 };
+
+/* Camera's own axes of a pose: x right, y up, z back; or x right, y down, z forward. */
+enum manylight_axes { MANYLIGHT_OPENGL, MANYLIGHT_OPENCV };
+
+/* A pinhole by its intrinsics matrix without skew, and its pose. */
+struct manylight_pinhole {
+    size_t size;
+    int width, height; /* pixels, of the picture that the intrinsics are for */
+    double fx, fy;     /* focal lengths, pixels */
+    double cx, cy;     /* principal point, pixels from the top left corner; first centre .5, .5 */
+    double pose[16];   /* rigid, camera to world, row by row; all 0: identity */
+    enum manylight_axes axes;
+};
+
+/* Fills *camera for the pinhole. The caller sets camera->size. Pictures of other sizes keep the
+ * vertical angle of view. */
+MANYLIGHT_API enum manylight_status
+manylight_camera_pinhole(const struct manylight_pinhole *pinhole, struct manylight_camera *camera);
 
 /* Set exactly one of path, memory and meshes; memory may have a path, too. All elements of an array
  * have the same size member. */

@@ -37,5 +37,5 @@ float primary_depth(const struct primary_rays *primary, vec3s position) {
 float primary_pixel_size(const struct primary_rays *primary, float depth) {
     const struct camera *camera = primary->camera;
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2) * depth;
-    return 2 * half / (float)primary->height;
+    return 2 * half * sqrtf(camera_axis_norm2(camera->up)) / (float)primary->height;
 }

@@ -60,6 +60,35 @@ def check_area_lights(device):
     assert np.allclose(manylight.read(out)["direct"], python["direct"], rtol=2e-3, atol=1e-4)
 
 
+def check_intrinsics(device):
+    """Points of the square's picture are where K [R|t] puts them, in both conventions."""
+    size, turn = (64, 48), np.array([[.8, 0, .6], [0, 1, 0], [-.6, 0, .8]])
+    matrix = np.array([[50, 0, 20], [0, 40, 30], [0, 0, 1.]])
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = turn, (1.5, .8, 2)
+    flipped = pose @ np.diag([1, -1, -1, 1])
+    cameras = [Camera.from_intrinsics(matrix, pose, size, convention="opengl"),
+               Camera.from_intrinsics((50, 40, 20, 30), flipped, size, convention="opencv", pixel_center=.5),
+               Camera.from_intrinsics(matrix - [[0, 0, .5], [0, 0, .5], [0, 0, 0]], flipped, size, convention="opencv")]
+    depth = device.render(scene_of(), size, camera=cameras[0], vpls=64)["Z"]
+    rows, columns = np.nonzero(depth)
+    assert len(rows) > 100
+    local = np.stack([(columns + .5 - 20) / 50, -(rows + .5 - 30) / 40, -np.ones(len(rows))]) * depth[rows, columns]
+    near("height of the square", (turn @ local).T[:, 1] + .8, 0, 0)
+    for camera in cameras[1:]:
+        near("axes", np.concatenate([camera.right, camera.up, camera.forward]),
+             np.concatenate([cameras[0].right, cameras[0].up, cameras[0].forward]))
+        near("shift", camera.shift, cameras[0].shift)
+    make = lambda k=matrix, p=pose, c="opencv", **more: Camera.from_intrinsics(k, p, size, convention=c, **more)
+    for words, call in (("convention: 'blender' is none of opencv, opengl", lambda: make(c="blender")),
+                        ("no skew", lambda: make(matrix + [[0, 1, 0], [0, 0, 0], [0, 0, 0]])),
+                        ("pose: shape (3, 4)", lambda: make(p=pose[:3])),
+                        ("pose: column 0 has the length 2", lambda: make(p=pose @ np.diag([2, 1, 1, 1]))),
+                        ("focal lengths of -50", lambda: make((-50, 40, 20, 30))),
+                        ("pixel_center: 'x'", lambda: make(pixel_center="x"))):
+        refuse(words, call)
+
+
 def check_colors(device):
     """Whole numbers are shares of their type's largest; floats are shares of 1."""
     taken = (np.full((4, 4), 64, np.uint8), np.full((4, 4), 64 * 257, np.uint16), np.full((4, 4), 64 / 255),
@@ -176,6 +205,7 @@ def main():
     with manylight.Device(allow_software=True) as device:
         check_errors(device)
         check_area_lights(device)
+        check_intrinsics(device)
         check_colors(device)
         check_vectors(device)
         check_meshes()
