@@ -39,6 +39,7 @@ class Renderer:
         self._lock = threading.Lock()
         self._process = os.getpid()
         self._shape = (0, 0)
+        self._names: List[str] = []  # layers of every frame
         self.scene = scene
 
     def close(self) -> None:
@@ -71,12 +72,25 @@ class Renderer:
 
         def draw() -> Layers:
             call(lib.manylight_render, renderer, view.pointer)
-            image = _image_of(renderer, wanted)
+            image = self._image(renderer, wanted)
             self._shape = (lib.manylight_image_height(image), lib.manylight_image_width(image))
             return to_layers(image, wanted)
 
         with self._alone():
             return run(work, draw)
+
+    def _image(self, renderer: Any, wanted: Optional[List[str]]) -> Any:
+        """The last frame. Names that are no layers of every frame are outputs of the technique or of surfaces."""
+        if not self._names:
+            image = made("image", lib.manylight_read, renderer, ffi.NULL)
+            self._names = layer_names(image)
+            if not wanted or set(wanted) <= set(self._names):
+                return image
+        outputs = ",".join(layer for layer in wanted or () if layer not in self._names)
+        try:
+            return made("image", lib.manylight_read, renderer, encode(outputs) if outputs else ffi.NULL)
+        except ArgumentError as error:
+            raise ArgumentError(f"{error}; layers of every frame: {', '.join(self._names)}") from None
 
     def display(self, layer: Optional[str] = None) -> np.ndarray:
         """The last frame as a display shows it: uint8 sRGB (height, width, 4), row 0 at the top. `layer`: "beauty",
@@ -100,18 +114,6 @@ class Renderer:
         value = ffi.new("double *")
         call(lib.manylight_milliseconds, self._open(), encode(path), value)
         return value[0]
-
-
-def _image_of(renderer: Any, wanted: Optional[List[str]]) -> Any:
-    """The last frame. Names that are no layers of every frame are outputs of the technique."""
-    image = made("image", lib.manylight_read, renderer, ffi.NULL)
-    outputs = [] if wanted is None else [layer for layer in wanted if layer not in layer_names(image)]
-    if not outputs:
-        return image
-    try:
-        return made("image", lib.manylight_read, renderer, encode(",".join(outputs)))
-    except ArgumentError as error:
-        raise ArgumentError(f"{error}; layers of every frame: {', '.join(layer_names(image))}") from None
 
 
 class Device:

@@ -2,12 +2,14 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Iterable, NamedTuple, Optional, Sequence, Tuple
+from functools import partial
+from itertools import count
+from typing import Any, Dict, Iterable, NamedTuple, Optional, Sequence, Tuple
 
-from ._call import Descriptor, Progress, Work, call, encode, made, run, whole, width_and_height
+from ._call import Descriptor, Progress, Work, call, described, encode, made, run, whole, width_and_height
 from ._cffi import ffi, lib
-from ._errors import ArgumentError
-from ._image import Layers, to_layers
+from ._errors import ArgumentError, text_of
+from ._image import SURFACE_LAYERS, Layers, listed, to_layers
 from ._names import settings_text
 from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc, camera_of
 
@@ -23,6 +25,9 @@ class SceneInfo(NamedTuple):
     radius: float
     duration: float
     origin: Tuple[float, float, float]
+
+
+KINDS_OF_IDS = ("node", "mesh", "material")
 
 
 class Scene:
@@ -70,6 +75,14 @@ class Scene:
         call(lib.manylight_scene_info, self._handle, info)
         return SceneInfo(info.triangle_count, info.material_count, info.light_count, info.camera_count,
                          tuple(info.center), info.radius, info.duration, tuple(info.origin))
+
+    def names(self, kind: str) -> Dict[int, str]:
+        """Names by the numbers in the layer "id.KIND": of "node", "mesh" or "material". Unnamed parts have ""."""
+        if kind not in KINDS_OF_IDS:
+            raise ArgumentError(f"kind: {described(kind)} is none of {', '.join(KINDS_OF_IDS)}")
+        part = KINDS_OF_IDS.index(kind)
+        name = partial(lib.manylight_scene_name, self._handle, part)
+        return {i: text_of(text) for i, text in enumerate(iter(map(name, count(1)).__next__, ffi.NULL), 1)}
 
     def camera(self, text: Optional[str] = None, time: float = 0) -> Camera:
         """Where a camera is at a time (s): `text` as of `manylight render --camera`; None: the first."""
@@ -129,11 +142,13 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
 
     Returns the layers as `Device.render`, with "standard_error" of the layer "indirect" and others.
     """
-    work = Work(progress)
+    work, wanted = Work(progress), listed(layers)
     view = view_of(work, camera, light, time)
+    surfaces = ",".join(layer for layer in wanted or () if layer in SURFACE_LAYERS)
     desc = Descriptor("reference_desc", **width_and_height(size), view=view.pointer, bounces=bounces, samples=samples,
                       noise=noise, paths=paths, seed=seed, light_paths=light_paths, smooth=smooth, centers=centers,
                       seen=seen, denoise=denoise, hide_environment=hide_environment, ao_distance=ao_distance,
-                      materials=materials, settings=settings_text(settings, more), threads=threads)
+                      materials=materials, settings=settings_text(settings, more), threads=threads,
+                      outputs=surfaces or None)
     handle = scene_of(scene)._handle
-    return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), layers))
+    return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), wanted))

@@ -13,6 +13,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "inspect/aov.h"
 #include "quality/picture.h"
 #include "renderer/about.h"
 #include "renderer/stage.h"
@@ -77,6 +78,10 @@ static const struct option options[] = {
          "adds the layer ao, ambient occlusion (fraction of cosine-weighted rays from a surface\n"
          "that meet nothing within D metres), and its standard error;\n"
          "auto: that of render --aov ao, .27 of the scene's longest side"},
+    {"aov", 0, OPTION_TEXT, offsetof(struct values, tracer.surface_layers),
+     .value_name = "NAME[,NAME ...]",
+     .help = "adds layers of surfaces at pixel centres: id.node, id.mesh, id.material, position,\n"
+             "depth (along the ray), uv"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
@@ -137,7 +142,7 @@ static bool check_use(const struct values *values) {
     return arguments_check_use(
         &values->common,
         (struct option_use[]){
-            {"bounces spp paths noise centers background seen ao denoise smooth "
+            {"bounces spp paths noise centers background seen ao aov denoise smooth "
              "light-paths materials seed",
              path, "--technique path"},
             {"paths denoise", values->tracer.bounces > 0, "--bounces of 1 or more"},
@@ -165,7 +170,8 @@ static bool check_values(struct values *values) {
         return error_set("--spp and --noise exclude each other");
     if (!check_use(values) || !check_light_paths(values))
         return false;
-    if (!parse_ao(values) || !background_parse(&background, values->background) ||
+    if (!aov_check_surfaces(values->tracer.surface_layers) || !parse_ao(values) ||
+        !background_parse(&background, values->background) ||
         !background_check(&background, &values->output, 1))
         return false;
     if (values->threads > 0)

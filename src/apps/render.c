@@ -85,10 +85,11 @@ static const struct option options[] = {
              "0 to 1, fills them; EXR and TIFF then have surfaces alone, with coverage in A",
      .rare = true},
     {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
-     .help = "more layers of an EXR: outputs of the technique, for example gathered\n"
-             "(before the blur), vpl (flux of VPLs), and with path=maps val (colour of\n"
-             "the strongest VAL) and visibility (fraction of the VALs' light that arrives);\n"
-             "with every technique ao (ambient occlusion, by volume.size and volume.ao-distance)",
+     .help =
+         "more layers of an EXR: outputs of the technique, for example gathered\n"
+         "(before the blur), vpl (flux of VPLs), and with path=maps val (colour of the strongest\n"
+         "VAL) and visibility (fraction of their light that arrives); with all techniques ao\n"
+         "(ambient occlusion, by volume.*), id.node, id.mesh, id.material, position, depth, uv",
      .rare = true},
     STAGE_OPTIONS(struct values, stage),
     SCENE_OPTION(struct values, stage.choice),
@@ -173,7 +174,8 @@ static bool check_name(const struct values *values, const char *name, int frame_
 }
 
 static bool has_mean(const struct values *values) {
-    return values->passes > 1 || values->first_pass > 0 || (values->passes_given && !values->aov);
+    return values->passes > 1 || values->first_pass > 0 ||
+           (values->passes_given && !aov_needs_pass(values->aov));
 }
 
 /* Videos show the background as pictures of 8 bits do. */
@@ -200,7 +202,7 @@ static bool check_use(const struct values *values, int exr) {
 static bool check_outputs(const struct values *values, int frame_count) {
     bool is_float;
     int exr = 0;
-    if (values->aov && has_mean(values))
+    if (aov_needs_pass(values->aov) && has_mean(values))
         return error_set("aov: outputs of a technique are of one pass, and not of a mean");
     if (values->outputs.count + values->videos.paths.count == 0)
         return error_set("no output: -o FILE");
@@ -473,7 +475,7 @@ static bool render(struct values *values, const struct frames *frames,
 static bool find_quality(struct values *values, struct renderer_desc *desc, struct stage *stage) {
     const struct measure_desc measure = measure_of(desc, stage);
     const struct text_list *texts = &values->technique.settings;
-    bool one_pass = values->passes > 0 || values->aov;
+    bool one_pass = values->passes > 0 || aov_needs_pass(values->aov);
     struct quality_found found;
     struct quality_desc wanted = {&measure,
                                   texts->items,

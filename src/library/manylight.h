@@ -299,6 +299,13 @@ struct manylight_scene_info {
 MANYLIGHT_API enum manylight_status manylight_scene_info(const struct manylight_scene *scene,
                                                          struct manylight_scene_info *info);
 
+enum manylight_part { MANYLIGHT_NODE, MANYLIGHT_MESH, MANYLIGHT_MATERIAL };
+
+/* Returns the name of a part by its id in the layers id.node, id.mesh and id.material, from 1 on.
+ * "" where the file has none. The text lives as long as the scene. NULL: no such part. */
+MANYLIGHT_API const char *manylight_scene_name(const struct manylight_scene *scene,
+                                               enum manylight_part part, uint32_t id);
+
 /* Fills *camera with a camera of the scene at a time in seconds; text as in struct manylight_view.
  * The caller sets camera->size. */
 MANYLIGHT_API enum manylight_status manylight_scene_camera(const struct manylight_scene *scene,
@@ -363,8 +370,10 @@ MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *
                                                      const struct manylight_view *view);
 
 /* Copies all layers of the last frame: R G B A, Z, direct, indirect, albedo, normal, and those of
- * specular surfaces, media and caustics. outputs adds outputs of the technique as --aov does,
- * "val,visibility"; NULL: none. It is for single passes, not means. */
+ * specular surfaces, media and caustics. outputs adds layers as --aov does, "id.node,uv"; NULL:
+ * none. Layers of surfaces are of pixel centres, without mixing, 0 where nothing is seen: id.node,
+ * id.mesh and id.material (for manylight_scene_name), position (m, as of the camera), depth (along
+ * the ray, m), uv. Outputs of the technique, "val,visibility", are for single passes, not means. */
 MANYLIGHT_API enum manylight_status manylight_read(struct manylight_renderer *renderer,
                                                    const char *outputs,
                                                    struct manylight_image **image);
@@ -408,6 +417,7 @@ struct manylight_reference_desc {
     const char *materials; /* "full" or "diffuse"; NULL: full */
     const char *settings;  /* settings of the medium only */
     int threads;           /* 0: all cores; the picture does not depend on it */
+    const char *outputs;   /* layers of surfaces, as of manylight_read; NULL: none */
 };
 
 /* Path-traces on the CPU and calls the view's progress. desc may be NULL. */

@@ -1,5 +1,6 @@
 /* The path-traced reference: as apps/reference.c has it. */
 #include "base/error.h"
+#include "inspect/aov.h"
 #include "library/desc.h"
 #include "library/door.h"
 #include "library/image.h"
@@ -53,7 +54,7 @@ static bool check(struct tracing *tracing) {
     desc->smooth = desc->smooth || desc->light_paths > 0;
     if (desc->noise > 0 && desc->samples > 0)
         return refuse("--spp and --noise exclude each other");
-    if (!check_numbers(desc))
+    if (!check_numbers(desc) || !aov_check_surfaces(desc->outputs))
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     if (!find_materials(tracing))
         return false;
@@ -125,6 +126,7 @@ static bool trace(struct tracing *tracing, struct loan *loan, struct image *imag
                                            .ao_distance = desc->ao_distance,
                                            .hides_sky = desc->hide_environment != 0,
                                            .denoise = desc->denoise != 0,
+                                           .surface_layers = desc->outputs,
                                            .threads = desc->threads,
                                            .progress = tell_paths,
                                            .user = tracing};

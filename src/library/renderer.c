@@ -357,7 +357,7 @@ static bool read_layers(void *user) {
     struct renderer *renderer = &call->of->renderer;
     if (!check_frame(call->of))
         return false;
-    if (call->text && call->of->drawing.is_mean) {
+    if (aov_needs_pass(call->text) && call->of->drawing.is_mean) {
         error_set("aov: outputs of a technique are of one pass, and not of a mean");
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     }

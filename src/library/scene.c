@@ -9,6 +9,7 @@
 #include "library/door.h"
 #include "scene/placing.h"
 #include "scene/read_rules.h"
+#include "scene/surface_layers.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -310,6 +311,11 @@ enum manylight_status manylight_scene_camera(const struct manylight_scene *scene
     bool ok = camera_from_text(&placed, &scene->stage.scene, text, time, NULL) &&
               give_camera(&placed, camera);
     return door_leave(&door, ok, MANYLIGHT_BAD_ARGUMENT);
+}
+
+const char *manylight_scene_name(const struct manylight_scene *scene, enum manylight_part part,
+                                 uint32_t id) {
+    return surface_layer_id_name(&scene->stage.scene, (int)part, (int)id - 1);
 }
 
 static bool make_pinhole(const struct manylight_pinhole *given, struct manylight_camera *out) {

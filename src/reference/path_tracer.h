@@ -52,6 +52,8 @@ struct path_tracer_desc {
     bool ao_alone;     /* skips direct and indirect light, whose noise then does not count */
     /* Hides the environment from the camera, but not from surfaces, mirrors and glass. */
     bool hides_sky;
+    /* Layers of surfaces, "id.node,uv" (scene/surface_layers.h); NULL: none. */
+    const char *surface_layers;
     bool denoise; /* filters the indirect layer (reference/denoise.h), after the noise estimate */
     int threads;  /* 0: all cores; the picture does not depend on it */
     /* Called repeatedly from any thread, one at a time; false cancels. */

@@ -89,6 +89,35 @@ def check_intrinsics(device):
         refuse(words, call)
 
 
+def check_surfaces(device):
+    """Layers of surfaces of a square in y = 0, in frames and references, and in files."""
+    layers = ("id.node", "id.mesh", "id.material", "position", "depth", "uv", "Z")
+    camera = Camera(eye=(0, 2, 3), forward=(0, -2, -3), fov_y=.9)
+    uvs = (QUAD[:, [0, 2]] + 1) / 2
+    scene = Scene(meshes=[Mesh(QUAD + [9, 0, 0], FACES), Mesh(QUAD, FACES, uvs=uvs, material=1)],
+                  materials=[Material(), Material(picture=np.full((2, 2, 3), 99, np.uint8))], lights=[SUN],
+                  cameras=[camera])
+    assert scene.names("material") == {1: "", 2: "", 3: "default"} and scene.names("mesh") == {1: "", 2: ""}
+    refuse("kind: 'light' is none of node", lambda: scene.names("light"))
+    for seen in (device.render(scene, (40, 30), layers=layers, vpls=64),
+                 manylight.reference(scene, (40, 30), layers=layers, samples=1, centers=True)):
+        shown = seen["id.node"] > 0
+        assert seen["id.node"].dtype == np.uint32 and 100 < shown.sum() < 1100
+        assert set(np.unique(seen["id.material"])) == {0, 2} and set(np.unique(seen["id.mesh"])) == {0, 2}
+        assert not seen["position"][~shown].any() and not seen["depth"][~shown].any()
+        place = seen["position"][shown]
+        near("height", place[:, 1], 0)
+        near("uv", seen["uv"][shown], (place[:, [0, 2]] + 1) / 2)
+        near("depth", seen["depth"][shown], np.linalg.norm(place - [0, 2, 3], axis=1))
+        path = os.path.join(FOLDER, "surfaces.exr")
+        manylight.write(path, {"beauty": np.zeros((30, 40, 3)), **seen})
+        read = manylight.read(path)
+        assert all(np.array_equal(read[layer], seen[layer]) and read[layer].dtype == seen[layer].dtype
+                   for layer in layers)
+    refuse("numbers are not from 0", lambda: manylight.write(path, {"id.node": np.full((2, 2), 1 << 24)}))
+    refuse("id.material, position", lambda: device.render(scene, (9, 9), layers="id.light", vpls=64))
+
+
 def check_colors(device):
     """Whole numbers are shares of their type's largest; floats are shares of 1."""
     taken = (np.full((4, 4), 64, np.uint8), np.full((4, 4), 64 * 257, np.uint16), np.full((4, 4), 64 / 255),
@@ -206,6 +235,7 @@ def main():
         check_errors(device)
         check_area_lights(device)
         check_intrinsics(device)
+        check_surfaces(device)
         check_colors(device)
         check_vectors(device)
         check_meshes()

@@ -1,0 +1,161 @@
+#define _POSIX_C_SOURCE 200809L
+#include "scene/surface_layers.h"
+
+#include "base/json.h"
+#include "base/memory.h"
+
+#include <cglm/cglm.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NODE, MESH, MATERIAL, POSITION, DEPTH, UV, LAYERS };
+
+const char *const surface_layer_names[] = {"id.node", "id.mesh", "id.material", "position",
+                                           "depth",   "uv",      NULL};
+
+static const char *const channels[LAYERS] = {
+    "id.node", "id.mesh", "id.material", "position.X position.Y position.Z", "depth", "uv.U uv.V"};
+
+static const char *const attributes[] = {"manylight:id.node", "manylight:id.mesh",
+                                         "manylight:id.material"};
+
+int surface_layer_find(const char *name) {
+    for (int i = 0; i < LAYERS; i++)
+        if (strcmp(surface_layer_names[i], name) == 0)
+            return i;
+    return -1;
+}
+
+/* Returns the id of each triangle. */
+static uint32_t *ids_of(const struct surface_view *view, int layer) {
+    const struct geometry *geometry = view->geometry;
+    uint32_t *ids = mem_alloc(geometry->index_count / 3, sizeof *ids);
+    for (int i = 0; layer == MATERIAL && i < geometry->batch_count; i++) {
+        const struct geometry_batch *batch = &geometry->batches[i];
+        for (uint32_t n = 0; n < batch->index_count / 3; n++)
+            ids[batch->first_index / 3 + n] = (uint32_t)batch->material + 1;
+    }
+    for (int i = 0; layer != MATERIAL && i < geometry->part_count; i++) {
+        const struct geometry_part *part = &geometry->parts[i];
+        int id = layer == NODE ? part->node : view->scene->nodes[part->node].mesh;
+        for (uint32_t n = 0; n < part->index_room / 3; n++)
+            ids[part->first_index / 3 + n] = (uint32_t)(id + 1);
+    }
+    return ids;
+}
+
+static int count_of(const struct scene *scene, int layer) {
+    return layer == NODE   ? scene->node_count
+           : layer == MESH ? scene->mesh_count
+                           : scene->material_count;
+}
+
+const char *surface_layer_id_name(const struct scene *scene, int layer, int i) {
+    if (layer < NODE || layer > MATERIAL || i < 0 || i >= count_of(scene, layer))
+        return NULL;
+    return layer == NODE   ? scene->nodes[i].name
+           : layer == MESH ? scene->meshes[i].name
+                           : scene->materials[i].name;
+}
+
+static void add_names(const struct surface_view *view, int layer, const bool *seen,
+                      struct image *image) {
+    char *text = NULL, key[16];
+    size_t size = 0;
+    struct json json = {.out = open_memstream(&text, &size)};
+    json_open(&json, NULL, "{");
+    for (int i = 0; i < count_of(view->scene, layer); i++) {
+        snprintf(key, sizeof key, "%d", i + 1);
+        if (seen[i + 1])
+            json_text(&json, key, surface_layer_id_name(view->scene, layer, i));
+    }
+    json_close(&json, "}");
+    if (json.out && fclose(json.out) == 0)
+        image_add_text(image, attributes[layer], text);
+    free(text);
+}
+
+static void fill_ids(const struct surface_view *view, int layer, int channel, struct image *image) {
+    uint32_t *ids = ids_of(view, layer);
+    bool *seen = mem_alloc((size_t)count_of(view->scene, layer) + 1, sizeof *seen);
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    for (size_t i = 0; i < pixels; i++) {
+        uint32_t id = view->triangles[i] ? ids[view->triangles[i] - 1] : 0;
+        image->pixels[i * (size_t)image->channel_count + (size_t)channel] = (float)id;
+        seen[id] = true;
+    }
+    add_names(view, layer, seen, image);
+    mem_free(ids, seen);
+}
+
+/* Writes the weights of a triangle's corners where a ray meets its plane, in the triangle: its edge
+ * may pass the centre of the pixel by rounding. */
+static void weigh_corners(float (*corners)[3], const float origin[3], const float direction[3],
+                          double weights[3]) {
+    double edges[2][3], from[3], p[3], q[3], u = 0, v = 0, det = 0;
+    for (int c = 0; c < 3; c++) {
+        edges[0][c] = (double)corners[1][c] - (double)corners[0][c];
+        edges[1][c] = (double)corners[2][c] - (double)corners[0][c];
+        from[c] = (double)origin[c] - (double)corners[0][c];
+    }
+    for (int c = 0; c < 3; c++) {
+        int a = (c + 1) % 3, b = (c + 2) % 3;
+        p[c] = (double)direction[a] * edges[1][b] - (double)direction[b] * edges[1][a];
+        q[c] = from[a] * edges[0][b] - from[b] * edges[0][a];
+    }
+    for (int c = 0; c < 3; c++) {
+        det += edges[0][c] * p[c];
+        u += from[c] * p[c];
+        v += (double)direction[c] * q[c];
+    }
+    u = det == 0 ? 1 / 3. : fmin(fmax(u / det, 0), 1);
+    v = det == 0 ? 1 / 3. : fmin(fmax(v / det, 0), 1 - u);
+    weights[0] = 1 - u - v;
+    weights[1] = u;
+    weights[2] = v;
+}
+
+static void fill_point(const struct surface_view *view, int layer, int x, int y,
+                       struct image *image, float *out) {
+    const struct geometry *geometry = view->geometry;
+    uint32_t triangle = view->triangles[(size_t)y * (size_t)image->width + (size_t)x];
+    float origin[3], direction[3], corners[3][3], width = (float)image->width,
+                                                  height = (float)image->height;
+    double weights[3];
+    if (triangle == 0)
+        return;
+    const uint32_t *index = geometry->indices + 3 * (size_t)(triangle - 1);
+    for (int i = 0; i < 3; i++)
+        memcpy(corners[i], geometry->position[index[i]], sizeof *corners);
+    camera_ray(view->camera, ((float)x + .5F) / width, ((float)y + .5F) / height, width / height,
+               origin, direction);
+    weigh_corners(corners, origin, direction, weights);
+    float values[3] = {0};
+    for (int c = 0; c < (layer == UV ? 2 : 3); c++)
+        for (int i = 0; i < 3; i++)
+            values[c] += (float)(weights[i] * (double)(layer == UV ? geometry->uv[0][index[i]][c]
+                                                                   : corners[i][c]));
+    if (layer == DEPTH) {
+        glm_vec3_sub(values, origin, values);
+        *out = glm_vec3_dot(values, direction);
+    } else {
+        memcpy(out, values, (layer == UV ? 2 : 3) * sizeof *out);
+    }
+}
+
+void surface_layer_append(const struct surface_view *view, int layer, struct image *image) {
+    char first[32];
+    int channel = image->channel_count;
+    snprintf(first, sizeof first, "%.*s", (int)strcspn(channels[layer], " "), channels[layer]);
+    if (image_find_channel(image, first) >= 0)
+        return;
+    image_add_channels(image, channels[layer]);
+    if (layer <= MATERIAL) {
+        fill_ids(view, layer, channel, image);
+        return;
+    }
+    for (int y = 0; y < image->height; y++)
+        for (int x = 0; x < image->width; x++)
+            fill_point(view, layer, x, y, image, image_at(image, x, y) + channel);
+}
