@@ -11,7 +11,7 @@ from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
 
 #: Layers of surfaces at pixel centres, of frames and of references, that are made where `layers` names them.
-SURFACE_LAYERS = ("id.node", "id.mesh", "id.material", "position", "depth", "uv")
+SURFACE_LAYERS = ("id.node", "id.mesh", "id.material", "position", "depth", "uv", "motion.next", "motion.previous")
 
 Layers = Dict[str, np.ndarray]
 Picture = Union[Mapping[str, np.ndarray], np.ndarray]

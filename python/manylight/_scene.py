@@ -102,9 +102,17 @@ def camera_text(camera: Any) -> str:
     return camera if isinstance(camera, str) else str(whole("camera", camera))
 
 
-def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str], time: float) -> Descriptor:
+def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str], time: float,
+            motion_step: float = 0, next_camera: Optional[Camera] = None,
+            previous_camera: Optional[Camera] = None) -> Descriptor:
     """Where from, and what of a scene, a picture is made."""
-    desc = Descriptor("view", light=light, time=time, progress=lib.manylight_python_progress, user=work.handle)
+    desc = Descriptor("view", light=light, time=time, step=motion_step, progress=lib.manylight_python_progress,
+                      user=work.handle)
+    for member, other in (("placed_next", next_camera), ("placed_previous", previous_camera)):
+        if other is not None:
+            if not isinstance(other, Camera) or not isinstance(camera, Camera):
+                raise ArgumentError("next_camera, previous_camera: a Camera, beside a Camera")
+            desc.set(member, desc.keep(camera_desc(other)).pointer)
     if isinstance(camera, Camera):
         desc.set("placed", desc.keep(camera_desc(camera)).pointer)
     elif camera is not None:
@@ -117,7 +125,8 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
               light: Optional[str] = None, time: float = 0, bounces: int = 1, samples: int = 0, noise: float = 0,
               paths: int = 0, seed: int = 0, light_paths: int = 0, smooth: bool = False, centers: bool = False,
               seen: bool = False, denoise: bool = False, hide_environment: bool = False, ao_distance: float = 0,
-              materials: Optional[str] = None, threads: int = 0, settings: Any = None,
+              materials: Optional[str] = None, threads: int = 0, motion_step: float = 0,
+              next_camera: Optional[Camera] = None, previous_camera: Optional[Camera] = None, settings: Any = None,
               progress: Optional[Progress] = None, **more: Any) -> Layers:
     """Path-traces a scene on the CPU, as `manylight reference` does.
 
@@ -143,7 +152,7 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
     Returns the layers as `Device.render`, with "standard_error" of the layer "indirect" and others.
     """
     work, wanted = Work(progress), listed(layers)
-    view = view_of(work, camera, light, time)
+    view = view_of(work, camera, light, time, motion_step, next_camera, previous_camera)
     surfaces = ",".join(layer for layer in wanted or () if layer in SURFACE_LAYERS)
     desc = Descriptor("reference_desc", **width_and_height(size), view=view.pointer, bounces=bounces, samples=samples,
                       noise=noise, paths=paths, seed=seed, light_paths=light_paths, smooth=smooth, centers=centers,

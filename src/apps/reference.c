@@ -81,7 +81,7 @@ static const struct option options[] = {
     {"aov", 0, OPTION_TEXT, offsetof(struct values, tracer.surface_layers),
      .value_name = "NAME[,NAME ...]",
      .help = "adds layers of surfaces at pixel centres: id.node, id.mesh, id.material, position,\n"
-             "depth (along the ray), uv"},
+             "depth (along the ray), uv, motion.next, motion.previous (pixels to 1/25 s away)"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
@@ -223,23 +223,29 @@ static bool trace_light(const struct values *values, const struct stage *stage,
     return ok;
 }
 
-static bool trace_paths(const struct values *values, const struct stage *stage,
+static bool trace_paths(const struct values *values, struct stage *stage,
                         const struct settings *settings, struct image *image) {
     struct progress progress;
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
+    struct surface_motion motion = {.positions = {NULL}};
     if (!desc.smooth)
         caustics_note_straight(&stage->scene);
     if (ao_is_auto(values))
         desc.ao_distance = renderer_ao_distance(settings, &stage->geometry);
     if (ao_is_auto(values) && desc.ao_distance == 0)
         return error_set("ao: 'auto' needs volumes, which this build is without");
+    if (surface_layers_move(desc.surface_layers) &&
+        !stage_find_motion(stage, (double)values->stage.time, 1 / 25., &motion))
+        return false; /* and the program ends */
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
     desc.progress = show;
     desc.user = &progress;
+    desc.motion = &motion;
     progress_start(&progress, "paths");
     bool ok = picture_trace_paths(stage, &desc, image, &reached);
     double seconds = progress_end(&progress);
+    surface_motion_free(&motion);
     if (ok && reached.samples == 1)
         log_note("1 sample per pixel in %.1f s, which does not tell its noise", seconds);
     else if (ok)

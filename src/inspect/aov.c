@@ -11,7 +11,6 @@
 #include "passes/picture/triangles.h"
 #include "passes/vpls.h"
 #include "renderer/layer_target.h"
-#include "scene/surface_layers.h"
 #include "shared/composite.h"
 #include "shared/vpl.h"
 
@@ -259,18 +258,20 @@ static bool append(struct fill *fill, const struct output *output) {
     return kind->fill(fill, output->source);
 }
 
-static bool append_surface(struct fill *fill, int layer, uint32_t **triangles) {
+static bool append_surface(struct fill *fill, int layer, const struct surface_motion *motion,
+                           uint32_t **triangles) {
     const struct renderer_desc *desc = &fill->renderer->desc;
     if (!*triangles)
         *triangles = triangles_read(fill->frame, &desc->camera, desc->width, desc->height);
     if (*triangles)
         surface_layer_append(
-            &(struct surface_view){desc->scene, desc->geometry, &desc->camera, *triangles}, layer,
-            fill->image);
+            &(struct surface_view){desc->scene, desc->geometry, &desc->camera, *triangles, motion},
+            layer, fill->image);
     return *triangles;
 }
 
-bool aov_append(struct renderer *renderer, const char *names, struct image *image) {
+bool aov_append(struct renderer *renderer, const char *names, const struct surface_motion *motion,
+                struct image *image) {
     struct timers untimed = {0};
     struct frame frame = renderer_frame(renderer);
     struct output_list outputs;
@@ -288,7 +289,7 @@ bool aov_append(struct renderer *renderer, const char *names, struct image *imag
     while (ok && next_name(&names, name, sizeof name)) {
         int surface = surface_layer_find(name);
         if (surface >= 0) {
-            ok = append_surface(&fill, surface, &triangles);
+            ok = append_surface(&fill, surface, motion, &triangles);
             continue;
         }
         const struct output *output = output_find(&outputs, name);

@@ -362,6 +362,10 @@ struct manylight_view {
      * within a pass, so a long pass can be cancelled. NULL: none. */
     manylight_progress *progress;
     void *user;
+    /* For layers of motion: time from frame to frame, s, 0 selects 1/25; and where a placed camera
+     * is in the next and the previous frame, NULL: the same. */
+    double step;
+    const struct manylight_camera *placed_next, *placed_previous;
 };
 
 /* Draws a frame, or the mean of its passes. view may be NULL. Equal views give equal bits, whatever
@@ -373,7 +377,9 @@ MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *
  * specular surfaces, media and caustics. outputs adds layers as --aov does, "id.node,uv"; NULL:
  * none. Layers of surfaces are of pixel centres, without mixing, 0 where nothing is seen: id.node,
  * id.mesh and id.material (for manylight_scene_name), position (m, as of the camera), depth (along
- * the ray, m), uv. Outputs of the technique, "val,visibility", are for single passes, not means. */
+ * the ray, m), uv, motion.next and motion.previous (from a pixel to where its surface is seen a
+ * step later and earlier, pixels, y down). Outputs of the technique, "val,visibility", are for
+ * single passes, not means. */
 MANYLIGHT_API enum manylight_status manylight_read(struct manylight_renderer *renderer,
                                                    const char *outputs,
                                                    struct manylight_image **image);

@@ -100,6 +100,23 @@ static bool tell_light(void *user, double done) {
     return tell(user, done, "light paths");
 }
 
+/* Traces paths, with the motion that layers want. */
+static bool trace_moving(const struct tracing *tracing, struct loan *loan,
+                         const struct path_tracer_desc *desc, struct image *image) {
+    const struct manylight_view *view = &tracing->view;
+    struct path_tracer_desc paths = *desc;
+    struct surface_motion motion = {.positions = {NULL}};
+    struct camera others[2];
+    paths.motion = &motion;
+    bool ok = !surface_layers_move(desc->surface_layers) ||
+              ((!view->placed || loan_place_others(view, others)) &&
+               loan_find_motion(loan, view->camera, view->placed ? others : NULL, view->time,
+                                view->step, &motion));
+    ok = ok && picture_trace_paths(&loan->stage, &paths, image, NULL);
+    surface_motion_free(&motion);
+    return ok;
+}
+
 static bool trace(struct tracing *tracing, struct loan *loan, struct image *image) {
     const struct manylight_reference_desc *desc = &tracing->desc;
     int size[2];
@@ -130,7 +147,7 @@ static bool trace(struct tracing *tracing, struct loan *loan, struct image *imag
                                            .threads = desc->threads,
                                            .progress = tell_paths,
                                            .user = tracing};
-    if (!picture_trace_paths(&loan->stage, &paths, image, NULL))
+    if (!trace_moving(tracing, loan, &paths, image))
         return false;
     const struct light_tracer_desc light = {.paths = desc->light_paths,
                                             .medium = medium,

@@ -262,12 +262,29 @@ bool loan_pose(struct loan *loan, const struct manylight_view *view) {
     struct stage *stage = &loan->stage;
     stage->camera_text = view->camera;
     stage->light_text = view->light ? view->light : loan->from->light;
-    bool ok = desc_check("time", view->time, 0, 1e6) && stage_pose(stage, view->time);
+    bool ok = desc_check("time", view->time, 0, 1e6) && desc_check("step", view->step, 0, 1e6) &&
+              stage_pose(stage, view->time);
     stage->camera_text = NULL;
     stage->light_text = loan->from->light;
     if (!ok)
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     return !view->placed || place_camera(&stage->camera, view->placed);
+}
+
+bool loan_place_others(const struct manylight_view *view, struct camera others[2]) {
+    return place_camera(&others[0], view->placed_next ? view->placed_next : view->placed) &&
+           place_camera(&others[1], view->placed_previous ? view->placed_previous : view->placed);
+}
+
+bool loan_find_motion(struct loan *loan, const char *camera, const struct camera *placed,
+                      double time, double step, struct surface_motion *motion) {
+    struct stage *stage = &loan->stage;
+    stage->camera_text = placed ? NULL : camera;
+    bool ok = stage_find_motion(stage, time, step > 0 ? step : 1 / 25., motion);
+    stage->camera_text = NULL;
+    if (ok && placed)
+        memcpy(motion->cameras, placed, sizeof motion->cameras);
+    return ok;
 }
 
 static bool place_named(const struct loan *loan, const char *text, struct camera *camera,

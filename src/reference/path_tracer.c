@@ -13,7 +13,6 @@
 #include "reference/smooth.h"
 #include "scene/lights/environment.h"
 #include "scene/medium.h"
-#include "scene/surface_layers.h"
 
 #include "base/error.h"
 #include "base/memory.h"
@@ -446,7 +445,8 @@ static bool develop(struct tracer *tracer) {
 
 static void append_surfaces(const struct tracer *tracer) {
     const struct path_tracer_desc *desc = &tracer->desc;
-    const struct surface_view view = {desc->scene, desc->geometry, desc->camera, tracer->triangles};
+    const struct surface_view view = {desc->scene, desc->geometry, desc->camera, tracer->triangles,
+                                      desc->motion};
     char *names = desc->surface_layers ? mem_strdup(desc->surface_layers) : NULL, *next = NULL;
     for (char *name = names ? strtok_r(names, ",", &next) : NULL; name;
          name = strtok_r(NULL, ",", &next))

@@ -9,13 +9,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { NODE, MESH, MATERIAL, POSITION, DEPTH, UV, LAYERS };
+enum { NODE, MESH, MATERIAL, POSITION, DEPTH, UV, NEXT, PREVIOUS, LAYERS };
 
-const char *const surface_layer_names[] = {"id.node", "id.mesh", "id.material", "position",
-                                           "depth",   "uv",      NULL};
+const char *const surface_layer_names[] = {"id.node",     "id.mesh",         "id.material",
+                                           "position",    "depth",           "uv",
+                                           "motion.next", "motion.previous", NULL};
 
-static const char *const channels[LAYERS] = {
-    "id.node", "id.mesh", "id.material", "position.X position.Y position.Z", "depth", "uv.U uv.V"};
+static const char *const channels[LAYERS] = {"id.node",
+                                             "id.mesh",
+                                             "id.material",
+                                             "position.X position.Y position.Z",
+                                             "depth",
+                                             "uv.U uv.V",
+                                             "motion.next.X motion.next.Y",
+                                             "motion.previous.X motion.previous.Y"};
 
 static const char *const attributes[] = {"manylight:id.node", "manylight:id.mesh",
                                          "manylight:id.material"};
@@ -91,8 +98,9 @@ static void fill_ids(const struct surface_view *view, int layer, int channel, st
 
 /* Writes the weights of a triangle's corners where a ray meets its plane, in the triangle: its edge
  * may pass the centre of the pixel by rounding. */
-static void weigh_corners(float (*corners)[3], const float origin[3], const float direction[3],
-                          double weights[3]) {
+static void weigh_corners(float (*positions)[3], const uint32_t index[3], const float origin[3],
+                          const float direction[3], double weights[3]) {
+    const float *corners[3] = {positions[index[0]], positions[index[1]], positions[index[2]]};
     double edges[2][3], from[3], p[3], q[3], u = 0, v = 0, det = 0;
     for (int c = 0; c < 3; c++) {
         edges[0][c] = (double)corners[1][c] - (double)corners[0][c];
@@ -116,31 +124,66 @@ static void weigh_corners(float (*corners)[3], const float origin[3], const floa
     weights[2] = v;
 }
 
-static void fill_point(const struct surface_view *view, int layer, int x, int y,
-                       struct image *image, float *out) {
+void surface_motion_free(struct surface_motion *motion) {
+    mem_free(motion->positions[0], motion->positions[1]);
+    *motion = (struct surface_motion){.positions = {NULL}};
+}
+
+bool surface_layers_move(const char *names) {
+    return names && strstr(names, "motion.");
+}
+
+/* Returns the point of three vertices with these weights. */
+static void mix(float (*positions)[3], const uint32_t index[3], const double weights[3],
+                float point[3]) {
+    for (int c = 0; c < 3; c++) {
+        double sum = 0;
+        for (int i = 0; i < 3; i++)
+            sum += weights[i] * (double)positions[index[i]][c];
+        point[c] = (float)sum;
+    }
+}
+
+/* Writes the pixels from a point to its place in another frame: 0 the next. */
+static void fill_motion(const struct surface_view *view, int frame, const float now[3],
+                        const float then[3], const int size[2], float out[2]) {
+    float places[2][2], aspect = (float)size[0] / (float)size[1];
+    if (!camera_project(view->camera, now, aspect, places[0]) ||
+        !camera_project(&view->motion->cameras[frame], then, aspect, places[1]))
+        return;
+    for (int axis = 0; axis < 2; axis++)
+        out[axis] = (places[1][axis] - places[0][axis]) * (float)size[axis];
+}
+
+static void fill_point(const struct surface_view *view, int layer, int x, int y, const int size[2],
+                       float *out) {
     const struct geometry *geometry = view->geometry;
-    uint32_t triangle = view->triangles[(size_t)y * (size_t)image->width + (size_t)x];
-    float origin[3], direction[3], corners[3][3], width = (float)image->width,
-                                                  height = (float)image->height;
+    uint32_t triangle = view->triangles[(size_t)y * (size_t)size[0] + (size_t)x];
+    float origin[3], direction[3], point[3], other[3];
+    float width = (float)size[0], height = (float)size[1];
     double weights[3];
     if (triangle == 0)
         return;
     const uint32_t *index = geometry->indices + 3 * (size_t)(triangle - 1);
-    for (int i = 0; i < 3; i++)
-        memcpy(corners[i], geometry->position[index[i]], sizeof *corners);
     camera_ray(view->camera, ((float)x + .5F) / width, ((float)y + .5F) / height, width / height,
                origin, direction);
-    weigh_corners(corners, origin, direction, weights);
-    float values[3] = {0};
-    for (int c = 0; c < (layer == UV ? 2 : 3); c++)
-        for (int i = 0; i < 3; i++)
-            values[c] += (float)(weights[i] * (double)(layer == UV ? geometry->uv[0][index[i]][c]
-                                                                   : corners[i][c]));
-    if (layer == DEPTH) {
-        glm_vec3_sub(values, origin, values);
-        *out = glm_vec3_dot(values, direction);
-    } else {
-        memcpy(out, values, (layer == UV ? 2 : 3) * sizeof *out);
+    weigh_corners(geometry->position, index, origin, direction, weights);
+    mix(geometry->position, index, weights, point);
+    switch (layer) {
+    case UV:
+        for (int i = 0; i < 6; i++)
+            out[i % 2] += (float)weights[i / 2] * geometry->uv[0][index[i / 2]][i % 2];
+        return;
+    case DEPTH:
+        glm_vec3_sub(point, origin, other);
+        *out = glm_vec3_dot(other, direction);
+        return;
+    case POSITION:
+        memcpy(out, point, sizeof point);
+        return;
+    default:
+        mix(view->motion->positions[layer - NEXT], index, weights, other);
+        fill_motion(view, layer - NEXT, point, other, size, out);
     }
 }
 
@@ -157,5 +200,6 @@ void surface_layer_append(const struct surface_view *view, int layer, struct ima
     }
     for (int y = 0; y < image->height; y++)
         for (int x = 0; x < image->width; x++)
-            fill_point(view, layer, x, y, image, image_at(image, x, y) + channel);
+            fill_point(view, layer, x, y, (int[]){image->width, image->height},
+                       image_at(image, x, y) + channel);
 }

@@ -3,12 +3,24 @@
  *
  * id.node, id.mesh, id.material: index in the scene + 1. position: world, metres. depth: distance
  * along the pixel's ray, metres. uv: of the base colour, transformed, v down; 0 for materials
- * without textures. */
+ * without textures. motion.next, motion.previous: from a pixel to where its point of the surface is
+ * seen at another time, pixels, y down; 0 if it is behind the camera then. */
 #ifndef SCENE_SURFACE_LAYERS_H
 #define SCENE_SURFACE_LAYERS_H
 
 #include "scene/camera.h"
 #include "scene/mesh/geometry.h"
+
+/* The next frame and the one before. */
+struct surface_motion {
+    struct camera cameras[2];
+    float (*positions[2])[3]; /* of the geometry's vertices, owned */
+};
+
+void surface_motion_free(struct surface_motion *motion);
+
+/* Returns true if a list of names, "uv,motion.next" or NULL, has a layer that needs the motion. */
+bool surface_layers_move(const char *names);
 
 /* Surfaces that a camera shows. */
 struct surface_view {
@@ -17,6 +29,7 @@ struct surface_view {
     const struct camera *camera;
     /* Triangle of each pixel, row 0 at the top: its first index is 3 x (number - 1). 0: none. */
     const uint32_t *triangles;
+    const struct surface_motion *motion; /* for layers of motion */
 };
 
 /* Returns the index of a layer; -1: none is called so. Names of all, null-terminated. */

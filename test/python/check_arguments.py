@@ -118,6 +118,30 @@ def check_surfaces(device):
     refuse("id.material, position", lambda: device.render(scene, (9, 9), layers="id.light", vpls=64))
 
 
+def check_batch(device):
+    """Views of a batch have the bits of pictures of their own; cameras that move give pixels their motion."""
+    places = [Camera(eye=(x, 3, 0), forward=(0, -1, 0), up=(0, 0, -1), fov_y=.5) for x in (-.1, 0, .1, .25)]
+    views = [places[0], {"camera": places[1], "next_camera": places[2], "previous_camera": places[3]},
+             {"camera": places[2], "light": "0 intensity=1,1,1"}, "0 eye=0,4,0"]
+    layers = ["beauty", "motion.next", "motion.previous"]
+    pictures = list(device.render_batch(scene_of(), (30, 20), views, layers=layers, vpls=64))
+    assert len(pictures) == len(views)
+    for view, picture in zip(views, pictures):
+        alone = device.render(scene_of(), (30, 20), layers=layers, vpls=64,
+                              **(view if isinstance(view, dict) else {"camera": view}))
+        assert all(np.array_equal(picture[layer], alone[layer]) for layer in layers)
+    pixels = 10 / np.tan(.25) / 3  # of a metre
+    near("next", pictures[1]["motion.next"][10, 15], [-.1 * pixels, 0])
+    near("previous", pictures[1]["motion.previous"][10, 15], [-.25 * pixels, 0])
+    assert not pictures[0]["motion.next"].any() and not pictures[3]["motion.previous"].any()
+    traced = manylight.reference(scene_of(), (30, 20), layers=layers, samples=1, **views[1])
+    near("traced", traced["motion.next"], pictures[1]["motion.next"])
+    refuse("views: {'eye': 1}: the parts are camera", lambda: list(device.render_batch(
+        scene_of(), (9, 9), [{"eye": 1}], vpls=64)))
+    refuse("beside a Camera", lambda: device.render(scene_of(), (9, 9), next_camera=places[0], vpls=64))
+    refuse("step: -1 is not from 0", lambda: device.render(scene_of(), (9, 9), motion_step=-1, vpls=64))
+
+
 def check_colors(device):
     """Whole numbers are shares of their type's largest; floats are shares of 1."""
     taken = (np.full((4, 4), 64, np.uint8), np.full((4, 4), 64 * 257, np.uint16), np.full((4, 4), 64 / 255),
@@ -236,6 +260,7 @@ def main():
         check_area_lights(device)
         check_intrinsics(device)
         check_surfaces(device)
+        check_batch(device)
         check_colors(device)
         check_vectors(device)
         check_meshes()

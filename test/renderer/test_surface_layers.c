@@ -1,11 +1,12 @@
 /* Layers of surfaces: a rasterised frame and rays see the same, positions lie where the pixels
  * look, ids name what the scene has, and files keep whole numbers. */
-#include "command_support.h"
+#include "library_support.h"
 #include "render_support.h"
 
 #include "base/file/image_file.h"
 #include "inspect/aov.h"
 #include "reference/path_tracer.h"
+#include "reference/primary.h"
 #include "scene/surface_layers.h"
 
 #include <cglm/cglm.h>
@@ -16,6 +17,8 @@
 enum { WIDTH = 90, HEIGHT = 60 };
 
 static const char all[] = "id.node,id.mesh,id.material,position,depth,uv";
+static const char all_and_motion[] = "id.node,id.mesh,id.material,position,depth,uv,"
+                                     "motion.next,motion.previous";
 
 static struct image draw(const struct stage *stage, const struct camera *camera) {
     struct renderer_desc desc = desc_of(stage, "unshadowed", "", WIDTH, HEIGHT);
@@ -24,24 +27,28 @@ static struct image draw(const struct stage *stage, const struct camera *camera)
     desc.camera = *camera;
     open_renderer(&renderer, &desc);
     check_ok("read", renderer_read_layers(&renderer, &image));
-    check_ok("append", aov_append(&renderer, all, &image));
+    check_ok("append", aov_append(&renderer, all, NULL, &image));
     renderer_free(&renderer);
     return image;
 }
 
-static struct image trace(const struct stage *stage, const struct camera *camera) {
+static struct image trace(const struct stage *stage, const struct camera *camera,
+                          const struct surface_motion *motion) {
     struct image image;
-    check_ok("trace", path_tracer_render(&(struct path_tracer_desc){.scene = &stage->scene,
-                                                                    .geometry = &stage->geometry,
-                                                                    .camera = camera,
-                                                                    .emitters = stage->emitters,
-                                                                    .width = WIDTH,
-                                                                    .height = HEIGHT,
-                                                                    .samples = 1,
-                                                                    .bounces = 0,
-                                                                    .centers = true,
-                                                                    .surface_layers = all},
-                                         &image, NULL));
+    check_ok("trace",
+             path_tracer_render(
+                 &(struct path_tracer_desc){.scene = &stage->scene,
+                                            .geometry = &stage->geometry,
+                                            .camera = camera,
+                                            .emitters = stage->emitters,
+                                            .width = WIDTH,
+                                            .height = HEIGHT,
+                                            .samples = 1,
+                                            .bounces = 0,
+                                            .centers = true,
+                                            .surface_layers = motion ? all_and_motion : all,
+                                            .motion = motion},
+                 &image, NULL));
     return image;
 }
 
@@ -129,7 +136,7 @@ static void test_frame_and_rays(void **state) {
         camera.orthographic = rows[i].extent > 0;
         camera.y_extent = rows[i].extent;
         camera.shift[0] = rows[i].shift;
-        struct image frame = draw(&stage, &camera), rays = trace(&stage, &camera);
+        struct image frame = draw(&stage, &camera), rays = trace(&stage, &camera, NULL);
         float radius = stage.geometry.radius;
         check_places(&frame, &camera, radius);
         if (!rows[i].has_panes)
@@ -144,6 +151,124 @@ static void test_frame_and_rays(void **state) {
         stage_free(&stage);
     }
 }
+
+/* --- motion --- */
+
+/* Weights of a triangle's corners at a point in it, by areas. */
+static void weights_at(float (*positions)[3], const uint32_t index[3], const float point[3],
+                       float weights[3]) {
+    float sum = 0;
+    for (int i = 0; i < 3; i++) {
+        vec3 a, b, area;
+        glm_vec3_sub(positions[index[(i + 1) % 3]], (float *)point, a);
+        glm_vec3_sub(positions[index[(i + 2) % 3]], (float *)point, b);
+        glm_vec3_cross(a, b, area);
+        sum += weights[i] = glm_vec3_norm(area);
+    }
+    glm_vec3_scale(weights, 1 / sum, weights);
+}
+
+/* In the other frame a ray to where a pixel moves meets the same triangle, at the point that the
+ * pixel shows now. */
+static void check_motion(const char *path, double time, const char *layer) {
+    const double step = .04, then = layer[0] == 'n' ? time + step : time - step;
+    struct stage stage;
+    struct surface_motion motion;
+    struct rays rays;
+    float(*now)[3];
+    char name[32];
+    int moved = 0, met = 0, apart = 0;
+    printf("    %s, %s\n", path, layer);
+    open_stage(&stage, path);
+    check_ok("pose", stage_pose(&stage, time));
+    struct camera camera = stage.camera;
+    check_ok("motion", stage_find_motion(&stage, time, step, &motion));
+    struct image image = trace(&stage, &camera, &motion);
+    size_t bytes = stage.geometry.vertex_count * sizeof *now;
+    now = malloc(bytes);
+    memcpy(now, stage.geometry.position, bytes);
+    check_ok("pose", stage_pose(&stage, then));
+    open_rays(&rays, &stage);
+    struct primary_rays primary =
+        primary_rays_of(&rays.scene, &stage.camera, &stage.geometry, WIDTH, HEIGHT);
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            struct hit hit;
+            float weights[3], point[3] = {0}, place[2], way[2];
+            for (int axis = 0; axis < 2; axis++) {
+                snprintf(name, sizeof name, "motion.%s.%c", layer, "XY"[axis]);
+                way[axis] = value_at(&image, x, y, name);
+            }
+            if (fabsf(way[0]) + fabsf(way[1]) < .05F)
+                continue;
+            moved++;
+            if (!primary_hit(&primary, (float)x + .5F + way[0], (float)y + .5F + way[1], 0, &hit))
+                continue;
+            const uint32_t *index = stage.geometry.indices + 3 * (size_t)hit.triangle;
+            weights_at(stage.geometry.position, index, hit.position.raw, weights);
+            for (int i = 0; i < 3; i++)
+                glm_vec3_muladds(now[index[i]], weights[i], point);
+            if (!camera_project(&camera, point, (float)WIDTH / HEIGHT, place))
+                continue;
+            float off = fmaxf(fabsf(place[0] * WIDTH - (float)x - .5F),
+                              fabsf(place[1] * HEIGHT - (float)y - .5F));
+            met += off < 1;
+            apart += off < 1 && off > .05F;
+        }
+    printf("    %d pixels move, %d of them are seen\n", moved, met);
+    assert_true(moved > 50 && met > .8 * moved);
+    check_at_most("seen elsewhere", (double)apart / met, .02);
+    close_rays(&rays);
+    free(now);
+    surface_motion_free(&motion);
+    image_free(&image);
+    stage_free(&stage);
+}
+
+/* A skin, a rigid door. */
+static void test_motion(void **state) {
+    (void)state;
+    check_motion("scenes/character.glb", .5, "next");
+    check_motion("scenes/character.glb", .5, "previous");
+    check_motion("scenes/door.glb", .5, "next");
+}
+
+/* A camera that moves aside moves pixels by focal length over depth; what rests does not move. The
+ * frame and its successor are as without the layers. */
+static void test_camera_motion(void **state) {
+    (void)state;
+    struct manylight_device *device = open_device();
+    struct manylight_scene *scene = open_scene("scenes/cornell-box.glb");
+    struct manylight_renderer *drawing = open_drawing(device, scene, NULL);
+    struct manylight_camera camera = {.size = sizeof camera}, next;
+    check_call("camera", manylight_scene_camera(scene, NULL, 0, &camera));
+    next = camera;
+    for (int c = 0; c < 3; c++)
+        next.eye[c] += .1F * camera.right[c];
+    const struct manylight_view view = {
+        .size = sizeof view, .placed = &camera, .placed_next = &next};
+    struct manylight_image *image;
+    static float z[48 * 40], away[48 * 40 * 2], rest[48 * 40 * 2];
+    check_call("render", manylight_render(drawing, &view));
+    check_call("read", manylight_read(drawing, "motion.next,motion.previous", &image));
+    check_call("Z", manylight_image_layer(image, "Z", z, 48 * 40, NULL));
+    check_call("next", manylight_image_layer(image, "motion.next", away, 48 * 40 * 2, NULL));
+    check_call("previous",
+               manylight_image_layer(image, "motion.previous", rest, 48 * 40 * 2, NULL));
+    double focal = 20 / tan((double)camera.fov_y / 2), most = 0;
+    for (int i = 0; i < 48 * 40; i++) {
+        if (z[i] > 0)
+            most = fmax(most, fabs((double)away[2 * i] + .1 * focal / (double)z[i]));
+        assert_true(rest[2 * i] == 0 && rest[2 * i + 1] == 0 && fabsf(away[2 * i + 1]) < 1e-3F);
+    }
+    check_at_most("pixels off", most, 2e-3);
+    manylight_image_free(image);
+    manylight_renderer_free(drawing);
+    manylight_scene_free(scene);
+    manylight_device_free(device);
+}
+
+/* --- files --- */
 
 /* Integers of a file, and the names in its header. */
 static void test_file(void **state) {
@@ -198,8 +323,8 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_frame_and_rays),
-        cmocka_unit_test(test_file),
+        cmocka_unit_test(test_frame_and_rays), cmocka_unit_test(test_motion),
+        cmocka_unit_test(test_camera_motion),  cmocka_unit_test(test_file),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
