@@ -66,6 +66,7 @@ static bool check_use(const struct render_values *values, int exr) {
     return arguments_check_use(
         &values->common,
         (struct option_use[]){{"fps", values->frames, "--frames"},
+                              {"camera time", !values->cameras, "pictures without --cameras"},
                               {"layer", exr < all, "formats of one layer; EXR holds all of them"},
                               {"aov", exr > 0, "formats that hold all layers: -o FILE.exr"},
                               {NULL}});
@@ -105,6 +106,8 @@ static bool each_output(const struct render_values *values, struct renderer *ren
 }
 
 static double frame_time(const struct render_values *values, int frame) {
+    if (values->cameras)
+        return values->views.items[frame].time;
     return (double)values->stage.time + frame / values->rate.fps;
 }
 
@@ -231,6 +234,8 @@ static bool render_frame(struct render_values *values, struct renderer *renderer
                          struct stage *stage, struct work *work, int frame) {
     double time = frame_time(values, frame);
     bool ok = true;
+    if (values->cameras)
+        values->stage.camera = stage->camera_text = values->views.items[frame].camera;
     surface_motion_free(&values->motion);
     if (!stage_pose(stage, time) ||
         (surface_layers_move(values->aov) &&
@@ -396,6 +401,11 @@ static bool render_scene(struct render_values *values, const struct frames *fram
         !videos_check(&values->videos) || !stage_init(&stage, &at_0))
         return false;
     phase_add(PHASE_SCENE, start);
+    if (!view_list_check(&values->views, &stage.scene, values->cameras)) {
+        stage_free(&stage);
+        return false;
+    }
+    desc->keep_lights = values->cameras;
     if (!caustics_shown(&stage.scene, &desc->settings))
         caustics_note_straight(&stage.scene);
     desc->scene = &stage.scene;
@@ -452,6 +462,19 @@ static bool resolve(struct render_values *values, const struct frames *frames,
                             &desc->settings);
 }
 
+/* Frames are those of --frames; without it all views of --cameras. */
+static bool parse_frames(struct render_values *values, struct frames *frames) {
+    if (values->cameras && !values->frames)
+        values->frames = values->views.all;
+    if (!frames_parse(frames, values->frames ? values->frames : "0"))
+        return false;
+    for (int i = 0; values->cameras && i < frames->count; i++)
+        if (frames->numbers[i] < 0 || frames->numbers[i] >= values->views.count)
+            return error_set("--frames: there is no view %d in %s, which has %d",
+                             frames->numbers[i], values->cameras, values->views.count);
+    return true;
+}
+
 int app_render(int argc, char **argv) {
     struct render_values values = {0};
     struct frames frames = {0};
@@ -460,8 +483,10 @@ int app_render(int argc, char **argv) {
                          &status))
         return status;
     struct renderer_desc desc = {0};
-    if (!frames_parse(&frames, values.frames ? values.frames : "0") ||
-        !resolve(&values, &frames, &desc)) {
+    if (values.cameras && !view_list_read(&values.views, values.cameras))
+        return arguments_fail(argv[0]);
+    if (!parse_frames(&values, &frames) || !resolve(&values, &frames, &desc)) {
+        view_list_free(&values.views);
         frames_free(&frames);
         return arguments_misuse(argv[0]);
     }
@@ -474,6 +499,7 @@ int app_render(int argc, char **argv) {
     free(values.choice);
     image_free(&values.picture);
     surface_motion_free(&values.motion);
+    view_list_free(&values.views);
     if (ok)
         return STATUS_OK;
     status = arguments_fail(argv[0]);

@@ -49,6 +49,11 @@ static const struct option options[] = {
     {"frames", 0, OPTION_TEXT, offsetof(struct render_values, frames), .value_name = "A..B|A,B,C",
      .help = "frames of a sequence, A..BxN every Nth; frame 0 is at --time; ####, @@@@, %04d or\n"
              "$F4 in the output's name becomes the number of the frame"},
+    {"cameras", 0, OPTION_TEXT, offsetof(struct render_values, cameras), .value_name = "FILE",
+     .help =
+         "views in place of frames, a line of FILE each, numbered from 0: the text of --camera,\n"
+         "which may begin with time=SECONDS; --frames chooses some",
+     .rare = true},
     {"fps", 0, OPTION_TEXT, offsetof(struct render_values, fps), .value_name = "X|N/M",
      .help = "frames per second of a sequence; 24000/1001, or 23.976, 29.97 and 59.94 for the\n"
              "rates of NTSC [25]",

@@ -7,6 +7,7 @@
 #include "apps/in_time.h"
 #include "apps/options.h"
 #include "apps/videos.h"
+#include "apps/view_list.h"
 
 /* Values of the command line, and what frames share. */
 struct render_values {
@@ -18,7 +19,8 @@ struct render_values {
     struct videos videos;
     int size[2];
     int layer;
-    const char *format, *background, *frames, *glsl, *aov;
+    const char *format, *background, *frames, *glsl, *aov, *cameras;
+    struct view_list views; /* of cameras */
     int quality, passes, first_pass;
     bool passes_given; /* by --passes, and not by a quality */
     float max_error, budget;
