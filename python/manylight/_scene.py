@@ -151,6 +151,8 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
 
     Returns the layers as `Device.render`, with "standard_error" of the layer "indirect" and others.
     """
+    if "spp" in more:
+        raise ArgumentError("spp: the parameter is called samples")
     work, wanted = Work(progress), listed(layers)
     view = view_of(work, camera, light, time, motion_step, next_camera, previous_camera)
     surfaces = ",".join(layer for layer in wanted or () if layer in SURFACE_LAYERS)

@@ -115,6 +115,8 @@ def check_surfaces(device):
         assert all(np.array_equal(read[layer], seen[layer]) and read[layer].dtype == seen[layer].dtype
                    for layer in layers)
     refuse("numbers are not from 0", lambda: manylight.write(path, {"id.node": np.full((2, 2), 1 << 24)}))
+    refuse("the parameter is called samples", lambda: manylight.reference(scene, (9, 9), spp=1))
+    refuse("'vpl' (manylight.settings() lists them)", lambda: device.render(scene, (9, 9), vpl=1))
     refuse("id.material, position", lambda: device.render(scene, (9, 9), layers="id.light", vpls=64))
 
 
