@@ -114,6 +114,9 @@ def check_surfaces(device):
         read = manylight.read(path)
         assert all(np.array_equal(read[layer], seen[layer]) and read[layer].dtype == seen[layer].dtype
                    for layer in layers)
+    below = {"camera": Camera(eye=(0, -2, 3), forward=(0, 2, -3), fov_y=.9), "layers": "id.node"}
+    assert not device.render(scene, (40, 30), vpls=64, **below)["id.node"].any()  # the back of a single-sided square
+    assert not manylight.reference(scene, (40, 30), samples=1, **below)["id.node"].any()
     refuse("numbers are not from 0", lambda: manylight.write(path, {"id.node": np.full((2, 2), 1 << 24)}))
     refuse("the parameter is called samples", lambda: manylight.reference(scene, (9, 9), spp=1))
     refuse("'vpl' (manylight.settings() lists them)", lambda: device.render(scene, (9, 9), vpl=1))

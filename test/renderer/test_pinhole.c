@@ -177,6 +177,32 @@ static void test_frame(void **state) {
     stage_free(&stage);
 }
 
+/* Spots of light have the size that a pixel shows of a surface there. */
+static void test_caustics(void **state) {
+    (void)state;
+    struct stage stage;
+    double off = 0, sum = 0;
+    open_stage(&stage, "scenes/ring.glb");
+    struct renderer_desc desc =
+        desc_of(&stage, "unshadowed", "caustics.surface=points", SIZE, SIZE);
+    struct image whole = render_layers(&desc);
+    desc.camera = part_camera(&stage, 1);
+    desc.width = WIDTH;
+    desc.height = HEIGHT;
+    struct image part = render_layers(&desc);
+    int a = image_find_channel(&part, "caustic.G"), b = image_find_channel(&whole, "caustic.G");
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            double of_whole = (double)image_at(&whole, LEFT + x, TOP + y)[b];
+            off += fabs((double)image_at(&part, x, y)[a] - of_whole);
+            sum += of_whole;
+        }
+    assert_true(sum > 0);
+    check_at_most("difference of caustics over the mean", off / sum, .01);
+    images_free(&part, &whole);
+    stage_free(&stage);
+}
+
 static struct image trace(const struct stage *stage, const struct camera *camera, int width,
                           int height) {
     struct image image;
@@ -251,9 +277,8 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_projection),
-        cmocka_unit_test(test_frame),
-        cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_projection), cmocka_unit_test(test_frame),
+        cmocka_unit_test(test_caustics),   cmocka_unit_test(test_reference),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
