@@ -125,9 +125,10 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
               light: Optional[str] = None, time: float = 0, bounces: int = 1, samples: int = 0, noise: float = 0,
               paths: int = 0, seed: int = 0, light_paths: int = 0, smooth: bool = False, centers: bool = False,
               seen: bool = False, denoise: bool = False, hide_environment: bool = False, ao_distance: float = 0,
-              materials: Optional[str] = None, threads: int = 0, motion_step: float = 0,
-              next_camera: Optional[Camera] = None, previous_camera: Optional[Camera] = None, settings: Any = None,
-              progress: Optional[Progress] = None, **more: Any) -> Layers:
+              materials: Optional[str] = None, threads: int = 0, panorama: bool = False,
+              motion_step: float = 0, next_camera: Optional[Camera] = None,
+              previous_camera: Optional[Camera] = None, settings: Any = None, progress: Optional[Progress] = None,
+              **more: Any) -> Layers:
     """Path-traces a scene on the CPU, as `manylight reference` does.
 
     Parameters
@@ -145,6 +146,8 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
     materials : "full" or "diffuse"; None: "full"
     threads : number of threads; 0: all cores. The picture does not depend on it
     ao_distance : distance of ambient occlusion, metres; 0: no layer "ao"
+    panorama : all directions from the camera, longitude along x, latitude along y, forward in the middle. "Z" is the
+        distance
     settings, **more : settings of the medium, as of `Device.render`
     progress : called with the fraction done and a note; an exception from it stops the work
     Other parameters are those of `Device.render`. There is no technique: paths are traced.
@@ -160,6 +163,6 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
                       noise=noise, paths=paths, seed=seed, light_paths=light_paths, smooth=smooth, centers=centers,
                       seen=seen, denoise=denoise, hide_environment=hide_environment, ao_distance=ao_distance,
                       materials=materials, settings=settings_text(settings, more), threads=threads,
-                      outputs=surfaces or None)
+                      outputs=surfaces or None, panorama=panorama)
     handle = scene_of(scene)._handle
     return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), wanted))

@@ -38,6 +38,7 @@ struct values {
     const char *output, *format, *background, *ao;
     float noise;
     int technique, light_paths, threads;
+    bool panorama;
 };
 
 OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
@@ -82,6 +83,9 @@ static const struct option options[] = {
      .value_name = "NAME[,NAME ...]",
      .help = "adds layers of surfaces at pixel centres: id.node, id.mesh, id.material, position,\n"
              "depth (along the ray), uv, motion.next, motion.previous (pixels to 1/25 s away)"},
+    {"panorama", 0, OPTION_FLAG, offsetof(struct values, panorama),
+     .help = "all directions from the camera, its forward in the middle: longitude along x and\n"
+             "latitude along y; Z is the distance; size 800x400 unless --size"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
@@ -142,7 +146,7 @@ static bool check_use(const struct values *values) {
     return arguments_check_use(
         &values->common,
         (struct option_use[]){
-            {"bounces spp paths noise centers background seen ao aov denoise smooth "
+            {"bounces spp paths noise centers background seen ao aov panorama denoise smooth "
              "light-paths materials seed",
              path, "--technique path"},
             {"paths denoise", values->tracer.bounces > 0, "--bounces of 1 or more"},
@@ -166,6 +170,8 @@ static bool check_values(struct values *values) {
     if (!outputs_use_format(&values->output, 1, values->format) ||
         !image_name_holds_layers(values->output))
         return false;
+    if (values->panorama && values->light_paths > 0)
+        return error_set("--panorama and --light-paths exclude each other");
     if (values->noise > 0 && values->tracer.samples > 0)
         return error_set("--spp and --noise exclude each other");
     if (!check_use(values) || !check_light_paths(values))
@@ -297,6 +303,10 @@ static void choose_size(struct values *values, struct measure_desc *desc,
                         const struct stage *stage) {
     int size[2];
     stage_default_size(stage, size);
+    if (values->panorama) {
+        size[0] = 800;
+        size[1] = 400;
+    }
     if (values->tracer.width == 0) {
         values->tracer.width = size[0];
         values->tracer.height = size[1];
@@ -319,6 +329,10 @@ int app_reference(int argc, char **argv) {
         return arguments_misuse(argv[0]);
     if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
+    if (values.panorama && !camera_set_panorama(&stage.camera)) {
+        stage_free(&stage);
+        return arguments_fail(argv[0]);
+    }
     choose_size(&values, &desc, &stage);
     bool ok =
         (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)

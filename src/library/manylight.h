@@ -424,6 +424,9 @@ struct manylight_reference_desc {
     const char *settings;  /* settings of the medium only */
     int threads;           /* 0: all cores; the picture does not depend on it */
     const char *outputs;   /* layers of surfaces, as of manylight_read; NULL: none */
+    /* Nonzero: all directions from the camera, longitude along x, latitude along y, forward in the
+     * middle. Z is the distance, the default size 800x400. Excludes light_paths. */
+    int panorama;
 };
 
 /* Path-traces on the CPU and calls the view's progress. desc may be NULL. */

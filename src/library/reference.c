@@ -52,6 +52,8 @@ static bool check_numbers(const struct manylight_reference_desc *desc) {
 static bool check(struct tracing *tracing) {
     struct manylight_reference_desc *desc = &tracing->desc;
     desc->smooth = desc->smooth || desc->light_paths > 0;
+    if (desc->panorama && desc->light_paths > 0)
+        return refuse("--panorama and --light-paths exclude each other");
     if (desc->noise > 0 && desc->samples > 0)
         return refuse("--spp and --noise exclude each other");
     if (!check_numbers(desc) || !aov_check_surfaces(desc->outputs))
@@ -121,8 +123,14 @@ static bool trace(struct tracing *tracing, struct loan *loan, struct image *imag
     const struct manylight_reference_desc *desc = &tracing->desc;
     int size[2];
     if (!loan_pose(loan, &tracing->view) ||
-        !loan_size(loan, tracing->view.camera, desc->width, desc->height, size))
+        (desc->panorama && !camera_set_panorama(&loan->stage.camera)))
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    if (!loan_size(loan, tracing->view.camera, desc->width, desc->height, size))
         return false;
+    if (desc->panorama && desc->width == 0) {
+        size[0] = 800;
+        size[1] = 400;
+    }
     struct medium medium =
         medium_of(&loan->stage.scene, &tracing->settings, loan->stage.geometry.radius);
     const struct path_tracer_desc paths = {.width = size[0],

@@ -18,7 +18,9 @@ void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *or
 
 /* Writes the range of distances that the camera sees along a ray. */
 static void set_ends(const struct primary_rays *primary, vec3s direction, float ends[2]) {
-    float depth = glms_vec3_dot(direction, vector_of(primary->camera->forward));
+    float depth = primary->camera->panorama
+                      ? 1
+                      : glms_vec3_dot(direction, vector_of(primary->camera->forward));
     ends[0] = primary->range.cuts ? primary->range.near / depth : 0;
     ends[1] = primary->range.cuts ? primary->range.far / depth : INFINITY;
 }
@@ -48,12 +50,15 @@ uint32_t primary_triangle(const struct primary_rays *primary, float x, float y) 
 }
 
 float primary_depth(const struct primary_rays *primary, vec3s position) {
-    return glms_vec3_dot(glms_vec3_sub(position, vector_of(primary->camera->eye)),
-                         vector_of(primary->camera->forward));
+    vec3s from_eye = glms_vec3_sub(position, vector_of(primary->camera->eye));
+    return primary->camera->panorama ? glms_vec3_norm(from_eye)
+                                     : glms_vec3_dot(from_eye, vector_of(primary->camera->forward));
 }
 
 float primary_pixel_size(const struct primary_rays *primary, float depth) {
     const struct camera *camera = primary->camera;
+    if (camera->panorama)
+        return GLM_PIf * depth / (float)primary->height;
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2) * depth;
     return 2 * half * sqrtf(camera_axis_norm2(camera->up)) / (float)primary->height;
 }

@@ -27,7 +27,7 @@ bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t 
 /* Returns the number of the triangle at a point, from 1 on, behind all panes; 0: none. */
 uint32_t primary_triangle(const struct primary_rays *primary, float x, float y);
 
-/* Returns the depth along the view axis, metres. */
+/* Returns the depth along the view axis, metres; of a panorama the distance. */
 float primary_depth(const struct primary_rays *primary, vec3s position);
 
 /* Returns the height of a pixel at `depth`, metres. */

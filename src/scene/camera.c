@@ -19,7 +19,7 @@ bool cameras_same(const struct camera *a, const struct camera *b) {
            memcmp(a->right, b->right, sizeof a->right) == 0 &&
            memcmp(a->up, b->up, sizeof a->up) == 0 &&
            memcmp(a->forward, b->forward, sizeof a->forward) == 0 && a->shift[0] == b->shift[0] &&
-           a->shift[1] == b->shift[1];
+           a->shift[1] == b->shift[1] && a->panorama == b->panorama;
 }
 
 int camera_find(const struct scene *scene, const char *text) {
@@ -126,6 +126,14 @@ bool camera_set_pose(struct camera *camera, const double pose[16], bool opencv) 
     return check_frame(camera) || error_prefix("pose");
 }
 
+bool camera_set_panorama(struct camera *camera) {
+    bool unit = camera_axis_norm2(camera->right) == 1 && camera_axis_norm2(camera->up) == 1;
+    if (camera->orthographic || camera->shift[0] != 0 || camera->shift[1] != 0 || !unit)
+        return error_set("panorama: the camera is orthographic, or has a shifted lens or pixels "
+                         "that are not square");
+    return camera->panorama = true;
+}
+
 bool camera_check(const struct camera *camera) {
     bool has_view =
         camera->orthographic ? camera->y_extent > 0 : camera->fov_y > 0 && camera->fov_y < GLM_PIf;
@@ -142,12 +150,35 @@ bool camera_check(const struct camera *camera) {
     return check_frame(camera);
 }
 
+/* The unit direction at a place of a panorama. */
+static void panorama_direction(const struct camera *camera, float x, float y, float direction[3]) {
+    float longitude = (2 * x - 1) * GLM_PIf, latitude = (.5F - y) * GLM_PIf;
+    for (int c = 0; c < 3; c++)
+        direction[c] = cosf(latitude) * (sinf(longitude) * camera->right[c] +
+                                         cosf(longitude) * camera->forward[c]) +
+                       sinf(latitude) * camera->up[c];
+    vec3_unit(direction);
+}
+
+static void panorama_place(const struct camera *camera, const float to_point[3], float place[2]) {
+    float right = glm_vec3_dot((float *)to_point, (float *)camera->right);
+    float up = glm_vec3_dot((float *)to_point, (float *)camera->up);
+    float ahead = glm_vec3_dot((float *)to_point, (float *)camera->forward);
+    place[0] = .5F + atan2f(right, ahead) / (2 * GLM_PIf);
+    place[1] = .5F - atan2f(up, hypotf(right, ahead)) / GLM_PIf;
+}
+
 void camera_ray(const struct camera *camera, float x, float y, float aspect, float origin[3],
                 float direction[3]) {
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2);
     float across = (2 * x - 1 + camera->shift[0]) * half * aspect;
     float above = (1 - 2 * y + camera->shift[1]) * half;
     vec3 offset;
+    if (camera->panorama) {
+        memcpy(origin, camera->eye, sizeof camera->eye);
+        panorama_direction(camera, x, y, direction);
+        return;
+    }
     for (int c = 0; c < 3; c++)
         offset[c] = across * camera->right[c] + above * camera->up[c];
     memcpy(origin, camera->eye, sizeof camera->eye);
@@ -161,6 +192,10 @@ bool camera_project(const struct camera *camera, const float point[3], float asp
                     float place[2]) {
     vec3 to_point;
     glm_vec3_sub((float *)point, (float *)camera->eye, to_point);
+    if (camera->panorama) {
+        panorama_place(camera, to_point, place);
+        return true;
+    }
     float depth = glm_vec3_dot(to_point, (float *)camera->forward);
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2) * depth;
     if (depth <= 0)

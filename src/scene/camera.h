@@ -16,6 +16,9 @@ struct camera {
     /* Shifted lens: place of the picture's middle, from the axis to the right and up, in halves of
      * the width and height. */
     float shift[2];
+    /* Shows all directions, for the path tracer alone: longitude along x, latitude along y, forward
+     * in the middle. Axes are unit; near and far are distances. */
+    bool panorama;
 };
 
 /* Places the camera of the scene's n-th camera node, which must exist. time: seconds. */
@@ -33,6 +36,10 @@ bool camera_set_intrinsics(struct camera *camera, const double intrinsics[4], co
 /* Sets eye and axes by a matrix from camera to world, row by row. The camera's axes are x right, y
  * up, z back (OpenGL), or x right, y down, z forward (opencv). Error: it is not rigid. */
 bool camera_set_pose(struct camera *camera, const double pose[16], bool opencv);
+
+/* Makes the camera a panorama. Error: it is orthographic, its lens is shifted, or its axes are not
+ * unit. */
+bool camera_set_panorama(struct camera *camera);
 
 /* Writes the default picture size of the scene's n-th camera: 800 pixels along the longer side in
  * the camera's aspect ratio; square without one. */

@@ -126,6 +126,10 @@ struct camera_range camera_range_of(const struct camera *camera, const struct ge
                                     float aspect) {
     struct camera_range range = {.near = camera->near, .far = end_of(camera)};
     struct frustum frustum = frustum_of(camera, aspect);
+    if (camera->panorama) {
+        range.cuts = range.near > 0 || isfinite(range.far);
+        return range;
+    }
     range.cuts = holds_something(frustum, geometry, 0, range.near) ||
                  holds_something(frustum, geometry, range.far, INFINITY);
     return range;

@@ -147,12 +147,16 @@ static void mix(float (*positions)[3], const uint32_t index[3], const double wei
 /* Writes the pixels from a point to its place in another frame: 0 the next. */
 static void fill_motion(const struct surface_view *view, int frame, const float now[3],
                         const float then[3], const int size[2], float out[2]) {
+    struct camera other = view->motion->cameras[frame];
     float places[2][2], aspect = (float)size[0] / (float)size[1];
+    other.panorama = view->camera->panorama;
     if (!camera_project(view->camera, now, aspect, places[0]) ||
-        !camera_project(&view->motion->cameras[frame], then, aspect, places[1]))
+        !camera_project(&other, then, aspect, places[1]))
         return;
     for (int axis = 0; axis < 2; axis++)
         out[axis] = (places[1][axis] - places[0][axis]) * (float)size[axis];
+    if (view->camera->panorama) /* the way past the seam is shorter */
+        out[0] -= (float)size[0] * roundf(places[1][0] - places[0][0]);
 }
 
 static void fill_point(const struct surface_view *view, int layer, int x, int y, const int size[2],

@@ -5,6 +5,7 @@
 #include "library/manylight.h"
 #include "library_support.h"
 #include "reference/path_tracer.h"
+#include "reference/primary.h"
 #include "scene/placing.h"
 
 #include <cglm/cglm.h>
@@ -233,6 +234,84 @@ static void test_reference(void **state) {
     stage_free(&stage);
 }
 
+/* --- panoramas --- */
+
+enum { FACE = 128, AROUND = 96 };
+
+/* The face of a cube whose middle is along an axis of the panorama's camera, to either side. */
+static struct camera face_camera(const struct camera *panorama, int face) {
+    const float *axes[3] = {panorama->right, panorama->up, panorama->forward};
+    struct camera camera = {.fov_y = GLM_PI_2f};
+    vec3 forward;
+    glm_vec3_scale((float *)axes[face / 2], face % 2 ? -1 : 1, forward);
+    camera_look(&camera, panorama->eye, forward, axes[face / 2 == 1 ? 2 : 1]);
+    return camera;
+}
+
+/* A pixel of a panorama sees along its longitude and latitude what one of six faces sees there. */
+static void test_panorama(void **state) {
+    (void)state;
+    struct stage stage;
+    open_stage(&stage, BOX);
+    struct camera camera = stage.camera;
+    glm_vec3_copy(stage.geometry.center, camera.eye);
+    check_ok("panorama", camera_set_panorama(&camera));
+    struct image around = trace(&stage, &camera, AROUND, AROUND / 2), faces[6];
+    struct camera cameras[6];
+    struct primary_rays primary[6];
+    struct rays rays;
+    open_rays(&rays, &stage);
+    for (int face = 0; face < 6; face++) {
+        cameras[face] = face_camera(&camera, face);
+        faces[face] = trace(&stage, &cameras[face], FACE, FACE);
+        primary[face] = primary_rays_of(&rays.scene, &cameras[face], &stage.geometry, FACE, FACE);
+    }
+    int z = image_find_channel(&around, "Z"), light = image_find_channel(&around, "direct.G");
+    int compared = 0, astray = 0, other = 0, used[6] = {0};
+    for (int y = 0; y < AROUND / 2; y++)
+        for (int x = 0; x < AROUND; x++) {
+            double longitude = (x + .5) / AROUND * 2 * GLM_PI - GLM_PI;
+            double latitude = GLM_PI_2 - (y + .5) / (AROUND / 2.) * GLM_PI;
+            double local[3] = {cos(latitude) * sin(longitude), sin(latitude),
+                               cos(latitude) * cos(longitude)};
+            const float *seen = image_at(&around, x, y);
+            vec3 point;
+            float place[2];
+            int axis = 0;
+            for (int i = 1; i < 3; i++)
+                axis = fabs(local[i]) > fabs(local[axis]) ? i : axis;
+            int face = 2 * axis + (local[axis] < 0);
+            for (int c = 0; c < 3; c++)
+                point[c] = camera.eye[c] + seen[z] * (float)(local[0] * (double)camera.right[c] +
+                                                             local[1] * (double)camera.up[c] +
+                                                             local[2] * (double)camera.forward[c]);
+            if (seen[z] <= 0)
+                continue;
+            assert_true(camera_project(&cameras[face], point, 1, place));
+            int px = (int)fminf(place[0] * FACE, FACE - 1),
+                py = (int)fminf(place[1] * FACE, FACE - 1);
+            const float *of_face = image_at(&faces[face], px, py);
+            struct hit hit;
+            compared++;
+            used[face]++;
+            astray += !primary_hit(&primary[face], place[0] * FACE, place[1] * FACE, 0, &hit) ||
+                      glm_vec3_distance(hit.position.raw, point) > 1e-3F;
+            other += !(fabsf(seen[light] - of_face[light]) <= .05F * seen[light] + 1e-3F);
+        }
+    for (int face = 0; face < 6; face++)
+        printf("    face %d: %d pixels\n", face, used[face]);
+    assert_true(compared > AROUND * AROUND / 4);
+    check_at_most("pixels that see another place", (double)astray / compared, .002);
+    check_at_most("pixels of other light", (double)other / compared, .1);
+    camera.shift[0] = .1F;
+    check_refused(camera_set_panorama(&camera), "shifted lens");
+    for (int face = 0; face < 6; face++)
+        image_free(&faces[face]);
+    image_free(&around);
+    close_rays(&rays);
+    stage_free(&stage);
+}
+
 /* --- refusals --- */
 
 static void test_refusals(void **state) {
@@ -279,7 +358,7 @@ int main(void) {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_projection), cmocka_unit_test(test_frame),
         cmocka_unit_test(test_caustics),   cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_refusals),
+        cmocka_unit_test(test_panorama),   cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
 }
