@@ -262,7 +262,9 @@ bool loan_pose(struct loan *loan, const struct manylight_view *view) {
     struct stage *stage = &loan->stage;
     stage->camera_text = view->camera;
     stage->light_text = view->light ? view->light : loan->from->light;
-    bool ok = desc_check("time", view->time, 0, 1e6) && desc_check("step", view->step, 0, 1e6) &&
+    bool ok = (view->placed || (!view->placed_next && !view->placed_previous) ||
+               error_set("placed_next, placed_previous: for views with placed")) &&
+              desc_check("time", view->time, 0, 1e6) && desc_check("step", view->step, 0, 1e6) &&
               stage_pose(stage, view->time);
     stage->camera_text = NULL;
     stage->light_text = loan->from->light;

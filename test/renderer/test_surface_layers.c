@@ -1,6 +1,6 @@
 /* Layers of surfaces: a rasterised frame and rays see the same, positions lie where the pixels
  * look, ids name what the scene has, and files keep whole numbers. */
-#include "library_support.h"
+#include "command_support.h"
 #include "render_support.h"
 
 #include "base/file/image_file.h"
@@ -231,41 +231,6 @@ static void test_motion(void **state) {
     check_motion("scenes/character.glb", .5, "next");
     check_motion("scenes/character.glb", .5, "previous");
     check_motion("scenes/door.glb", .5, "next");
-}
-
-/* A camera that moves aside moves pixels by focal length over depth; what rests does not move. The
- * frame and its successor are as without the layers. */
-static void test_camera_motion(void **state) {
-    (void)state;
-    struct manylight_device *device = open_device();
-    struct manylight_scene *scene = open_scene("scenes/cornell-box.glb");
-    struct manylight_renderer *drawing = open_drawing(device, scene, NULL);
-    struct manylight_camera camera = {.size = sizeof camera}, next;
-    check_call("camera", manylight_scene_camera(scene, NULL, 0, &camera));
-    next = camera;
-    for (int c = 0; c < 3; c++)
-        next.eye[c] += .1F * camera.right[c];
-    const struct manylight_view view = {
-        .size = sizeof view, .placed = &camera, .placed_next = &next};
-    struct manylight_image *image;
-    static float z[48 * 40], away[48 * 40 * 2], rest[48 * 40 * 2];
-    check_call("render", manylight_render(drawing, &view));
-    check_call("read", manylight_read(drawing, "motion.next,motion.previous", &image));
-    check_call("Z", manylight_image_layer(image, "Z", z, 48 * 40, NULL));
-    check_call("next", manylight_image_layer(image, "motion.next", away, 48 * 40 * 2, NULL));
-    check_call("previous",
-               manylight_image_layer(image, "motion.previous", rest, 48 * 40 * 2, NULL));
-    double focal = 20 / tan((double)camera.fov_y / 2), most = 0;
-    for (int i = 0; i < 48 * 40; i++) {
-        if (z[i] > 0)
-            most = fmax(most, fabs((double)away[2 * i] + .1 * focal / (double)z[i]));
-        assert_true(rest[2 * i] == 0 && rest[2 * i + 1] == 0 && fabsf(away[2 * i + 1]) < 1e-3F);
-    }
-    check_at_most("pixels off", most, 2e-3);
-    manylight_image_free(image);
-    manylight_renderer_free(drawing);
-    manylight_scene_free(scene);
-    manylight_device_free(device);
 }
 
 /* --- files --- */
