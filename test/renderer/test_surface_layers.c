@@ -288,8 +288,9 @@ static void test_refusals(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_frame_and_rays), cmocka_unit_test(test_motion),
-        cmocka_unit_test(test_camera_motion),  cmocka_unit_test(test_file),
+        cmocka_unit_test(test_frame_and_rays),
+        cmocka_unit_test(test_motion),
+        cmocka_unit_test(test_file),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);
