@@ -127,7 +127,7 @@ static void test_frame_and_rays(void **state) {
         {.scene = "scenes/creatures.glb", .time = .7},
         {.scene = "scenes/metaballs.glb", .time = .3},
     };
-    for (size_t i = 0; i < (is_long_run() ? sizeof rows / sizeof *rows : 4); i++) {
+    for (size_t i = 0; i < (is_long_run() ? sizeof rows / sizeof *rows : 3); i++) {
         struct stage stage;
         printf("    %s\n", rows[i].scene);
         open_stage(&stage, rows[i].scene);
