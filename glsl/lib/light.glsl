@@ -34,7 +34,7 @@ light_view light_view_at(int i) {
 #if defined(MAP_KINDS) && MAP_KINDS < 3
     e.y = MAP_KINDS - 1; // the other kind's fetches fall away
 #endif
-    return light_view(view(world_to_clip, a.xyz, a.w, b.xyz, floatBitsToInt(b.w) != 0, c.xyz, 0.0, d.xyz,
+    return light_view(view(world_to_clip, a.xyz, a.w, b.xyz, floatBitsToInt(b.w) != 0, c.xyz, false, d.xyz,
                            d.w),
                       e.x, e.y, e.z, 0);
 }

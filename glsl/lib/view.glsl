@@ -1,5 +1,10 @@
 #include "shared/view.h"
 
+// The unit axis, along which depth is counted. A place of a pass within its pixel may lean it.
+vec3 view_axis(view v) {
+    return v.leans ? vec3(v.world_to_clip[0].w, v.world_to_clip[1].w, v.world_to_clip[2].w) : v.forward;
+}
+
 // The distance along the view's axis of a reversed depth, metres.
 float view_linear_depth(view v, float depth) {
     return v.orthographic ? (1.0 - depth) * v.far : v.near / depth;

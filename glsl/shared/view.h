@@ -13,8 +13,8 @@ struct view {
     float near; /* metres */
     vec3 right; /* from the axis to the right edge at z = 1 (orthographic: at any z) */
     BOOL orthographic;
-    vec3 up; /* from the axis to the top edge */
-    float unused;
+    vec3 up;      /* from the axis to the top edge */
+    BOOL leans;   /* the camera has a shifted lens: forward is not along the axis */
     vec3 forward; /* to the picture's centre, at z = 1 */
     float far;    /* distance of linear depth 1, metres: 1 m except for an orthographic view */
 };

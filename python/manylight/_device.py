@@ -8,7 +8,7 @@ from typing import Any, ContextManager, Iterable, Iterator, List, Mapping, Named
 
 import numpy as np
 
-from ._call import Descriptor, Progress, Work, call, encode, is_reporting, made, real, run, width_and_height
+from ._call import Descriptor, Progress, Work, call, described, encode, is_reporting, made, real, run, width_and_height
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, DeviceError, text_of
 from ._image import Layers, layer_names, listed, to_layers
@@ -17,6 +17,8 @@ from ._parts import Camera
 from ._scene import Scene, camera_text, scene_of, view_of
 
 AnyScene = Union[Scene, str, "os.PathLike[str]"]
+VIEW_PARTS = {"camera", "light", "time", "motion_step", "next_camera", "previous_camera"}
+
 AnyCamera = Union[str, int, Camera, None]
 
 
@@ -39,6 +41,7 @@ class Renderer:
         self._lock = threading.Lock()
         self._process = os.getpid()
         self._shape = (0, 0)
+        self._names: List[str] = []  # layers of every frame
         self.scene = scene
 
     def close(self) -> None:
@@ -64,19 +67,34 @@ class Renderer:
         return contextlib.nullcontext() if is_reporting() else self._lock
 
     def render(self, *, layers: Optional[Iterable[str]] = None, camera: AnyCamera = None,
-               light: Optional[str] = None, time: float = 0, progress: Optional[Progress] = None) -> Layers:
+               light: Optional[str] = None, time: float = 0, motion_step: float = 0,
+               next_camera: Optional[Camera] = None, previous_camera: Optional[Camera] = None,
+               progress: Optional[Progress] = None) -> Layers:
         """Draws a frame at a time (s) and returns its layers, as `Device.render`."""
         renderer, work, wanted = self._open(), Work(progress), listed(layers)
-        view = view_of(work, camera, light, time)
+        view = view_of(work, camera, light, time, motion_step, next_camera, previous_camera)
 
         def draw() -> Layers:
             call(lib.manylight_render, renderer, view.pointer)
-            image = _image_of(renderer, wanted)
+            image = self._image(renderer, wanted)
             self._shape = (lib.manylight_image_height(image), lib.manylight_image_width(image))
             return to_layers(image, wanted)
 
         with self._alone():
             return run(work, draw)
+
+    def _image(self, renderer: Any, wanted: Optional[List[str]]) -> Any:
+        """The last frame. Names that are no layers of every frame are outputs of the technique or of surfaces."""
+        if not self._names:
+            image = made("image", lib.manylight_read, renderer, ffi.NULL)
+            self._names = layer_names(image)
+            if not wanted or set(wanted) <= set(self._names):
+                return image
+        outputs = ",".join(layer for layer in wanted or () if layer not in self._names)
+        try:
+            return made("image", lib.manylight_read, renderer, encode(outputs) if outputs else ffi.NULL)
+        except ArgumentError as error:
+            raise ArgumentError(f"{error}; layers of every frame: {', '.join(self._names)}") from None
 
     def display(self, layer: Optional[str] = None) -> np.ndarray:
         """The last frame as a display shows it: uint8 sRGB (height, width, 4), row 0 at the top. `layer`: "beauty",
@@ -100,18 +118,6 @@ class Renderer:
         value = ffi.new("double *")
         call(lib.manylight_milliseconds, self._open(), encode(path), value)
         return value[0]
-
-
-def _image_of(renderer: Any, wanted: Optional[List[str]]) -> Any:
-    """The last frame. Names that are no layers of every frame are outputs of the technique."""
-    image = made("image", lib.manylight_read, renderer, ffi.NULL)
-    outputs = [] if wanted is None else [layer for layer in wanted if layer not in layer_names(image)]
-    if not outputs:
-        return image
-    try:
-        return made("image", lib.manylight_read, renderer, encode(",".join(outputs)))
-    except ArgumentError as error:
-        raise ArgumentError(f"{error}; layers of every frame: {', '.join(layer_names(image))}") from None
 
 
 class Device:
@@ -173,7 +179,8 @@ class Device:
         return Renderer(device, opened, desc)
 
     def render(self, scene: AnyScene, size: Tuple[int, int] = (0, 0), *, layers: Optional[Iterable[str]] = None,
-               camera: AnyCamera = None, light: Optional[str] = None, time: float = 0,
+               camera: AnyCamera = None, light: Optional[str] = None, time: float = 0, motion_step: float = 0,
+               next_camera: Optional[Camera] = None, previous_camera: Optional[Camera] = None,
                progress: Optional[Progress] = None, **settings: Any) -> Layers:
         """Draws one picture, with the bits of `manylight render`.
 
@@ -185,6 +192,8 @@ class Device:
         camera : name, number, text as of `manylight render --camera`, or a `Camera`; None: the first
         light : as `manylight render --light`
         time : of the animation, seconds
+        motion_step : for "motion.next" and "motion.previous": time between frames, seconds; 0: 1/25
+        next_camera, previous_camera : where a `Camera` is in these frames; None: the same
         progress : called with the fraction done and a note, after each of several passes and a few times a second; its
             exception stops the work
         technique, direct, quality, passes, first_pass, hide_environment : as the options of `manylight render`
@@ -197,7 +206,33 @@ class Device:
         """
         size_camera = None if isinstance(camera, Camera) else camera
         with self.renderer(scene, size, camera=size_camera, **settings) as renderer:
-            return renderer.render(layers=layers, camera=camera, light=light, time=time, progress=progress)
+            return renderer.render(layers=layers, camera=camera, light=light, time=time, motion_step=motion_step,
+                                   next_camera=next_camera, previous_camera=previous_camera, progress=progress)
+
+    def render_batch(self, scene: AnyScene, size: Tuple[int, int], views: Iterable[Any], *,
+                     layers: Optional[Iterable[str]] = None, progress: Optional[Progress] = None,
+                     **settings: Any) -> Iterator[Layers]:
+        """Draws many views by one renderer, one dict of layers for each. Light that depends on no camera is kept while
+        lights and time stay.
+
+        Parameters
+        ----------
+        views : cameras as of `render`, or dicts of `camera`, `light`, `time`, `motion_step`, `next_camera` and
+            `previous_camera`
+        Other parameters are those of `render`.
+        """
+        wanted = listed(layers)
+        renderer = self.renderer(scene, size, **{"keep_lights": True, **settings})
+
+        def draw() -> Iterator[Layers]:
+            with renderer:
+                for view in views:
+                    options = view if isinstance(view, Mapping) else {"camera": view}
+                    if not VIEW_PARTS.issuperset(options):
+                        raise ArgumentError(f"views: {described(view)}: the parts are {', '.join(sorted(VIEW_PARTS))}")
+                    yield renderer.render(layers=wanted, progress=progress, **options)
+
+        return draw()
 
     def frames(self, scene: AnyScene, size: Tuple[int, int] = (0, 0), *, frames: Optional[Iterable[int]] = None,
                fps: float = 25, layers: Optional[Iterable[str]] = None, camera: AnyCamera = None,
@@ -224,6 +259,6 @@ class Device:
             with renderer:
                 for number in numbers:
                     yield renderer.render(layers=wanted, camera=camera, light=light, time=time + number / fps,
-                                          progress=progress)
+                                          motion_step=1 / fps, progress=progress)
 
         return draw()

@@ -56,4 +56,5 @@ def check(status: int) -> None:
     if status == lib.MANYLIGHT_OK:
         return
     text, kind = text_of(lib.manylight_error()), KINDS.get(status, Error)
+    text = text.replace("(--help-all lists them)", "(manylight.settings() lists them)")
     raise (FileMissing if text.endswith(": No such file or directory") else kind)(text)

@@ -10,6 +10,9 @@ from ._call import Descriptor, call, described, encode, made, real_array
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
 
+#: Layers of surfaces at pixel centres, of frames and of references, that are made where `layers` names them.
+SURFACE_LAYERS = ("id.node", "id.mesh", "id.material", "position", "depth", "uv", "motion.next", "motion.previous")
+
 Layers = Dict[str, np.ndarray]
 Picture = Union[Mapping[str, np.ndarray], np.ndarray]
 
@@ -18,6 +21,8 @@ def layer_of(channel: str) -> str:
     """The layer that a channel belongs to: "beauty" of R, "indirect" of indirect.R, "Z" of Z."""
     if channel in ("R", "G", "B", "A"):
         return "beauty"
+    if channel.startswith("id."):
+        return channel
     return channel.rpartition(".")[0] or channel
 
 
@@ -38,7 +43,7 @@ def read_layer(image: Any, layer: str) -> np.ndarray:
     array = np.empty(shape, np.float32)
     pixels = ffi.from_buffer("float[]", array, require_writable=True)
     call(lib.manylight_image_layer, image, name, pixels, array.size, count)
-    return array
+    return array.astype(np.uint32) if layer.startswith("id.") else array
 
 
 def listed(layers: "str | Iterable[str] | None") -> Optional[List[str]]:
@@ -61,7 +66,7 @@ def to_layers(image: Any, layers: "str | Iterable[str] | None" = None) -> Layers
 
 def channels_of(layer: str, count: int) -> List[str]:
     """Names of channels, as the program writes them."""
-    letters = {1: "", 2: "XY", 3: "XYZ" if layer == "normal" else "RGB", 4: "RGBA"}.get(count)
+    letters = {1: "", 2: "UV" if layer == "uv" else "XY", 3: "XYZ" if layer in ("normal", "position") else "RGB", 4: "RGBA"}.get(count)
     if letters is None:
         raise ArgumentError(f"layer {layer}: {count} channels (1 to 4)")
     if layer == "beauty":
@@ -78,6 +83,8 @@ def to_image(layers: Picture) -> Any:
         array = real_array(f"layer {layer}", array)
         if layer == "beauty" and array.dtype == np.uint8:
             raise ArgumentError("layer beauty: uint8 is the code of a display, not linear light")
+        if layer.startswith("id.") and array.size and not (0 <= array.min() and array.max() < 1 << 24):
+            raise ArgumentError(f"layer {layer}: numbers are not from 0 to {(1 << 24) - 1}")
         array = array.astype(np.float32)
         array = array[..., None] if array.ndim == 2 else array
         if array.ndim != 3 or array.shape[:2] != (arrays or [array])[0].shape[:2]:

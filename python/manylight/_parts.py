@@ -8,7 +8,7 @@ from typing import Any, Iterable, Optional, Sequence, Tuple
 
 import numpy as np
 
-from ._call import Descriptor, described, real_array
+from ._call import Descriptor, call, described, real, real_array, vector, width_and_height
 from ._cffi import ffi, lib
 from ._errors import ArgumentError
 
@@ -71,7 +71,45 @@ class Camera:
     near_plane: float = 0  #: m; what is nearer is not seen
     far_plane: float = 0  #: m; what is farther is not seen; 0: no end
     right: Vector = (0, 0, 0)  #: 0: made of `forward` and `up`
+    #: shifted lens: the picture's middle, from the axis to the right and up, in halves of width and height
+    shift: Tuple[float, float] = (0, 0)
 
+    @classmethod
+    def from_intrinsics(cls, intrinsics: Any, pose: Any, size: Tuple[int, int], *, convention: str,
+                        pixel_center: Optional[float] = None, near_plane: float = 0, far_plane: float = 0) -> "Camera":
+        """A pinhole camera for pictures of `size`.
+
+        Parameters
+        ----------
+        intrinsics : the matrix (3, 3) without skew, or (fx, fy, cx, cy), pixels
+        pose : rigid matrix (4, 4) from camera to world; for extrinsics, from world to camera, take their inverse
+        size : width and height of the pictures that the intrinsics are for
+        convention : "opencv": x right, y down, z forward; "opengl": x right, y up, z back (glTF, Blender, pyrender)
+        pixel_center : `cx` and `cy` of the first pixel's centre; None: 0 for "opencv", 0.5 for "opengl"
+        near_plane, far_plane : as of `Camera`
+        """
+        if convention not in CONVENTIONS:
+            raise ArgumentError(f"convention: {described(convention)} is none of {', '.join(CONVENTIONS)}")
+        matrix = real_array("intrinsics", intrinsics).astype(float)
+        if matrix.shape == (3, 3):
+            if not np.array_equal(matrix[[0, 1, 2, 2, 2], [1, 0, 0, 1, 2]], [0, 0, 0, 0, 1]):
+                raise ArgumentError("intrinsics: not [fx 0 cx; 0 fy cy; 0 0 1]; there is no skew")
+            matrix = matrix[[0, 1, 0, 1], [0, 1, 2, 2]]
+        fx, fy, cx, cy = vector("intrinsics", matrix, 4)
+        matrix = real_array("pose", pose)
+        if matrix.shape != (4, 4):
+            raise ArgumentError(f"pose: shape {matrix.shape}, not (4, 4)")
+        if pixel_center is None:
+            pixel_center = 0 if convention == "opencv" else .5
+        corner = .5 - real("pixel_center", pixel_center)
+        desc = Descriptor("pinhole", fx=fx, fy=fy, cx=cx + corner, cy=cy + corner, pose=matrix.ravel(),
+                          axes=CONVENTIONS[convention], **width_and_height(size))
+        out = Descriptor("camera").pointer
+        call(lib.manylight_camera_pinhole, desc.pointer, out)
+        return dataclasses.replace(camera_of(out), near_plane=near_plane, far_plane=far_plane)
+
+
+CONVENTIONS = {"opencv": lib.MANYLIGHT_OPENCV, "opengl": lib.MANYLIGHT_OPENGL}
 
 KINDS = {
     "spot": lib.MANYLIGHT_SPOT,
@@ -172,6 +210,12 @@ def _light(light: Light) -> Descriptor:
     return Descriptor("light", type=KINDS[light.kind], position=light.position, direction=light.direction,
                       intensity=light.intensity, extent=light.extent, inner_angle=light.inner_angle,
                       outer_angle=light.outer_angle, up=light.up)
+
+
+def camera_of(out: Any) -> Camera:
+    """A camera of the library's struct."""
+    return Camera(tuple(out.eye), tuple(out.forward), tuple(out.up), out.fov_y, out.y_extent, out.near_plane,
+                  out.far_plane, tuple(out.right), tuple(out.shift))
 
 
 def camera_desc(camera: Camera) -> Descriptor:

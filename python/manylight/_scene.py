@@ -2,14 +2,16 @@
 from __future__ import annotations
 
 import os
-from typing import Any, Iterable, NamedTuple, Optional, Sequence, Tuple
+from functools import partial
+from itertools import count
+from typing import Any, Dict, Iterable, NamedTuple, Optional, Sequence, Tuple
 
-from ._call import Descriptor, Progress, Work, call, encode, made, run, whole, width_and_height
+from ._call import Descriptor, Progress, Work, call, described, encode, made, run, whole, width_and_height
 from ._cffi import ffi, lib
-from ._errors import ArgumentError
-from ._image import Layers, to_layers
+from ._errors import ArgumentError, text_of
+from ._image import SURFACE_LAYERS, Layers, listed, to_layers
 from ._names import settings_text
-from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc
+from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc, camera_of
 
 
 class SceneInfo(NamedTuple):
@@ -23,6 +25,9 @@ class SceneInfo(NamedTuple):
     radius: float
     duration: float
     origin: Tuple[float, float, float]
+
+
+KINDS_OF_IDS = ("node", "mesh", "material")
 
 
 class Scene:
@@ -71,13 +76,20 @@ class Scene:
         return SceneInfo(info.triangle_count, info.material_count, info.light_count, info.camera_count,
                          tuple(info.center), info.radius, info.duration, tuple(info.origin))
 
+    def names(self, kind: str) -> Dict[int, str]:
+        """Names by the numbers in the layer "id.KIND": of "node", "mesh" or "material". Unnamed parts have ""."""
+        if kind not in KINDS_OF_IDS:
+            raise ArgumentError(f"kind: {described(kind)} is none of {', '.join(KINDS_OF_IDS)}")
+        part = KINDS_OF_IDS.index(kind)
+        name = partial(lib.manylight_scene_name, self._handle, part)
+        return {i: text_of(text) for i, text in enumerate(iter(map(name, count(1)).__next__, ffi.NULL), 1)}
+
     def camera(self, text: Optional[str] = None, time: float = 0) -> Camera:
         """Where a camera is at a time (s): `text` as of `manylight render --camera`; None: the first."""
         out = Descriptor("camera").pointer
         name = ffi.NULL if text is None else ffi.new("char[]", encode(text))
         call(lib.manylight_scene_camera, self._handle, name, time, out)
-        return Camera(tuple(out.eye), tuple(out.forward), tuple(out.up), out.fov_y, out.y_extent, out.near_plane,
-                      out.far_plane, tuple(out.right))
+        return camera_of(out)
 
 
 def scene_of(scene: "Scene | str | os.PathLike[str]") -> Scene:
@@ -90,9 +102,17 @@ def camera_text(camera: Any) -> str:
     return camera if isinstance(camera, str) else str(whole("camera", camera))
 
 
-def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str], time: float) -> Descriptor:
+def view_of(work: Work, camera: "str | int | Camera | None", light: Optional[str], time: float,
+            motion_step: float = 0, next_camera: Optional[Camera] = None,
+            previous_camera: Optional[Camera] = None) -> Descriptor:
     """Where from, and what of a scene, a picture is made."""
-    desc = Descriptor("view", light=light, time=time, progress=lib.manylight_python_progress, user=work.handle)
+    desc = Descriptor("view", light=light, time=time, step=motion_step, progress=lib.manylight_python_progress,
+                      user=work.handle)
+    for member, other in (("placed_next", next_camera), ("placed_previous", previous_camera)):
+        if other is not None:
+            if not isinstance(other, Camera) or not isinstance(camera, Camera):
+                raise ArgumentError("next_camera, previous_camera: a Camera, beside a Camera")
+            desc.set(member, desc.keep(camera_desc(other)).pointer)
     if isinstance(camera, Camera):
         desc.set("placed", desc.keep(camera_desc(camera)).pointer)
     elif camera is not None:
@@ -105,8 +125,10 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
               light: Optional[str] = None, time: float = 0, bounces: int = 1, samples: int = 0, noise: float = 0,
               paths: int = 0, seed: int = 0, light_paths: int = 0, smooth: bool = False, centers: bool = False,
               seen: bool = False, denoise: bool = False, hide_environment: bool = False, ao_distance: float = 0,
-              materials: Optional[str] = None, threads: int = 0, settings: Any = None,
-              progress: Optional[Progress] = None, **more: Any) -> Layers:
+              materials: Optional[str] = None, threads: int = 0, panorama: bool = False,
+              motion_step: float = 0, next_camera: Optional[Camera] = None,
+              previous_camera: Optional[Camera] = None, settings: Any = None, progress: Optional[Progress] = None,
+              **more: Any) -> Layers:
     """Path-traces a scene on the CPU, as `manylight reference` does.
 
     Parameters
@@ -124,17 +146,23 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
     materials : "full" or "diffuse"; None: "full"
     threads : number of threads; 0: all cores. The picture does not depend on it
     ao_distance : distance of ambient occlusion, metres; 0: no layer "ao"
+    panorama : all directions from the camera, longitude along x, latitude along y, forward in the middle. "Z" is the
+        distance
     settings, **more : settings of the medium, as of `Device.render`
     progress : called with the fraction done and a note; an exception from it stops the work
     Other parameters are those of `Device.render`. There is no technique: paths are traced.
 
     Returns the layers as `Device.render`, with "standard_error" of the layer "indirect" and others.
     """
-    work = Work(progress)
-    view = view_of(work, camera, light, time)
+    if "spp" in more:
+        raise ArgumentError("spp: the parameter is called samples")
+    work, wanted = Work(progress), listed(layers)
+    view = view_of(work, camera, light, time, motion_step, next_camera, previous_camera)
+    surfaces = ",".join(layer for layer in wanted or () if layer in SURFACE_LAYERS)
     desc = Descriptor("reference_desc", **width_and_height(size), view=view.pointer, bounces=bounces, samples=samples,
                       noise=noise, paths=paths, seed=seed, light_paths=light_paths, smooth=smooth, centers=centers,
                       seen=seen, denoise=denoise, hide_environment=hide_environment, ao_distance=ao_distance,
-                      materials=materials, settings=settings_text(settings, more), threads=threads)
+                      materials=materials, settings=settings_text(settings, more), threads=threads,
+                      outputs=surfaces or None, panorama=panorama)
     handle = scene_of(scene)._handle
-    return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), layers))
+    return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), wanted))

@@ -61,7 +61,8 @@ struct technique_values {
 #define STAGE_OPTIONS(type, member)                                                                \
     {"camera", 0, OPTION_TEXT, offsetof(type, member.camera), .value_name = "NAME|N",              \
      .help = "camera by name or number [the first], with changes:\n"                               \
-             "\"0 eye=0,1,3 forward=0,0,-1\""},                                                    \
+             "\"0 eye=0,1,3 forward=0,0,-1\", shift=X,Y (shifted lens); a pinhole:\n"             \
+             "\"intrinsics=FX,FY,CX,CY,WIDTH,HEIGHT opencv=...\", 16 numbers of a pose"},           \
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
      .help = "lights that shine [all]: \"lamp,1\" (manylight info lists them); "                   \
              "emitters: all area lights;\n"                                                        \

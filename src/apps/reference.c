@@ -13,6 +13,7 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/progress.h"
+#include "inspect/aov.h"
 #include "quality/picture.h"
 #include "renderer/about.h"
 #include "renderer/stage.h"
@@ -37,6 +38,7 @@ struct values {
     const char *output, *format, *background, *ao;
     float noise;
     int technique, light_paths, threads;
+    bool panorama;
 };
 
 OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
@@ -78,6 +80,13 @@ static const struct option options[] = {
          "adds the layer ao, ambient occlusion (fraction of cosine-weighted rays from a surface\n"
          "that meet nothing within D metres), and its standard error;\n"
          "auto: that of render --aov ao, .27 of the scene's longest side"},
+    {"aov", 0, OPTION_TEXT, offsetof(struct values, tracer.surface_layers),
+     .value_name = "NAME[,NAME ...]",
+     .help = "adds layers of surfaces at pixel centres: id.node, id.mesh, id.material, position,\n"
+             "depth (along the ray), uv, motion.next, motion.previous (pixels to 1/25 s away)"},
+    {"panorama", 0, OPTION_FLAG, offsetof(struct values, panorama),
+     .help = "all directions from the camera, its forward in the middle: longitude along x and\n"
+             "latitude along y; Z is the distance; size 800x400 unless --size"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
@@ -138,7 +147,7 @@ static bool check_use(const struct values *values) {
     return arguments_check_use(
         &values->common,
         (struct option_use[]){
-            {"bounces spp paths noise centers background seen ao denoise smooth "
+            {"bounces spp paths noise centers background seen ao aov panorama denoise smooth "
              "light-paths materials seed",
              path, "--technique path"},
             {"paths denoise", values->tracer.bounces > 0, "--bounces of 1 or more"},
@@ -162,11 +171,14 @@ static bool check_values(struct values *values) {
     if (!outputs_use_format(&values->output, 1, values->format) ||
         !image_name_holds_layers(values->output))
         return false;
+    if (values->panorama && values->light_paths > 0)
+        return error_set("--panorama and --light-paths exclude each other");
     if (values->noise > 0 && values->tracer.samples > 0)
         return error_set("--spp and --noise exclude each other");
     if (!check_use(values) || !check_light_paths(values))
         return false;
-    if (!parse_ao(values) || !background_parse(&background, values->background) ||
+    if (!aov_check_surfaces(values->tracer.surface_layers) || !parse_ao(values) ||
+        !background_parse(&background, values->background) ||
         !background_check(&background, &values->output, 1))
         return false;
     if (values->threads > 0)
@@ -218,23 +230,29 @@ static bool trace_light(const struct values *values, const struct stage *stage,
     return ok;
 }
 
-static bool trace_paths(const struct values *values, const struct stage *stage,
+static bool trace_paths(const struct values *values, struct stage *stage,
                         const struct settings *settings, struct image *image) {
     struct progress progress;
     struct path_tracer_progress reached;
     struct path_tracer_desc desc = values->tracer;
+    struct surface_motion motion = {.positions = {NULL}};
     if (!desc.smooth)
         caustics_note_straight(&stage->scene);
     if (ao_is_auto(values))
         desc.ao_distance = renderer_ao_distance(settings, &stage->geometry);
     if (ao_is_auto(values) && desc.ao_distance == 0)
         return error_set("ao: 'auto' needs volumes, which this build is without");
+    if (surface_layers_move(desc.surface_layers) &&
+        !stage_find_motion(stage, (double)values->stage.time, 1 / 25., &motion))
+        return false; /* and the program ends */
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
     desc.progress = show;
     desc.user = &progress;
+    desc.motion = &motion;
     progress_start(&progress, "paths");
     bool ok = picture_trace_paths(stage, &desc, image, &reached);
     double seconds = progress_end(&progress);
+    surface_motion_free(&motion);
     if (ok && reached.samples == 1)
         log_note("1 sample per pixel in %.1f s, which does not tell its noise", seconds);
     else if (ok)
@@ -286,6 +304,10 @@ static void choose_size(struct values *values, struct measure_desc *desc,
                         const struct stage *stage) {
     int size[2];
     stage_default_size(stage, size);
+    if (values->panorama) {
+        size[0] = 800;
+        size[1] = 400;
+    }
     if (values->tracer.width == 0) {
         values->tracer.width = size[0];
         values->tracer.height = size[1];
@@ -308,6 +330,10 @@ int app_reference(int argc, char **argv) {
         return arguments_misuse(argv[0]);
     if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
+    if (values.panorama && !camera_set_panorama(&stage.camera)) {
+        stage_free(&stage);
+        return arguments_fail(argv[0]);
+    }
     choose_size(&values, &desc, &stage);
     bool ok =
         (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)

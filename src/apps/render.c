@@ -1,15 +1,11 @@
 /* manylight render: pictures offscreen. */
 #define _POSIX_C_SOURCE 200809L
-#include "apps/arguments.h"
 #include "apps/background.h"
-#include "apps/frames.h"
-#include "apps/in_time.h"
 #include "apps/interrupt.h"
-#include "apps/options.h"
 #include "apps/outputs.h"
+#include "apps/render_options.h"
 #include "apps/stats.h"
 #include "apps/subcommands.h"
-#include "apps/videos.h"
 
 #include "base/clock.h"
 #include "base/error.h"
@@ -32,132 +28,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-struct values {
-    struct common_values common;
-    struct context_desc context;
-    struct technique_values technique;
-    struct stage_desc stage;
-    struct text_list outputs; /* pictures */
-    struct videos videos;
-    int size[2];
-    int layer;
-    const char *format, *background, *frames, *glsl, *aov;
-    int quality, passes, first_pass;
-    bool passes_given; /* by --passes, and not by a quality */
-    float max_error, budget;
-    const char *fps;
-    struct frame_rate rate; /* of fps */
-    bool skip_existing, stats;
-    struct in_time in_time;    /* where budget */
-    int traced;                /* samples of a pixel, path-traced in place of frames; 0: frames */
-    struct image picture;      /* where traced */
-    struct progress *progress; /* of the frames */
-    char *choice;              /* which quality was chosen, and why */
-};
-
-static const struct option options[] = {
-    {"output", 'o', OPTION_LIST, offsetof(struct values, outputs), .value_name = "FILE",
-     .help = "picture to write, in the format of its extension; or, with --frames, a video (.mp4,\n"
-             ".mov, .mkv, .webm) through ffmpeg; repeatable"},
-    FORMAT_OPTION(struct values, format),
-    {"size", 0, OPTION_SIZE, offsetof(struct values, size), 0, 1, 16384, .help = SIZE_HELP},
-    {"quality", 0, OPTION_CHOICE, offsetof(struct values, quality), QUALITY_NORMAL,
-     .choices = quality_names,
-     .help = "choice of settings and passes by name;\n"
-             "--set and --passes override it"},
-    {"max-error", 0, OPTION_FLOAT, offsetof(struct values, max_error), 0, 0, 1, .value_name = "X%",
-     .help = "limit of the relative RMSE of indirect light; path-traces about\n"
-             "9000 pixels at --time, then uses the cheapest setting within the limit;\n"
-             "a single picture by software OpenGL may be path-traced; 0: off"},
-    {"budget", 0, OPTION_FLOAT, offsetof(struct values, budget), 0, 0, 1e6, .value_name = "Xms",
-     .unit = "ms",
-     .help =
-         "time per frame, ms: adapts settings not given by --set, from the times of the frames\n"
-         "before; frames then depend on the machine and on each other; a single picture by\n"
-         "software OpenGL is path-traced where that errs less; 0: off"},
-    TECHNIQUE_OPTIONS(struct values, technique),
-    {"layer", 0, OPTION_CHOICE, offsetof(struct values, layer), .choices = shown_layer_names,
-     .help = "light that PNG, JPEG and similar formats\n"
-             "show; EXR has all layers"},
-    {"background", 0, OPTION_TEXT, offsetof(struct values, background), .value_name = "none|COLOUR",
-     .help = "background in place of black or the environment, which still lights the scene:\n"
-             "\"none\" makes PNG and TGA transparent; a display colour, #rrggbb or r,g,b from\n"
-             "0 to 1, fills them; EXR and TIFF then have surfaces alone, with coverage in A",
-     .rare = true},
-    {"aov", 0, OPTION_TEXT, offsetof(struct values, aov), .value_name = "NAME[,NAME ...]",
-     .help = "more layers of an EXR: outputs of the technique, for example gathered\n"
-             "(before the blur), vpl (flux of VPLs), and with path=maps val (colour of\n"
-             "the strongest VAL) and visibility (fraction of the VALs' light that arrives);\n"
-             "with every technique ao (ambient occlusion, by volume.size and volume.ao-distance)",
-     .rare = true},
-    STAGE_OPTIONS(struct values, stage),
-    SCENE_OPTION(struct values, stage.choice),
-    VARIANT_OPTION(struct values, stage.choice),
-    {"frames", 0, OPTION_TEXT, offsetof(struct values, frames), .value_name = "A..B|A,B,C",
-     .help = "frames of a sequence, A..BxN every Nth; frame 0 is at --time; ####, @@@@, %04d or\n"
-             "$F4 in the output's name becomes the number of the frame"},
-    {"fps", 0, OPTION_TEXT, offsetof(struct values, fps), .value_name = "X|N/M",
-     .help = "frames per second of a sequence; 24000/1001, or 23.976, 29.97 and 59.94 for the\n"
-             "rates of NTSC [25]",
-     .rare = true},
-    {"passes", 0, OPTION_INT, offsetof(struct values, passes), 0, 0, 1000000,
-     .help = "number of passes, each with its own VPLs and pixel positions; the\n"
-             "picture is their mean and converges; passes after the first have own\n"
-             "settings, which --set overrides; 0: by --quality, 64 for final, else 1"},
-    {"first-pass", 0, OPTION_INT, offsetof(struct values, first_pass), 0, 0, 1000000,
-     .help = "number of the first pass, for passes shared by processes;\n"
-             "manylight average joins their EXR files to the same mean",
-     .rare = true},
-    {"skip-existing", 0, OPTION_FLAG, offsetof(struct values, skip_existing),
-     .help = "leave out frames whose files exist and are whole: each is decoded to its last pixel",
-     .rare = true},
-    {"stats", 0, OPTION_FLAG, offsetof(struct values, stats),
-     .help = "print faces, lights, memory and time per pass"},
-    {"glsl", 0, OPTION_TEXT, offsetof(struct values, glsl), .value_name = "DIR",
-     .help = "folder of shaders, a glsl/ with src/ beside it, in place of the built-in shaders",
-     .rare = true},
-    CONTEXT_OPTIONS(struct values, context),
-    {NULL},
-};
-
-static void print_sequences(FILE *out) {
-    fprintf(
-        out,
-        "\na sequence, split between processes by GNU parallel or by a job array of Slurm:\n"
-        "  seq 0 25 225 | parallel 'manylight render S.glb -o out.####.exr --skip-existing \\\n"
-        "      --frames {}..$(({} + 24))'\n"
-        "  sbatch --array=0-9 --wrap 'i=$((SLURM_ARRAY_TASK_ID * 25)); manylight render S.glb \\\n"
-        "      -o out.####.exr --skip-existing --frames $i..$((i + 24))'\n");
-}
-
-static void print_more(FILE *out, const void *values) {
-    const struct values *own = values;
-    if (own->common.help_all)
-        print_sequences(out);
-    technique_values_print_help(out, &own->technique, own->common.help_all);
-}
-
-static const struct arguments arguments = {
-    .synopsis = "SCENE -o FILE [OPTION ...]",
-    .summary =
-        "Renders a glTF scene without a window. EXR and PFM hold linear radiance, EXR all layers;\n"
-        "PNG, JPEG and similar formats hold the picture as a display shows it. A frame depends "
-        "only\n"
-        "on its time, so processes can share a sequence; --budget is the exception. A file "
-        "appears\n"
-        "when it is whole, synced and read back, so a killed sequence can be resumed.\n"
-        "Ctrl-C ends after the current frame or a second, Ctrl-\\ at once.\n"
-        "SCENE - is standard input; -o - is standard output, in the format of --format.",
-    .options = options,
-    .opens_scenes = true,
-    .shows_progress = true,
-    .min_positional = 1,
-    .max_positional = 1,
-    .print_more = print_more,
-};
-
 /* Each frame of several needs files of its own. */
-static bool check_name(const struct values *values, const char *name, int frame_count,
+static bool check_name(const struct render_values *values, const char *name, int frame_count,
                        bool *is_float) {
     bool numbered = frame_name_is_numbered(name);
     if (!image_format_is_float(name, is_float))
@@ -174,12 +46,14 @@ static bool check_name(const struct values *values, const char *name, int frame_
     return true;
 }
 
-static bool has_mean(const struct values *values) {
-    return values->passes > 1 || values->first_pass > 0 || (values->passes_given && !values->aov);
+static bool has_mean(const struct render_values *values) {
+    return values->passes > 1 || values->first_pass > 0 ||
+           (values->passes_given && !aov_needs_pass(values->aov));
 }
 
 /* Videos show the background as pictures of 8 bits do. */
-static bool check_background(const struct values *values, const struct background *background) {
+static bool check_background(const struct render_values *values,
+                             const struct background *background) {
     bool has_video = values->videos.paths.count > 0;
     if (has_video && background->kind == BACKGROUND_NONE)
         return error_set("--background none: %s cannot be transparent",
@@ -189,20 +63,21 @@ static bool check_background(const struct values *values, const struct backgroun
 }
 
 /* What an option needs to have an effect. exr: how many outputs are of that format. */
-static bool check_use(const struct values *values, int exr) {
+static bool check_use(const struct render_values *values, int exr) {
     int all = values->outputs.count + values->videos.paths.count;
     return arguments_check_use(
         &values->common,
         (struct option_use[]){{"fps", values->frames, "--frames"},
+                              {"camera time", !values->cameras, "pictures without --cameras"},
                               {"layer", exr < all, "formats of one layer; EXR holds all of them"},
                               {"aov", exr > 0, "formats that hold all layers: -o FILE.exr"},
                               {NULL}});
 }
 
-static bool check_outputs(const struct values *values, int frame_count) {
+static bool check_outputs(const struct render_values *values, int frame_count) {
     bool is_float;
     int exr = 0;
-    if (values->aov && has_mean(values))
+    if (aov_needs_pass(values->aov) && has_mean(values))
         return error_set("aov: outputs of a technique are of one pass, and not of a mean");
     if (values->outputs.count + values->videos.paths.count == 0)
         return error_set("no output: -o FILE");
@@ -217,10 +92,11 @@ static bool check_outputs(const struct values *values, int frame_count) {
     return check_use(values, exr);
 }
 
-typedef bool visit_output(const struct values *values, struct renderer *renderer, const char *path);
+typedef bool visit_output(const struct render_values *values, struct renderer *renderer,
+                          const char *path);
 
 /* Visits the outputs of a frame, until one says false. */
-static bool each_output(const struct values *values, struct renderer *renderer, int frame,
+static bool each_output(const struct render_values *values, struct renderer *renderer, int frame,
                         visit_output *visit) {
     bool ok = true;
     for (int i = 0; ok && i < values->outputs.count; i++) {
@@ -231,20 +107,24 @@ static bool each_output(const struct values *values, struct renderer *renderer, 
     return ok;
 }
 
-static double frame_time(const struct values *values, int frame) {
+static double frame_time(const struct render_values *values, int frame) {
+    if (values->cameras)
+        return values->views.items[frame].time;
     return (double)values->stage.time + frame / values->rate.fps;
 }
 
-static bool check_file(const struct values *values, struct renderer *renderer, const char *path) {
+static bool check_file(const struct render_values *values, struct renderer *renderer,
+                       const char *path) {
     (void)values, (void)renderer;
     return output_file_check(path, NULL, 0);
 }
 
-static bool read_image(const struct values *values, struct renderer *renderer,
+static bool read_image(const struct render_values *values, struct renderer *renderer,
                        struct image *image) {
     if (values->traced > 0)
         *image = image_copy(&values->picture);
-    else if (!renderer_read_layers(renderer, image) || !aov_append(renderer, values->aov, image))
+    else if (!renderer_read_layers(renderer, image) ||
+             !aov_append(renderer, values->aov, &values->motion, image))
         return false;
     char traced[64];
     snprintf(traced, sizeof traced, "path, %d samples per pixel, denoised", values->traced);
@@ -264,7 +144,7 @@ static bool read_image(const struct values *values, struct renderer *renderer,
     return true;
 }
 
-static bool read_bitmap(const struct values *values, struct renderer *renderer,
+static bool read_bitmap(const struct render_values *values, struct renderer *renderer,
                         struct bitmap *bitmap) {
     if (values->traced > 0)
         return traced_display(&values->picture, &renderer->desc, values->layer, bitmap);
@@ -272,7 +152,8 @@ static bool read_bitmap(const struct values *values, struct renderer *renderer,
     return renderer_read_display(renderer, bitmap);
 }
 
-static bool write_output(const struct values *values, struct renderer *renderer, const char *path) {
+static bool write_output(const struct render_values *values, struct renderer *renderer,
+                         const char *path) {
     bool is_float, ok;
     if (!image_format_is_float(path, &is_float) || !scene_check_output(renderer->desc.scene, path))
         return false;
@@ -294,7 +175,7 @@ static bool write_output(const struct values *values, struct renderer *renderer,
     return ok;
 }
 
-static bool write_videos(struct values *values, struct renderer *renderer) {
+static bool write_videos(struct render_values *values, struct renderer *renderer) {
     struct bitmap bitmap;
     if (values->videos.begun == 0)
         return true;
@@ -305,7 +186,8 @@ static bool write_videos(struct values *values, struct renderer *renderer) {
     return ok;
 }
 
-static bool is_there(const struct values *values, struct renderer *renderer, const char *path) {
+static bool is_there(const struct render_values *values, struct renderer *renderer,
+                     const char *path) {
     (void)values;
     return output_is_there(path, renderer->desc.width, renderer->desc.height);
 }
@@ -323,8 +205,8 @@ static double share_done(const struct work *work, double share) {
 }
 
 /* Waits for each pass: a GPU would take hundreds at once, and they are not done then. */
-static void add_passes(const struct values *values, struct renderer *renderer, struct work *work,
-                       int frame) {
+static void add_passes(const struct render_values *values, struct renderer *renderer,
+                       struct work *work, int frame) {
     for (int i = 0; i < values->passes && !cancel_came(); i++) {
         char note[64] = "";
         renderer_add_pass(renderer, values->first_pass + i);
@@ -338,23 +220,28 @@ static void add_passes(const struct values *values, struct renderer *renderer, s
     }
 }
 
-static bool write_outputs(struct values *values, struct renderer *renderer, int frame) {
+static bool write_outputs(struct render_values *values, struct renderer *renderer, int frame) {
     return each_output(values, renderer, frame, write_output) && write_videos(values, renderer);
 }
 
 /* Paths make single pictures alone: a sequence would flicker by their noise. */
-static bool may_trace(const struct values *values) {
+static bool may_trace(const struct render_values *values) {
     const struct technique_values *named = &values->technique;
     return !values->frames && !values->passes_given && values->first_pass == 0 && !values->aov &&
            !named->technique && !named->direct &&
            !quality_is_preset(named->settings.items, named->settings.count);
 }
 
-static bool render_frame(struct values *values, struct renderer *renderer, struct stage *stage,
-                         struct work *work, int frame) {
+static bool render_frame(struct render_values *values, struct renderer *renderer,
+                         struct stage *stage, struct work *work, int frame) {
     double time = frame_time(values, frame);
     bool ok = true;
-    if (!stage_pose(stage, time))
+    if (values->cameras)
+        values->stage.camera = stage->camera_text = values->views.items[frame].camera;
+    surface_motion_free(&values->motion);
+    if (!stage_pose(stage, time) ||
+        (surface_layers_move(values->aov) &&
+         !stage_find_motion(stage, time, 1 / values->rate.fps, &values->motion)))
         return false;
     if (values->traced > 0)
         return traced_show(&renderer->desc, stage, values->traced, &work->progress,
@@ -382,7 +269,7 @@ static void tell_start(double picture_ms) {
     free(text);
 }
 
-static bool render_frames(struct values *values, const struct frames *frames,
+static bool render_frames(struct render_values *values, const struct frames *frames,
                           struct renderer *renderer, struct stage *stage) {
     struct work work = {.count = frames->count};
     bool ok = true;
@@ -424,7 +311,7 @@ static bool render_frames(struct values *values, const struct frames *frames,
 }
 
 /* Which quality was chosen, and why. */
-static void print_choice(FILE *out, const struct values *values) {
+static void print_choice(FILE *out, const struct render_values *values) {
     struct quality_choice named = quality_named((enum quality)values->quality);
     const struct quality_choice traced = QUALITY_TRACED(values->traced);
     char *text = values->max_error > 0 ? mem_strdup(values->choice)
@@ -443,7 +330,7 @@ static void print_choice(FILE *out, const struct values *values) {
 }
 
 /* The frame again, as the first one also compiled; a path-traced picture has no passes. */
-static void print_stats(const struct values *values, struct renderer *renderer) {
+static void print_stats(const struct render_values *values, struct renderer *renderer) {
     FILE *out = outputs_table_stream(values->outputs.items, values->outputs.count);
     print_choice(out, values);
     if (values->traced > 0)
@@ -452,7 +339,7 @@ static void print_stats(const struct values *values, struct renderer *renderer) 
     stats_print(out, renderer);
 }
 
-static bool render(struct values *values, const struct frames *frames,
+static bool render(struct render_values *values, const struct frames *frames,
                    const struct renderer_desc *desc, struct stage *stage) {
     struct renderer renderer = {.desc = *desc}; /* all that a path-traced picture has of it */
     bool traced = values->traced > 0;
@@ -472,10 +359,11 @@ static bool render(struct values *values, const struct frames *frames,
 }
 
 /* Chooses by --max-error at frame 0, so that processes that share a sequence agree. */
-static bool find_quality(struct values *values, struct renderer_desc *desc, struct stage *stage) {
+static bool find_quality(struct render_values *values, struct renderer_desc *desc,
+                         struct stage *stage) {
     const struct measure_desc measure = measure_of(desc, stage);
     const struct text_list *texts = &values->technique.settings;
-    bool one_pass = values->passes > 0 || values->aov;
+    bool one_pass = values->passes > 0 || aov_needs_pass(values->aov);
     struct quality_found found;
     struct quality_desc wanted = {&measure,
                                   texts->items,
@@ -504,7 +392,7 @@ static bool find_quality(struct values *values, struct renderer_desc *desc, stru
 
 /* Files are checked before long work, of a sequence by its first frame. The stage begins at time 0,
  * whatever the frames: so all of them come out of the same renderer. */
-static bool render_scene(struct values *values, const struct frames *frames,
+static bool render_scene(struct render_values *values, const struct frames *frames,
                          struct renderer_desc *desc) {
     struct stage_desc at_0 = values->stage;
     struct stage stage;
@@ -515,6 +403,11 @@ static bool render_scene(struct values *values, const struct frames *frames,
         !videos_check(&values->videos) || !stage_init(&stage, &at_0))
         return false;
     phase_add(PHASE_SCENE, start);
+    if (!view_list_check(&values->views, &stage.scene, values->cameras)) {
+        stage_free(&stage);
+        return false;
+    }
+    desc->keep_lights = values->cameras;
     if (!caustics_shown(&stage.scene, &desc->settings))
         caustics_note_straight(&stage.scene);
     desc->scene = &stage.scene;
@@ -537,7 +430,7 @@ static bool render_scene(struct values *values, const struct frames *frames,
 }
 
 /* A choice has one reason. */
-static bool check_choice(const struct values *values) {
+static bool check_choice(const struct render_values *values) {
     bool named = values->quality != QUALITY_NORMAL, by_error = values->max_error > 0;
     if (named && by_error)
         return error_set("--quality and --max-error exclude each other");
@@ -549,7 +442,7 @@ static bool check_choice(const struct values *values) {
 }
 
 /* Checks before anything is opened; --max-error and --budget start as the normal quality. */
-static bool resolve(struct values *values, const struct frames *frames,
+static bool resolve(struct render_values *values, const struct frames *frames,
                     struct renderer_desc *desc) {
     const struct technique_values *named = &values->technique;
     struct quality_choice choice = quality_named((enum quality)values->quality);
@@ -571,15 +464,31 @@ static bool resolve(struct values *values, const struct frames *frames,
                             &desc->settings);
 }
 
+/* Frames are those of --frames; without it all views of --cameras. */
+static bool parse_frames(struct render_values *values, struct frames *frames) {
+    if (values->cameras && !values->frames)
+        values->frames = values->views.all;
+    if (!frames_parse(frames, values->frames ? values->frames : "0"))
+        return false;
+    for (int i = 0; values->cameras && i < frames->count; i++)
+        if (frames->numbers[i] < 0 || frames->numbers[i] >= values->views.count)
+            return error_set("--frames: there is no view %d in %s, which has %d",
+                             frames->numbers[i], values->cameras, values->views.count);
+    return true;
+}
+
 int app_render(int argc, char **argv) {
-    struct values values = {0};
+    struct render_values values = {0};
     struct frames frames = {0};
     int count, status;
-    if (!arguments_parse(&arguments, &values, argc, argv, &values.stage.path, &count, &status))
+    if (!arguments_parse(&render_arguments, &values, argc, argv, &values.stage.path, &count,
+                         &status))
         return status;
     struct renderer_desc desc = {0};
-    if (!frames_parse(&frames, values.frames ? values.frames : "0") ||
-        !resolve(&values, &frames, &desc)) {
+    if (values.cameras && !view_list_read(&values.views, values.cameras))
+        return arguments_fail(argv[0]);
+    if (!parse_frames(&values, &frames) || !resolve(&values, &frames, &desc)) {
+        view_list_free(&values.views);
         frames_free(&frames);
         return arguments_misuse(argv[0]);
     }
@@ -591,6 +500,8 @@ int app_render(int argc, char **argv) {
     frames_free(&frames);
     free(values.choice);
     image_free(&values.picture);
+    surface_motion_free(&values.motion);
+    view_list_free(&values.views);
     if (ok)
         return STATUS_OK;
     status = arguments_fail(argv[0]);

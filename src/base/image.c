@@ -121,6 +121,10 @@ void bitmap_free(struct bitmap *bitmap) {
     *bitmap = (struct bitmap){0};
 }
 
+bool image_channel_is_id(const char *name) {
+    return strncmp(name, "id.", 3) == 0;
+}
+
 int image_find_channel(const struct image *image, const char *name) {
     for (int i = 0; i < image->channel_count; i++)
         if (strcmp(image->names[i], name) == 0)

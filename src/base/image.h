@@ -1,7 +1,7 @@
 /* A picture in memory: floats in named channels, interleaved, row 0 at the top.
  *
  * Channel names follow OpenEXR: "R" "G" "B" "A" "Z" for the beauty layer, "indirect.R"
- * for layers. */
+ * for layers. Channels of "id." hold whole numbers below 2^24, which EXR stores as integers. */
 #ifndef BASE_IMAGE_H
 #define BASE_IMAGE_H
 
@@ -95,6 +95,9 @@ static inline float *image_at(const struct image *image, int x, int y) {
     return image->pixels +
            ((size_t)y * (size_t)image->width + (size_t)x) * (size_t)image->channel_count;
 }
+
+/* Returns true for names of channels that hold whole numbers. */
+bool image_channel_is_id(const char *name);
 
 /* Returns the index of the channel, or -1. */
 int image_find_channel(const struct image *image, const char *name);

@@ -8,6 +8,7 @@
 #include "passes/frame.h"
 #include "passes/gather/blur.h"
 #include "passes/lights/val_light.h"
+#include "passes/picture/triangles.h"
 #include "passes/vpls.h"
 #include "renderer/layer_target.h"
 #include "shared/composite.h"
@@ -142,7 +143,7 @@ static bool project(const struct renderer *renderer, const float position[3], in
     pixel[0] = (int)x;
     pixel[1] = (int)y;
     glm_vec3_sub((float *)position, (float *)view->origin, from_eye);
-    *depth = glm_vec3_dot(from_eye, (float *)view->forward);
+    *depth = glm_vec3_dot(from_eye, (float *)renderer->desc.camera.forward);
     return true;
 }
 
@@ -193,14 +194,39 @@ static bool next_name(const char **names, char *name, size_t size) {
     return true;
 }
 
+static void add_surface_names(struct names *names) {
+    for (int i = 0; surface_layer_names[i]; i++)
+        names_add(names, ", ", surface_layer_names[i]);
+}
+
 static bool refuse(const struct renderer *renderer, const struct output_list *outputs,
                    const char *name) {
     struct names names = {0};
     for (int i = 0; i < outputs->count; i++)
         if (kind_of(&outputs->items[i]))
             names_add(&names, ", ", outputs->items[i].name);
+    add_surface_names(&names);
     return error_set("aov: technique '%s' has no layer '%s' to add (there are %s)",
-                     renderer->technique->name, name, names.length ? names.text : "none");
+                     renderer->technique->name, name, names.text);
+}
+
+bool aov_check_surfaces(const char *names) {
+    struct names known = {0};
+    char name[64];
+    add_surface_names(&known);
+    while (next_name(&names, name, sizeof name))
+        if (surface_layer_find(name) < 0)
+            return error_set("aov: no layer of surfaces is called '%s' (there are %s)", name,
+                             known.text);
+    return true;
+}
+
+bool aov_needs_pass(const char *names) {
+    char name[64];
+    bool needs = false;
+    while (next_name(&names, name, sizeof name))
+        needs |= surface_layer_find(name) < 0;
+    return needs;
 }
 
 bool aov_check(const struct renderer *renderer, const char *names) {
@@ -209,6 +235,8 @@ bool aov_check(const struct renderer *renderer, const char *names) {
     renderer_outputs(renderer, &outputs);
     while (next_name(&names, name, sizeof name)) {
         const struct output *output = output_find(&outputs, name);
+        if (surface_layer_find(name) >= 0)
+            continue;
         if (!output || !kind_of(output))
             return refuse(renderer, &outputs, name);
         const struct drawn_output *drawn = output->kind == OUTPUT_AO ? output->source : NULL;
@@ -230,7 +258,20 @@ static bool append(struct fill *fill, const struct output *output) {
     return kind->fill(fill, output->source);
 }
 
-bool aov_append(struct renderer *renderer, const char *names, struct image *image) {
+static bool append_surface(struct fill *fill, int layer, const struct surface_motion *motion,
+                           uint32_t **triangles) {
+    const struct renderer_desc *desc = &fill->renderer->desc;
+    if (!*triangles)
+        *triangles = triangles_read(fill->frame, &desc->camera, desc->width, desc->height);
+    if (*triangles)
+        surface_layer_append(
+            &(struct surface_view){desc->scene, desc->geometry, &desc->camera, *triangles, motion},
+            layer, fill->image);
+    return *triangles;
+}
+
+bool aov_append(struct renderer *renderer, const char *names, const struct surface_motion *motion,
+                struct image *image) {
     struct timers untimed = {0};
     struct frame frame = renderer_frame(renderer);
     struct output_list outputs;
@@ -243,13 +284,20 @@ bool aov_append(struct renderer *renderer, const char *names, struct image *imag
     renderer_outputs(renderer, &outputs);
     frame.timers = &untimed;
     struct fill fill = {renderer, &frame, &target, image, 0};
+    uint32_t *triangles = NULL;
     bool ok = true, added[OUTPUTS_MAX] = {false};
     while (ok && next_name(&names, name, sizeof name)) {
+        int surface = surface_layer_find(name);
+        if (surface >= 0) {
+            ok = append_surface(&fill, surface, motion, &triangles);
+            continue;
+        }
         const struct output *output = output_find(&outputs, name);
         bool *done = &added[output - outputs.items];
         ok = *done || append(&fill, output);
         *done = true;
     }
     layer_target_free(&target);
+    free(triangles);
     return ok;
 }

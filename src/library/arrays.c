@@ -350,6 +350,8 @@ static bool add_camera(struct glb *glb, const struct manylight_scene_desc *desc,
         return refuse("camera", i, "up is along forward");
     if (!is_zero(camera.right, 3) && glm_vec3_distance(camera.right, right) > 2e-3F)
         return refuse("camera", i, "right is not that of forward and up");
+    if (camera.shift[0] != 0 || camera.shift[1] != 0)
+        return refuse("camera", i, "shift: for cameras of views, not of scenes");
     struct text *to = &glb->cameras;
     bool orthographic = camera.fov_y == 0 && camera.y_extent != 0;
     double fov_y = camera.fov_y == 0 ? .8 : (double)camera.fov_y, extent = (double)camera.y_extent;

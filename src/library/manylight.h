@@ -230,7 +230,28 @@ struct manylight_camera {
     float fov_y;                 /* vertical, radians, below pi; 0: orthographic by y_extent */
     float y_extent;              /* half height of an orthographic picture, m; both 0: fov_y .8 */
     float near_plane, far_plane; /* m; clip distances; far 0: none */
+    /* Shifted lens: place of the picture's middle, from the axis to the right and up, in halves of
+     * width and height. Cameras of a scene have none. */
+    float shift[2];
 };
+
+/* Camera's own axes of a pose: x right, y up, z back; or x right, y down, z forward. */
+enum manylight_axes { MANYLIGHT_OPENGL, MANYLIGHT_OPENCV };
+
+/* A pinhole by its intrinsics matrix without skew, and its pose. */
+struct manylight_pinhole {
+    size_t size;
+    int width, height; /* pixels, of the picture that the intrinsics are for */
+    double fx, fy;     /* focal lengths, pixels */
+    double cx, cy;     /* principal point, pixels from the top left corner; first centre .5, .5 */
+    double pose[16];   /* rigid, camera to world, row by row; all 0: identity */
+    enum manylight_axes axes;
+};
+
+/* Fills *camera for the pinhole. The caller sets camera->size. Pictures of other sizes keep the
+ * vertical angle of view. */
+MANYLIGHT_API enum manylight_status
+manylight_camera_pinhole(const struct manylight_pinhole *pinhole, struct manylight_camera *camera);
 
 /* Set exactly one of path, memory and meshes; memory may have a path, too. All elements of an array
  * have the same size member. */
@@ -277,6 +298,13 @@ struct manylight_scene_info {
 /* Fills *info. The caller sets info->size. */
 MANYLIGHT_API enum manylight_status manylight_scene_info(const struct manylight_scene *scene,
                                                          struct manylight_scene_info *info);
+
+enum manylight_part { MANYLIGHT_NODE, MANYLIGHT_MESH, MANYLIGHT_MATERIAL };
+
+/* Returns the name of a part by its id in the layers id.node, id.mesh and id.material, from 1 on.
+ * "" where the file has none. The text lives as long as the scene. NULL: no such part. */
+MANYLIGHT_API const char *manylight_scene_name(const struct manylight_scene *scene,
+                                               enum manylight_part part, uint32_t id);
 
 /* Fills *camera with a camera of the scene at a time in seconds; text as in struct manylight_view.
  * The caller sets camera->size. */
@@ -334,6 +362,10 @@ struct manylight_view {
      * within a pass, so a long pass can be cancelled. NULL: none. */
     manylight_progress *progress;
     void *user;
+    /* For layers of motion: time from frame to frame, s, 0 selects 1/25; and where a placed camera
+     * is in the next and the previous frame, NULL: the same. */
+    double step;
+    const struct manylight_camera *placed_next, *placed_previous;
 };
 
 /* Draws a frame, or the mean of its passes. view may be NULL. Equal views give equal bits, whatever
@@ -342,8 +374,12 @@ MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *
                                                      const struct manylight_view *view);
 
 /* Copies all layers of the last frame: R G B A, Z, direct, indirect, albedo, normal, and those of
- * specular surfaces, media and caustics. outputs adds outputs of the technique as --aov does,
- * "val,visibility"; NULL: none. It is for single passes, not means. */
+ * specular surfaces, media and caustics. outputs adds layers as --aov does, "id.node,uv"; NULL:
+ * none. Layers of surfaces are of pixel centres, without mixing, 0 where nothing is seen: id.node,
+ * id.mesh and id.material (for manylight_scene_name), position (m, as of the camera), depth (along
+ * the ray, m), uv, motion.next and motion.previous (from a pixel to where its surface is seen a
+ * step later and earlier, pixels, y down). Outputs of the technique, "val,visibility", are for
+ * single passes, not means. */
 MANYLIGHT_API enum manylight_status manylight_read(struct manylight_renderer *renderer,
                                                    const char *outputs,
                                                    struct manylight_image **image);
@@ -387,6 +423,10 @@ struct manylight_reference_desc {
     const char *materials; /* "full" or "diffuse"; NULL: full */
     const char *settings;  /* settings of the medium only */
     int threads;           /* 0: all cores; the picture does not depend on it */
+    const char *outputs;   /* layers of surfaces, as of manylight_read; NULL: none */
+    /* Nonzero: all directions from the camera, longitude along x, latitude along y, forward in the
+     * middle. Z is the distance, the default size 800x400. Excludes light_paths. */
+    int panorama;
 };
 
 /* Path-traces on the CPU and calls the view's progress. desc may be NULL. */

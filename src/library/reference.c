@@ -1,5 +1,6 @@
 /* The path-traced reference: as apps/reference.c has it. */
 #include "base/error.h"
+#include "inspect/aov.h"
 #include "library/desc.h"
 #include "library/door.h"
 #include "library/image.h"
@@ -51,9 +52,11 @@ static bool check_numbers(const struct manylight_reference_desc *desc) {
 static bool check(struct tracing *tracing) {
     struct manylight_reference_desc *desc = &tracing->desc;
     desc->smooth = desc->smooth || desc->light_paths > 0;
+    if (desc->panorama && desc->light_paths > 0)
+        return refuse("--panorama and --light-paths exclude each other");
     if (desc->noise > 0 && desc->samples > 0)
         return refuse("--spp and --noise exclude each other");
-    if (!check_numbers(desc))
+    if (!check_numbers(desc) || !aov_check_surfaces(desc->outputs))
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     if (!find_materials(tracing))
         return false;
@@ -99,12 +102,35 @@ static bool tell_light(void *user, double done) {
     return tell(user, done, "light paths");
 }
 
+/* Traces paths, with the motion that layers want. */
+static bool trace_moving(const struct tracing *tracing, struct loan *loan,
+                         const struct path_tracer_desc *desc, struct image *image) {
+    const struct manylight_view *view = &tracing->view;
+    struct path_tracer_desc paths = *desc;
+    struct surface_motion motion = {.positions = {NULL}};
+    struct camera others[2];
+    paths.motion = &motion;
+    bool ok = !surface_layers_move(desc->surface_layers) ||
+              ((!view->placed || loan_place_others(view, others)) &&
+               loan_find_motion(loan, view->camera, view->placed ? others : NULL, view->time,
+                                view->step, &motion));
+    ok = ok && picture_trace_paths(&loan->stage, &paths, image, NULL);
+    surface_motion_free(&motion);
+    return ok;
+}
+
 static bool trace(struct tracing *tracing, struct loan *loan, struct image *image) {
     const struct manylight_reference_desc *desc = &tracing->desc;
     int size[2];
     if (!loan_pose(loan, &tracing->view) ||
-        !loan_size(loan, tracing->view.camera, desc->width, desc->height, size))
+        (desc->panorama && !camera_set_panorama(&loan->stage.camera)))
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    if (!loan_size(loan, tracing->view.camera, desc->width, desc->height, size))
         return false;
+    if (desc->panorama && desc->width == 0) {
+        size[0] = 800;
+        size[1] = 400;
+    }
     struct medium medium =
         medium_of(&loan->stage.scene, &tracing->settings, loan->stage.geometry.radius);
     const struct path_tracer_desc paths = {.width = size[0],
@@ -125,10 +151,11 @@ static bool trace(struct tracing *tracing, struct loan *loan, struct image *imag
                                            .ao_distance = desc->ao_distance,
                                            .hides_sky = desc->hide_environment != 0,
                                            .denoise = desc->denoise != 0,
+                                           .surface_layers = desc->outputs,
                                            .threads = desc->threads,
                                            .progress = tell_paths,
                                            .user = tracing};
-    if (!picture_trace_paths(&loan->stage, &paths, image, NULL))
+    if (!trace_moving(tracing, loan, &paths, image))
         return false;
     const struct light_tracer_desc light = {.paths = desc->light_paths,
                                             .medium = medium,

@@ -31,9 +31,11 @@ struct manylight_renderer {
     struct renderer renderer;
     struct drawing drawing;
     char *camera; /* of the frame, as text; NULL: the first */
-    double time;
-    bool exists;    /* the renderer; false after a failure that it does not outlive */
-    bool has_frame; /* that can be read */
+    double time, step;
+    bool is_placed;
+    struct camera others[2]; /* of a placed camera, in the next and the previous frame */
+    bool exists;             /* the renderer; false after a failure that it does not outlive */
+    bool has_frame;          /* that can be read */
 };
 
 /* --- what a descriptor comes to: as apps/render.c has it -------------------------------------- */
@@ -299,7 +301,8 @@ static bool show(struct manylight_renderer *renderer) {
  * neither. */
 static bool draw(struct call *call) {
     struct manylight_renderer *renderer = call->of;
-    if (!check_exists(renderer) || !loan_pose(&renderer->loan, &call->view))
+    if (!check_exists(renderer) || !loan_pose(&renderer->loan, &call->view) ||
+        (call->view.placed && !loan_place_others(&call->view, renderer->others)))
         return false;
     if (!show(renderer)) {
         free_renderer(call);
@@ -314,6 +317,8 @@ static void keep_facts(struct manylight_renderer *renderer, const struct manylig
     free(renderer->camera);
     renderer->camera = camera ? mem_strdup(camera) : NULL;
     renderer->time = view->time;
+    renderer->step = view->step;
+    renderer->is_placed = view->placed;
 }
 
 static bool render(void *user) {
@@ -352,20 +357,30 @@ static void tell_facts(const struct manylight_renderer *renderer, struct image *
     image->weight = renderer_pass_weight(&renderer->renderer);
 }
 
+static bool find_motion(struct manylight_renderer *renderer, struct surface_motion *motion) {
+    return loan_find_motion(&renderer->loan, renderer->camera,
+                            renderer->is_placed ? renderer->others : NULL, renderer->time,
+                            renderer->step, motion);
+}
+
 static bool read_layers(void *user) {
     struct call *call = user;
     struct renderer *renderer = &call->of->renderer;
     if (!check_frame(call->of))
         return false;
-    if (call->text && call->of->drawing.is_mean) {
+    if (aov_needs_pass(call->text) && call->of->drawing.is_mean) {
         error_set("aov: outputs of a technique are of one pass, and not of a mean");
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     }
     if (!aov_check(renderer, call->text))
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    struct surface_motion motion = {.positions = {NULL}};
     if (!renderer_read_layers(renderer, &call->image))
         return false;
-    if (!aov_append(renderer, call->text, &call->image)) {
+    bool ok = (!surface_layers_move(call->text) || find_motion(call->of, &motion)) &&
+              aov_append(renderer, call->text, &motion, &call->image);
+    surface_motion_free(&motion);
+    if (!ok) {
         image_free(&call->image);
         return false;
     }

@@ -9,6 +9,7 @@
 #include "library/door.h"
 #include "scene/placing.h"
 #include "scene/read_rules.h"
+#include "scene/surface_layers.h"
 
 #include <math.h>
 #include <pthread.h>
@@ -220,7 +221,8 @@ bool check_camera(const struct manylight_camera *camera) {
            desc_check("fov_y (radians)", (double)camera->fov_y, 0, 3.14159) &&
            desc_check("y_extent", (double)camera->y_extent, 0, INFINITY) &&
            desc_check("near_plane", (double)camera->near_plane, 0, INFINITY) &&
-           desc_check("far_plane", (double)camera->far_plane, 0, INFINITY);
+           desc_check("far_plane", (double)camera->far_plane, 0, INFINITY) &&
+           desc_check_all("shift", camera->shift, 2, -INFINITY, INFINITY);
 }
 
 static bool refuse_camera(void) {
@@ -245,7 +247,8 @@ static bool place_camera(struct camera *to, const struct manylight_camera *given
                                                        : camera.fov_y,
                           .y_extent = camera.y_extent,
                           .near = camera.near_plane,
-                          .far = camera.far_plane};
+                          .far = camera.far_plane,
+                          .shift = {camera.shift[0], camera.shift[1]}};
     camera_look(to, camera.eye, camera.forward, camera.up);
     if (!is_zero(camera.right)) {
         take_vector(to->right, camera.right);
@@ -259,12 +262,31 @@ bool loan_pose(struct loan *loan, const struct manylight_view *view) {
     struct stage *stage = &loan->stage;
     stage->camera_text = view->camera;
     stage->light_text = view->light ? view->light : loan->from->light;
-    bool ok = desc_check("time", view->time, 0, 1e6) && stage_pose(stage, view->time);
+    bool ok = (view->placed || (!view->placed_next && !view->placed_previous) ||
+               error_set("placed_next, placed_previous: for views with placed")) &&
+              desc_check("time", view->time, 0, 1e6) && desc_check("step", view->step, 0, 1e6) &&
+              stage_pose(stage, view->time);
     stage->camera_text = NULL;
     stage->light_text = loan->from->light;
     if (!ok)
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     return !view->placed || place_camera(&stage->camera, view->placed);
+}
+
+bool loan_place_others(const struct manylight_view *view, struct camera others[2]) {
+    return place_camera(&others[0], view->placed_next ? view->placed_next : view->placed) &&
+           place_camera(&others[1], view->placed_previous ? view->placed_previous : view->placed);
+}
+
+bool loan_find_motion(struct loan *loan, const char *camera, const struct camera *placed,
+                      double time, double step, struct surface_motion *motion) {
+    struct stage *stage = &loan->stage;
+    stage->camera_text = placed ? NULL : camera;
+    bool ok = stage_find_motion(stage, time, step > 0 ? step : 1 / 25., motion);
+    stage->camera_text = NULL;
+    if (ok && placed)
+        memcpy(motion->cameras, placed, sizeof motion->cameras);
+    return ok;
 }
 
 static bool place_named(const struct loan *loan, const char *text, struct camera *camera,
@@ -287,27 +309,58 @@ bool loan_size(const struct loan *loan, const char *camera, int width, int heigh
            door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
-static bool give_camera(const struct manylight_scene *scene, const char *text, double time,
-                        struct manylight_camera *out) {
-    struct camera camera;
-    if (!camera_from_text(&camera, &scene->stage.scene, text, time, NULL))
-        return false;
-    struct manylight_camera given = {.fov_y = camera.orthographic ? 0 : camera.fov_y,
-                                     .y_extent = camera.orthographic ? camera.y_extent : 0,
-                                     .near_plane = camera.near,
-                                     .far_plane = camera.far};
-    take_vector(given.eye, camera.eye);
-    take_vector(given.forward, camera.forward);
-    take_vector(given.up, camera.up);
-    take_vector(given.right, camera.right);
+static bool give_camera(const struct camera *camera, struct manylight_camera *out) {
+    struct manylight_camera given = {.fov_y = camera->orthographic ? 0 : camera->fov_y,
+                                     .y_extent = camera->orthographic ? camera->y_extent : 0,
+                                     .near_plane = camera->near,
+                                     .far_plane = camera->far,
+                                     .shift = {camera->shift[0], camera->shift[1]}};
+    take_vector(given.eye, camera->eye);
+    take_vector(given.forward, camera->forward);
+    take_vector(given.up, camera->up);
+    take_vector(given.right, camera->right);
     return desc_give(out, &given, sizeof given, "manylight_camera");
 }
 
 enum manylight_status manylight_scene_camera(const struct manylight_scene *scene, const char *text,
                                              double time, struct manylight_camera *camera) {
     struct door door;
+    struct camera placed;
     door_enter(&door);
-    return door_leave(&door, give_camera(scene, text, time, camera), MANYLIGHT_BAD_ARGUMENT);
+    bool ok = camera_from_text(&placed, &scene->stage.scene, text, time, NULL) &&
+              give_camera(&placed, camera);
+    return door_leave(&door, ok, MANYLIGHT_BAD_ARGUMENT);
+}
+
+const char *manylight_scene_name(const struct manylight_scene *scene, enum manylight_part part,
+                                 uint32_t id) {
+    return surface_layer_id_name(&scene->stage.scene, (int)part, (int)id - 1);
+}
+
+static bool make_pinhole(const struct manylight_pinhole *given, struct manylight_camera *out) {
+    static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    struct manylight_pinhole pinhole;
+    struct camera camera = {.near = 0};
+    if (!desc_take(&pinhole, sizeof pinhole, given, "manylight_pinhole"))
+        return false;
+    if ((unsigned)pinhole.axes > MANYLIGHT_OPENCV)
+        return error_set("axes: %d is none of enum manylight_axes", (int)pinhole.axes);
+    bool is_zero = true;
+    for (int i = 0; i < 16; i++)
+        is_zero &= pinhole.pose[i] == 0;
+    const double intrinsics[4] = {pinhole.fx, pinhole.fy, pinhole.cx, pinhole.cy};
+    const int size[2] = {pinhole.width, pinhole.height};
+    return camera_set_pose(&camera, is_zero ? identity : pinhole.pose,
+                           pinhole.axes == MANYLIGHT_OPENCV) &&
+           camera_set_intrinsics(&camera, intrinsics, size) && camera_check(&camera) &&
+           give_camera(&camera, out);
+}
+
+enum manylight_status manylight_camera_pinhole(const struct manylight_pinhole *pinhole,
+                                               struct manylight_camera *camera) {
+    struct door door;
+    door_enter(&door);
+    return door_leave(&door, make_pinhole(pinhole, camera), MANYLIGHT_BAD_ARGUMENT);
 }
 
 /* --- facts ------------------------------------------------------------------------------------ */

@@ -24,6 +24,14 @@ void loan_return(struct loan *loan);
  * defaults. */
 bool loan_pose(struct loan *loan, const struct manylight_view *view);
 
+/* Writes where the view's placed camera is in the next and the previous frame. */
+bool loan_place_others(const struct manylight_view *view, struct camera others[2]);
+
+/* Finds the motion of the posed stage between frames. camera: text of the view's camera. placed:
+ * of loan_place_others, NULL: by the text. */
+bool loan_find_motion(struct loan *loan, const char *camera, const struct camera *placed,
+                      double time, double step, struct surface_motion *motion);
+
 /* Checks the numbers of a camera. Error: names the member that is not finite or out of range. */
 bool check_camera(const struct manylight_camera *camera);
 

@@ -60,6 +60,10 @@ void view_of_camera(struct view *view, const struct camera *camera, const struct
         view->far = fmaxf(depth + 1.01f * geometry->radius, geometry->radius);
     }
     set_matrix(view);
+    if (camera->shift[0] != 0 || camera->shift[1] != 0) {
+        view_shift(view, camera->shift);
+        view->leans = !camera->orthographic;
+    }
 }
 
 /* Of a perspective view the frustum leans, and forward with it; an orthographic one moves. */
@@ -70,6 +74,11 @@ void view_shift(struct view *view, const float ndc[2]) {
     for (int column = 0; column < 4; column++)
         for (int axis = 0; axis < 2; axis++)
             view->world_to_clip[column][axis] -= ndc[axis] * view->world_to_clip[column][3];
+}
+
+void view_axis(const struct view *view, float axis[3]) {
+    for (int i = 0; i < 3; i++)
+        axis[i] = view->leans ? view->world_to_clip[i][3] : view->forward[i];
 }
 
 /* --- lights --- */

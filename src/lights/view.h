@@ -16,6 +16,9 @@ void view_of_camera(struct view *view, const struct camera *camera, const struct
  * pixel. */
 void view_shift(struct view *view, const float ndc[2]);
 
+/* Writes the axis along which depth is counted (glsl/lib/view.glsl). */
+void view_axis(const struct view *view, float axis[3]);
+
 /* Numbers of lights and maps for which maps and programs are made. Lights that move or change keep
  * their layout unless one gets a size. */
 struct light_layout {

@@ -6,8 +6,11 @@
 
 struct camera_link camera_link_of(const struct primary_rays *primary, float radius) {
     bool cuts = primary->range.cuts;
+    float right2 = camera_axis_norm2(primary->camera->right);
+    float up2 = camera_axis_norm2(primary->camera->up);
     return (struct camera_link){.primary = *primary,
                                 .across = primary_pixel_size(primary, 1),
+                                .aspect = sqrtf(right2 / up2),
                                 .least = 1e-6F * radius,
                                 .near = cuts ? primary->range.near : 0,
                                 .far = cuts ? primary->range.far : INFINITY};
@@ -17,7 +20,8 @@ bool camera_link_view(const struct camera_link *link, vec3s point, struct camera
     const struct primary_rays *primary = &link->primary;
     const struct camera *camera = primary->camera;
     float width = (float)primary->width, height = (float)primary->height, place[2];
-    float depth = primary_depth(primary, point), of_pixel = link->across * link->across;
+    float depth = primary_depth(primary, point),
+          of_pixel = link->across * link->across * link->aspect;
     if (depth < link->least || !camera_project(camera, point.raw, width / height, place))
         return false;
     float x = floorf(place[0] * width), y = floorf(place[1] * height);
@@ -77,13 +81,14 @@ bool camera_link_cut(const struct camera_link *link, vec3s origin, vec3s directi
     float sinks = glms_vec3_dot(direction, vector_of(camera->forward));
     cut(depth - link->least, sinks, piece);
     for (int axis = 0; axis < 2; axis++) {
-        float half = link->across * pixels[axis] / 2;
+        float length = sqrtf(camera_axis_norm2(axes[axis].raw)), shift = camera->shift[axis];
+        float half = link->across * pixels[axis] / 2 * (axis == 0 ? link->aspect : 1);
         float edge = camera->orthographic ? half : half * depth;
         float opens = camera->orthographic ? 0 : half * sinks;
-        float aside = glms_vec3_dot(from_eye, axes[axis]);
-        float goes = glms_vec3_dot(direction, axes[axis]);
-        cut(edge - aside, opens - goes, piece);
-        cut(edge + aside, opens + goes, piece);
+        float aside = glms_vec3_dot(from_eye, axes[axis]) / length;
+        float goes = glms_vec3_dot(direction, axes[axis]) / length;
+        cut((1 + shift) * edge - aside, (1 + shift) * opens - goes, piece);
+        cut((1 - shift) * edge + aside, (1 - shift) * opens + goes, piece);
     }
     return piece[0] < piece[1];
 }

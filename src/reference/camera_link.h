@@ -6,7 +6,8 @@
 
 struct camera_link {
     struct primary_rays primary;
-    float across; /* size of a pixel at depth 1, metres; of an orthographic camera at any depth */
+    float across; /* height of a pixel at depth 1, metres; of an orthographic camera at any depth */
+    float aspect; /* width over height of a pixel */
     float least;  /* least depth of a point in the picture, metres */
     float near, far; /* depth range of visible surfaces, metres; a medium is visible at any depth */
 };

@@ -1,3 +1,4 @@
+#define _POSIX_C_SOURCE 200809L
 #include "reference/path_tracer.h"
 
 #include "reference/airlight.h"
@@ -20,6 +21,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Samples of a pixel: of the first pass, and how many a forecast expects before it has seen any. */
 /* EXPECTED_SAMPLES: of a usual scene, for a noise of 1 %. */
@@ -41,6 +43,7 @@ struct tracer {
     struct film_specular *specular; /* where there is some */
     struct ao_sums *ao;             /* where it is wanted */
     struct film_airlight *airlight; /* where there is a medium */
+    uint32_t *triangles;            /* where layers of surfaces are wanted */
     struct image *image;            /* once developed */
     uint32_t done, end;  /* samples of a pixel: of earlier passes, and after the present one */
     double noise;        /* after the last pass */
@@ -421,8 +424,12 @@ static void develop_row(void *context, int row) {
             film_airlight_develop(&tracer->airlight[index_of(tracer, x, row)], samples,
                                   &channels[airlight_channel(tracer)]);
         struct pixel pixel = path_tracer_pixel(tracer->desc.every, x, row);
-        if (primary_hit(&tracer->primary, (float)pixel.x + 0.5f, (float)pixel.y + 0.5f, 0, &center))
+        float at[2] = {(float)pixel.x + 0.5f, (float)pixel.y + 0.5f};
+        if (primary_hit(&tracer->primary, at[0], at[1], 0, &center))
             channels[CHANNEL_DEPTH] = primary_depth(&tracer->primary, center.position);
+        if (tracer->triangles)
+            tracer->triangles[index_of(tracer, x, row)] =
+                primary_triangle(&tracer->primary, at[0], at[1]);
     }
 }
 
@@ -435,6 +442,17 @@ static bool develop(struct tracer *tracer) {
              tracer->airlight ? " " CHANNELS_OF_AIRLIGHT : "");
     image_init(tracer->image, desc->width, desc->height, channels);
     return rows_render(&(struct rows){desc->height, desc->threads, develop_row, NULL, tracer});
+}
+
+static void append_surfaces(const struct tracer *tracer) {
+    const struct path_tracer_desc *desc = &tracer->desc;
+    const struct surface_view view = {desc->scene, desc->geometry, desc->camera, tracer->triangles,
+                                      desc->motion};
+    char *names = desc->surface_layers ? mem_strdup(desc->surface_layers) : NULL, *next = NULL;
+    for (char *name = names ? strtok_r(names, ",", &next) : NULL; name;
+         name = strtok_r(NULL, ",", &next))
+        surface_layer_append(&view, surface_layer_find(name), tracer->image);
+    free(names);
 }
 
 /* To who watches. */
@@ -503,6 +521,7 @@ static bool render(struct tracer *tracer, const struct hit_table *table) {
                                            tracer->airlight ? airlight_channel(tracer) : 0,
                                        .threads = tracer->desc.threads},
                 tracer->image);
+    append_surfaces(tracer);
     return true;
 }
 
@@ -552,12 +571,14 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     tracer.ao = desc->ao_distance > 0 ? mem_alloc(pixels, sizeof *tracer.ao) : NULL;
     tracer.airlight =
         medium_exists(&desc->medium) ? mem_alloc(pixels, sizeof *tracer.airlight) : NULL;
+    tracer.triangles = desc->surface_layers ? mem_alloc(pixels, sizeof *tracer.triangles) : NULL;
     bool ok = render(&tracer, &table);
     if (ok && reached)
         *reached = (struct path_tracer_progress){1, tracer.noise, (int)tracer.done};
     for (int stream = 0; stream < FILM_STREAMS; stream++)
         light_vertices_free(&tracer.lights[stream]);
-    mem_free(tracer.pixels, tracer.seen, tracer.specular, tracer.ao, tracer.airlight);
+    mem_free(tracer.pixels, tracer.seen, tracer.specular, tracer.ao, tracer.airlight,
+             tracer.triangles);
     emission_free(&tracer.emission);
     ray_scene_free(&tracer.rays);
     hit_table_free(&table);

@@ -18,6 +18,7 @@
 #include "scene/camera.h"
 #include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
+#include "scene/surface_layers.h"
 
 struct path_tracer_progress {
     double done;  /* estimated fraction of the work, in [0, 1] */
@@ -53,6 +54,9 @@ struct path_tracer_desc {
     bool ao_alone;     /* skips direct and indirect light, whose noise then does not count */
     /* Hides the environment from the camera, but not from surfaces, mirrors and glass. */
     bool hides_sky;
+    /* Layers of surfaces, "id.node,uv" (scene/surface_layers.h); NULL: none. */
+    const char *surface_layers;
+    const struct surface_motion *motion; /* for those of motion */
     bool denoise; /* filters the indirect layer (reference/denoise.h), after the noise estimate */
     int threads;  /* 0: all cores; the picture does not depend on it */
     /* Called repeatedly from any thread, one at a time; false cancels. */

@@ -16,26 +16,49 @@ void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *or
     camera_ray(primary->camera, x / width, y / height, width / height, origin->raw, direction->raw);
 }
 
+/* Writes the range of distances that the camera sees along a ray. */
+static void set_ends(const struct primary_rays *primary, vec3s direction, float ends[2]) {
+    float depth = primary->camera->panorama
+                      ? 1
+                      : glms_vec3_dot(direction, vector_of(primary->camera->forward));
+    ends[0] = primary->range.cuts ? primary->range.near / depth : 0;
+    ends[1] = primary->range.cuts ? primary->range.far / depth : INFINITY;
+}
+
 bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t seed,
                  struct hit *hit) {
     vec3s origin, direction;
-    float from = 0, to = INFINITY;
+    float ends[2];
     primary_ray(primary, x, y, &origin, &direction);
-    if (primary->range.cuts) {
-        float depth = glms_vec3_dot(direction, vector_of(primary->camera->forward));
-        from = primary->range.near / depth;
-        to = primary->range.far / depth;
+    set_ends(primary, direction, ends);
+    return ray_scene_camera_hit(primary->rays, origin, direction, ends, seed, hit);
+}
+
+uint32_t primary_triangle(const struct primary_rays *primary, float x, float y) {
+    const struct ray_scene *rays = primary->rays;
+    vec3s origin, direction;
+    struct hit hit;
+    float ends[2];
+    primary_ray(primary, x, y, &origin, &direction);
+    set_ends(primary, direction, ends);
+    while (ray_scene_camera_hit(rays, origin, direction, ends, 0, &hit)) {
+        if (!hit_is_pane(rays->table, hit.triangle))
+            return hit.triangle + 1;
+        ends[0] = glms_vec3_distance(origin, hit.position) + rays->clearance;
     }
-    return ray_scene_camera_hit(primary->rays, origin, direction, (float[]){from, to}, seed, hit);
+    return 0;
 }
 
 float primary_depth(const struct primary_rays *primary, vec3s position) {
-    return glms_vec3_dot(glms_vec3_sub(position, vector_of(primary->camera->eye)),
-                         vector_of(primary->camera->forward));
+    vec3s from_eye = glms_vec3_sub(position, vector_of(primary->camera->eye));
+    return primary->camera->panorama ? glms_vec3_norm(from_eye)
+                                     : glms_vec3_dot(from_eye, vector_of(primary->camera->forward));
 }
 
 float primary_pixel_size(const struct primary_rays *primary, float depth) {
     const struct camera *camera = primary->camera;
+    if (camera->panorama)
+        return GLM_PIf * depth / (float)primary->height;
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2) * depth;
-    return 2 * half / (float)primary->height;
+    return 2 * half * sqrtf(camera_axis_norm2(camera->up)) / (float)primary->height;
 }

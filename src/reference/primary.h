@@ -24,7 +24,10 @@ void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *or
 bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t seed,
                  struct hit *hit);
 
-/* Returns the depth along the view axis, metres. */
+/* Returns the number of the triangle at a point, from 1 on, behind all panes; 0: none. */
+uint32_t primary_triangle(const struct primary_rays *primary, float x, float y);
+
+/* Returns the depth along the view axis, metres; of a panorama the distance. */
 float primary_depth(const struct primary_rays *primary, vec3s position);
 
 /* Returns the height of a pixel at `depth`, metres. */

@@ -31,6 +31,8 @@ static char *changed_settings(const struct settings *settings) {
 
 static void add_camera(struct image *image, const struct camera *camera) {
     float matrix[16];
+    if (camera->panorama)
+        return;
     camera_world_to_camera(camera, matrix);
     image_add_numbers(image, "worldToCamera", IMAGE_MATRIX, matrix);
     camera_world_to_ndc(camera, (float)image->width / (float)image->height, matrix);

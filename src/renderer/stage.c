@@ -1,9 +1,12 @@
 #include "renderer/stage.h"
 
+#include "base/memory.h"
 #include "scene/open.h"
 #include "scene/placing.h"
 
+#include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 static void name_after(struct stage *stage, const char *path) {
@@ -36,6 +39,39 @@ bool stage_init(struct stage *stage, const struct stage_desc *desc) {
 
 bool stage_pose(struct stage *stage, double time) {
     return geometry_pose(&stage->geometry, &stage->scene, time) && place(stage, time);
+}
+
+/* Copies vertices to where they are in the arrays of `parts`. */
+static void take_positions(const struct geometry *geometry, const struct geometry_part *parts,
+                           float (*positions)[3]) {
+    for (int i = 0; i < geometry->part_count; i++)
+        if (!parts[i].dynamic)
+            memcpy(positions + parts[i].first_vertex,
+                   geometry->position + geometry->parts[i].first_vertex,
+                   parts[i].vertex_count * sizeof *positions);
+}
+
+bool stage_find_motion(struct stage *stage, double time, double step,
+                       struct surface_motion *motion) {
+    struct geometry *geometry = &stage->geometry;
+    struct geometry_part *parts = mem_alloc((size_t)geometry->part_count, sizeof *parts);
+    size_t bytes = geometry->vertex_count * sizeof *geometry->position;
+    bool ok = true;
+    *motion = (struct surface_motion){.positions = {NULL}};
+    memcpy(parts, geometry->parts, (size_t)geometry->part_count * sizeof *parts);
+    for (int i = 0; i < 2; i++) {
+        motion->positions[i] = mem_alloc(bytes, 1);
+        memcpy(motion->positions[i], geometry->position, bytes);
+    }
+    for (int i = 0; ok && i < 2; i++) {
+        double then = fmax(0, i == 0 ? time + step : time - step);
+        ok = geometry_pose(geometry, &stage->scene, then) &&
+             camera_from_text(&motion->cameras[i], &stage->scene, stage->camera_text, then, NULL);
+        if (ok)
+            take_positions(geometry, parts, motion->positions[i]);
+    }
+    free(parts);
+    return geometry_pose(geometry, &stage->scene, time) && ok;
 }
 
 void stage_default_size(const struct stage *stage, int size[2]) {

@@ -7,6 +7,7 @@
 #include "scene/lights/emitter.h"
 #include "scene/lights/environment.h"
 #include "scene/mesh/geometry.h"
+#include "scene/surface_layers.h"
 
 struct stage_desc {
     const char *path;
@@ -36,6 +37,12 @@ bool stage_init(struct stage *stage, const struct stage_desc *desc);
 /* Moves triangles, camera and lights to a time, seconds. Error: that of geometry_pose. */
 bool stage_pose(struct stage *stage, double time);
 void stage_free(struct stage *stage);
+
+/* Finds where vertices and the camera of its text are `step` seconds after and before `time`, the
+ * time of its pose, which returns. Surfaces of metaballs keep their places. Times below 0 are 0.
+ * Error: that of geometry_pose; free the motion in any case. */
+bool stage_find_motion(struct stage *stage, double time, double step,
+                       struct surface_motion *motion);
 
 /* Writes the default size of a picture of its camera: that of camera_default_size. */
 void stage_default_size(const struct stage *stage, int size[2]);

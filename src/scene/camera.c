@@ -18,7 +18,8 @@ bool cameras_same(const struct camera *a, const struct camera *b) {
            memcmp(a->eye, b->eye, sizeof a->eye) == 0 &&
            memcmp(a->right, b->right, sizeof a->right) == 0 &&
            memcmp(a->up, b->up, sizeof a->up) == 0 &&
-           memcmp(a->forward, b->forward, sizeof a->forward) == 0;
+           memcmp(a->forward, b->forward, sizeof a->forward) == 0 && a->shift[0] == b->shift[0] &&
+           a->shift[1] == b->shift[1] && a->panorama == b->panorama;
 }
 
 int camera_find(const struct scene *scene, const char *text) {
@@ -60,6 +61,11 @@ void camera_look(struct camera *camera, const float eye[3], const float forward[
     glm_vec3_cross(right, direction, camera->up);
 }
 
+float camera_axis_norm2(const float axis[3]) {
+    float norm2 = glm_vec3_norm2((float *)axis);
+    return fabsf(norm2 - 1) < 1e-5F ? 1 : norm2;
+}
+
 /* The axes come as text of a few digits. */
 static bool are_orthogonal(const float a[3], const float b[3]) {
     const float most = 2e-3F;
@@ -83,6 +89,51 @@ static bool check_frame(const struct camera *camera) {
            error_set("right points to the left of forward and up");
 }
 
+bool camera_set_intrinsics(struct camera *camera, const double intrinsics[4], const int size[2]) {
+    const double fx = intrinsics[0], fy = intrinsics[1], cx = intrinsics[2], cy = intrinsics[3];
+    const double width = size[0], height = size[1];
+    if (size[0] <= 0 || size[1] <= 0)
+        return error_set("intrinsics: %dx%d is no size of a picture", size[0], size[1]);
+    if (!(fx > 0 && fy > 0 && isfinite(fx) && isfinite(fy)))
+        return error_set("intrinsics: focal lengths of %g and %g pixels are not above 0", fx, fy);
+    if (!isfinite(cx) || !isfinite(cy))
+        return error_set("intrinsics: the principal point %g, %g is not finite", cx, cy);
+    camera->orthographic = false;
+    camera->fov_y = (float)(2 * atan(height / (2 * fy)));
+    camera->shift[0] = (float)(1 - 2 * cx / width);
+    camera->shift[1] = (float)(2 * cy / height - 1);
+    glm_vec3_scale(camera->right, (float)(fy / fx), camera->right);
+    return true;
+}
+
+bool camera_set_pose(struct camera *camera, const double pose[16], bool opencv) {
+    float *const axes[3] = {camera->right, camera->up, camera->forward};
+    bool ends = pose[12] == 0 && pose[13] == 0 && pose[14] == 0 && pose[15] == 1;
+    for (int row = 0; row < 3; row++) {
+        camera->eye[row] = (float)pose[4 * row + 3];
+        ends &= isfinite(camera->eye[row]);
+        for (int axis = 0; axis < 3; axis++) {
+            bool flips = axis == 1 ? opencv : axis == 2 ? !opencv : false;
+            axes[axis][row] = (float)(flips ? -pose[4 * row + axis] : pose[4 * row + axis]);
+        }
+    }
+    if (!ends)
+        return error_set("pose: its last row is not 0 0 0 1, or its last column is not finite");
+    for (int axis = 0; axis < 3; axis++)
+        if (!(fabsf(glm_vec3_norm(axes[axis]) - 1) <= 2e-3F))
+            return error_set("pose: column %d has the length %g, not 1", axis,
+                             (double)glm_vec3_norm(axes[axis]));
+    return check_frame(camera) || error_prefix("pose");
+}
+
+bool camera_set_panorama(struct camera *camera) {
+    bool unit = camera_axis_norm2(camera->right) == 1 && camera_axis_norm2(camera->up) == 1;
+    if (camera->orthographic || camera->shift[0] != 0 || camera->shift[1] != 0 || !unit)
+        return error_set("panorama: the camera is orthographic, or has a shifted lens or pixels "
+                         "that are not square");
+    return camera->panorama = true;
+}
+
 bool camera_check(const struct camera *camera) {
     bool has_view =
         camera->orthographic ? camera->y_extent > 0 : camera->fov_y > 0 && camera->fov_y < GLM_PIf;
@@ -90,17 +141,44 @@ bool camera_check(const struct camera *camera) {
         return error_set("extent: %g m is not above 0", (double)camera->y_extent);
     if (!has_view)
         return error_set("fov: %g is not between 0 and pi radians", (double)camera->fov_y);
+    if (!isfinite(camera->shift[0]) || !isfinite(camera->shift[1]))
+        return error_set("shift: %g,%g is not finite", (double)camera->shift[0],
+                         (double)camera->shift[1]);
     if (camera->near < 0 || camera->far < 0)
         return error_set("near=%g far=%g: less than none", (double)camera->near,
                          (double)camera->far);
     return check_frame(camera);
 }
 
+/* The unit direction at a place of a panorama. */
+static void panorama_direction(const struct camera *camera, float x, float y, float direction[3]) {
+    float longitude = (2 * x - 1) * GLM_PIf, latitude = (.5F - y) * GLM_PIf;
+    for (int c = 0; c < 3; c++)
+        direction[c] = cosf(latitude) * (sinf(longitude) * camera->right[c] +
+                                         cosf(longitude) * camera->forward[c]) +
+                       sinf(latitude) * camera->up[c];
+    vec3_unit(direction);
+}
+
+static void panorama_place(const struct camera *camera, const float to_point[3], float place[2]) {
+    float right = glm_vec3_dot((float *)to_point, (float *)camera->right);
+    float up = glm_vec3_dot((float *)to_point, (float *)camera->up);
+    float ahead = glm_vec3_dot((float *)to_point, (float *)camera->forward);
+    place[0] = .5F + atan2f(right, ahead) / (2 * GLM_PIf);
+    place[1] = .5F - atan2f(up, hypotf(right, ahead)) / GLM_PIf;
+}
+
 void camera_ray(const struct camera *camera, float x, float y, float aspect, float origin[3],
                 float direction[3]) {
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2);
-    float across = (2 * x - 1) * half * aspect, above = (1 - 2 * y) * half;
+    float across = (2 * x - 1 + camera->shift[0]) * half * aspect;
+    float above = (1 - 2 * y + camera->shift[1]) * half;
     vec3 offset;
+    if (camera->panorama) {
+        memcpy(origin, camera->eye, sizeof camera->eye);
+        panorama_direction(camera, x, y, direction);
+        return;
+    }
     for (int c = 0; c < 3; c++)
         offset[c] = across * camera->right[c] + above * camera->up[c];
     memcpy(origin, camera->eye, sizeof camera->eye);
@@ -114,21 +192,28 @@ bool camera_project(const struct camera *camera, const float point[3], float asp
                     float place[2]) {
     vec3 to_point;
     glm_vec3_sub((float *)point, (float *)camera->eye, to_point);
+    if (camera->panorama) {
+        panorama_place(camera, to_point, place);
+        return true;
+    }
     float depth = glm_vec3_dot(to_point, (float *)camera->forward);
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2) * depth;
     if (depth <= 0)
         return false;
-    place[0] = .5F + .5F * glm_vec3_dot(to_point, (float *)camera->right) / (half * aspect);
-    place[1] = .5F - .5F * glm_vec3_dot(to_point, (float *)camera->up) / half;
+    float right = glm_vec3_dot(to_point, (float *)camera->right) / (half * aspect);
+    float up = glm_vec3_dot(to_point, (float *)camera->up) / half;
+    place[0] = .5F + .5F * (right / camera_axis_norm2(camera->right) - camera->shift[0]);
+    place[1] = .5F - .5F * (up / camera_axis_norm2(camera->up) - camera->shift[1]);
     return true;
 }
 
 void camera_world_to_camera(const struct camera *camera, float matrix[16]) {
     const float *const axes[3] = {camera->right, camera->up, camera->forward};
     for (int column = 0; column < 3; column++) {
+        float length = sqrtf(camera_axis_norm2(axes[column]));
         for (int row = 0; row < 3; row++)
-            matrix[4 * row + column] = axes[column][row];
-        matrix[12 + column] = -glm_vec3_dot((float *)axes[column], (float *)camera->eye);
+            matrix[4 * row + column] = axes[column][row] / length;
+        matrix[12 + column] = -glm_vec3_dot((float *)axes[column], (float *)camera->eye) / length;
     }
     for (int row = 0; row < 4; row++)
         matrix[4 * row + 3] = row == 3 ? 1 : 0;
@@ -138,14 +223,16 @@ void camera_world_to_camera(const struct camera *camera, float matrix[16]) {
 void camera_world_to_ndc(const struct camera *camera, float aspect, float matrix[16]) {
     float view[16], half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2),
                     depth = camera->far > 0 ? 1 / (camera->far - camera->near) : 1;
+    float right = sqrtf(camera_axis_norm2(camera->right)) * half * aspect;
+    float up = sqrtf(camera_axis_norm2(camera->up)) * half;
     if (!camera->orthographic && camera->far > 0)
         depth *= camera->far;
     camera_world_to_camera(camera, view);
     for (int row = 0; row < 4; row++) {
         const float *from = view + 4 * row;
         float *to = matrix + 4 * row, w = camera->orthographic ? from[3] : from[2];
-        to[0] = .5F * (from[0] / (half * aspect) + w);
-        to[1] = .5F * (w - from[1] / half);
+        to[0] = .5F * (from[0] / right + w - camera->shift[0] * w);
+        to[1] = .5F * (w - from[1] / up + camera->shift[1] * w);
         to[2] = depth * (from[2] - camera->near * from[3]);
         to[3] = w;
     }

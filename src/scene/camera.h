@@ -13,6 +13,12 @@ struct camera {
     float fov_y;     /* radians, vertical */
     float y_extent;  /* orthographic: half the height, metres */
     float near, far; /* clip distances along forward, metres; far 0: infinite */
+    /* Shifted lens: place of the picture's middle, from the axis to the right and up, in halves of
+     * the width and height. */
+    float shift[2];
+    /* Shows all directions, for the path tracer alone: longitude along x, latitude along y, forward
+     * in the middle. Axes are unit; near and far are distances. */
+    bool panorama;
 };
 
 /* Places the camera of the scene's n-th camera node, which must exist. time: seconds. */
@@ -22,12 +28,28 @@ void camera_place(struct camera *camera, const struct scene *scene, int n, doubl
 void camera_look(struct camera *camera, const float eye[3], const float forward[3],
                  const float up[3]);
 
+/* Sets the field of view by a pinhole's intrinsics, pixels: focal lengths fx and fy, and the
+ * principal point from the top left corner of a picture of `size`. The pixel's first centre is at
+ * .5, .5. Axes must be unit. Error: a number that no picture has. */
+bool camera_set_intrinsics(struct camera *camera, const double intrinsics[4], const int size[2]);
+
+/* Sets eye and axes by a matrix from camera to world, row by row. The camera's axes are x right, y
+ * up, z back (OpenGL), or x right, y down, z forward (opencv). Error: it is not rigid. */
+bool camera_set_pose(struct camera *camera, const double pose[16], bool opencv);
+
+/* Makes the camera a panorama. Error: it is orthographic, its lens is shifted, or its axes are not
+ * unit. */
+bool camera_set_panorama(struct camera *camera);
+
 /* Writes the default picture size of the scene's n-th camera: 800 pixels along the longer side in
  * the camera's aspect ratio; square without one. */
 void camera_default_size(const struct scene *scene, int n, int size[2]);
 
 /* Error: a frame that is not orthogonal, an angle of view of pi or more, a negative length. */
 bool camera_check(const struct camera *camera);
+
+/* Returns the squared length of an axis. Unit axes have exactly 1, whatever their rounding. */
+float camera_axis_norm2(const float axis[3]);
 
 bool cameras_same(const struct camera *a, const struct camera *b);
 

@@ -26,12 +26,12 @@ static struct frustum frustum_of(const struct camera *camera, float aspect) {
     return (struct frustum){.camera = camera, .half = {half * aspect, half}};
 }
 
-/* To the right, up, and along the axis. */
+/* To the right and up, in lengths of these axes, and along forward. */
 static void in_camera(const struct camera *camera, const float point[3], vec3 local) {
     vec3 from_eye;
     glm_vec3_sub((float *)point, (float *)camera->eye, from_eye);
-    local[0] = glm_vec3_dot(from_eye, (float *)camera->right);
-    local[1] = glm_vec3_dot(from_eye, (float *)camera->up);
+    local[0] = glm_vec3_dot(from_eye, (float *)camera->right) / camera_axis_norm2(camera->right);
+    local[1] = glm_vec3_dot(from_eye, (float *)camera->up) / camera_axis_norm2(camera->up);
     local[2] = glm_vec3_dot(from_eye, (float *)camera->forward);
 }
 
@@ -43,7 +43,8 @@ static float inside(const struct frustum *frustum, int plane, const vec3 local) 
         return frustum->far - local[2];
     int axis = plane / 2;
     float edge = frustum->half[axis] * (frustum->camera->orthographic ? 1 : local[2]);
-    return plane % 2 ? edge - local[axis] : edge + local[axis];
+    float aside = local[axis] - frustum->camera->shift[axis] * edge / margin;
+    return plane % 2 ? edge - aside : edge + aside;
 }
 
 /* [Sutherland and Hodgman 1974] */
@@ -125,6 +126,10 @@ struct camera_range camera_range_of(const struct camera *camera, const struct ge
                                     float aspect) {
     struct camera_range range = {.near = camera->near, .far = end_of(camera)};
     struct frustum frustum = frustum_of(camera, aspect);
+    if (camera->panorama) {
+        range.cuts = range.near > 0 || isfinite(range.far);
+        return range;
+    }
     range.cuts = holds_something(frustum, geometry, 0, range.near) ||
                  holds_something(frustum, geometry, range.far, INFINITY);
     return range;

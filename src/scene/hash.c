@@ -75,7 +75,9 @@ uint64_t scene_hash(const struct scene *scene, const struct geometry *geometry,
     hash_materials(&sum, scene);
     hash_geometry(&sum, geometry);
     hash_bytes(&sum, &camera->orthographic, sizeof camera->orthographic);
-    hash_bytes(&sum, camera->eye, sizeof *camera - offsetof(struct camera, eye));
+    hash_bytes(&sum, camera->eye, offsetof(struct camera, shift) - offsetof(struct camera, eye));
+    if (camera->shift[0] != 0 || camera->shift[1] != 0)
+        hash_bytes(&sum, camera->shift, sizeof camera->shift);
     hash_bytes(&sum, emitters->items, (size_t)emitters->count * sizeof *emitters->items);
     if (emitters->sky)
         hash_environment(&sum, emitters->sky);

@@ -24,6 +24,16 @@ struct word {
 /* FRAME_RIGHT is the word that says that the frame is complete. */
 enum { FRAME_RIGHT = 3 };
 
+/* A camera and a pinhole that sets it. */
+struct pinhole {
+    struct camera camera;
+    float intrinsics[6]; /* and width and height of their picture */
+    float opencv[16], opengl[16];
+};
+
+enum { WORD_FOV = 4, WORD_EXTENT, WORD_NEAR, WORD_FAR, WORD_SHIFT, WORD_INTRINSICS };
+enum { WORD_OPENCV = WORD_INTRINSICS + 1, WORD_OPENGL };
+
 static const struct word camera_words[] = {
     {"eye", offsetof(struct camera, eye), 3, NULL},
     {"forward", offsetof(struct camera, forward), 3, NULL},
@@ -33,6 +43,10 @@ static const struct word camera_words[] = {
     {"extent", offsetof(struct camera, y_extent), 1, NULL},
     {"near", offsetof(struct camera, near), 1, NULL},
     {"far", offsetof(struct camera, far), 1, NULL},
+    {"shift", offsetof(struct camera, shift), 2, NULL},
+    {"intrinsics", offsetof(struct pinhole, intrinsics), 6, NULL},
+    {"opencv", offsetof(struct pinhole, opencv), 16, NULL},
+    {"opengl", offsetof(struct pinhole, opengl), 16, NULL},
     {NULL, 0, 0, NULL},
 };
 
@@ -80,6 +94,8 @@ static bool parse_value(const struct word *word, void *target, const char *text)
 
 static bool refuse_word(const struct word *word, const char *text) {
     static const char *const examples[] = {"1", "1,0", "0,1,0"};
+    if (!word->names && word->count > 3)
+        return error_set("'%s' wants %d numbers with commas", text, word->count);
     if (!word->names)
         return error_set("'%s' wants %d number%s, as in %s=%s", text, word->count,
                          word->count > 1 ? "s" : "", word->name, examples[word->count - 1]);
@@ -159,7 +175,7 @@ static void append_words(const struct word *words, const void *values, const voi
     for (int i = 1; i <= FRAME_RIGHT; i++)
         moved |= memcmp((const char *)values + words[i].offset,
                         (const char *)before + words[i].offset, 3 * sizeof(float)) != 0;
-    for (int i = 0; words[i].name; i++) {
+    for (int i = 0; words[i].name && words[i].count <= 3; i++) {
         const void *now = (const char *)values + words[i].offset;
         const void *old = (const char *)before + words[i].offset;
         bool of_frame = i >= 1 && i <= FRAME_RIGHT;
@@ -168,9 +184,32 @@ static void append_words(const struct word *words, const void *values, const voi
     }
 }
 
+static unsigned bit_of(int word) {
+    return 1U << word;
+}
+
+/* Sets a camera by the pinhole's words that are given. Others of the same meaning are refused. */
+static bool take_pinhole(struct camera *camera, const struct pinhole *pinhole, unsigned given) {
+    const unsigned frame = 15, poses = bit_of(WORD_OPENCV) | bit_of(WORD_OPENGL);
+    const unsigned lens = bit_of(WORD_FOV) | bit_of(WORD_EXTENT) | bit_of(WORD_SHIFT);
+    bool opencv = given & bit_of(WORD_OPENCV), has_pose = given & poses;
+    if ((given & poses) == poses || (has_pose && (given & frame)))
+        return error_set("opencv, opengl, and eye, forward, up, right exclude each other");
+    if ((given & bit_of(WORD_INTRINSICS)) && (given & lens))
+        return error_set("intrinsics excludes fov, extent and shift");
+    double pose[16], intrinsics[4];
+    for (int i = 0; i < 16; i++)
+        pose[i] = (double)(opencv ? pinhole->opencv : pinhole->opengl)[i];
+    for (int i = 0; i < 4; i++)
+        intrinsics[i] = (double)pinhole->intrinsics[i];
+    const int size[2] = {(int)pinhole->intrinsics[4], (int)pinhole->intrinsics[5]};
+    return (!has_pose || camera_set_pose(camera, pose, opencv)) &&
+           (!(given & bit_of(WORD_INTRINSICS)) || camera_set_intrinsics(camera, intrinsics, size));
+}
+
 static bool change_camera(struct camera *camera, const struct scene *scene, char *text, double time,
                           int *n) {
-    struct camera changes = {.up = {0, 1, 0}};
+    struct pinhole changes = {.camera.up = {0, 1, 0}};
     unsigned given = 0;
     bool is_name = strchr(text, '=') && camera_find(scene, text) >= 0;
     if (!is_name && !parse_words(camera_words, &changes, text, &given))
@@ -181,10 +220,12 @@ static bool change_camera(struct camera *camera, const struct scene *scene, char
     if (n)
         *n = found;
     camera_place(camera, scene, found, time);
-    take_words(camera_words, camera, &changes, given);
+    take_words(camera_words, camera, &changes, given & (bit_of(WORD_INTRINSICS) - 1));
     if ((given & (2U | 4U)) && !(given & 1U << FRAME_RIGHT))
-        camera_look(camera, camera->eye, camera->forward, given & 4U ? camera->up : changes.up);
-    return given == 0 || camera_check(camera) || error_prefix("camera");
+        camera_look(camera, camera->eye, camera->forward,
+                    given & 4U ? camera->up : changes.camera.up);
+    return given == 0 || (take_pinhole(camera, &changes, given) && camera_check(camera)) ||
+           error_prefix("camera");
 }
 
 bool camera_from_text(struct camera *camera, const struct scene *scene, const char *text,

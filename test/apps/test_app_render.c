@@ -379,7 +379,7 @@ static struct image append_layers(const struct stage *stage, const char *techniq
     struct image image;
     open_renderer(renderer, &desc);
     check_ok("layers", renderer_read_layers(renderer, &image));
-    check_ok("more layers", aov_append(renderer, names, &image));
+    check_ok("more layers", aov_append(renderer, names, NULL, &image));
     return image;
 }
 

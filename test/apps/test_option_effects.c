@@ -41,7 +41,7 @@ static const struct place {
 /* What is given for each option; for that of one subcommand alone where its name is in front. */
 /* clang-format off */
 static const char *const values[][2] = {
-    {"aov", "ao"}, {"ao", ".5"}, {"background", "none"}, {"bounces", "3"}, {"budget", "50ms"},
+    {"aov", "ao"}, {"reference:aov", "uv"}, {"cameras", "@/views.txt"}, {"ao", ".5"}, {"background", "none"}, {"bounces", "3"}, {"budget", "50ms"},
     {"camera", "'0 eye=0,1,3 forward=0,0,-1'"}, {"centers", ""}, {"clip", "none"},
     {"context", "osmesa"}, {"denoise", ""}, {"device", "0"},
     {"direct", "cssm"}, {"environment", "@/sky2.exr"}, {"environment-strength", "2"},
@@ -49,7 +49,7 @@ static const char *const values[][2] = {
     {"fps", "7"}, {"frames", "2"}, {"gl", ""}, {"gl-debug", ""}, {"glsl", "glsl"}, {"help", ""},
     {"help-all", ""}, {"json", ""}, {"layer", "direct"}, {"compare:layer", "Z"}, {"light", "sky"},
     {"light-paths", "1000"}, {"materials", "diffuse"}, {"max", "mae=0"}, {"max-error", "90%"},
-    {"metric", "mae"}, {"noise", "50%"}, {"passes", "2"}, {"paths", "8"},
+    {"metric", "mae"}, {"noise", "50%"}, {"passes", "2"}, {"panorama", ""}, {"paths", "8"},
     {"ppd", "20"}, {"punctual-scale", "2"}, {"progress", "json"}, {"quality", "draft"}, {"quiet", ""},
     {"reference-layer", "Z"}, {"root", "scenes"}, {"scene", "0"}, {"variant", "0"}, {"screen-passes", "compute"}, {"seed", "5"},
     {"seen", ""}, {"set", "exposure=2"}, {"reference:set", "medium.scatter=.3"},
@@ -120,6 +120,7 @@ static int make_inputs(void **state) {
             rgba[i] = (unsigned char)(i * (n + 3) % 251);
         ok = ok && bitmap_write(&(struct bitmap){8, 4, rgba}, scratch(n ? "b.png" : "a.png"));
     }
+    write_text(scratch("views.txt"), "0 fov=.5\n0 fov=.6\n0 fov=.7\ntime=1 0 fov=.8\n");
     return ok ? 0 : -1;
 }
 

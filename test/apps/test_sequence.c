@@ -204,6 +204,45 @@ static void pose(struct stage *stage, struct renderer *renderer, double time) {
 }
 
 /* A frame after others, whose metaballs outgrew their room, equals the one of a fresh renderer. */
+static bool same_files(const char *a, const char *b) {
+    char line[256];
+    snprintf(line, sizeof line, "cmp @/%s @/%s", a, b);
+    return run_line(line) == 0;
+}
+
+/* Views of a file are pictures of their own; what is wrong with a line is told before any. */
+static void test_views(void **state) {
+    (void)state;
+    static const struct {
+        const char *lines, *more, *error;
+        int status;
+    } wrong[] = {
+        {"0\n0 fov=9\n", "", "views.txt: line 2: camera: fov: 9", 1},
+        {"#\n\ntime=x 0\n", "", "views.txt: line 3: 'time=x 0' wants seconds", 1},
+        {"# none\n", "", "views.txt: it has no view", 1},
+        {"0\n", "--camera 0", "--camera is for pictures without --cameras", 2},
+        {"0\n", "--frames 1", "there is no view 1 in", 2},
+    };
+    write_text(scratch("views.txt"),
+               "# two\n0 eye=0,1,4 forward=0,0,-1\r\n\n  time=.5 0 shift=.2,0\n");
+    expect(0, "% render scenes/door.glb --size 24x16 -q -o @/v.#.exr --cameras @/views.txt");
+    expect(0, "% render scenes/door.glb --size 24x16 -q -o @/0.exr "
+              "--camera '0 eye=0,1,4 forward=0,0,-1'");
+    expect(0, "% render scenes/door.glb --size 24x16 -q -o @/1.exr --time .5 "
+              "--camera '0 shift=.2,0'");
+    assert_true(same_files("v.0.exr", "0.exr") && same_files("v.1.exr", "1.exr"));
+    assert_false(same_files("0.exr", "1.exr"));
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        char line[256];
+        write_text(scratch("views.txt"), wrong[i].lines);
+        snprintf(line, sizeof line,
+                 "%% render scenes/door.glb -o @/w.#.exr --cameras @/views.txt %s", wrong[i].more);
+        expect(wrong[i].status, line);
+        expect_text(wrong[i].error);
+    }
+    assert_true(access(scratch("w.0.exr"), F_OK) != 0);
+}
+
 static void test_any_start(void **state) {
     (void)state;
     struct stage stage;
@@ -300,6 +339,7 @@ int main(void) {
         cmocka_unit_test(test_split),  cmocka_unit_test(test_resume), cmocka_unit_test(test_misuse),
     };
     const struct CMUnitTest rendering[] = {
+        cmocka_unit_test(test_views),
         cmocka_unit_test(test_any_start),
         cmocka_unit_test(test_memory),
         cmocka_unit_test(test_starts),

@@ -60,6 +60,96 @@ def check_area_lights(device):
     assert np.allclose(manylight.read(out)["direct"], python["direct"], rtol=2e-3, atol=1e-4)
 
 
+def check_intrinsics(device):
+    """Points of the square's picture are where K [R|t] puts them, in both conventions."""
+    size, turn = (64, 48), np.array([[.8, 0, .6], [0, 1, 0], [-.6, 0, .8]])
+    matrix = np.array([[50, 0, 20], [0, 40, 30], [0, 0, 1.]])
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = turn, (1.5, .8, 2)
+    flipped = pose @ np.diag([1, -1, -1, 1])
+    cameras = [Camera.from_intrinsics(matrix, pose, size, convention="opengl"),
+               Camera.from_intrinsics((50, 40, 20, 30), flipped, size, convention="opencv", pixel_center=.5),
+               Camera.from_intrinsics(matrix - [[0, 0, .5], [0, 0, .5], [0, 0, 0]], flipped, size, convention="opencv")]
+    depth = device.render(scene_of(), size, camera=cameras[0], vpls=64)["Z"]
+    rows, columns = np.nonzero(depth)
+    assert len(rows) > 100
+    local = np.stack([(columns + .5 - 20) / 50, -(rows + .5 - 30) / 40, -np.ones(len(rows))]) * depth[rows, columns]
+    near("height of the square", (turn @ local).T[:, 1] + .8, 0, 0)
+    for camera in cameras[1:]:
+        near("axes", np.concatenate([camera.right, camera.up, camera.forward]),
+             np.concatenate([cameras[0].right, cameras[0].up, cameras[0].forward]))
+        near("shift", camera.shift, cameras[0].shift)
+    make = lambda k=matrix, p=pose, c="opencv", **more: Camera.from_intrinsics(k, p, size, convention=c, **more)
+    for words, call in (("convention: 'blender' is none of opencv, opengl", lambda: make(c="blender")),
+                        ("no skew", lambda: make(matrix + [[0, 1, 0], [0, 0, 0], [0, 0, 0]])),
+                        ("pose: shape (3, 4)", lambda: make(p=pose[:3])),
+                        ("pose: column 0 has the length 2", lambda: make(p=pose @ np.diag([2, 1, 1, 1]))),
+                        ("focal lengths of -50", lambda: make((-50, 40, 20, 30))),
+                        ("pixel_center: 'x'", lambda: make(pixel_center="x"))):
+        refuse(words, call)
+
+
+def check_surfaces(device):
+    """Layers of surfaces of a square in y = 0, in frames and references, and in files."""
+    layers = ("id.node", "id.mesh", "id.material", "position", "depth", "uv", "Z")
+    camera = Camera(eye=(0, 2, 3), forward=(0, -2, -3), fov_y=.9)
+    uvs = (QUAD[:, [0, 2]] + 1) / 2
+    scene = Scene(meshes=[Mesh(QUAD + [9, 0, 0], FACES), Mesh(QUAD, FACES, uvs=uvs, material=1)],
+                  materials=[Material(), Material(picture=np.full((2, 2, 3), 99, np.uint8))], lights=[SUN],
+                  cameras=[camera])
+    assert scene.names("material") == {1: "", 2: "", 3: "default"} and scene.names("mesh") == {1: "", 2: ""}
+    refuse("kind: 'light' is none of node", lambda: scene.names("light"))
+    for seen in (device.render(scene, (40, 30), layers=layers, vpls=64),
+                 manylight.reference(scene, (40, 30), layers=layers, samples=1, centers=True)):
+        shown = seen["id.node"] > 0
+        assert seen["id.node"].dtype == np.uint32 and 100 < shown.sum() < 1100
+        assert set(np.unique(seen["id.material"])) == {0, 2} and set(np.unique(seen["id.mesh"])) == {0, 2}
+        assert not seen["position"][~shown].any() and not seen["depth"][~shown].any()
+        place = seen["position"][shown]
+        near("height", place[:, 1], 0)
+        near("uv", seen["uv"][shown], (place[:, [0, 2]] + 1) / 2)
+        near("depth", seen["depth"][shown], np.linalg.norm(place - [0, 2, 3], axis=1))
+        path = os.path.join(FOLDER, "surfaces.exr")
+        manylight.write(path, {"beauty": np.zeros((30, 40, 3)), **seen})
+        read = manylight.read(path)
+        assert all(np.array_equal(read[layer], seen[layer]) and read[layer].dtype == seen[layer].dtype
+                   for layer in layers)
+    below = {"camera": Camera(eye=(0, -2, 3), forward=(0, 2, -3), fov_y=.9), "layers": "id.node"}
+    assert not device.render(scene, (40, 30), vpls=64, **below)["id.node"].any()  # the back of a single-sided square
+    assert not manylight.reference(scene, (40, 30), samples=1, **below)["id.node"].any()
+    refuse("numbers are not from 0", lambda: manylight.write(path, {"id.node": np.full((2, 2), 1 << 24)}))
+    refuse("the parameter is called samples", lambda: manylight.reference(scene, (9, 9), spp=1))
+    refuse("'vpl' (manylight.settings() lists them)", lambda: device.render(scene, (9, 9), vpl=1))
+    refuse("id.material, position", lambda: device.render(scene, (9, 9), layers="id.light", vpls=64))
+
+
+def check_batch(device):
+    """Views of a batch have the bits of pictures of their own; cameras that move give pixels their motion."""
+    places = [Camera(eye=(x, 3, 0), forward=(0, -1, 0), up=(0, 0, -1), fov_y=.5) for x in (-.1, 0, .1, .25)]
+    views = [places[0], {"camera": places[1], "next_camera": places[2], "previous_camera": places[3]},
+             {"camera": places[2], "light": "0 intensity=1,1,1"}, "0 eye=0,4,0"]
+    layers = ["beauty", "motion.next", "motion.previous"]
+    pictures = list(device.render_batch(scene_of(), (30, 20), views, layers=layers, vpls=64))
+    assert len(pictures) == len(views)
+    for view, picture in zip(views, pictures):
+        alone = device.render(scene_of(), (30, 20), layers=layers, vpls=64,
+                              **(view if isinstance(view, dict) else {"camera": view}))
+        assert all(np.array_equal(picture[layer], alone[layer]) for layer in layers)
+    pixels = 10 / np.tan(.25) / 3  # of a metre
+    near("next", pictures[1]["motion.next"][10, 15], [-.1 * pixels, 0])
+    near("previous", pictures[1]["motion.previous"][10, 15], [-.25 * pixels, 0])
+    assert not pictures[0]["motion.next"].any() and not pictures[3]["motion.previous"].any()
+    traced = manylight.reference(scene_of(), (30, 20), layers=layers, samples=1, **views[1])
+    near("traced", traced["motion.next"], pictures[1]["motion.next"])
+    around = manylight.reference(scene_of(), (16, 8), camera=places[1], panorama=True, samples=1, centers=True)
+    assert around["Z"][:, 4:12].any() and not around["Z"][:, 0].any()
+    refuse("panorama", lambda: manylight.reference(scene_of(), (16, 8), panorama=True, samples=1))  # orthographic
+    refuse("views: {'eye': 1}: the parts are camera", lambda: list(device.render_batch(
+        scene_of(), (9, 9), [{"eye": 1}], vpls=64)))
+    refuse("beside a Camera", lambda: device.render(scene_of(), (9, 9), next_camera=places[0], vpls=64))
+    refuse("step: -1 is not from 0", lambda: device.render(scene_of(), (9, 9), motion_step=-1, vpls=64))
+
+
 def check_colors(device):
     """Whole numbers are shares of their type's largest; floats are shares of 1."""
     taken = (np.full((4, 4), 64, np.uint8), np.full((4, 4), 64 * 257, np.uint16), np.full((4, 4), 64 / 255),
@@ -176,6 +266,9 @@ def main():
     with manylight.Device(allow_software=True) as device:
         check_errors(device)
         check_area_lights(device)
+        check_intrinsics(device)
+        check_surfaces(device)
+        check_batch(device)
         check_colors(device)
         check_vectors(device)
         check_meshes()

@@ -18,7 +18,7 @@ static const char small[] = "vpls=64 map-size=32 rsm-size=64 shadow-size=128 int
 static struct image layers_with_ao(struct renderer *renderer) {
     struct image image;
     check_ok("layers", renderer_read_layers(renderer, &image));
-    check_ok("ao", aov_append(renderer, "ao", &image));
+    check_ok("ao", aov_append(renderer, "ao", NULL, &image));
     assert_string_equal(image.names[image.channel_count - 1], "ao.Y");
     return image;
 }

@@ -359,7 +359,7 @@ static void test_voxels(void **state) {
     struct renderer_desc desc = desc_of(&stage, "imperfect-volume", "volume.size=32", 64, 64);
     open_renderer(&renderer, &desc);
     check_ok("layers", renderer_read_layers(&renderer, &image));
-    check_ok("voxels", aov_append(&renderer, "voxels", &image));
+    check_ok("voxels", aov_append(&renderer, "voxels", NULL, &image));
     int channel = image_find_channel(&image, "voxels.R");
     for (int y = 0; y < 64; y++)
         for (int x = 0; x < 64; x++) {

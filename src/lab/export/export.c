@@ -84,6 +84,8 @@ static bool export_stage(const struct values *values, const struct stage *stage)
                                    .samples = values->samples,
                                    .materials = (enum materials)values->materials};
     int size[2];
+    if (stage->camera.shift[0] != 0 || stage->camera.shift[1] != 0)
+        return error_set("camera: the files hold no shifted lens");
     stage_default_size(stage, size);
     if (target.width == 0) {
         target.width = size[0];

@@ -128,7 +128,7 @@ static bool compare(struct results *results, struct run *run, enum reference_kin
     if (kind == REFERENCE_SEEN)
         return shares_add(results, frame, exact, run->desc->stage->emitters.sky);
     if (kind == REFERENCE_AO)
-        return aov_append(&run->renderer, "ao", frame) &&
+        return aov_append(&run->renderer, "ao", NULL, frame) &&
                errors_add_ao(results, frame, exact, reference_names[kind]);
     return errors_add(results, frame, exact, reference_names[kind]);
 }

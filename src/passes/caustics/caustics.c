@@ -188,8 +188,9 @@ static float line_weight(const struct caustics_pass *pass, const struct frame *f
     vec3 middle, from_eye;
     smooth_surfaces_middle(&pass->surfaces, frame->geometry, middle);
     glm_vec3_sub(middle, (float *)camera->origin, from_eye);
-    float ahead = glm_vec3_norm2((float *)camera->forward);
-    float depth = glm_vec3_dot(from_eye, (float *)camera->forward) / ahead;
+    vec3 axis;
+    view_axis(camera, axis);
+    float depth = glm_vec3_dot(from_eye, axis) / glm_vec3_norm2(axis);
     float area = 4 * glm_vec3_norm((float *)camera->right) * glm_vec3_norm((float *)camera->up) /
                  (float)(pass->desc.width * pass->desc.height);
     return GLM_SQRT2f / (sqrtf(area) * (camera->orthographic ? 1 : fmaxf(depth, camera->near)));

@@ -39,7 +39,8 @@ void main() {
     bool seen = gl_FragCoord.z >= gbuffer_depth(ivec2(gl_FragCoord.xy));
     vec3 along = camera.orthographic ? camera.forward : line_place - camera.origin;
     float metres = length(along), cosine = -dot(along, line_direction) / metres;
-    float ahead = dot(along, camera.forward) / (metres * length(camera.forward));
+    vec3 axis = view_axis(camera);
+    float ahead = dot(along, axis) / (metres * length(axis));
     float from_eye = camera.orthographic ? dot(line_place - camera.origin, along) / metres : metres;
     vec2 part = medium_segment(line_place - from_eye / metres * along, along / metres, from_eye);
     float g = medium.g, sharp = 1.0 + g * g - 2.0 * g * cosine;

@@ -78,7 +78,8 @@ void main() {
         pixels = 1.0;
     }
     vec2 pixel = 2.0 * vec2(length(camera.right), length(camera.up)) / params.size;
-    float depths = camera.orthographic ? 1.0 : a.w * b.w / dot(camera.forward, camera.forward);
+    vec3 axis = view_axis(camera);
+    float depths = camera.orthographic ? 1.0 : a.w * b.w / dot(axis, axis);
 #ifdef PUBLISHED
     line_flux = s.flux * params.line_weight / chance;
 #else

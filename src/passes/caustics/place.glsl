@@ -15,11 +15,12 @@ vec4 clip_of(vec3 place) {
 // Surface that a pixel shows of a plane there, m2.
 float footprint(vec3 place, vec3 normal) {
     vec2 pixel = 2.0 * vec2(length(camera.right), length(camera.up)) / params.size;
-    float ahead = dot(camera.forward, camera.forward);
+    vec3 axis = view_axis(camera);
+    float ahead = dot(axis, axis);
     vec3 along = camera.orthographic ? camera.forward : place - camera.origin;
-    float depth = camera.orthographic ? 1.0 : dot(along, camera.forward) / ahead;
+    float depth = camera.orthographic ? 1.0 : dot(along, axis) / ahead;
     float facing = max(abs(dot(normal, along)), 1e-6 * length(along));
-    return pixel.x * pixel.y * depth * depth * (dot(along, camera.forward) / sqrt(ahead)) / facing;
+    return pixel.x * pixel.y * depth * depth * (dot(along, axis) / sqrt(ahead)) / facing;
 }
 
 // The corner of a triangle that covers the middle of the place's pixel, and of no other.

@@ -49,9 +49,11 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy), size = textureSize(taps, 0);
     // A pixel's place in the picture's plane, a metre away.
     vec2 extent = vec2(length(camera.right), length(camera.up)), per_pixel = 2.0 / vec2(size) * extent;
+    vec3 lean = camera.forward - view_axis(camera); // of a shifted lens
+    vec2 corner = extent - vec2(dot(lean, camera.right), dot(lean, camera.up)) / extent;
     uvec4 center = texelFetch(taps, pixel, 0);
     float depth = blur_tap_depth(center);
-    vec3 position = tap_position((vec2(pixel) + 0.5) * per_pixel - extent, depth), normal = blur_tap_normal(center);
+    vec3 position = tap_position((vec2(pixel) + 0.5) * per_pixel - corner, depth), normal = blur_tap_normal(center);
     normal /= dot(normal, normal); // rounded, it still is like itself
     float reach = params.distance * 2.0 * extent.y * (camera.orthographic ? 1.0 : depth);
     int radius = params.radius, rows = params.rows;
@@ -70,7 +72,7 @@ void main() {
             ivec2 inside = clamp(at, ivec2(0), size - 1);
             uvec4 tap = texelFetch(taps, inside, 0);
             float tap_depth = blur_tap_depth(tap);
-            vec3 apart = tap_position((vec2(at) + 0.5) * per_pixel - extent, tap_depth) - position;
+            vec3 apart = tap_position((vec2(at) + 0.5) * per_pixel - corner, tap_depth) - position;
             bool alike = at == inside && tap_depth > 0.0 && dot(apart, apart) < reach * reach &&
                 dot(blur_tap_normal(tap), normal) > like;
             int tap_level = blur_tap_level(tap);

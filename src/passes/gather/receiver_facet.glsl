@@ -16,9 +16,12 @@ float depth_beside(ivec2 pixel, ivec2 step) {
 
 // The normal, of any length, of the plane that has this depth at `ndc`, and that slope over ndc: along the camera's axes
 // places are z (forward + x right + y up), where near / z is the depth, linear in x and y; of an orthographic one z is.
+// right, up and forward here are the dual axes.
 vec3 plane_normal(vec2 ndc, float depth, vec2 slope) {
-    vec3 forward = camera.forward / dot(camera.forward, camera.forward);
+    vec3 axis = view_axis(camera), forward = axis / dot(axis, axis), lean = camera.forward - axis;
     vec3 right = camera.right / dot(camera.right, camera.right), up = camera.up / dot(camera.up, camera.up);
+    right -= dot(right, lean) * axis;
+    up -= dot(up, lean) * axis;
     return camera.orthographic ? forward + camera.far * (slope.x * right + slope.y * up)
                                : (depth - dot(slope, ndc)) * forward + slope.x * right + slope.y * up;
 }

@@ -393,12 +393,21 @@ void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
-                         const struct draw_views *views) {
+/* program: that of scene_gpu_draw_numbered; 0: another. */
+static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
+                      const struct draw_views *views, GLuint program) {
     uint32_t at = first, end = first + count;
-    while (culling_next(&gpu->culling, views, &at, end, &first, &count))
+    while (culling_next(&gpu->culling, views, &at, end, &first, &count)) {
+        if (program)
+            gl.ProgramUniform1i(program, LOCATION_FIRST_TRIANGLE, (GLint)(first / 3));
         gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
                                  (const void *)(uintptr_t)(first * sizeof(uint32_t)), views->count);
+    }
+}
+
+static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
+                         const struct draw_views *views) {
+    draw_runs(gpu, first, count, views, 0);
 }
 
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
@@ -431,6 +440,15 @@ static void draw_batch(const struct scene_gpu *gpu, const struct geometry_batch 
 void scene_gpu_draw_shaded(const struct scene_gpu *gpu, const struct draw_views *views) {
     for (int i = 0; i < gpu->batch_count; i++)
         draw_batch(gpu, &gpu->batches[i], views);
+}
+
+void scene_gpu_draw_numbered(const struct scene_gpu *gpu, const struct draw_views *views,
+                             GLuint program) {
+    for (int i = 0; i < gpu->batch_count; i++) {
+        const struct geometry_batch *batch = &gpu->batches[i];
+        scene_gpu_bind_material(gpu, batch->material);
+        draw_runs(gpu, batch->first_index, batch->index_count, views, program);
+    }
 }
 
 void scene_gpu_draw_masked(const struct scene_gpu *gpu, const struct draw_views *views) {

@@ -60,6 +60,11 @@ void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided,
                           const struct draw_views *views);
 void scene_gpu_draw_opaque(const struct scene_gpu *gpu, const struct draw_views *views);
 
+/* Draws all batches that the views may see by a program that numbers triangles: it sets its uniform
+ * LOCATION_FIRST_TRIANGLE to the first triangle of each draw. */
+void scene_gpu_draw_numbered(const struct scene_gpu *gpu, const struct draw_views *views,
+                             GLuint program);
+
 /* Binds BLOCK_MATERIAL and the material's textures, or a blank one: UNIT_BASE_COLOR, UNIT_EMISSION,
  * UNIT_METAL_ROUGHNESS, UNIT_NORMAL_MAP. */
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material);

@@ -96,7 +96,7 @@ static bool check_channels(const exr_attr_chlist_t *channels) {
         return error_set("%d channels, and not 1 to %d", channels->num_channels, MAX_CHANNELS);
     for (int i = 0; i < channels->num_channels; i++) {
         const exr_attr_chlist_entry_t *entry = channels->entries + i;
-        if (entry->pixel_type == EXR_PIXEL_UINT)
+        if (entry->pixel_type == EXR_PIXEL_UINT && !image_channel_is_id(entry->name.str))
             return error_set("its channels are whole numbers");
         if (entry->x_sampling != 1 || entry->y_sampling != 1)
             return error_set("its channel '%s' has fewer samples than pixels, which this build "
@@ -222,7 +222,11 @@ static float float_of(uint16_t half) {
 static void copy_line(float *to, int step, const uint8_t *from, int width, int type) {
     for (int x = 0; x < width; x++) {
         uint16_t half;
-        if (type == EXR_PIXEL_HALF) {
+        uint32_t whole;
+        if (type == EXR_PIXEL_UINT) {
+            memcpy(&whole, from + 4 * x, 4);
+            to[(size_t)x * (size_t)step] = (float)whole;
+        } else if (type == EXR_PIXEL_HALF) {
             memcpy(&half, from + 2 * x, 2);
             to[(size_t)x * (size_t)step] = float_of(half);
         } else {
@@ -467,9 +471,11 @@ static bool write_header(exr_context_t file, const struct image *image) {
                                                        EXR_COMPRESSION_ZIP));
     for (int i = 0; ok && i < image->channel_count; i++) {
         bool narrow = half && is_colour(image->names[i]);
-        ok = good(exr_add_channel(file, 0, image->names[i],
-                                  narrow ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT,
-                                  EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
+        exr_pixel_type_t type = image_channel_is_id(image->names[i]) ? EXR_PIXEL_UINT
+                                : narrow                             ? EXR_PIXEL_HALF
+                                                                     : EXR_PIXEL_FLOAT;
+        ok = good(
+            exr_add_channel(file, 0, image->names[i], type, EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1));
     }
     for (int i = 0; ok && i < image->attribute_count; i++)
         ok = write_attribute(file, &image->attributes[i]);

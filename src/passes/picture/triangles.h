@@ -1,0 +1,13 @@
+/* Finds the triangle that each pixel's centre shows, as the G-buffer has it. */
+#ifndef PASSES_TRIANGLES_H
+#define PASSES_TRIANGLES_H
+
+#include "passes/frame.h"
+
+/* Draws the frame's scene for a camera, and returns the triangle of each pixel, row 0 at the top:
+ * its first index is 3 x (number - 1); 0: none. The caller frees it. NULL: out of GPU memory, or a
+ * shader. */
+uint32_t *triangles_read(const struct frame *frame, const struct camera *camera, int width,
+                         int height);
+
+#endif
