@@ -4,7 +4,7 @@
 #include "base/memory.h"
 #include "renderer/caustics.h"
 #include "renderer/light_search.h"
-#include "scene/medium.h"
+#include "renderer/views.h"
 #include "techniques/many_lights.h"
 
 #include <stdlib.h>
@@ -16,7 +16,7 @@ enum { MAPPED_LIGHTS_MAX = 16 };
 
 /* Sampled lights light no medium and no glass, and need rays. */
 static bool may_sample(const struct renderer_desc *desc) {
-    struct medium medium = medium_of(desc->scene, &desc->settings, desc->geometry->radius);
+    struct medium medium = renderer_medium(desc);
     return desc->technique->samples_lights && !medium_exists(&medium) &&
            !renderer_has_caustics(desc) && many_lights_may_trace(desc->scene, desc->geometry);
 }

@@ -1,7 +1,6 @@
 #include "renderer/renderer.h"
 
 #include "base/error.h"
-#include "base/halton.h"
 #include "base/memory.h"
 #include "direct/sampled.h"
 #include "renderer/caustics.h"
@@ -37,25 +36,12 @@ enum part {
     PART_LIGHTS = PART_DIRECT | PART_TECHNIQUE | PART_AIRLIGHT, /* what render_lights draws with */
 };
 
-/* Whether the G-buffer, and all that reads it, has a specular target: else all materials are plain
- * (scene/material.h). */
-static bool has_specular(const struct renderer_desc *desc) {
-    const struct material_settings *own =
-        settings_of(struct material_settings, &desc->settings, &material_part);
-    return own->materials == MATERIALS_FULL && !materials_are_plain(desc->scene) &&
-           desc->direct->specular;
-}
-
 static bool has_emission(const struct renderer_desc *desc) {
-    return desc->scene->surface_count > 0 || has_specular(desc);
-}
-
-static struct medium shown_medium(const struct renderer_desc *desc) {
-    return medium_of(desc->scene, &desc->settings, desc->geometry->radius);
+    return desc->scene->surface_count > 0 || renderer_has_specular(desc);
 }
 
 static bool scatters(const struct renderer_desc *desc) {
-    struct medium medium = shown_medium(desc);
+    struct medium medium = renderer_medium(desc);
     return medium_exists(&medium);
 }
 
@@ -83,7 +69,7 @@ static bool init_direct(struct renderer *renderer) {
             .width = desc->width,
             .height = desc->height,
             .lights = &renderer->plan.layout,
-            .specular = has_specular(desc),
+            .specular = renderer_has_specular(desc),
             .medium = has_medium(renderer),
             .slides = desc->scene->slide_count > 0,
             .casters = renderer->casters,
@@ -107,7 +93,7 @@ static bool make_technique(const struct renderer *renderer, const struct techniq
                                       .width = desc->width,
                                       .height = desc->height,
                                       .lights = &renderer->plan.sample_layout,
-                                      .specular = has_specular(desc),
+                                      .specular = renderer_has_specular(desc),
                                       .medium = has_medium(renderer),
                                   });
 }
@@ -126,7 +112,7 @@ static bool init_mean(struct renderer *renderer) {
            (mean_pass_init(&refining->mean,
                            &(struct mean_desc){.width = desc->width,
                                                .height = desc->height,
-                                               .specular = has_specular(desc),
+                                               .specular = renderer_has_specular(desc),
                                                .medium = scatters(desc),
                                                .caustics = kinds & HAS_CAUSTICS,
                                                .volume_caustics = kinds & HAS_VOLUME_CAUSTICS}) &&
@@ -159,13 +145,14 @@ static bool init_composite(struct renderer *renderer) {
     contributes &= ~(unsigned)(HAS_CAUSTICS | HAS_VOLUME_CAUSTICS);
     contributes |= renderer_caustic_kinds(desc, scatters(desc));
     contributes |= has_medium(renderer) ? HAS_MEDIUM : 0U;
-    return composite_pass_init(&renderer->composite,
-                               &(struct composite_desc){.width = desc->width,
-                                                        .height = desc->height,
-                                                        .contributes = contributes,
-                                                        .has_sky = desc->scene->environment,
-                                                        .has_emission = has_emission(desc),
-                                                        .has_specular = has_specular(desc)});
+    return composite_pass_init(
+        &renderer->composite,
+        &(struct composite_desc){.width = desc->width,
+                                 .height = desc->height,
+                                 .contributes = contributes,
+                                 .has_sky = desc->scene->environment,
+                                 .has_emission = has_emission(desc),
+                                 .has_specular = renderer_has_specular(desc)});
 }
 
 /* Diffusely. */
@@ -194,7 +181,7 @@ static bool init_airlight(struct renderer *renderer) {
                              .sky = desc->scene->environment != NULL,
                              .irradiance = renderer->composite.desc.contributes & HAS_IRRADIANCE,
                              .reflects = panes_reflect(renderer),
-                             .specular = has_specular(desc),
+                             .specular = renderer_has_specular(desc),
                              .panes = geometry_has_panes(renderer_geometry(renderer))
                                           ? renderer->casters
                                           : NULL,
@@ -215,7 +202,7 @@ static bool init_gbuffer(struct renderer *renderer) {
                                                .height = desc->height,
                                                .layers = 1,
                                                .has_emission = has_emission(desc),
-                                               .has_specular = has_specular(desc)});
+                                               .has_specular = renderer_has_specular(desc)});
 }
 
 static bool init_geometry(struct renderer *renderer) {
@@ -223,7 +210,7 @@ static bool init_geometry(struct renderer *renderer) {
     return geometry_pass_init(
         &renderer->geometry,
         &(struct geometry_desc){.has_emission = has_emission(desc),
-                                .has_specular = has_specular(desc),
+                                .has_specular = renderer_has_specular(desc),
                                 .has_mappings = materials_have_mappings(desc->scene)});
 }
 
@@ -278,68 +265,6 @@ static bool init_parts(struct renderer *renderer, unsigned parts) {
     for (int i = 0; ok && i < ROWS; i++)
         ok = !(parts & rows[i].part) || rows[i].init(renderer);
     return ok;
-}
-
-/* Where in its pixel a pass looks, from -1/2 to 1/2: the first in the middle. */
-static float place_in_pixel(uint32_t base, int pass) {
-    return (float)(fmod(radical_inverse(base, (uint32_t)pass) + .5, 1) - .5);
-}
-
-/* Reflective shadow maps of each pass lie elsewhere, by a texel of 1024 or less, and see other
- * things. */
-static void shift_light_samples(struct renderer *renderer) {
-    const struct light_block *block = renderer->sample_block;
-    const float ndc[2] = {place_in_pixel(5, renderer->pass) / 512,
-                          place_in_pixel(7, renderer->pass) / 512};
-    for (int i = 0; i < block->single_count + block->face_count; i++)
-        view_shift(&renderer->sample_block->views[i].view, ndc);
-}
-
-static void place_light_samples(struct renderer *renderer) {
-    struct light_plan *plan = &renderer->plan;
-    plan->light_samples.flux = renderer->sampled.flux;
-    light_samples_place(&renderer->light_samples, &renderer->desc.emitters,
-                        &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
-                        &plan->light_samples, renderer->pass);
-    renderer->sample_emitters = light_samples_emitters(&renderer->light_samples);
-}
-
-/* Looks at triangles, so only where another view may cut others. */
-static void follow_range(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    const float aspect = (float)desc->width / (float)desc->height;
-    struct ranged *of = &renderer->ranged;
-    if (of->geometry == desc->geometry && of->pose == desc->geometry->pose_count &&
-        of->aspect == aspect && cameras_same(&of->camera, &desc->camera))
-        return;
-    *of = (struct ranged){desc->geometry, desc->geometry->pose_count, aspect, desc->camera};
-    renderer->camera_range = camera_range_of(&desc->camera, desc->geometry, aspect);
-}
-
-void renderer_write_views(struct renderer *renderer) {
-    const struct renderer_desc *desc = &renderer->desc;
-    const float place[2] = {2 * place_in_pixel(2, renderer->pass) / (float)desc->width,
-                            2 * place_in_pixel(3, renderer->pass) / (float)desc->height};
-    view_of_camera(&renderer->camera_view, &desc->camera, desc->geometry,
-                   (float)desc->width / (float)desc->height);
-    follow_range(renderer);
-    if (renderer->pass > 0)
-        view_shift(&renderer->camera_view, place);
-    views_of_emitters(renderer->light_block, &desc->emitters, desc->geometry);
-    place_light_samples(renderer);
-    views_of_emitters(renderer->sample_block, &renderer->sample_emitters, desc->geometry);
-    sky_pieces_write(renderer);
-    if (renderer->pass > 0)
-        shift_light_samples(renderer);
-    buffer_write(&renderer->view_buffer, 0, sizeof renderer->camera_view, &renderer->camera_view);
-    buffer_write(&renderer->light_buffer, 0, sizeof *renderer->light_block, renderer->light_block);
-    buffer_write(&renderer->sample_buffer, 0, sizeof *renderer->sample_block,
-                 renderer->sample_block);
-    struct medium medium = shown_medium(desc);
-    airlight_set_medium(&renderer->airlight, &medium, desc->geometry);
-    scene_gpu_set_smooth_black(&renderer->scene, renderer_has_caustics(desc));
-    scene_gpu_set_glow(&renderer->scene, &desc->emitters, has_specular(desc),
-                       renderer_irradiance_scale(renderer));
 }
 
 static void set_defaults(struct renderer_desc *desc) {
@@ -511,7 +436,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_SIZE;
     if (desc->progressive != old->progressive)
         parts |= PART_MEAN | PART_REFINER;
-    if (has_specular(desc) != has_specular(old))
+    if (renderer_has_specular(desc) != renderer_has_specular(old))
         parts |= PART_ALL;
     return parts;
 }

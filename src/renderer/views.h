@@ -3,6 +3,14 @@
 #define RENDERER_VIEWS_H
 
 #include "renderer/renderer.h"
+#include "scene/medium.h"
+
+/* True if the G-buffer, and all that reads it, has a specular target: else all materials are plain
+ * (scene/material.h). */
+bool renderer_has_specular(const struct renderer_desc *desc);
+
+/* Returns the medium of a frame. */
+struct medium renderer_medium(const struct renderer_desc *desc);
 
 /* Writes the view buffers for renderer->desc and the current pass. */
 void renderer_write_views(struct renderer *renderer);
