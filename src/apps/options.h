@@ -57,11 +57,13 @@ struct technique_values {
      .help = "material variant by name or number [none] (manylight info lists them)"}
 
 /* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
- * stage_desc. */
+ * stage_desc. LIGHTING_OPTIONS are all but the camera. */
 #define STAGE_OPTIONS(type, member)                                                                \
     {"camera", 0, OPTION_TEXT, offsetof(type, member.camera), .value_name = "NAME|N",              \
      .help = "camera by name or number [the first], with changes:\n"                               \
              "\"0 eye=0,1,3 forward=0,0,-1\""},                                                    \
+    LIGHTING_OPTIONS(type, member)
+#define LIGHTING_OPTIONS(type, member)                                                             \
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
      .help = "lights that shine [all]: \"lamp,1\" (manylight info lists them); "                   \
              "emitters: all area lights;\n"                                                        \

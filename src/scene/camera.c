@@ -60,6 +60,16 @@ void camera_look(struct camera *camera, const float eye[3], const float forward[
     glm_vec3_cross(right, direction, camera->up);
 }
 
+void camera_face(struct camera *camera, const struct sensor *sensor, float distance, float half) {
+    bool upright = fabsf(sensor->normal[1]) < .9F;
+    vec3 eye, forward, up = {upright ? 0 : 1, upright ? 1 : 0, 0};
+    glm_vec3_copy((float *)sensor->position, eye);
+    glm_vec3_muladds((float *)sensor->normal, distance, eye);
+    glm_vec3_negate_to((float *)sensor->normal, forward);
+    *camera = (struct camera){.orthographic = true, .y_extent = half};
+    camera_look(camera, eye, forward, up);
+}
+
 /* The axes come as text of a few digits. */
 static bool are_orthogonal(const float a[3], const float b[3]) {
     const float most = 2e-3F;
