@@ -26,7 +26,7 @@ struct emitter {
     float cos_inner, cos_outer; /* spot */
     float range; /* greatest distance of its light, metres (KHR_lights_punctual); 0: infinite */
     int lamp, stands_in;       /* as in struct scene_light */
-    const struct slide *slide; /* slide of a spot, owned by the scene; NULL: none */
+    const struct slide *slide; /* owned by the scene; NULL: none */
 };
 
 enum emitter_shape {
