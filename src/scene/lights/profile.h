@@ -1,5 +1,5 @@
-/* Light profiles: luminous intensity of a lamp by direction, of a file of IES LM-63 (1986 to 2019)
- * or EULUMDAT.
+/* Light profiles: luminous intensity of a lamp by direction, of a file of IES LM-63 of 1986 to 2019
+ * [LM-63], or of EULUMDAT.
  *
  * The axis of the lamp, where both angles are 0, is the light's direction. C-planes (type C and
  * EULUMDAT) turn from the light's right to its up. Types A and B have the horizontal angle to the
