@@ -243,6 +243,13 @@ static void test_flux(void **state) {
 /* A floor of 12 m and a wall, of that albedo, and a light 3 m above the floor that looks down, with
  * its right to the right; or turned. */
 static void write_scene(const char *name, const char *light, const char *more, double albedo) {
+    static const float clip[] = {0, 3}; /* a time and a value */
+    static const char accessors[] =
+        "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+        " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
+        " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\":"
+        " 5126, \"count\": 1, \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 68,"
+        " \"componentType\": 5126, \"count\": 1, \"type\": \"SCALAR\"}]";
     char nodes[2048], materials[256], all[2048];
     snprintf(materials, sizeof materials,
              "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorFactor\":"
@@ -254,7 +261,12 @@ static void write_scene(const char *name, const char *light, const char *more, d
              " {\"translation\": [0, 3, 0], \"rotation\": [-0.70710678, 0, 0, 0.70710678], %s}]",
              light);
     snprintf(all, sizeof all, "%s \"extensionsUsed\": [\"KHR_lights_punctual\"],", more);
-    write_parts(name, &(struct gltf_parts){.materials = materials, .nodes = nodes, .more = all});
+    write_parts(name, &(struct gltf_parts){.accessors = accessors,
+                                           .materials = materials,
+                                           .nodes = nodes,
+                                           .more = all,
+                                           .extra = clip,
+                                           .extra_size = sizeof clip});
 }
 
 #define PUNCTUAL "\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}"
@@ -294,7 +306,16 @@ static void test_cosine(void **state) {
                 "\"extensions\": {\"EXT_lights_ies\": {\"lights\": [{\"uri\": \"cosine.ies\"}]}},",
                 0);
     write_extras_scene("extras.glb", ", \"extras\": {\"profile\": \"cosine.ies\"}", 0);
+    write_scene("clip.glb", PUNCTUAL,
+                "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"point\","
+                " \"intensity\": 1.5, \"extras\": {\"profile\": \"cosine.ies\"}}]}},"
+                " \"animations\": [{\"samplers\": [{\"input\": 2, \"output\": 3}], \"channels\":"
+                " [{\"sampler\": 0, \"target\": {\"path\": \"pointer\", \"extensions\":"
+                " {\"KHR_animation_pointer\": {\"pointer\": \"/extensions/KHR_lights_punctual/"
+                "lights/0/intensity\"}}}}]}],",
+                0);
     static const char *const lines[] = {
+        "% probe @/clip.glb @/cosine.csv --bounces 0 -q --punctual-scale .3333333",
         "% probe @/ies.glb @/cosine.csv --bounces 0 -q",
         "% probe @/extras.glb @/cosine.csv --bounces 0 -q",
         "% probe @/ies.glb @/cosine.csv --by frame --bounces 1 -q",

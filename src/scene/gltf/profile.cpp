@@ -49,10 +49,11 @@ const tinygltf::Value *listed(const Model &model) {
     return found == model.extensions.end() ? nullptr : &found->second.Get("lights");
 }
 
-void set_intensity(struct scene_light &light, float factor) {
-    light.strength *= factor;
+/* A factor of the light's, also where a clip moves it. */
+void set_mean(struct scene_light &light, float mean) {
+    light.scale = mean;
     for (int c = 0; c < 3; c++)
-        light.intensity[c] = light.color[c] * light.strength;
+        light.intensity[c] = light.color[c] * light.strength * light.scale;
 }
 
 } // namespace
@@ -89,7 +90,7 @@ bool load_profile(Loader &loader, const tinygltf::Value &extras, struct scene_li
     if (!good)
         return error_prefix("extras: profile");
     light.slide = loader.scene->slide_count;
-    set_intensity(light, mean);
+    set_mean(light, mean);
     return true;
 }
 
@@ -103,13 +104,12 @@ int add_profile_light(Loader &loader, const tinygltf::Node &node) {
     copy_name(to.name, node.name);
     to.type = EMITTER_POINT;
     to.range = INFINITY;
-    to.scale = 1;
     to.slide = profile.slide;
     to.strength = from.Has("multiplier") ? float(from.Get("multiplier").GetNumberAsDouble()) : 1;
     for (size_t c = 0; c < 3; c++)
         to.color[c] =
             from.Has("color") ? float(from.Get("color").Get(int(c)).GetNumberAsDouble()) : 1;
-    set_intensity(to, profile.mean);
+    set_mean(to, profile.mean);
     return loader.scene->light_count++;
 }
 
