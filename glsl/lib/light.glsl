@@ -48,7 +48,7 @@ float light_cone(light l, float cos_angle) {
     return t * t;
 }
 
-// What a spot's picture lets pass of light in a unit direction; scene/lights/slide.c has the same.
+// The factor of a slide or a profile in a unit direction; scene/lights/slide.c has the same.
 #ifdef HAS_SLIDES
 layout(binding = UNIT_SLIDES) uniform sampler2DArray slides;
 
@@ -57,12 +57,22 @@ vec3 slide_texel(light l, vec2 place) {
     return texelFetch(slides, ivec3(ivec2(clamp(place, vec2(0.0), last)), l.slide), 0).rgb;
 }
 
+// In texels: a turn about the axis, and half a turn away from it.
+vec2 profile_place(light l, vec3 direction, float ahead) {
+    vec2 aside = vec2(dot(direction, l.right), dot(direction, l.up));
+    float turn = fract(atan(aside.y, aside.x) / 6.2831853), away = atan(length(aside), ahead) / 3.1415927;
+    return vec2(turn, away) * (vec2(l.slide_width, l.slide_height) - 1.0);
+}
+
 vec3 light_slide(light l, vec3 direction) {
     float ahead = dot(direction, l.direction);
-    if (l.slide < 0 || ahead <= 0.0)
+    bool is_profile = l.slide_scale == 0.0;
+    if (l.slide < 0 || (ahead <= 0.0 && !is_profile))
         return vec3(1.0);
     vec2 aside = vec2(dot(direction, l.right), -dot(direction, l.up)) * (l.slide_scale / ahead);
     vec2 place = (0.5 + 0.5 * aside) * vec2(l.slide_width, l.slide_height) - 0.5;
+    if (is_profile)
+        place = profile_place(l, direction, ahead);
     vec2 corner = floor(place), part = place - corner;
     vec3 above = mix(slide_texel(l, corner), slide_texel(l, corner + vec2(1.0, 0.0)), part.x);
     vec3 below = mix(slide_texel(l, corner + vec2(0.0, 1.0)), slide_texel(l, corner + vec2(1.0)), part.x);

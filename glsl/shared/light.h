@@ -54,7 +54,7 @@ struct light {
     float map_unit; /* distance of depth 1 in them, metres */
     float range_inverse2;            /* 1/m2; 0: unbounded */
     int slide;                       /* layer of the slides; -1: none */
-    float slide_scale;               /* emitter_slide_scale */
+    float slide_scale;               /* emitter_slide_scale; 0: a profile */
     float slide_width, slide_height; /* texels */
 };
 STD140_SIZE(light, 16 * LIGHT_ROWS)

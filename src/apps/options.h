@@ -57,12 +57,14 @@ struct technique_values {
      .help = "material variant by name or number [none] (manylight info lists them)"}
 
 /* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
- * stage_desc. */
+ * stage_desc. LIGHTING_OPTIONS are all but the camera. */
 #define STAGE_OPTIONS(type, member)                                                                \
     {"camera", 0, OPTION_TEXT, offsetof(type, member.camera), .value_name = "NAME|N",              \
      .help = "camera by name or number [the first], with changes:\n"                               \
              "\"0 eye=0,1,3 forward=0,0,-1\", shift=X,Y (shifted lens); a pinhole:\n"             \
              "\"intrinsics=FX,FY,CX,CY,WIDTH,HEIGHT opencv=...\", 16 numbers of a pose"},           \
+    LIGHTING_OPTIONS(type, member)
+#define LIGHTING_OPTIONS(type, member)                                                             \
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \
      .help = "lights that shine [all]: \"lamp,1\" (manylight info lists them); "                   \
              "emitters: all area lights;\n"                                                        \
@@ -71,7 +73,8 @@ struct technique_values {
              "size=1,1 position=0,2,0 direction=0,-1,0 intensity=9,9,9\"; "                        \
              "a name with , ; or =: by number"},                                                    \
     {"environment", 0, OPTION_TEXT, offsetof(type, member.environment.path), .value_name = "FILE", \
-     .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2)"},     \
+     .help = "environment map in place of the scene's: panorama, .hdr or .exr, in W/(sr m2); or\n" \
+             "a sky by formula: \"cie:TYPE,elevation=45,azimuth=180,horizontal=10000\""},           \
     {"environment-turn", 0, OPTION_FLOAT, offsetof(type, member.environment.turn), 0, -360, 360,   \
      .help = "rotation of the environment about +Y, degrees, from +Z towards +X", .rare = true},   \
     {"environment-strength", 0, OPTION_FLOAT, offsetof(type, member.environment.strength), 1,      \

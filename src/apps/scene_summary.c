@@ -181,7 +181,9 @@ static void print_light(struct json *json, const struct scene *scene, int node,
         fact_number(json, "outer_angle", " to %.4g degrees", degrees(acosf(light.cos_outer)));
     }
     print_size(json, &light);
-    if (light.slide) {
+    if (light.slide && light.slide->is_profile)
+        fact_flag(json, "profile", true, ", by a profile");
+    else if (light.slide) {
         fact_count(json, "slide_width", ", slide of %lld", light.slide->width);
         fact_count(json, "slide_height", " x %lld texels", light.slide->height);
     }

@@ -21,6 +21,7 @@ int app_export(int argc, char **argv);
 int app_reference(int argc, char **argv);
 int app_info(int argc, char **argv);
 int app_manual(int argc, char **argv);
+int app_probe(int argc, char **argv);
 int app_render(int argc, char **argv);
 int app_score(int argc, char **argv);
 int app_view(int argc, char **argv);

@@ -244,7 +244,7 @@ static struct light light_of(const struct emitter *emitter, const struct view *f
                               : fminf(1 / (emitter->range * emitter->range), 1e30f),
         .slide = -1,
     };
-    if (emitter->slide && emitter->type == EMITTER_SPOT) {
+    if (emitter_has_slide(emitter)) {
         light.slide = emitter->slide->layer;
         light.slide_scale = emitter_slide_scale(emitter);
         light.slide_width = (float)emitter->slide->width;

@@ -15,6 +15,7 @@ struct frame {
     const struct buffer *view; /* block BLOCK_VIEW */
     const struct view *camera; /* contents of `view` */
     struct camera_range camera_range;
+    float sensor; /* distance of a white plane that the camera sees alone, metres; 0: none */
     const struct gbuffer *gbuffer; /* of the camera, if lights depend on it; else NULL */
     bool of_panes;                 /* the lit G-buffer is that of panes */
     /* Lights: the shining lights for a direct method; for a technique the light samples that

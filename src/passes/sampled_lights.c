@@ -28,7 +28,7 @@ static struct sampled_light light_of(const struct emitter *emitter) {
     glm_vec3_copy((float *)emitter->direction, light.direction);
     glm_vec3_copy((float *)emitter->right, light.right);
     glm_vec3_copy((float *)emitter->up, light.up);
-    if (emitter->slide && emitter->type == EMITTER_SPOT) {
+    if (emitter_has_slide(emitter)) {
         light.slide = emitter->slide->layer;
         light.slide_scale = emitter_slide_scale(emitter);
         light.slide_width = (float)emitter->slide->width;

@@ -555,6 +555,7 @@ bool path_tracer_render(const struct path_tracer_desc *desc, struct image *image
     desc = &tracer.desc;
     tracer.primary =
         primary_rays_of(&tracer.rays, desc->camera, desc->geometry, desc->width, desc->height);
+    tracer.primary.sensors = desc->sensors;
     tracer.desc.width /= desc->every;
     tracer.desc.height /= desc->every;
     if (!check_memory(desc))

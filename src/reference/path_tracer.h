@@ -32,7 +32,10 @@ struct path_tracer_desc {
     const struct geometry *geometry;
     const struct camera *camera;
     struct emitters emitters; /* at least one light or the environment */
-    int width, height;        /* default 800 */
+    /* In place of the camera's pixels: a column of `height` sensors, white and no occluders; NULL:
+     * none. Width and `every` are then 1. */
+    const struct sensor *sensors;
+    int width, height; /* default 800 */
     /* Default 1. n: renders one pixel of each n x n (path_tracer_pixel), into a smaller picture. */
     int every;
     int bounces; /* 0: only direct light */

@@ -6,12 +6,37 @@
 
 struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct camera *camera,
                                     const struct geometry *geometry, int width, int height) {
-    return (struct primary_rays){rays, camera, width, height,
-                                 camera_range_of(camera, geometry, (float)width / (float)height)};
+    return (struct primary_rays){rays,
+                                 camera,
+                                 width,
+                                 height,
+                                 camera_range_of(camera, geometry, (float)width / (float)height),
+                                 NULL};
+}
+
+/* From a metre in front of a sensor. */
+static void sensor_ray(const struct sensor *sensor, vec3s *origin, vec3s *direction) {
+    vec3s normal = vector_of(sensor->normal);
+    *origin = glms_vec3_add(vector_of(sensor->position), normal);
+    *direction = glms_vec3_negate(normal);
+}
+
+static struct hit sensor_hit(const struct sensor *sensor) {
+    vec3s normal = vector_of(sensor->normal);
+    return (struct hit){.position = vector_of(sensor->position),
+                        .geometric_normal = normal,
+                        .normal = normal,
+                        .towards = normal,
+                        .brdf = brdf_lambertian(glms_vec3_one()),
+                        .share = glms_vec3_one()};
 }
 
 void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *origin,
                  vec3s *direction) {
+    if (primary->sensors) {
+        sensor_ray(&primary->sensors[(int)y], origin, direction);
+        return;
+    }
     float width = (float)primary->width, height = (float)primary->height;
     camera_ray(primary->camera, x / width, y / height, width / height, origin->raw, direction->raw);
 }
@@ -29,6 +54,10 @@ bool primary_hit(const struct primary_rays *primary, float x, float y, uint32_t 
                  struct hit *hit) {
     vec3s origin, direction;
     float ends[2];
+    if (primary->sensors) {
+        *hit = sensor_hit(&primary->sensors[(int)y]);
+        return true;
+    }
     primary_ray(primary, x, y, &origin, &direction);
     set_ends(primary, direction, ends);
     return ray_scene_camera_hit(primary->rays, origin, direction, ends, seed, hit);

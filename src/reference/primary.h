@@ -10,6 +10,7 @@ struct primary_rays {
     const struct camera *camera;
     int width, height; /* pixels */
     struct camera_range range;
+    const struct sensor *sensors; /* one for each row, in place of what the camera sees; or NULL */
 };
 
 struct primary_rays primary_rays_of(const struct ray_scene *rays, const struct camera *camera,

@@ -60,6 +60,7 @@ struct frame renderer_frame(struct renderer *renderer) {
         .view = &renderer->view_buffer,
         .camera = &renderer->camera_view,
         .camera_range = renderer->camera_range,
+        .sensor = renderer->desc.sensor,
         .lights = &renderer->sample_buffer,
         .direct = renderer->direct->light(renderer->direct_state),
         .medium = renderer->airlight.medium.id ? &renderer->airlight.medium : NULL,
@@ -219,7 +220,7 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     if (renderer->airlight.pass.in_scatter.id)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
                              renderer->airlight.maps.maps, &renderer->desc.emitters);
-    if (renderer->airlight.panes.program)
+    if (renderer->airlight.panes.program && renderer->desc.sensor == 0)
         render_panes(renderer, frame);
     render_light(renderer, frame, &renderer->gbuffer);
     IF_CAUSTICS(renderer_render_caustics(renderer, frame), (void)0);

@@ -39,6 +39,9 @@ struct renderer_desc {
      * lights. */
     struct emitters emitters;
     struct camera camera;
+    /* Distance at which the camera sees a white plane in place of all surfaces (inspect/meter.h),
+     * metres; 0: none. Needs picture.samples=1, and no caustics. */
+    float sensor;
     /* Reuses the lights' passes of the previous frame if only the camera moved. The picture is the
      * same. */
     bool keep_lights;

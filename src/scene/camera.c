@@ -66,6 +66,16 @@ float camera_axis_norm2(const float axis[3]) {
     return fabsf(norm2 - 1) < 1e-5F ? 1 : norm2;
 }
 
+void camera_face(struct camera *camera, const struct sensor *sensor, float distance, float half) {
+    bool upright = fabsf(sensor->normal[1]) < .9F;
+    vec3 eye, forward, up = {upright ? 0 : 1, upright ? 1 : 0, 0};
+    glm_vec3_copy((float *)sensor->position, eye);
+    glm_vec3_muladds((float *)sensor->normal, distance, eye);
+    glm_vec3_negate_to((float *)sensor->normal, forward);
+    *camera = (struct camera){.orthographic = true, .y_extent = half};
+    camera_look(camera, eye, forward, up);
+}
+
 /* The axes come as text of a few digits. */
 static bool are_orthogonal(const float a[3], const float b[3]) {
     const float most = 2e-3F;

@@ -21,6 +21,15 @@ struct camera {
     bool panorama;
 };
 
+/* A small plane that measures the light of its front. */
+struct sensor {
+    float position[3], normal[3]; /* metres; unit */
+};
+
+/* Places an orthographic camera `distance` metres in front of a sensor, whose picture is 2 `half`
+ * high. */
+void camera_face(struct camera *camera, const struct sensor *sensor, float distance, float half);
+
 /* Places the camera of the scene's n-th camera node, which must exist. time: seconds. */
 void camera_place(struct camera *camera, const struct scene *scene, int n, double time);
 

@@ -321,6 +321,12 @@ static bool add_emitter(struct picked *picked, const char *name, const struct em
     return true;
 }
 
+/* A profile is of directions alone. */
+static bool check_profile(const struct emitter *emitter) {
+    return !emitter->slide || !emitter->slide->is_profile || emitter_has_slide(emitter) ||
+           error_set("light: a light with a profile is a point without a size");
+}
+
 /* Picks the lights of one part of the text, with its changes. */
 static bool pick_emitters(struct picked *picked, const struct scene *scene, char *part) {
     int count = picked->scene_count;
@@ -335,8 +341,10 @@ static bool pick_emitters(struct picked *picked, const struct scene *scene, char
     bool ok = mark_emitters(scene, part, marked, count);
     for (int n = 0; ok && n <= count; n++) {
         picked->shines[n] |= marked[n];
-        if (n < count && marked[n])
+        if (n < count && marked[n]) {
             change_emitter(&picked->emitters.items[n], &changes, given);
+            ok = check_profile(&picked->emitters.items[n]);
+        }
     }
     free(marked);
     return ok;

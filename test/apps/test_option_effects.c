@@ -11,6 +11,7 @@
 
 #define SCENE "scenes/moving-spot.glb "
 #define SMALL SCENE "--size 8x8 --environment @/sky.exr -v "
+#define PROBED SCENE "--environment @/sky.exr -v --grid -.3,.5,.3,.6,0,0,0,0,-.6,2x1 "
 
 /* Command lines to which each option of their subcommand is added. */
 static const struct place {
@@ -25,6 +26,8 @@ static const struct place {
     {"export", SCENE "-o @/out/o --environment @/sky.exr --format mitsuba", false},
     {"info", SCENE, false},
     {"info", "", true},
+    {"probe", PROBED "--spp 4 -o @/out/o.csv", true},
+    {"probe", PROBED "--by frame -o @/out/o.csv", true},
     {"reference", SMALL "--spp 1 -o @/out/o.exr", true},
     {"reference", SMALL "--spp 1 --bounces 0 -o @/out/o.exr", true},
     {"reference", SMALL "--technique vpl-raytraced -o @/out/o.exr", true},
@@ -41,12 +44,12 @@ static const struct place {
 /* What is given for each option; for that of one subcommand alone where its name is in front. */
 /* clang-format off */
 static const char *const values[][2] = {
-    {"aov", "ao"}, {"reference:aov", "uv"}, {"cameras", "@/views.txt"}, {"ao", ".5"}, {"background", "none"}, {"bounces", "3"}, {"budget", "50ms"},
+    {"aov", "ao"}, {"reference:aov", "uv"}, {"cameras", "@/views.txt"}, {"ao", ".5"}, {"background", "none"}, {"bounces", "3"}, {"budget", "50ms"}, {"by", "frame"},
     {"camera", "'0 eye=0,1,3 forward=0,0,-1'"}, {"centers", ""}, {"clip", "none"},
     {"context", "osmesa"}, {"denoise", ""}, {"device", "0"},
     {"direct", "cssm"}, {"environment", "@/sky2.exr"}, {"environment-strength", "2"},
-    {"environment-turn", "90"}, {"first-pass", "3"}, {"format", "exr"}, {"export:format", "mitsuba"}, {"exposures", "-9,-8,2"},
-    {"fps", "7"}, {"frames", "2"}, {"gl", ""}, {"gl-debug", ""}, {"glsl", "glsl"}, {"help", ""},
+    {"environment-turn", "90"}, {"first-pass", "3"}, {"format", "exr"}, {"export:format", "mitsuba"}, {"efficacy", "179"}, {"exposures", "-9,-8,2"},
+    {"fps", "7"}, {"frames", "2"}, {"grid", "0,.5,0,1,0,0,0,0,-1,2x1"}, {"gl", ""}, {"gl-debug", ""}, {"glsl", "glsl"}, {"help", ""},
     {"help-all", ""}, {"json", ""}, {"layer", "direct"}, {"compare:layer", "Z"}, {"light", "sky"},
     {"light-paths", "1000"}, {"materials", "diffuse"}, {"max", "mae=0"}, {"max-error", "90%"},
     {"metric", "mae"}, {"noise", "50%"}, {"passes", "2"}, {"panorama", ""}, {"paths", "8"},
@@ -55,7 +58,7 @@ static const char *const values[][2] = {
     {"seen", ""}, {"set", "exposure=2"}, {"reference:set", "medium.scatter=.3"},
     {"size", "9x9"}, {"skip-existing", ""}, {"smooth", ""}, {"spp", "2"},
     {"stats", ""}, {"strict", ""}, {"technique", "unshadowed"}, {"reference:technique", "vpl-raytraced"},
-    {"threads", "1"}, {"time", "3"}, {"top", "7"}, {"verbose", ""},
+    {"threads", "1"}, {"time", "3"}, {"top", "7"}, {"unit", "W/m2"}, {"verbose", ""},
 };
 /* clang-format on */
 

@@ -68,7 +68,7 @@ static void note_scene(struct export_target *target, int format) {
         export_note(target, "the medium is left out");
     for (int i = 0; i < target->stage->emitters.count; i++) {
         const struct emitter *emitter = &target->stage->emitters.items[i];
-        if (format == FORMAT_PACK && emitter->slide && emitter->type == EMITTER_SPOT)
+        if (format == FORMAT_PACK && emitter_has_slide(emitter))
             export_note(target, "light %d: its slide is left out", emitter->number);
     }
     if (format == FORMAT_PACK && target->stage->scene.clip_count > 0)

@@ -22,7 +22,7 @@ void export_note_light(struct export_target *target, const struct emitter *emitt
         {export_is_shape(emitter), "its shape blocks light"},
         {emitter->type == EMITTER_SPOT,
          "another falloff at the edge of its cone, of the same flux"},
-        {emitter->type == EMITTER_SPOT && emitter->slide, "its slide is left out"},
+        {emitter_has_slide(emitter), "its slide is left out"},
     };
     for (size_t i = 0; i < sizeof notes / sizeof *notes; i++)
         if (notes[i].is_so && emitter->number >= 0)

@@ -7,6 +7,7 @@
 #include "passes/frame.h"
 #include "shared/bindings.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc) {
@@ -33,6 +34,18 @@ void geometry_pass_free(struct geometry_pass *pass) {
     programs_free(&pass->camera_program, &pass->light_program);
 }
 
+static void clear(const struct gbuffer *gbuffer, const float normal[4], const float albedo[4],
+                  float depth) {
+    static const float zero[4] = {0};
+    framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_NORMAL, normal);
+    framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, albedo);
+    if (gbuffer->emission.id)
+        framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_EMISSION, zero);
+    if (gbuffer->specular.id)
+        framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_SPECULAR, zero);
+    framebuffer_clear_depth(gbuffer->framebuffer, depth);
+}
+
 /* What is seen, and by which program, is in the state that comes in. */
 static void render(struct pass_state state, const struct frame *frame,
                    const struct gbuffer *gbuffer, struct draw_views views) {
@@ -45,14 +58,26 @@ static void render(struct pass_state state, const struct frame *frame,
     if (gbuffer->specular.id)
         pass_add_texture(&state, UNIT_LOBE_ALBEDOS, frame->scene->lobe_albedos.id);
     pass_set_state(&state);
-    framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_NORMAL, zero);
-    framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_ALBEDO, zero);
-    if (gbuffer->emission.id)
-        framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_EMISSION, zero);
-    if (gbuffer->specular.id)
-        framebuffer_clear_color(gbuffer->framebuffer, TARGET_GBUFFER_SPECULAR, zero);
-    framebuffer_clear_depth(gbuffer->framebuffer, 0);
+    clear(gbuffer, zero, zero, 0);
     scene_gpu_draw_shaded(frame->scene, &views);
+}
+
+/* As lib/octahedral.glsl. */
+static void octahedral_encode(const float n[3], float code[4]) {
+    float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]);
+    for (int c = 0; c < 2; c++) {
+        float folded = copysignf(1 - fabsf(n[1 - c]) / sum, n[c]);
+        code[c] = .5F + .5F * (n[2] >= 0 ? n[c] / sum : folded);
+    }
+}
+
+/* Across the view of an orthographic camera, facing it. */
+static void show_sensor(const struct frame *frame, const struct gbuffer *gbuffer) {
+    static const float white[4] = {1, 1, 1, 1};
+    const float *forward = frame->camera->forward;
+    float code[4] = {0};
+    octahedral_encode((const float[3]){-forward[0], -forward[1], -forward[2]}, code);
+    clear(gbuffer, code, white, 1 - frame->sensor / frame->camera->far);
 }
 
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
@@ -61,7 +86,10 @@ void geometry_pass_render_camera(const struct geometry_pass *pass, const struct 
         .name = "gbuffer", .program = pass->camera_program, .blocks = {{BLOCK_VIEW, frame->view}}};
     frame_cut_by_range(frame, &state);
     timer_begin(frame->timers, "gbuffer");
-    render(state, frame, gbuffer, frame_camera_views(frame, 1, 0));
+    if (frame->sensor > 0)
+        show_sensor(frame, gbuffer);
+    else
+        render(state, frame, gbuffer, frame_camera_views(frame, 1, 0));
     timer_end(frame->timers);
 }
 

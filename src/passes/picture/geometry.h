@@ -24,7 +24,7 @@ struct geometry_desc {
 bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc);
 void geometry_pass_free(struct geometry_pass *pass);
 
-/* Clears and fills the camera's G-buffer. Timer "gbuffer". */
+/* Clears and fills the camera's G-buffer; with a sensor by its plane alone. Timer "gbuffer". */
 void geometry_pass_render_camera(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer *gbuffer);
 

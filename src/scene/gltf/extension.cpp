@@ -13,6 +13,7 @@ const struct Known {
     const char *name, *lack;
 } known[] = {
     {"EXT_lights_area", nullptr},
+    {"EXT_lights_ies", nullptr},
     {"EXT_mesh_gpu_instancing", nullptr},
     {"EXT_meshopt_compression", nullptr},
     {"EXT_texture_avif", nullptr},

@@ -181,12 +181,13 @@ bool load_lights(Loader &loader) {
     size_t nodes = loader.model.nodes.size(); /* may each have their own: load_node_extras */
     scene->lights = allocate<struct scene_light>(from.size() + areas + nodes);
     scene->light_count = int(from.size() + areas);
-    scene->slides = allocate<struct slide>(from.size() + nodes);
-    if (!load_scale(loader))
+    scene->slides = allocate<struct slide>(from.size() + nodes + count_profiles(loader.model));
+    if (!load_scale(loader) || !load_profiles(loader))
         return false;
     for (size_t i = 0; i < from.size(); i++)
         if (!load_light(from[i], scene->lights[i]) ||
-            !load_slide(loader, from[i].extras, scene->lights[i]))
+            !load_slide(loader, from[i].extras, scene->lights[i]) ||
+            !load_profile(loader, from[i].extras, scene->lights[i]))
             return error_prefix("%s", label("light", i, from[i].name).c_str());
     for (size_t i = 0; i < areas; i++) {
         struct scene_light &to = scene->lights[from.size() + i];
@@ -204,7 +205,8 @@ void load_node_extras(Loader &loader, int index, int parent, struct node &node) 
         return;
     struct scene_light light = scene->lights[node.light];
     bool good = light.size[0] > 0 || load_size(extras, light);
-    good = good && (light.slide || load_slide(loader, extras, light));
+    good = good && (light.slide ||
+                    (load_slide(loader, extras, light) && load_profile(loader, extras, light)));
     if (!good) {
         log_note("%s: %s: %s: its lamp is without it", scene->path,
                  label("node", size_t(index), loader.model.nodes[size_t(index)].name).c_str(),

@@ -52,6 +52,12 @@ struct TextureKey {
 /* Over all texels: linear RGBA of a picture of colours. */
 using TextureMean = std::array<double, 4>;
 
+/* A light profile of EXT_lights_ies: its slide, as in struct scene_light, and mean intensity. */
+struct Profile {
+    int slide;
+    float mean;
+};
+
 /* The bytes of a file for as long as they are in scope. */
 struct OwnedBytes : file_bytes {
     OwnedBytes() : file_bytes{nullptr, 0} {
@@ -98,6 +104,7 @@ struct Loader {
     std::set<std::string> files; /* that it names, by their paths without links */
     std::vector<Mended> mended;
     std::vector<std::vector<UvSource>> mappings; /* of each material */
+    std::vector<Profile> profiles;               /* of EXT_lights_ies */
     std::map<int, TextureMean> texture_means;    /* of each image that was asked for */
     std::set<int> replaced_images;               /* whose picture is missing or broken */
     std::vector<TextureKey> texture_keys;        /* one per texture of the scene */
@@ -173,6 +180,15 @@ bool load_image(Loader &loader, int image, struct bitmap &bitmap);
 
 /* slide.cpp: the picture that a light's extras name; room for one is there. */
 bool load_slide(Loader &loader, const tinygltf::Value &extras, struct scene_light &light);
+
+/* profile.cpp: the profiles of EXT_lights_ies, room for whose slides is there; and that which a
+ * light's extras name. */
+size_t count_profiles(const Model &model);
+bool load_profiles(Loader &loader);
+bool load_profile(Loader &loader, const tinygltf::Value &extras, struct scene_light &light);
+
+/* A light of the scene, with a profile, for the node; -1: it has none. */
+int add_profile_light(Loader &loader, const tinygltf::Node &node);
 
 /* pointer.cpp: the JSON pointer of what the channel moves; "" = nothing. */
 std::string pointer_of(const tinygltf::AnimationChannel &from);

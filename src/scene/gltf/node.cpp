@@ -128,20 +128,22 @@ std::set<int> nodes_that_clips_show(const Model &model) {
     return nodes;
 }
 
-/* Of a node with one of each kind, which shine alike, the area light. */
-void load_node_light(const Model &model, const tinygltf::Node &from, struct node &to) {
+/* Of a node with one of each kind, which shine alike, the profile, or else the area light. */
+void load_node_light(Loader &loader, const tinygltf::Node &from, struct node &to) {
     int area = node_light(from, "EXT_lights_area");
-    to.light =
-        area >= 0 ? int(model.lights.size()) + area : node_light(from, "KHR_lights_punctual");
+    to.light = add_profile_light(loader, from);
+    if (to.light < 0)
+        to.light = area >= 0 ? int(loader.model.lights.size()) + area
+                             : node_light(from, "KHR_lights_punctual");
 }
 
-bool load_node(const Model &model, const tinygltf::Node &from, struct node &to) {
+bool load_node(Loader &loader, const tinygltf::Node &from, struct node &to) {
     copy_name(to.name, from.name);
     to.mesh = from.mesh;
     to.camera = from.camera;
     to.light = -1;
     if (!to.hidden)
-        load_node_light(model, from, to);
+        load_node_light(loader, from, to);
     to.skin = from.skin;
     to.metaballs = -1;
     return load_transform(from, to);
@@ -222,7 +224,7 @@ bool load_nodes(Loader &loader) {
         node.dark = is_off && shown.count(i);
         node.hidden =
             (is_off && !node.dark) || (node.parent >= 0 && scene->nodes[node.parent].hidden);
-        if (!load_node(model, model.nodes[i], node) ||
+        if (!load_node(loader, model.nodes[i], node) ||
             !load_node_weights(loader, model.nodes[i], size_t(i), node) ||
             !load_metaballs(model.nodes[i], *scene, node))
             return error_prefix("%s", label("node", i, model.nodes[i].name).c_str());

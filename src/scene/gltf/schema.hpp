@@ -306,8 +306,17 @@ const char *const lights = "/extensions/KHR_lights_punctual/lights";
 
 const char *const area_lights = "/extensions/EXT_lights_area/lights";
 
+const char *const profiles = "/extensions/EXT_lights_ies/lights";
+
 const Field node_light[] = {{"light", Required, Kind::Index, lights}, end};
 const Field node_area_light[] = {{"light", Required, Kind::Index, area_lights}, end};
+
+const Field node_profile[] = {
+    {"light", Required, Kind::Index, profiles},
+    {"multiplier", Optional, Kind::Positive},
+    {"color", Optional, Kind::Shares, nullptr, nullptr, 3},
+    end,
+};
 
 const Field visibility[] = {{"visible", Optional, Kind::Flag}, end};
 
@@ -316,6 +325,7 @@ const Field instancing[] = {{"attributes", Required, Kind::IndexMap, "/accessors
 const Field node_extensions[] = {
     {"KHR_lights_punctual", Optional, Kind::Object, nullptr, node_light},
     {"EXT_lights_area", Optional, Kind::Object, nullptr, node_area_light},
+    {"EXT_lights_ies", Optional, Kind::Object, nullptr, node_profile},
     {"EXT_mesh_gpu_instancing", Optional, Kind::Object, nullptr, instancing},
     {"KHR_node_visibility", Optional, Kind::Object, nullptr, visibility},
     end,
@@ -385,6 +395,16 @@ const Field area_light[] = {
 
 const Field area[] = {{"lights", Required, Kind::Objects, "area light", area_light}, end};
 
+const Field profile[] = {
+    {"uri", Optional, Kind::Text},
+    {"bufferView", Optional, Kind::Index, "/bufferViews"},
+    {"mimeType", Optional, Kind::Text},
+    {"name", Optional, Kind::Text},
+    end,
+};
+
+const Field file_profiles[] = {{"lights", Required, Kind::Objects, "light profile", profile}, end};
+
 const Field variant[] = {{"name", Required, Kind::Text}, end};
 
 const Field file_variants[] = {{"variants", Required, Kind::Objects, "variant", variant}, end};
@@ -393,6 +413,7 @@ const Field file_extensions[] = {
     {"KHR_materials_variants", Optional, Kind::Object, nullptr, file_variants},
     {"KHR_lights_punctual", Optional, Kind::Object, nullptr, punctual},
     {"EXT_lights_area", Optional, Kind::Object, nullptr, area},
+    {"EXT_lights_ies", Optional, Kind::Object, nullptr, file_profiles},
     end,
 };
 

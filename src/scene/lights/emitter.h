@@ -27,7 +27,7 @@ struct emitter {
     float range; /* greatest distance of its light, metres (KHR_lights_punctual); 0: infinite */
     int lamp, stands_in;       /* as in struct scene_light */
     int moved;                 /* 1: by hand in the viewer, so that clips leave it; else 0 */
-    const struct slide *slide; /* slide of a spot, owned by the scene; NULL: none */
+    const struct slide *slide; /* owned by the scene; NULL: none */
 };
 
 enum emitter_shape {

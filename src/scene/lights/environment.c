@@ -4,6 +4,7 @@
 #include "base/file/piped_file.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "scene/lights/cie_sky.h"
 #include "scene/read_rules.h"
 
 #include <cglm/cglm.h>
@@ -211,7 +212,7 @@ static bool take_texels(struct environment *environment, const struct image *ima
     return tell_odd(&odd, path);
 }
 
-bool environment_load(struct environment *environment, const char *path) {
+static bool load_file(struct environment *environment, const char *path) {
     struct image image;
     int channels[3];
     *environment = (struct environment){.strength = 1};
@@ -220,11 +221,16 @@ bool environment_load(struct environment *environment, const char *path) {
     bool ok = (image.cube ? load_cube : take_texels)(environment, &image, channels, path) ||
               error_prefix("%s", path);
     image_free(&image);
-    if (ok)
-        environment->path = mem_strdup(path);
-    else
-        free(environment->texels);
     return ok;
+}
+
+bool environment_load(struct environment *environment, const char *path) {
+    if ((cie_sky_is(path) ? cie_sky_make : load_file)(environment, path)) {
+        environment->path = mem_strdup(path);
+        return true;
+    }
+    free(environment->texels);
+    return false;
 }
 
 void environment_free(struct environment *environment) {

@@ -18,10 +18,10 @@ struct environment {
     float strength; /* factor */
 };
 
-/* Loads a file, with turn 0 and strength 1. Negative numbers and NaN become 0, infinite ones
- * 65504; a note counts their texels. Error: names the file and the reason. It is unreadable, not
- * linear, or neither twice as wide as high nor an EXR cube map. With --strict replaced numbers are
- * errors. */
+/* Loads a file, or makes a sky of a text (scene/lights/cie_sky.h), with turn 0 and strength 1.
+ * Negative numbers and NaN become 0, infinite ones 65504; a note counts their texels. Error: names
+ * the file and the reason. It is unreadable, not linear, or neither twice as wide as high nor an
+ * EXR cube map. With --strict replaced numbers are errors. */
 bool environment_load(struct environment *environment, const char *path);
 
 /* Accepts NULL. */

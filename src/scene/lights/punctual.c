@@ -14,7 +14,7 @@ bool punctual_follow(struct scene *scene, float scale) {
         if (light->type == EMITTER_AREA) /* EXT_lights_area's, or of a surface */
             continue;
         any = true;
-        light->scale = all;
+        light->scale *= all;
         for (int c = 0; c < 3; c++)
             light->intensity[c] = fminf(light->intensity[c] * all, SCENE_LIGHT_MOST);
     }
