@@ -14,10 +14,10 @@
  * more than this part of all flux. Triangles take the place of stand-ins. */
 enum { MAPPED_LIGHTS_MAX = 16 };
 
-/* Sampled lights light no medium and no glass, and need rays. */
+/* Sampled lights light no medium and no glass, need rays, and have a direct method of their own. */
 static bool may_sample(const struct renderer_desc *desc) {
     struct medium medium = renderer_medium(desc);
-    return desc->technique->samples_lights && !medium_exists(&medium) &&
+    return desc->technique->samples_lights && desc->direct == direct_for(&desc->emitters) && !medium_exists(&medium) &&
            !renderer_has_caustics(desc) && many_lights_may_trace(desc->scene, desc->geometry);
 }
 

@@ -128,7 +128,7 @@ static void blur_specular(struct many_lights *lights, const struct step_inputs *
 #define MADE(program) offsetof(struct many_lights, program)
 
 static const char far_light[] =
-    "lights.importance, and an environment, wide lamps or lamps next door";
+    "lights.importance, and an environment, wide lamps, lamps next door or many lights";
 
 const struct step many_lights_steps[] = {
     {STEP_LIGHTS, "rsm", NULL, 0, draw_rsm},

@@ -40,8 +40,8 @@ static const struct option lights_table[] = {
     {"importance", 0, OPTION_CHOICE, ROW(lights, importance), IMPORTANCE_AUTO,
      .label = "VPL placement", .choices = importance_names,
      .help = "places VPLs, and with lights.bounces>1 VALs, where their light reaches the picture;\n"
-             "auto: VPLs of environments, wide lamps and lamps next door, which\n"
-             "are then made for each view; on: those of all lights",
+             "auto: VPLs of environments, wide lamps, lamps next door and many lights,\n"
+             "which are then made for each view; on: those of all lights",
      .needs = VIRTUAL_LIGHTS},
     {NULL},
 };

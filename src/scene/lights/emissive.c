@@ -295,7 +295,7 @@ static void add_rest(struct findings *findings, int lamp) {
     }
     if (rest > 0) {
         log_note("%s: of %d emissive surfaces the %d least powerful share %d lights, which stay "
-                 "where they are",
+                 "where they are, in frames that do not sample lights",
                  findings->scene->path, findings->count, rest, STAND_INS_OF_REST);
         add_stand_ins(findings, &triangles, -1, "other lamps", lamp, STAND_INS_OF_REST);
     }
