@@ -17,12 +17,15 @@ enum { MAPPED_LIGHTS_MAX = 16 };
 /* Sampled lights light no medium and no glass, need rays, and have a direct method of their own. */
 static bool may_sample(const struct renderer_desc *desc) {
     struct medium medium = renderer_medium(desc);
-    return desc->technique->samples_lights && desc->direct == direct_for(&desc->emitters) && !medium_exists(&medium) &&
-           !renderer_has_caustics(desc) && many_lights_may_trace(desc->scene, desc->geometry);
+    return desc->technique->samples_lights && desc->direct == direct_for(&desc->emitters) &&
+           !medium_exists(&medium) && !renderer_has_caustics(desc) &&
+           many_lights_may_trace(desc->scene, desc->geometry);
 }
 
 struct emitters renderer_divide_lights(const struct renderer_desc *desc) {
     struct emitters all = emitters_copy(&desc->emitters);
+    all.count += all.sampled;
+    all.sampled = 0;
     if (all.count <= MAPPED_LIGHTS_MAX || !may_sample(desc))
         return all;
     struct emitter *sampled = mem_alloc((size_t)all.count, sizeof *sampled);
@@ -73,6 +76,22 @@ enum { LIGHT_SAMPLES = 4 };
 /* A wider light has several light samples; over the scene's radius, of a sun in radians. */
 static const float wide_light = .3F;
 
+bool renderer_init_sampled(struct renderer *renderer, const struct renderer_desc *desc) {
+    struct sampled_lights sampled;
+    bool ok = sampled_lights_init(&sampled, &desc->emitters, desc->scene, desc->geometry);
+    if (ok)
+        renderer->sampled = sampled;
+    return ok;
+}
+
+/* Dark lights change nothing. */
+static bool sampled_shine(const struct emitters *emitters) {
+    bool shine = false;
+    for (int i = 0; i < emitters->sampled; i++)
+        shine |= emitter_flux(&emitters->items[emitters->count + i], 1) > 0;
+    return shine;
+}
+
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc) {
     struct light_samples samples;
@@ -83,7 +102,7 @@ bool renderer_plan_lights(struct light_plan *plan, const struct renderer *render
                          desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
     plan_sky(plan, renderer, desc);
     plan->light_samples = (struct light_samples_desc){
-        LIGHT_SAMPLES, wide_light, desc->geometry->radius, desc->emitters.sampled > 0, 0};
+        LIGHT_SAMPLES, wide_light, desc->geometry->radius, sampled_shine(&desc->emitters), 0};
     light_samples_place(&samples, &desc->emitters,
                         &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
                         &plan->light_samples, 0);
@@ -93,12 +112,25 @@ bool renderer_plan_lights(struct light_plan *plan, const struct renderer *render
     return true;
 }
 
-void renderer_keep_lights(struct renderer *renderer, struct emitters *old, struct emitters *fresh,
-                          struct sampled_lights *sampled, bool changed) {
-    struct sampled_lights before = renderer->sampled;
-    if (sampled && changed)
-        renderer->sampled = *sampled;
-    if (sampled)
-        sampled_lights_free(changed ? &before : sampled);
-    emitters_free(changed ? old : fresh);
+bool renderer_begin_lights(struct light_change *change, struct renderer *renderer,
+                           struct renderer_desc *desc) {
+    *change = (struct light_change){.old = renderer->desc.emitters, .sampled = renderer->sampled};
+    desc->emitters = renderer_divide_lights(desc);
+    change->same = emitters_same(&desc->emitters, &change->old);
+    if (change->same || !renderer_init_sampled(renderer, desc)) {
+        emitters_free(&desc->emitters);
+        desc->emitters = change->old;
+        return change->same;
+    }
+    change->fresh = desc->emitters;
+    return true;
+}
+
+void renderer_end_lights(struct light_change *change, struct renderer *renderer, bool changed) {
+    if (change->same)
+        return;
+    sampled_lights_free(changed ? &change->sampled : &renderer->sampled);
+    if (!changed)
+        renderer->sampled = change->sampled;
+    emitters_free(changed ? &change->old : &change->fresh);
 }

@@ -8,10 +8,24 @@
  * visibility, few lights have maps, and all others are sampled (passes/sampled_lights.h). */
 struct emitters renderer_divide_lights(const struct renderer_desc *desc);
 
-/* Keeps the new lights if the renderer `changed`, else the old ones, and frees the others. sampled:
- * new sampled lights; NULL: as before. */
-void renderer_keep_lights(struct renderer *renderer, struct emitters *old, struct emitters *fresh,
-                          struct sampled_lights *sampled, bool changed);
+/* Uploads the sampled lights of `desc`. Error: out of GPU memory; renderer->sampled is unchanged.
+ */
+bool renderer_init_sampled(struct renderer *renderer, const struct renderer_desc *desc);
+
+/* Lights of a renderer while it follows a change. */
+struct light_change {
+    bool same;
+    struct emitters old, fresh;
+    struct sampled_lights sampled; /* old */
+};
+
+/* Divides the lights of `desc` and uploads sampled lights, unless all are the renderer's: then
+ * `desc` has these. Error: that of renderer_init_sampled. */
+bool renderer_begin_lights(struct light_change *change, struct renderer *renderer,
+                           struct renderer_desc *desc);
+
+/* Frees the old lights if the renderer `changed`, else the new ones. */
+void renderer_end_lights(struct light_change *change, struct renderer *renderer, bool changed);
 
 /* Fills `plan` for `desc`, whose lights are divided. It reuses the renderer's fit where nothing
  * changed. Error: too many lights. */

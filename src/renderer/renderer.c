@@ -276,10 +276,6 @@ static void set_defaults(struct renderer_desc *desc) {
         renderer_settings_init(&desc->settings);
 }
 
-static bool init_sampled(struct sampled_lights *sampled, const struct renderer_desc *desc) {
-    return sampled_lights_init(sampled, &desc->emitters, desc->scene, desc->geometry);
-}
-
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
     *renderer = (struct renderer){.desc = *desc,
                                   .light_search = light_search_create(),
@@ -293,7 +289,7 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, renderer_geometry(renderer)) &&
         (!desc->scene->environment || sky_pieces_init(&renderer->sky_pieces)) &&
-        init_sampled(&renderer->sampled, &renderer->desc) && init_parts(renderer, PART_ALL) &&
+        renderer_init_sampled(renderer, &renderer->desc) && init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
         buffer_init(&renderer->sample_buffer, "samples", sizeof *renderer->sample_block, NULL)) {
@@ -466,29 +462,27 @@ static bool start_anew(struct renderer *renderer, const struct renderer_desc *wa
 
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *wanted) {
     struct renderer_desc desc = *wanted;
-    struct emitters old = renderer->desc.emitters;
+    struct light_change lights;
     struct light_plan plan;
     set_defaults(&desc);
     /* Glass becomes an occluder or a pane, so the geometry changes. */
     if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc))
         return start_anew(renderer, wanted);
-    desc.emitters = renderer_divide_lights(&desc);
-    bool same_lights = emitters_same(&desc.emitters, &old);
-    struct sampled_lights sampled = renderer->sampled;
-    if (!renderer_plan_lights(&plan, renderer, &desc) ||
-        (!same_lights && !init_sampled(&sampled, &desc))) {
-        emitters_free(&desc.emitters);
+    if (!renderer_begin_lights(&lights, renderer, &desc))
+        return false;
+    if (!renderer_plan_lights(&plan, renderer, &desc)) {
+        renderer_end_lights(&lights, renderer, false);
         return false;
     }
     bool same_samples = sky_groups_same(&plan.sky_samples, &renderer->plan.sky_samples);
     unsigned parts = parts_between(renderer, &desc, &plan);
     bool same_medium = settings_same(&desc.settings, &renderer->desc.settings, &medium_part);
-    bool same_picture = parts == 0 && same_lights && same_samples && same_medium &&
+    bool same_picture = parts == 0 && lights.same && same_samples && same_medium &&
                         cameras_same(&desc.camera, &renderer->desc.camera);
     bool ok = change(renderer, &desc, &plan, parts);
-    renderer_keep_lights(renderer, &old, &desc.emitters, same_lights ? NULL : &sampled, ok);
+    renderer_end_lights(&lights, renderer, ok);
     renderer->lights_drawn &=
-        (same_lights && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
+        (lights.same && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
     if (ok && !same_picture)
         renderer->refining.count = 0;
     return ok;

@@ -31,7 +31,7 @@ static void start_corner(struct world *world, bool metal) {
 static struct path_tracer_desc describe_lights(struct world *world, struct emitter *lights,
                                                int count) {
     struct path_tracer_desc desc = describe(world, 8, is_long_run() ? 2048 : 64);
-    desc.emitters = (struct emitters){lights, count, NULL};
+    desc.emitters = (struct emitters){.items = lights, .count = count};
     desc.bounces = 1;
     desc.seen = true;
     return desc;

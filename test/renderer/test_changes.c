@@ -204,7 +204,7 @@ static void test_failures(void **state) {
 
     /* Lights too many for the technique that comes with them. */
     desc = renderer.desc;
-    desc.technique = technique_baseline;
+    desc.technique = technique_find("imperfect-volume");
     desc.emitters =
         (struct emitters){.items = mem_alloc(65, sizeof *desc.emitters.items), .count = 65};
     for (int i = 0; i < 65; i++) {

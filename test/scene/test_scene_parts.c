@@ -122,7 +122,8 @@ static void test_layouts(void **state) {
     (void)state;
     enum { MANY = 200 };
     static struct emitter lights[MANY];
-    struct emitters one = {lights, 1, NULL}, two = {lights, 2, NULL}, all = {lights, MANY, NULL};
+    struct emitters one = {.items = lights, .count = 1}, two = {.items = lights, .count = 2},
+                    all = {.items = lights, .count = MANY};
     struct light_layout a, b;
     for (int i = 0; i < MANY; i++)
         lights[i] = emitter_new(EMITTER_POINT);

@@ -52,7 +52,7 @@ static void test_ball(void **state) {
     add_white_sky(&stage);
     look(&stage, at(0, 0, 0), at(0, -1, 0), at(0, 0, 1), 2);
     struct renderer_desc desc = desc_of(&stage, "implicit-visibility", direct_settings, SIZE, SIZE);
-    desc.emitters = (struct emitters){NULL, 0, stage.scene.environment};
+    desc.emitters = (struct emitters){.sky = stage.scene.environment};
     struct image layers = render_layers(&desc);
     int channel = image_find_channel(&layers, "direct.specular.R");
     for (int y = 0; y < SIZE; y++)

@@ -501,7 +501,7 @@ static void test_sun(void **state) {
     emitter_aim(&sun, (const float[]){-.5F, -1, 0});
     for (int i = 0; i < 2; i++) {
         struct renderer_desc desc = desc_of(&stage, "implicit-visibility", settings[i], 32, 32);
-        desc.emitters = (struct emitters){&sun, 1, NULL};
+        desc.emitters = (struct emitters){.items = &sun, .count = 1};
         layers[i] = render_layers(&desc);
     }
     printf("  sun alone, sky=bins beside sky=rays: relative RMSE %g\n",
@@ -519,7 +519,7 @@ static void test_turned_sky(void **state) {
     open_corner(&stage);
     struct renderer_desc desc =
         desc_of(&stage, "implicit-visibility", "elements=500 radiosity.sky=bins", 32, 32);
-    desc.emitters = (struct emitters){NULL, 0, stage.scene.environment};
+    desc.emitters = (struct emitters){.sky = stage.scene.environment};
     struct image before = follow_layers(&renderer, &desc);
     stage.scene.environment->turn = 90;
     renderer_relight(&renderer);
