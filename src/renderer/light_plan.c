@@ -84,6 +84,20 @@ bool renderer_init_sampled(struct renderer *renderer, const struct renderer_desc
     return ok;
 }
 
+bool renderer_move_sampled(struct renderer *renderer) {
+    const struct emitters *emitters = &renderer->desc.emitters;
+    struct sampled_lights before = renderer->sampled;
+    bool has_triangles = false;
+    for (int i = 0; i < emitters->sampled; i++)
+        has_triangles |= emitters->items[emitters->count + i].stands_in;
+    if (!has_triangles)
+        return true;
+    bool ok = renderer_init_sampled(renderer, &renderer->desc);
+    if (ok)
+        sampled_lights_free(&before);
+    return ok;
+}
+
 /* Dark lights change nothing. */
 static bool sampled_shine(const struct emitters *emitters) {
     bool shine = false;

@@ -12,6 +12,10 @@ struct emitters renderer_divide_lights(const struct renderer_desc *desc);
  */
 bool renderer_init_sampled(struct renderer *renderer, const struct renderer_desc *desc);
 
+/* Moves emissive triangles among the sampled lights with the geometry. Error: that of
+ * renderer_init_sampled. */
+bool renderer_move_sampled(struct renderer *renderer);
+
 /* Lights of a renderer while it follows a change. */
 struct light_change {
     bool same;

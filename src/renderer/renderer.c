@@ -507,6 +507,8 @@ bool renderer_update(struct renderer *renderer) {
     renderer->lights_drawn &= !posed;
     if (posed)
         renderer->refining.count = 0;
+    if (posed && !renderer_move_sampled(renderer))
+        return false;
     renderer_write_views(renderer);
     return scene_gpu_update(&renderer->scene, renderer_geometry(renderer)) &&
            caster_pool_update(renderer->casters) && update_techniques(renderer);

@@ -38,8 +38,8 @@ vec3 near_light(surface end, float away, uvec3 seed) {
     int i = end.present ? light_tree_sample(end.position, end.normal, numbers.x, probability) : -1;
     if (i < 0)
         return vec3(0.0);
-    float area = sampled_vpl_area(light_at(params.many), share.measure, end.position, end.normal, seed.x);
     light l = sampled_light_piece(i, random_of(seed.yzx));
+    float area = sampled_vpl_area(light_at(params.many), l, share.measure, end.position, end.normal, seed.x);
     vec3 direction = normalize(end.position - l.position);
     float near = near_share_of(i, l, end, away, area);
     float weight = near * max(-dot(end.normal, direction), 0.0) / probability;

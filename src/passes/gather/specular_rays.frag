@@ -43,7 +43,8 @@ float share_of_rays(specular_surface seen, surface s, surface end, vec3 directio
     float area = chosen.distance2 / max(chosen.cosine, VPL_COSINE_MIN) * shares.measure;
 #ifdef HAS_SAMPLED
     if (chosen.sampled >= 0)
-        area = sampled_vpl_area(l, shares.measure, end.position, end.normal, floatBitsToUint(chosen.cosine));
+        area = sampled_vpl_area(l, sampled_light_middle(chosen.sampled), shares.measure, end.position, end.normal,
+                                floatBitsToUint(chosen.cosine));
     else
 #endif
         area = vpl_area_at(area, chosen.index, l, end.position);

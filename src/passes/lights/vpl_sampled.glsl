@@ -10,25 +10,32 @@
 
 const int AREA_SAMPLES = 2;
 
-// Irradiance of all sampled lights at a point that nothing hides, over their flux, 1/m2.
-float irradiance_over_flux(vec3 position, vec3 normal, uint number) {
+// Irradiance by one light at a point that nothing hides, W/m2.
+float unhidden_irradiance(light l, vec3 position, vec3 normal) {
+    vec3 direction;
+    float distance2;
+    float power = dot(light_towards(l, position, direction, distance2), vec3(1.0 / 3.0));
+    return power * max(-dot(normal, direction), VPL_COSINE_MIN) / distance2;
+}
+
+// The same by all sampled lights, estimated.
+float all_unhidden_irradiance(vec3 position, vec3 normal, uint number) {
     float sum = 0.0, probability;
     for (int k = 0; k < AREA_SAMPLES; k++) {
         float shift = lattice_number(number * LATTICE_GOLDEN);
         float number = (float(k) + shift) / float(AREA_SAMPLES);
         int i = light_tree_sample(position, normal, number, probability);
         light l = sampled_light_piece(max(i, 0), vec2(0.5));
-        vec3 direction;
-        float distance2;
-        float power = dot(light_towards(l, position, direction, distance2), vec3(1.0 / 3.0));
-        sum += i >= 0 ? power * max(-dot(normal, direction), VPL_COSINE_MIN) / (distance2 * probability) : 0.0;
+        sum += i >= 0 ? unhidden_irradiance(l, position, normal) / probability : 0.0;
     }
     return sum / float(AREA_SAMPLES);
 }
 
-// The area that a VPL there stands for, by flux alone.
-float sampled_vpl_area(light many, float measure, vec3 position, vec3 normal, uint number) {
-    return measure * many.extent / max(irradiance_over_flux(position, normal, number), 1e-30);
+// The area that a VPL of light `l` stands for there, by flux alone. A light that is near is not missed by chance: few VPLs
+// would stand for much light.
+float sampled_vpl_area(light many, light l, float measure, vec3 position, vec3 normal, uint number) {
+    float irradiance = all_unhidden_irradiance(position, normal, number);
+    return measure * many.extent / max(max(irradiance, unhidden_irradiance(l, position, normal)), 1e-30);
 }
 
 // Where a place that a light shines to lies in the domain of all.
@@ -53,6 +60,6 @@ vpl vpl_by_sampled_light(light many, int number, float measure, vec2 place) {
         return vpl_even(from, -direction, 0.0, vec3(0.0), 0.0);
     float distance2 = hit.distance * hit.distance;
     vec3 power = light_intensity(l, direction) * light_in_range(l, distance2) * arrives;
-    float area = sampled_vpl_area(many, measure, s.position, s.normal, uint(number));
+    float area = sampled_vpl_area(many, l, measure, s.position, s.normal, uint(number));
     return vpl_even(s.position, s.normal, area, albedo * power * (domain * measure / sampled_light_flux(i)), 0.0);
 }
