@@ -60,7 +60,7 @@ vec3 slide_texel(light l, vec2 place) {
 // In texels: a turn about the axis, and half a turn away from it.
 vec2 profile_place(light l, vec3 direction, float ahead) {
     vec2 aside = vec2(dot(direction, l.right), dot(direction, l.up));
-    float turn = fract(atan(aside.y, aside.x) / 6.2831853), away = atan(length(aside), ahead) / 3.1415927;
+    float turn = aside == vec2(0.0) ? 0.0 : fract(atan(aside.y, aside.x) / 6.2831853), away = atan(length(aside), ahead) / 3.1415927;
     return vec2(turn, away) * (vec2(l.slide_width, l.slide_height) - 1.0);
 }
 

@@ -4,3 +4,10 @@ vec3 perpendicular(vec3 n) {
     float a = -1.0 / (s + n.z);
     return vec3(1.0 + s * n.x * n.x * a, s * n.x * n.y * a, -s * n.x);
 }
+
+// A unit direction around a unit axis, by its cosine.
+vec3 cosine_direction(vec3 axis, vec2 number) {
+    float turn = 6.28318530718 * number.y, radius = sqrt(number.x);
+    vec3 right = perpendicular(axis);
+    return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
+}

@@ -18,9 +18,7 @@
 #define LIGHT_TYPE_POINT 1
 #define LIGHT_TYPE_DIRECTIONAL 2
 #define LIGHT_TYPE_AREA 3
-#define LIGHT_TYPE_MANY                                                                            \
-    4 /* all sampled lights (passes/sampled_lights.h); no intensity, no views                      \
-       */
+#define LIGHT_TYPE_MANY 4 /* all sampled lights, without views */
 
 #define LIGHT_SHAPE_POINT 0
 #define LIGHT_SHAPE_RECTANGLE 1
@@ -48,8 +46,7 @@ struct light {
     int view_count;
     int shape;           /* LIGHT_SHAPE_... */
     float width, height; /* as in struct emitter */
-    float
-        extent; /* area of the shape, m2; of a cap solid angle, sr; of many lights their flux, W */
+    float extent;   /* area of the shape, m2; of a cap solid angle, sr; of many lights flux, W */
     int first_map;  /* of its own maps: one, or six of a point light (visibility/light_map.glsl) */
     float map_unit; /* distance of depth 1 in them, metres */
     float range_inverse2;            /* 1/m2; 0: unbounded */

@@ -434,6 +434,8 @@ static bool check_choice(const struct render_values *values) {
     bool named = values->quality != QUALITY_NORMAL, by_error = values->max_error > 0;
     if (named && by_error)
         return error_set("--quality and --max-error exclude each other");
+    if (by_error && values->cameras)
+        return error_set("--max-error excludes --cameras: views may err by more than the first");
     if (values->budget > 0 && (named || by_error || has_mean(values)))
         return error_set("--budget excludes --quality, --max-error and --passes");
     const struct text_list *texts = &values->technique.settings;

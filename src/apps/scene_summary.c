@@ -216,8 +216,7 @@ static void print_camera(struct json *json, const struct scene *scene, int n) {
         fact_number(json, "far", " to %.4g m", (double)camera.far);
 }
 
-/* As text the first hundred: each is looked for among all nodes. */
-/* Rows of a list. */
+/* Rows of a list: as text the first hundred. */
 static int rows_of(const struct json *json, int count) {
     enum { MOST_ROWS = 100 };
     return !json->out && count > MOST_ROWS ? MOST_ROWS : count;

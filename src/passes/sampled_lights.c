@@ -131,7 +131,7 @@ bool sampled_lights_init(struct sampled_lights *lights, const struct emitters *e
     light_tree_init(&tree, list.bounds, list.count);
     struct ordered ordered = {.nodes = tree.nodes,
                               .from = list.lights,
-                              .to = mem_alloc((size_t)list.count, sizeof *ordered.to)};
+                              .to = mem_alloc((size_t)list.count + 1, sizeof *ordered.to)};
     if (tree.node_count > 0)
         order_below(&ordered, 0);
     for (int i = 0; i < ordered.count; i++) {
@@ -139,10 +139,14 @@ bool sampled_lights_init(struct sampled_lights *lights, const struct emitters *e
         ordered.to[i].flux /= (float)ordered.flux;
     }
     lights->flux = ordered.flux;
-    bool ok = buffer_init_texels(&lights->nodes, GL_RGBA32F, "light tree",
-                                 (size_t)tree.node_count * sizeof *tree.nodes, tree.nodes) &&
+    /* Of dark lights alone one dark node and one light are left. */
+    static const struct light_node dark[2];
+    size_t nodes = tree.node_count > 0 ? (size_t)tree.node_count : 2;
+    size_t count = ordered.count > 0 ? (size_t)ordered.count : 1;
+    bool ok = buffer_init_texels(&lights->nodes, GL_RGBA32F, "light tree", nodes * sizeof *dark,
+                                 tree.node_count > 0 ? tree.nodes : dark) &&
               buffer_init_texels(&lights->lights, GL_RGBA32F, "sampled lights",
-                                 (size_t)ordered.count * sizeof *ordered.to, ordered.to);
+                                 count * sizeof *ordered.to, ordered.to);
     mem_free(ordered.to, list.lights, list.bounds);
     light_tree_free(&tree);
     if (!ok)

@@ -90,7 +90,8 @@ bool meter_paths(const struct stage *stage, const struct path_tracer_desc *desc,
     own.sensors = sensors;
     own.width = 1;
     own.height = count;
-    own.seen = true; /* tells the noise of direct light */
+    own.seen = true;    /* tells the noise of direct light */
+    own.centers = true; /* a jitter would round to the next sensor */
     if (!picture_trace_paths(stage, &own, &image, reached))
         return false;
     int direct_error = image_find_channel(&image, "standard_error.direct.Y");

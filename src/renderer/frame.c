@@ -38,7 +38,7 @@ float renderer_irradiance_scale(const struct renderer *renderer) {
             sky_group_emitter(&plan->sky, &plan->sky_samples, i, desc->emitters.sky);
         typical += typical_irradiance(&emitter, desc->geometry->radius);
     }
-    for (int i = 0; i < desc->emitters.count + desc->emitters.sampled; i++)
+    for (int i = 0; i < desc->emitters.count; i++)
         typical += typical_irradiance(&desc->emitters.items[i], desc->geometry->radius);
     return typical > 0 && isfinite(typical) ? exp2f(-roundf(log2f(typical))) : 1;
 }
@@ -83,7 +83,7 @@ struct frame renderer_frame(struct renderer *renderer) {
 static struct frame frame_of_direct(const struct renderer *renderer, const struct frame *frame) {
     struct frame direct = *frame;
     direct.lights = &renderer->light_buffer;
-    direct.emitters = &renderer->desc.emitters;
+    direct.emitters = &renderer->plan.lights;
     direct.light_block = renderer->light_block;
     direct.layout = renderer->plan.layout;
     direct.groups = NULL;
@@ -219,7 +219,7 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     render_lights_seen(renderer, frame);
     if (renderer->airlight.pass.in_scatter.id)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
-                             renderer->airlight.maps.maps, &renderer->desc.emitters);
+                             renderer->airlight.maps.maps, &renderer->plan.lights);
     if (renderer->airlight.panes.program && renderer->desc.sensor == 0)
         render_panes(renderer, frame);
     render_light(renderer, frame, &renderer->gbuffer);

@@ -22,10 +22,9 @@ static bool may_sample(const struct renderer_desc *desc) {
            many_lights_may_trace(desc->scene, desc->geometry);
 }
 
-struct emitters renderer_divide_lights(const struct renderer_desc *desc) {
+/* Returns a copy of the lights, those with maps first. */
+static struct emitters divide_lights(const struct renderer_desc *desc) {
     struct emitters all = emitters_copy(&desc->emitters);
-    all.count += all.sampled;
-    all.sampled = 0;
     if (all.count <= MAPPED_LIGHTS_MAX || !may_sample(desc))
         return all;
     struct emitter *sampled = mem_alloc((size_t)all.count, sizeof *sampled);
@@ -76,28 +75,6 @@ enum { LIGHT_SAMPLES = 4 };
 /* A wider light has several light samples; over the scene's radius, of a sun in radians. */
 static const float wide_light = .3F;
 
-bool renderer_init_sampled(struct renderer *renderer, const struct renderer_desc *desc) {
-    struct sampled_lights sampled;
-    bool ok = sampled_lights_init(&sampled, &desc->emitters, desc->scene, desc->geometry);
-    if (ok)
-        renderer->sampled = sampled;
-    return ok;
-}
-
-bool renderer_move_sampled(struct renderer *renderer) {
-    const struct emitters *emitters = &renderer->desc.emitters;
-    struct sampled_lights before = renderer->sampled;
-    bool has_triangles = false;
-    for (int i = 0; i < emitters->sampled; i++)
-        has_triangles |= emitters->items[emitters->count + i].stands_in;
-    if (!has_triangles)
-        return true;
-    bool ok = renderer_init_sampled(renderer, &renderer->desc);
-    if (ok)
-        sampled_lights_free(&before);
-    return ok;
-}
-
 /* Dark lights change nothing. */
 static bool sampled_shine(const struct emitters *emitters) {
     bool shine = false;
@@ -109,42 +86,72 @@ static bool sampled_shine(const struct emitters *emitters) {
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc) {
     struct light_samples samples;
-    if (!light_layout_of(&plan->layout, &desc->emitters))
+    struct renderer_desc divided = *desc;
+    const struct emitters *lights = &divided.emitters;
+    divided.emitters = divide_lights(desc);
+    bool fits = light_layout_of(&plan->layout, lights);
+    if (fits && lights->sky && lights->count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
+        fits = error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
+                         lights->count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
+    if (fits && lights->count + (lights->sampled > 0) > LIGHTS_MAX)
+        fits = error_set("%d directional lights among others: at most %d shine at once",
+                         lights->count, LIGHTS_MAX - 1);
+    if (!fits) {
+        emitters_free(&divided.emitters);
         return false;
-    if (desc->emitters.sky && desc->emitters.count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
-        return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
-                         desc->emitters.count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
-    plan_sky(plan, renderer, desc);
+    }
+    plan->lights = *lights;
+    plan_sky(plan, renderer, &divided);
     plan->light_samples = (struct light_samples_desc){
-        LIGHT_SAMPLES, wide_light, desc->geometry->radius, sampled_shine(&desc->emitters), 0};
-    light_samples_place(&samples, &desc->emitters,
+        LIGHT_SAMPLES, wide_light, desc->geometry->radius, sampled_shine(lights), 0};
+    light_samples_place(&samples, lights,
                         &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
                         &plan->light_samples, 0);
     plan->sample_layout = light_samples_layout(&samples);
     plan->sample_layout.unseen =
-        light_search_is_unseen(renderer->light_search, desc, &plan->sample_layout);
+        light_search_is_unseen(renderer->light_search, &divided, &plan->sample_layout);
     return true;
+}
+
+bool renderer_init_sampled(struct renderer *renderer, const struct light_plan *plan) {
+    const struct renderer_desc *desc = &renderer->desc;
+    struct sampled_lights sampled;
+    bool ok = sampled_lights_init(&sampled, &plan->lights, desc->scene, desc->geometry);
+    if (ok)
+        renderer->sampled = sampled;
+    return ok;
+}
+
+bool renderer_move_sampled(struct renderer *renderer) {
+    const struct emitters *lights = &renderer->plan.lights;
+    struct sampled_lights before = renderer->sampled;
+    bool has_triangles = false;
+    for (int i = 0; i < lights->sampled; i++)
+        has_triangles |= lights->items[lights->count + i].stands_in;
+    if (!has_triangles)
+        return true;
+    bool ok = renderer_init_sampled(renderer, &renderer->plan);
+    if (ok)
+        sampled_lights_free(&before);
+    return ok;
 }
 
 bool renderer_begin_lights(struct light_change *change, struct renderer *renderer,
-                           struct renderer_desc *desc) {
-    *change = (struct light_change){.old = renderer->desc.emitters, .sampled = renderer->sampled};
-    desc->emitters = renderer_divide_lights(desc);
-    change->same = emitters_same(&desc->emitters, &change->old);
-    if (change->same || !renderer_init_sampled(renderer, desc)) {
-        emitters_free(&desc->emitters);
-        desc->emitters = change->old;
-        return change->same;
-    }
-    change->fresh = desc->emitters;
-    return true;
+                           struct light_plan *plan) {
+    *change = (struct light_change){.lights = renderer->plan.lights, .sampled = renderer->sampled};
+    change->same = emitters_same(&plan->lights, &change->lights);
+    if (change->same || renderer_init_sampled(renderer, plan))
+        return true;
+    emitters_free(&plan->lights);
+    return false;
 }
 
-void renderer_end_lights(struct light_change *change, struct renderer *renderer, bool changed) {
-    if (change->same)
-        return;
-    sampled_lights_free(changed ? &change->sampled : &renderer->sampled);
-    if (!changed)
-        renderer->sampled = change->sampled;
-    emitters_free(changed ? &change->old : &change->fresh);
+void renderer_end_lights(struct light_change *change, struct renderer *renderer,
+                         struct light_plan *plan, bool changed) {
+    if (!change->same) {
+        sampled_lights_free(changed ? &change->sampled : &renderer->sampled);
+        if (!changed)
+            renderer->sampled = change->sampled;
+    }
+    emitters_free(changed ? &change->lights : &plan->lights);
 }

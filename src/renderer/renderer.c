@@ -61,7 +61,7 @@ static bool init_antialias(struct renderer *renderer) {
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     renderer->direct = renderer->plan.sky.count > 0 ? &environment_direct : desc->direct;
-    renderer->direct = desc->emitters.sampled > 0 ? &sampled_direct : renderer->direct;
+    renderer->direct = renderer->plan.lights.sampled > 0 ? &sampled_direct : renderer->direct;
     return renderer->direct->init(
         &renderer->direct_state,
         &(struct direct_desc){
@@ -282,14 +282,14 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
                                   .sample_block = mem_alloc(1, sizeof *renderer->sample_block)};
     set_defaults(&renderer->desc);
-    renderer->desc.emitters = renderer_divide_lights(&renderer->desc);
+    renderer->desc.emitters = emitters_copy(&desc->emitters);
     renderer_view_geometry(renderer);
     renderer->casters = caster_pool_create(desc->scene, renderer_geometry(renderer));
     timers_init(&renderer->timers, desc->timed, gl.software);
     if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
         scene_gpu_init(&renderer->scene, desc->scene, renderer_geometry(renderer)) &&
         (!desc->scene->environment || sky_pieces_init(&renderer->sky_pieces)) &&
-        renderer_init_sampled(renderer, &renderer->desc) && init_parts(renderer, PART_ALL) &&
+        renderer_init_sampled(renderer, &renderer->plan) && init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&
         buffer_init(&renderer->light_buffer, "lights", sizeof *renderer->light_block, NULL) &&
         buffer_init(&renderer->sample_buffer, "samples", sizeof *renderer->sample_block, NULL)) {
@@ -330,6 +330,7 @@ void renderer_free(struct renderer *renderer) {
     buffers_free(&renderer->view_buffer, &renderer->light_buffer, &renderer->sample_buffer);
     mem_free(renderer->light_block, renderer->sample_block, renderer->glass_view);
     emitters_free(&renderer->desc.emitters);
+    emitters_free(&renderer->plan.lights);
     *renderer = (struct renderer){0};
 }
 
@@ -409,7 +410,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->layout, &renderer->plan.layout) ||
         plan->wanted.environment != renderer->plan.wanted.environment ||
-        (desc->emitters.sampled > 0) != (old->emitters.sampled > 0) ||
+        (plan->lights.sampled > 0) != (renderer->plan.lights.sampled > 0) ||
         (plan->sky.count > 0 && !settings_same(&desc->settings, &old->settings, &sky_part)))
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->sample_layout, &renderer->plan.sample_layout))
@@ -442,10 +443,11 @@ bool renderer_makes_programs(const struct renderer *renderer, const struct rende
     struct renderer_desc desc = *wanted;
     struct light_plan plan;
     set_defaults(&desc);
-    desc.emitters = renderer_divide_lights(&desc);
-    bool makes = renderer_plan_lights(&plan, renderer, &desc) &&
-                 parts_between(renderer, &desc, &plan) & with_programs;
-    emitters_free(&desc.emitters);
+    bool makes = false;
+    if (renderer_plan_lights(&plan, renderer, &desc)) {
+        makes = parts_between(renderer, &desc, &plan) & with_programs;
+        emitters_free(&plan.lights);
+    }
     return makes;
 }
 
@@ -462,27 +464,29 @@ static bool start_anew(struct renderer *renderer, const struct renderer_desc *wa
 
 bool renderer_follow(struct renderer *renderer, const struct renderer_desc *wanted) {
     struct renderer_desc desc = *wanted;
+    struct emitters old = renderer->desc.emitters;
     struct light_change lights;
     struct light_plan plan;
     set_defaults(&desc);
     /* Glass becomes an occluder or a pane, so the geometry changes. */
     if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc))
         return start_anew(renderer, wanted);
-    if (!renderer_begin_lights(&lights, renderer, &desc))
+    if (!renderer_plan_lights(&plan, renderer, &desc) ||
+        !renderer_begin_lights(&lights, renderer, &plan))
         return false;
-    if (!renderer_plan_lights(&plan, renderer, &desc)) {
-        renderer_end_lights(&lights, renderer, false);
-        return false;
-    }
+    bool same_lights = emitters_same(&desc.emitters, &old);
+    desc.emitters = same_lights ? old : emitters_copy(&desc.emitters);
     bool same_samples = sky_groups_same(&plan.sky_samples, &renderer->plan.sky_samples);
     unsigned parts = parts_between(renderer, &desc, &plan);
     bool same_medium = settings_same(&desc.settings, &renderer->desc.settings, &medium_part);
-    bool same_picture = parts == 0 && lights.same && same_samples && same_medium &&
+    bool same_picture = parts == 0 && same_lights && same_samples && same_medium &&
                         cameras_same(&desc.camera, &renderer->desc.camera);
     bool ok = change(renderer, &desc, &plan, parts);
-    renderer_end_lights(&lights, renderer, ok);
+    renderer_end_lights(&lights, renderer, &plan, ok);
+    if (!same_lights)
+        emitters_free(ok ? &old : &desc.emitters);
     renderer->lights_drawn &=
-        (lights.same && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
+        (same_lights && same_samples && same_medium) || !ok; /* VPLs hold what it passes */
     if (ok && !same_picture)
         renderer->refining.count = 0;
     return ok;

@@ -35,9 +35,7 @@ struct renderer_desc {
     struct settings settings;           /* default: renderer_settings_init */
     const struct scene *scene;          /* must outlive the renderer, as must the geometry */
     const struct geometry *geometry;
-    /* At least one. The renderer copies them and divides them into lights with maps and sampled
-     * lights. */
-    struct emitters emitters;
+    struct emitters emitters; /* at least one; the renderer copies them */
     struct camera camera;
     /* Distance at which the camera sees a white plane in place of all surfaces (inspect/meter.h),
      * metres; 0: none. Needs picture.samples=1, and no caustics. */
@@ -53,6 +51,7 @@ struct renderer_desc {
 
 /* Layouts and lights for which maps and programs are made. */
 struct light_plan {
+    struct emitters lights; /* with maps; sampled lights follow them */
     struct light_layout layout, sample_layout;
     struct light_samples_desc light_samples;
     struct environment_lights sky;

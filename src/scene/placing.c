@@ -202,7 +202,9 @@ static bool take_pinhole(struct camera *camera, const struct pinhole *pinhole, u
         pose[i] = (double)(opencv ? pinhole->opencv : pinhole->opengl)[i];
     for (int i = 0; i < 4; i++)
         intrinsics[i] = (double)pinhole->intrinsics[i];
-    const int size[2] = {(int)pinhole->intrinsics[4], (int)pinhole->intrinsics[5]};
+    int size[2];
+    for (int c = 0; c < 2; c++)
+        size[c] = (int)fminf(fmaxf(pinhole->intrinsics[4 + c], 0), 1e6F);
     return (!has_pose || camera_set_pose(camera, pose, opencv)) &&
            (!(given & bit_of(WORD_INTRINSICS)) || camera_set_intrinsics(camera, intrinsics, size));
 }

@@ -1,4 +1,5 @@
 /* Lights without maps: more lights than have maps give the light that maps and paths find. */
+#include "gltf_parts.h"
 #include "render_support.h"
 
 #include "base/error.h"
@@ -114,6 +115,41 @@ static struct image render_passes(const struct stage *stage, struct emitter *lig
     return image;
 }
 
+/* Forty panels over a floor: 24 have lights of their own, and the triangles of the others are
+ * lights. */
+static void test_panels(void **state) {
+    (void)state;
+    enum { PANELS = 40, NODE = 160 };
+    char nodes[(PANELS + 2) * NODE] =
+        "[{\"mesh\": 1, \"scale\": [9, 9, 1], \"translation\": [-4.5, -4.5, 0]}, "
+        "{\"camera\": 0, \"translation\": [0, 0, 6]}";
+    const char *path;
+    struct stage stage;
+    for (int i = 0; i < PANELS; i++)
+        sprintf(nodes + strlen(nodes),
+                ", {\"mesh\": 0, \"rotation\": [1, 0, 0, 0], \"scale\": [%f, 0.2, 1],"
+                " \"translation\": [%d, %d, 2]}",
+                .2 + .01 * (double)i, i % 8 - 4, i / 8 - 2);
+    strcat(nodes, "]");
+    path = write_parts(
+        "panels.glb",
+        &(struct gltf_parts){
+            .more = "\"cameras\": [{\"type\": \"orthographic\", \"orthographic\":"
+                    " {\"xmag\": 4, \"ymag\": 4, \"znear\": 5, \"zfar\": 7}}],",
+            .materials = "[{\"emissiveFactor\": [1, 1, 1]}, {}]",
+            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                      " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
+                      " \"indices\": 1, \"material\": 1}]}]",
+            .nodes = nodes});
+    open_stage(&stage, path);
+    struct image traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced),
+                 frame = render_stage(&stage, "clustered", settings, SIZE);
+    check_near("direct light, mean",
+               layer_mean(&frame, "direct") / layer_mean(&reference, "direct"), 1, .01);
+    images_free(&traced, &reference, &frame);
+    stage_free(&stage);
+}
+
 /* Passes have other samples, and their mean errs less. */
 static void test_passes(void **state) {
     (void)state;
@@ -211,10 +247,10 @@ static void test_follow(void **state) {
 
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_maps),       cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_passes),     cmocka_unit_test(test_order),
-        cmocka_unit_test(test_one_strong), cmocka_unit_test(test_behind_walls),
-        cmocka_unit_test(test_follow),
+        cmocka_unit_test(test_maps),         cmocka_unit_test(test_reference),
+        cmocka_unit_test(test_panels),       cmocka_unit_test(test_passes),
+        cmocka_unit_test(test_order),        cmocka_unit_test(test_one_strong),
+        cmocka_unit_test(test_behind_walls), cmocka_unit_test(test_follow),
     };
     return cmocka_run_group_tests_name("sampled lights", tests, open_group_context,
                                        close_group_context);

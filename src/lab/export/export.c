@@ -86,6 +86,8 @@ static bool export_stage(const struct values *values, const struct stage *stage)
     int size[2];
     if (stage->camera.shift[0] != 0 || stage->camera.shift[1] != 0)
         return error_set("camera: the files hold no shifted lens");
+    if (camera_axis_norm2(stage->camera.right) != 1)
+        return error_set("camera: the files hold no pixels that are not square");
     stage_default_size(stage, size);
     if (target.width == 0) {
         target.width = size[0];

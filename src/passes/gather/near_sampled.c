@@ -16,9 +16,8 @@ enum { RAYS = 1, ADAPTIVE_RAYS = 8 }; /* of a pixel */
 static bool init_program(const struct near_sampled_pass *pass, GLuint *program, int receivers) {
     const struct near_sampled_desc *desc = &pass->desc;
     bool of_lists = receivers == RECEIVERS_ADAPTIVE;
-    char *defines =
-        mem_printf("%sHAS_SAMPLED;%sRECEIVERS %d", light_defines(desc->medium, desc->slides),
-                   desc->by_importance ? "BY_IMPORTANCE;" : "", receivers);
+    char *defines = mem_printf("%s%sRECEIVERS %d", light_defines(desc->medium, desc->slides),
+                               desc->by_importance ? "BY_IMPORTANCE;" : "", receivers);
     bool ok = program_init(
         program, &(struct program_desc){
                      .vertex = of_lists ? "passes/gather/list_rows.vert" : NULL,
@@ -47,7 +46,7 @@ void near_sampled_pass_free(struct near_sampled_pass *pass) {
 
 static int number_of_many(const struct frame *frame) {
     int i = 0;
-    while (frame->emitters->items[i].type != EMITTER_MANY)
+    while (i < frame->emitters->count - 1 && frame->emitters->items[i].type != EMITTER_MANY)
         i++;
     return i;
 }

@@ -15,12 +15,6 @@ layout(location = LOCATION_SLOT) uniform ivec4 slot; // the tile's place in the 
 
 layout(location = TARGET_RESULT) out vec4 irradiance;
 
-vec3 cosine_towards(vec3 axis, vec2 number) {
-    float turn = 6.28318530718 * number.y, radius = sqrt(number.x);
-    vec3 right = perpendicular(axis);
-    return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
-}
-
 // How much of the light that a light sends there is the near field's.
 float near_share_of(int i, light l, surface end, float away, float area) {
     vpl_share share = vpl_share_at(params.many);
@@ -39,7 +33,7 @@ vec3 near_light(surface end, float away, uvec3 seed) {
     if (i < 0)
         return vec3(0.0);
     light l = sampled_light_piece(i, random_of(seed.yzx));
-    float area = sampled_vpl_area(light_at(params.many), l, share.measure, end.position, end.normal, seed.x);
+    float area = sampled_vpl_area(light_at(params.many), l, share.measure, end.position, end.normal, floatBitsToUint(numbers.y));
     vec3 direction = normalize(end.position - l.position);
     float near = near_share_of(i, l, end, away, area);
     float weight = near * max(-dot(end.normal, direction), 0.0) / probability;
@@ -59,7 +53,7 @@ void main() {
     for (int ray = 0; ray < params.rays; ray++) {
         uvec2 turns = (first + uint(ray)) * LATTICE_PLASTIC;
         vec2 number = fract(vec2(lattice_number(turns.x), lattice_number(turns.y)) + shift);
-        vec3 direction = cosine_towards(s.normal, number);
+        vec3 direction = cosine_direction(s.normal, number);
         bool asks = !is_behind_horizon(facet, direction);
         bvh_hit hit = bvh_meet(s.position + bvh_clearance() * s.normal, direction, asks);
         surface end = surface(asks && hit.triangle >= 0, s.position + hit.distance * direction, hit.normal);

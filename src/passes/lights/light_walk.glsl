@@ -27,12 +27,6 @@ struct walk_end {
 
 const walk_end WALK_BEGIN = walk_end(vec3(0.0), vec3(0.0), vec3(0.0), vec4(0.0, 0.0, 0.0, -1.0), 0.0, 0.0);
 
-vec3 cosine_direction(vec3 axis, vec2 number) {
-    float turn = 6.28318530718 * number.y, radius = sqrt(number.x);
-    vec3 right = perpendicular(axis);
-    return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
-}
-
 // `pick` picks the surface, `chance` is another number for each walk. One more ray than bounces tells the next place.
 void walk_on(walk w, int bounces, bool one_more, uvec2 chance, inout float pick, inout walk_end end) {
     int chosen = 0, last = one_more ? bounces + 1 : bounces;

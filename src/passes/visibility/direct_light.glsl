@@ -9,6 +9,7 @@ layout(location = LOCATION_LIGHT) uniform int light_index;
 layout(location = TARGET_RESULT) out vec4 direct;
 #ifdef HAS_SPECULAR
 #include "lib/unshadowed_specular.glsl"
+#include "passes/visibility/diffuse_share.glsl"
 #include "passes/visibility/pixel_spread.glsl"
 
 layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
@@ -17,12 +18,6 @@ layout(location = TARGET_DIRECT_SPECULAR) out vec4 specular;
 float angular_width(light l, float away) {
     float width = l.shape == LIGHT_SHAPE_RECTANGLE ? min(l.width, l.height) : l.width;
     return l.shape == LIGHT_SHAPE_CAP ? width : width / max(away, 1e-20);
-}
-
-// By the light's middle; where it shines from below the horizon, at the horizon.
-float diffuse_share(specular_surface seen, vec3 direction) {
-    float f0 = max(seen.f0.r, max(seen.f0.g, seen.f0.b)), cosine = max(-dot(seen.normal, direction), BRDF_LEAST_COSINE);
-    return let_through(f0, seen.f90.r, seen.alpha, cosine);
 }
 #endif
 

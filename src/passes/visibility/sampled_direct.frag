@@ -1,5 +1,5 @@
 // Direct light of lights that a tree samples, one ray each. A light whose probability is at least one sample's share counts
-// once. Light of the most probable points is exact. All other light goes to a second target, for a blur: pixels of an 4 x 4
+// once. Light of the most probable points is exact. All other light goes to a second target, for a blur: pixels of a 4 x 4
 // pattern divide the numbers that choose lights evenly.
 #include "passes/gather/receiver_facet.glsl"
 #include "lib/light_tree.glsl"
@@ -12,6 +12,7 @@ layout(location = TARGET_RESULT) out vec4 exact; // radiance of a white surface
 layout(location = TARGET_SAMPLED) out vec4 irradiance;
 #ifdef HAS_SPECULAR
 #include "lib/unshadowed_specular.glsl"
+#include "passes/visibility/diffuse_share.glsl"
 #include "passes/visibility/pixel_spread.glsl"
 
 layout(location = TARGET_SAMPLED_EXACT_SPECULAR) out vec4 exact_specular;
@@ -74,13 +75,15 @@ void main() {
         float cosine = max(-dot(s.normal, direction), 0.0);
         bool lights = i >= 0 && cosine > 0.0 && dot(facet, direction) < 0.0;
         vec3 power = arriving(l, s.position, facet, lights ? share : 0.0, direction);
-        exact.rgb += power * (cosine * sharp);
-        irradiance.rgb += power * (cosine * (1.0 - sharp));
 #ifdef HAS_SPECULAR
+        cosine *= diffuse_share(seen, direction);
         vec3 reflected = power * specular_brdf(wide, -direction) * wide_scale;
+        reflected *= bent_lobe(seen, wide, -direction, 0.0, pixel);
         exact_specular.rgb += reflected * sharp;
         radiance.rgb += reflected * (1.0 - sharp);
 #endif
+        exact.rgb += power * (cosine * sharp);
+        irradiance.rgb += power * (cosine * (1.0 - sharp));
         // On past all numbers that choose the same light.
         k = is_sized ? k + 1 : max(k + 1, int(ceil((start + (1.0 - number) * probability) * n - shift)));
     }

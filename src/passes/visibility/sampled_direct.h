@@ -2,7 +2,7 @@
  * Yuksel 2020].
  *
  * Each pixel samples a few lights by the light tree and traces a ray to each. Lights that it takes
- * for sure are exact. For all others pixels of an 4 x 4 pattern take different samples, and the
+ * for sure are exact. For all others pixels of a 4 x 4 pattern take different samples, and the
  * caller's blur takes their mean. Pixels with few neighbours on their surface take more
  * samples. Cost: pixels x samples x (depth of the tree + a
  * ray). */

@@ -205,6 +205,8 @@ void load_node_extras(Loader &loader, int index, int parent, struct node &node) 
         return;
     struct scene_light light = scene->lights[node.light];
     bool good = light.size[0] > 0 || load_size(extras, light);
+    if (good && light.slide && light.size[0] > 0 && scene->slides[light.slide - 1].is_profile)
+        good = error_set("a light with a profile has no size");
     good = good && (light.slide ||
                     (load_slide(loader, extras, light) && load_profile(loader, extras, light)));
     if (!good) {

@@ -355,7 +355,7 @@ static bool is_lit(const struct scene *scene, int material, const struct emitter
     for (int s = 0; s < scene->surface_count; s++) {
         const struct emissive_surface *surface = &scene->surfaces[s];
         const struct mesh *mesh = &scene->meshes[scene->nodes[surface->node].mesh];
-        for (int i = 0; i < emitters->count + emitters->sampled; i++)
+        for (int i = 0; i < emitters->count; i++)
             if (mesh->primitives[surface->primitive].material == material &&
                 emitters->items[i].lamp == surface->lamp)
                 return true;

@@ -40,7 +40,7 @@ static void add_surface(struct emissive_triangles *list, const struct scene *sce
                       corners_area(geometry, &geometry->indices[3 * (size_t)i]) > 0;
         bool is_double = scene->materials[primitive->material].double_sided;
         for (int side = 0; shines && side < (is_double ? 2 : 1); side++)
-            add(list, radiance, (struct emissive_place){i, number, side == 1});
+            add(list, radiance, (struct emissive_place){i, side == 1});
     }
 }
 

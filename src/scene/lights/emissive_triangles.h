@@ -12,7 +12,6 @@ struct light_triangle;
 /* Origin of a triangle. */
 struct emissive_place {
     uint32_t triangle; /* of the geometry */
-    int surface;       /* of the scene */
     bool is_back;      /* emits from its back */
 };
 

@@ -27,6 +27,7 @@ struct emitter {
     float range; /* greatest distance of its light, metres (KHR_lights_punctual); 0: infinite */
     int lamp, stands_in;       /* as in struct scene_light */
     int moved;                 /* 1: by hand in the viewer, so that clips leave it; else 0 */
+    int unused;                /* no padding: emitters are compared and hashed as bytes */
     const struct slide *slide; /* owned by the scene; NULL: none */
 };
 

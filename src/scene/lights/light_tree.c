@@ -329,7 +329,7 @@ int light_tree_sample_some(const struct light_tree *tree, const float position[3
     float randoms[LIGHT_SAMPLES_MAX], first;
     int found = 0, left = tree->node_count > 0;
     for (int i = 0; i < count; i++)
-        randoms[i] = ((float)i + random) / (float)count;
+        randoms[i] = float_min(((float)i + random) / (float)count, below_one);
     while (left > 0) {
         struct walk *walk = &walks[left - 1];
         int link = tree->nodes[walk->node].link;

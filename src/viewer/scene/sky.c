@@ -30,7 +30,6 @@ static struct emitters with_sky(const struct viewer *viewer, const struct enviro
     return lights;
 }
 
-/* Those that were moved keep their bits. */
 static void take_lights(struct viewer *viewer, struct emitters *lights) {
     struct placed *placed = &viewer->placed;
     if (lights->count != placed->emitters.count)
