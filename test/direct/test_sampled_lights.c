@@ -224,17 +224,39 @@ static void test_behind_walls(void **state) {
     stage_free(&stage);
 }
 
-/* Lights come and go: sampled lights, and parts that only frames with them have. */
+/* Glossy surfaces: what is mirrored is not reflected diffusely, and highlights keep their light. */
+static void test_gloss(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter lights[LIGHTS];
+    open_stage(&stage, "scenes/gloss.glb");
+    spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
+    struct image maps = render_with(&stage, lights, LIGHTS, "imperfect-volume"),
+                 sampled = render_with(&stage, lights, LIGHTS, "unshadowed");
+    check_near("direct light, mean", layer_mean(&sampled, "direct") / layer_mean(&maps, "direct"),
+               1, .01);
+    check_near("highlights, mean",
+               layer_mean(&sampled, "direct.specular") / layer_mean(&maps, "direct.specular"), 1,
+               .05);
+    images_free(&maps, &sampled);
+    stage_free(&stage);
+}
+
+/* Lights come and go: sampled lights, and parts that only frames with them have. A size tells the
+ * direct method. */
 static void test_follow(void **state) {
     (void)state;
     struct stage stage;
     struct renderer renderer = {0};
     struct emitter lights[LIGHTS];
     open_room(&stage);
-    spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
+    spread_lights(&stage, lights, LIGHTS, EMITTER_AREA, (float[]){.1F * stage.geometry.radius, 0});
     struct renderer_desc desc = desc_of(&stage, "clustered", settings, SIZE, SIZE);
-    for (int i = 0; i < 3; i++) {
-        desc.emitters = (struct emitters){.items = lights, .count = i == 1 ? 2 : LIGHTS};
+    for (int i = 0; i < 4; i++) {
+        if (i == 3) /* as the viewer does */
+            desc = renderer.desc;
+        else
+            desc.emitters = (struct emitters){.items = lights, .count = i == 1 ? 2 : LIGHTS};
         desc.width = i == 2 ? SIZE / 2 : SIZE;
         struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
         assert_true(same_pixels(&followed, &fresh));
@@ -250,7 +272,8 @@ int main(void) {
         cmocka_unit_test(test_maps),         cmocka_unit_test(test_reference),
         cmocka_unit_test(test_panels),       cmocka_unit_test(test_passes),
         cmocka_unit_test(test_order),        cmocka_unit_test(test_one_strong),
-        cmocka_unit_test(test_behind_walls), cmocka_unit_test(test_follow),
+        cmocka_unit_test(test_behind_walls), cmocka_unit_test(test_gloss),
+        cmocka_unit_test(test_follow),
     };
     return cmocka_run_group_tests_name("sampled lights", tests, open_group_context,
                                        close_group_context);
