@@ -79,6 +79,8 @@ void stage_default_size(const struct stage *stage, int size[2]) {
     int n = 0;
     camera_from_text(&camera, &stage->scene, stage->camera_text, 0, &n);
     camera_default_size(&stage->scene, n, size);
+    for (int i = 0; i < 2 && camera.size[0] > 0; i++)
+        size[i] = camera.size[i];
 }
 
 bool stage_show(const struct stage *stage, struct renderer *renderer) {

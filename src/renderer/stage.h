@@ -44,7 +44,8 @@ void stage_free(struct stage *stage);
 bool stage_find_motion(struct stage *stage, double time, double step,
                        struct surface_motion *motion);
 
-/* Writes the default size of a picture of its camera: that of camera_default_size. */
+/* Writes the default size of a picture of its camera: that of its intrinsics, or of
+ * camera_default_size. */
 void stage_default_size(const struct stage *stage, int size[2]);
 
 /* Updates the renderer of this stage to its pose. Error: that of renderer_update; the caller must

@@ -109,6 +109,8 @@ bool camera_set_intrinsics(struct camera *camera, const double intrinsics[4], co
     if (!isfinite(cx) || !isfinite(cy))
         return error_set("intrinsics: the principal point %g, %g is not finite", cx, cy);
     camera->orthographic = false;
+    camera->size[0] = size[0];
+    camera->size[1] = size[1];
     camera->fov_y = (float)(2 * atan(height / (2 * fy)));
     camera->shift[0] = (float)(1 - 2 * cx / width);
     camera->shift[1] = (float)(2 * cy / height - 1);

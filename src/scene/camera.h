@@ -19,6 +19,7 @@ struct camera {
     /* Shows all directions, for the path tracer alone: longitude along x, latitude along y, forward
      * in the middle. Axes are unit; near and far are distances. */
     bool panorama;
+    int size[2]; /* size of the picture that intrinsics are for, pixels; 0: none */
 };
 
 /* A small plane that measures the light of its front. */

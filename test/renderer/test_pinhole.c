@@ -274,11 +274,25 @@ static void test_refusals(void **state) {
                  MANYLIGHT_BAD_SCENE, "camera 0: shift");
 }
 
+/* A picture without --size has that of the intrinsics. */
+static void test_default_size(void **state) {
+    (void)state;
+    struct stage stage;
+    int size[2];
+    check_ok("stage",
+             stage_init(&stage, &(struct stage_desc){.path = "scenes/cornell-box.glb",
+                                                     .camera = "0 intrinsics=100,100,60,40,120,80",
+                                                     .punctual_scale = 1}));
+    stage_default_size(&stage, size);
+    assert_int_equal(size[0], 120);
+    assert_int_equal(size[1], 80);
+    stage_free(&stage);
+}
+
 int main(void) {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_projection),
-        cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_panorama),
+        cmocka_unit_test(test_default_size), cmocka_unit_test(test_projection),
+        cmocka_unit_test(test_parts),        cmocka_unit_test(test_panorama),
         cmocka_unit_test(test_refusals),
     };
     return cmocka_run_group_tests(tests, open_group_context, close_group_context);

@@ -316,6 +316,7 @@ static void test_broken_files(void **state) {
         {"TILT=INCLUDE\n1\n9\n0 90\n", "line 5: the file ends before TILT"},
         {"maker\n1\n7\n", "line 3: symmetry: 7 is not from 0 to 4"},
         {"maker\n1\n\n4\n", "line 3: symmetry is missing"},
+        {"maker\n1\n0\n36\n12,5\n", "line 5: distance of C-planes: '12,5' is no number"},
     };
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         struct profile profile;

@@ -103,11 +103,12 @@ struct Loader {
     std::vector<size_t> strides;                     /* of buffer views; 0 = packed */
     std::set<std::string> files; /* that it names, by their paths without links */
     std::vector<Mended> mended;
-    std::vector<std::vector<UvSource>> mappings; /* of each material */
-    std::vector<Profile> profiles;               /* of EXT_lights_ies */
-    std::map<int, TextureMean> texture_means;    /* of each image that was asked for */
-    std::set<int> replaced_images;               /* whose picture is missing or broken */
-    std::vector<TextureKey> texture_keys;        /* one per texture of the scene */
+    std::vector<std::vector<UvSource>> mappings;      /* of each material */
+    std::vector<Profile> profiles;                    /* of EXT_lights_ies */
+    std::map<std::string, Profile> files_of_profiles; /* of extras, by name */
+    std::map<int, TextureMean> texture_means;         /* of each image that was asked for */
+    std::set<int> replaced_images;                    /* whose picture is missing or broken */
+    std::vector<TextureKey> texture_keys;             /* one per texture of the scene */
     std::vector<unsigned char> texture_uses; /* one per texture of the file, once one is broken */
     std::vector<int> node_places;            /* each node's index in the scene, or -1 */
     std::vector<bool> is_absent;             /* of each buffer: its views are unpacked here */

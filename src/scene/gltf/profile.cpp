@@ -82,15 +82,22 @@ bool load_profile(Loader &loader, const tinygltf::Value &extras, struct scene_li
     if (!extras.IsObject() || !extras.Has("profile"))
         return true;
     const tinygltf::Value &name = extras.Get("profile");
-    float mean = 0;
     bool good = !name.IsString() ? error_set("it is no file's name")
                 : light.type != EMITTER_POINT || light.size[0] > 0
                     ? error_set("only a point light without a radius has one")
-                    : add_uri(loader, name.Get<std::string>(), mean);
+                    : true;
+    const std::string file = good ? name.Get<std::string>() : "";
+    if (good && !loader.files_of_profiles.count(file)) {
+        float mean = 0;
+        good = add_uri(loader, file, mean);
+        if (good)
+            loader.files_of_profiles[file] = {loader.scene->slide_count, mean};
+    }
     if (!good)
         return error_prefix("extras: profile");
-    light.slide = loader.scene->slide_count;
-    set_mean(light, mean);
+    const Profile &profile = loader.files_of_profiles[file];
+    light.slide = profile.slide;
+    set_mean(light, profile.mean);
     return true;
 }
 

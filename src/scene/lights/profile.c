@@ -15,20 +15,20 @@ static const double candela_max = 1e9;
 /* --- reading ---------------------------------------------------------------------------------- */
 
 struct reader {
-    const char *at;
+    const char *at, *between; /* characters between numbers */
     int line;
 };
 
 static bool take_number(struct reader *reader, const char *what, double *number) {
     char *end;
-    for (; *reader->at && strchr(" \t\r\n,", *reader->at); reader->at++)
+    for (; *reader->at && strchr(reader->between, *reader->at); reader->at++)
         reader->line += *reader->at == '\n';
     if (!*reader->at)
         return error_set("line %d: the file ends before %s", reader->line, what);
     *number = strtod(reader->at, &end);
-    if (end == reader->at || !isfinite(*number) || (*end && !strchr(" \t\r\n,", *end)))
+    if (end == reader->at || !isfinite(*number) || (*end && !strchr(reader->between, *end)))
         return error_set("line %d: %s: '%.*s' is no number", reader->line, what,
-                         (int)strcspn(reader->at, " \t\r\n,"), reader->at);
+                         (int)strcspn(reader->at, reader->between), reader->at);
     reader->at = end;
     return true;
 }
@@ -243,8 +243,9 @@ static bool is_black(const struct profile *profile) {
 }
 
 bool profile_parse(struct profile *profile, const char *text) {
-    struct reader reader = {text, 1};
+    struct reader reader = {.at = text, .line = 1};
     const char *tilt = find_tilt(text, &reader.line);
+    reader.between = tilt ? " \t\r\n," : " \t\r\n"; /* EULUMDAT may have decimal commas */
     *profile = (struct profile){0};
     if (tilt)
         reader.at = tilt;
