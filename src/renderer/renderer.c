@@ -456,6 +456,11 @@ static bool start_anew(struct renderer *renderer, const struct renderer_desc *wa
     struct renderer fresh;
     if (!renderer_init(&fresh, wanted))
         return false;
+    struct emitters lights = fresh.desc.emitters;
+    if (emitters_same(&lights, &renderer->desc.emitters)) { /* `wanted` may have the same array */
+        fresh.desc.emitters = renderer->desc.emitters;
+        renderer->desc.emitters = lights;
+    }
     renderer_free(renderer);
     *renderer = fresh;
     renderer_write_views(renderer); /* the samples' emitters lie within the renderer */

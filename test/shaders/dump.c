@@ -235,6 +235,24 @@ static void make_with_slides(const char *path) {
     stage_free(&stage);
 }
 
+/* More lights than have maps. */
+static void make_with_many_lights(const char *path) {
+    enum { COUNT = 17 };
+    struct stage stage;
+    struct renderer renderer;
+    check(stage_init(&stage, &(struct stage_desc){.path = path}), path);
+    struct emitter first = stage.emitters.items[0];
+    stage.emitters.items = mem_resize(stage.emitters.items, COUNT, sizeof first);
+    stage.emitters.count = COUNT;
+    for (int i = 0; i < COUNT; i++)
+        stage.emitters.items[i] = first;
+    init(&renderer, &stage);
+    for (const struct technique *const *t = techniques; *t; t++)
+        make_technique(&renderer, *t, false);
+    renderer_free(&renderer);
+    stage_free(&stage);
+}
+
 /* Its glass and fog beside an environment. Glass reflects a part diffusely. */
 static void make_under_sky(const char *path) {
     struct stage stage;
@@ -266,8 +284,10 @@ int main(int argc, char **argv) {
         make_under_sky(argv[i]);
     }
     make_with_slides(argv[argc - 1]);
+    make_with_many_lights(argv[argc - 1]);
     screen_set_way(SCREEN_FRAGMENT);
     make_with_slides(argv[argc - 1]);
+    make_with_many_lights(argv[argc - 1]);
     show_window();
     context_free(context);
     printf("%d shaders\n", null_driver_count());
