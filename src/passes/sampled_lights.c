@@ -79,19 +79,16 @@ static void list_triangles(struct list *list, const struct emissive_triangles *t
 
 static void list_lights(struct list *list, const struct emitters *emitters,
                         const struct scene *scene, const struct geometry *geometry) {
-    const struct emitter *sampled = emitters->items + emitters->count;
-    const struct emitters own = {.items = emitters->items + emitters->count,
-                                 .count = emitters->sampled};
     struct emissive_triangles triangles;
-    emissive_triangles_init(&triangles, scene, geometry, &own);
-    size_t most = (size_t)emitters->sampled + (size_t)triangles.count;
+    emissive_triangles_init(&triangles, scene, geometry, emitters);
+    size_t most = (size_t)emitters->count + (size_t)triangles.count;
     *list = (struct list){mem_alloc(most, sizeof *list->lights),
                           mem_alloc(most, sizeof *list->bounds), 0};
-    for (int i = 0; i < emitters->sampled; i++) {
-        struct sampled_light light = light_of(&sampled[i]);
-        struct light_bounds bounds = light_bounds_of(&sampled[i]);
-        if (!sampled[i].stands_in)
-            list_add(list, &light, &bounds, emitter_flux(&sampled[i], 1));
+    for (int i = 0; i < emitters->count; i++) {
+        struct sampled_light light = light_of(&emitters->items[i]);
+        struct light_bounds bounds = light_bounds_of(&emitters->items[i]);
+        if (!emitters->items[i].stands_in)
+            list_add(list, &light, &bounds, emitter_flux(&emitters->items[i], 1));
     }
     list_triangles(list, &triangles);
     emissive_triangles_free(&triangles);
@@ -125,7 +122,7 @@ bool sampled_lights_init(struct sampled_lights *lights, const struct emitters *e
     struct light_tree tree;
     struct list list;
     *lights = (struct sampled_lights){0};
-    if (emitters->sampled == 0)
+    if (emitters->count == 0)
         return true;
     list_lights(&list, emitters, scene, geometry);
     light_tree_init(&tree, list.bounds, list.count);

@@ -16,7 +16,7 @@ struct sampled_lights {
     double flux; /* of all, W */
 };
 
-/* Uploads emitters->sampled lights, with emissive triangles in place of stand-ins. Without any,
+/* Uploads lights, with emissive triangles in place of stand-ins. Without any,
  * `lights` is zeroed. Error: out of GPU memory. */
 bool sampled_lights_init(struct sampled_lights *lights, const struct emitters *emitters,
                          const struct scene *scene, const struct geometry *geometry);

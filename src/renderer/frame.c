@@ -83,7 +83,7 @@ struct frame renderer_frame(struct renderer *renderer) {
 static struct frame frame_of_direct(const struct renderer *renderer, const struct frame *frame) {
     struct frame direct = *frame;
     direct.lights = &renderer->light_buffer;
-    direct.emitters = &renderer->plan.lights;
+    direct.emitters = &renderer->plan.mapped;
     direct.light_block = renderer->light_block;
     direct.layout = renderer->plan.layout;
     direct.groups = NULL;
@@ -219,7 +219,7 @@ static void render_frame(struct renderer *renderer, const struct frame *frame) {
     render_lights_seen(renderer, frame);
     if (renderer->airlight.pass.in_scatter.id)
         airlight_pass_render(&renderer->airlight.pass, frame, &renderer->gbuffer,
-                             renderer->airlight.maps.maps, &renderer->plan.lights);
+                             renderer->airlight.maps.maps, &renderer->plan.mapped);
     if (renderer->airlight.panes.program && renderer->desc.sensor == 0)
         render_panes(renderer, frame);
     render_light(renderer, frame, &renderer->gbuffer);

@@ -22,30 +22,31 @@ static bool may_sample(const struct renderer_desc *desc) {
            many_lights_may_trace(desc->scene, desc->geometry);
 }
 
-/* Returns a copy of the lights, those with maps first. */
-static struct emitters divide_lights(const struct renderer_desc *desc) {
-    struct emitters all = emitters_copy(&desc->emitters);
-    if (all.count <= MAPPED_LIGHTS_MAX || !may_sample(desc))
-        return all;
-    struct emitter *sampled = mem_alloc((size_t)all.count, sizeof *sampled);
+static void divide_lights(struct light_plan *plan, const struct renderer_desc *desc) {
+    struct emitters *mapped = &plan->mapped, *sampled = &plan->sampled;
+    int count = desc->emitters.count;
     double flux = 0;
-    int count = 0;
-    for (int i = 0; i < all.count; i++)
-        if (all.items[i].type != EMITTER_DIRECTIONAL)
-            flux += emitter_flux(&all.items[i], 1);
-    for (int i = 0; i < all.count; i++) {
-        const struct emitter *light = &all.items[i];
-        bool mapped = !light->stands_in && (light->type == EMITTER_DIRECTIONAL ||
-                                            MAPPED_LIGHTS_MAX * emitter_flux(light, 1) > flux);
-        if (mapped)
-            all.items[count++] = *light;
-        else
-            sampled[all.sampled++] = *light;
+    *mapped = emitters_copy(&desc->emitters);
+    *sampled = (struct emitters){0};
+    if (count <= MAPPED_LIGHTS_MAX || !may_sample(desc))
+        return;
+    for (int i = 0; i < count; i++)
+        if (mapped->items[i].type != EMITTER_DIRECTIONAL)
+            flux += emitter_flux(&mapped->items[i], 1);
+    sampled->items = mem_alloc((size_t)count, sizeof *sampled->items);
+    mapped->count = 0;
+    for (int i = 0; i < count; i++) {
+        const struct emitter *light = &desc->emitters.items[i];
+        bool has_maps = !light->stands_in && (light->type == EMITTER_DIRECTIONAL ||
+                                              MAPPED_LIGHTS_MAX * emitter_flux(light, 1) > flux);
+        struct emitters *list = has_maps ? mapped : sampled;
+        list->items[list->count++] = *light;
     }
-    memcpy(all.items + count, sampled, (size_t)all.sampled * sizeof *sampled);
-    all.count = count;
-    free(sampled);
-    return all;
+}
+
+void light_plan_free(struct light_plan *plan) {
+    emitters_free(&plan->mapped);
+    emitters_free(&plan->sampled);
 }
 
 /* Takes the fit of before where that is as wanted: it takes a while. */
@@ -55,7 +56,7 @@ static void plan_sky(struct light_plan *plan, const struct renderer *renderer,
     const struct environment_settings *sky =
         settings_of(struct environment_settings, &desc->settings, &sky_part);
     const struct environment *environment = desc->emitters.sky;
-    int room = LIGHTS_MAX - desc->emitters.count - (desc->emitters.sampled > 0);
+    int room = LIGHTS_MAX - plan->mapped.count - (plan->sampled.count > 0);
     struct sky_wanted *wanted = &plan->wanted;
     *wanted = (struct sky_wanted){environment, sky->fit, sky->lights};
     if (before && before->wanted.environment == environment && before->wanted.fit == wanted->fit &&
@@ -76,58 +77,62 @@ enum { LIGHT_SAMPLES = 4 };
 static const float wide_light = .3F;
 
 /* Dark lights change nothing. */
-static bool sampled_shine(const struct emitters *emitters) {
-    bool shine = false;
-    for (int i = 0; i < emitters->sampled; i++)
-        shine |= emitter_flux(&emitters->items[emitters->count + i], 1) > 0;
-    return shine;
+static bool shine(const struct emitters *emitters) {
+    bool some = false;
+    for (int i = 0; i < emitters->count; i++)
+        some |= emitter_flux(&emitters->items[i], 1) > 0;
+    return some;
+}
+
+static bool fits(struct light_plan *plan) {
+    const struct emitters *mapped = &plan->mapped;
+    if (!light_layout_of(&plan->layout, mapped))
+        return false;
+    if (mapped->sky && mapped->count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
+        return error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
+                         mapped->count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
+    return mapped->count + (plan->sampled.count > 0) <= LIGHTS_MAX ||
+           error_set("%d directional lights among others: at most %d shine at once", mapped->count,
+                     LIGHTS_MAX - 1);
 }
 
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc) {
     struct light_samples samples;
-    struct renderer_desc divided = *desc;
-    const struct emitters *lights = &divided.emitters;
-    divided.emitters = divide_lights(desc);
-    bool fits = light_layout_of(&plan->layout, lights);
-    if (fits && lights->sky && lights->count > LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN)
-        fits = error_set("%d lights and a sky: at most %d shine beside one; --light picks some",
-                         lights->count, LIGHTS_MAX - ENVIRONMENT_LIGHTS_MIN);
-    if (fits && lights->count + (lights->sampled > 0) > LIGHTS_MAX)
-        fits = error_set("%d directional lights among others: at most %d shine at once",
-                         lights->count, LIGHTS_MAX - 1);
-    if (!fits) {
-        emitters_free(&divided.emitters);
+    struct renderer_desc of_maps = *desc;
+    divide_lights(plan, desc);
+    of_maps.emitters = plan->mapped;
+    if (!fits(plan)) {
+        light_plan_free(plan);
         return false;
     }
-    plan->lights = *lights;
-    plan_sky(plan, renderer, &divided);
+    plan_sky(plan, renderer, desc);
     plan->light_samples = (struct light_samples_desc){
-        LIGHT_SAMPLES, wide_light, desc->geometry->radius, sampled_shine(lights), 0};
-    light_samples_place(&samples, lights,
+        LIGHT_SAMPLES, wide_light, desc->geometry->radius, shine(&plan->sampled), 0};
+    light_samples_place(&samples, &plan->mapped,
                         &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
                         &plan->light_samples, 0);
     plan->sample_layout = light_samples_layout(&samples);
     plan->sample_layout.unseen =
-        light_search_is_unseen(renderer->light_search, &divided, &plan->sample_layout);
+        light_search_is_unseen(renderer->light_search, &of_maps, &plan->sample_layout);
     return true;
 }
 
 bool renderer_init_sampled(struct renderer *renderer, const struct light_plan *plan) {
     const struct renderer_desc *desc = &renderer->desc;
     struct sampled_lights sampled;
-    bool ok = sampled_lights_init(&sampled, &plan->lights, desc->scene, desc->geometry);
+    bool ok = sampled_lights_init(&sampled, &plan->sampled, desc->scene, desc->geometry);
     if (ok)
         renderer->sampled = sampled;
     return ok;
 }
 
 bool renderer_move_sampled(struct renderer *renderer) {
-    const struct emitters *lights = &renderer->plan.lights;
+    const struct emitters *lights = &renderer->plan.sampled;
     struct sampled_lights before = renderer->sampled;
     bool has_triangles = false;
-    for (int i = 0; i < lights->sampled; i++)
-        has_triangles |= lights->items[lights->count + i].stands_in;
+    for (int i = 0; i < lights->count; i++)
+        has_triangles |= lights->items[i].stands_in;
     if (!has_triangles)
         return true;
     bool ok = renderer_init_sampled(renderer, &renderer->plan);
@@ -138,11 +143,13 @@ bool renderer_move_sampled(struct renderer *renderer) {
 
 bool renderer_begin_lights(struct light_change *change, struct renderer *renderer,
                            struct light_plan *plan) {
-    *change = (struct light_change){.lights = renderer->plan.lights, .sampled = renderer->sampled};
-    change->same = emitters_same(&plan->lights, &change->lights);
+    const struct light_plan *old = &renderer->plan;
+    *change = (struct light_change){.old = {.mapped = old->mapped, .sampled = old->sampled},
+                                    .sampled = renderer->sampled};
+    change->same = emitters_same(&plan->sampled, &old->sampled);
     if (change->same || renderer_init_sampled(renderer, plan))
         return true;
-    emitters_free(&plan->lights);
+    light_plan_free(plan);
     return false;
 }
 
@@ -153,5 +160,5 @@ void renderer_end_lights(struct light_change *change, struct renderer *renderer,
         if (!changed)
             renderer->sampled = change->sampled;
     }
-    emitters_free(changed ? &change->lights : &plan->lights);
+    light_plan_free(changed ? &change->old : plan);
 }

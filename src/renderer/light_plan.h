@@ -5,10 +5,14 @@
 #include "renderer/renderer.h"
 
 /* Fills `plan` for `desc`. Where lights are many and rays can test visibility, it divides them: few
- * have maps, and all others are sampled (passes/sampled_lights.h). The caller frees plan->lights.
- * It reuses the renderer's fit where nothing changed. Error: too many lights; `plan` has none. */
+ * have maps, and all others are sampled (passes/sampled_lights.h). The caller calls
+ * light_plan_free. It reuses the renderer's fit where nothing changed. Error: too many lights;
+ * `plan` has none. */
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc);
+
+/* Frees the lights of a plan. */
+void light_plan_free(struct light_plan *plan);
 
 /* Uploads the sampled lights of the plan. Error: out of GPU memory; renderer->sampled is
  * unchanged. */
@@ -21,12 +25,12 @@ bool renderer_move_sampled(struct renderer *renderer);
 /* Lights of a renderer before a change. */
 struct light_change {
     bool same;
-    struct emitters lights;
+    struct light_plan old; /* its lights alone */
     struct sampled_lights sampled;
 };
 
 /* Uploads the sampled lights of the plan, unless the renderer has the same. Error: that of
- * renderer_init_sampled; frees plan->lights. */
+ * renderer_init_sampled; frees the lights of the plan. */
 bool renderer_begin_lights(struct light_change *change, struct renderer *renderer,
                            struct light_plan *plan);
 

@@ -61,7 +61,7 @@ static bool init_antialias(struct renderer *renderer) {
 static bool init_direct(struct renderer *renderer) {
     const struct renderer_desc *desc = &renderer->desc;
     renderer->direct = renderer->plan.sky.count > 0 ? &environment_direct : desc->direct;
-    renderer->direct = renderer->plan.lights.sampled > 0 ? &sampled_direct : renderer->direct;
+    renderer->direct = renderer->plan.sampled.count > 0 ? &sampled_direct : renderer->direct;
     return renderer->direct->init(
         &renderer->direct_state,
         &(struct direct_desc){
@@ -330,7 +330,7 @@ void renderer_free(struct renderer *renderer) {
     buffers_free(&renderer->view_buffer, &renderer->light_buffer, &renderer->sample_buffer);
     mem_free(renderer->light_block, renderer->sample_block, renderer->glass_view);
     emitters_free(&renderer->desc.emitters);
-    emitters_free(&renderer->plan.lights);
+    light_plan_free(&renderer->plan);
     *renderer = (struct renderer){0};
 }
 
@@ -410,7 +410,7 @@ static unsigned parts_between(const struct renderer *renderer, const struct rend
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->layout, &renderer->plan.layout) ||
         plan->wanted.environment != renderer->plan.wanted.environment ||
-        (plan->lights.sampled > 0) != (renderer->plan.lights.sampled > 0) ||
+        (plan->sampled.count > 0) != (renderer->plan.sampled.count > 0) ||
         (plan->sky.count > 0 && !settings_same(&desc->settings, &old->settings, &sky_part)))
         parts |= PART_DIRECT;
     if (!light_layouts_same(&plan->sample_layout, &renderer->plan.sample_layout))
@@ -446,7 +446,7 @@ bool renderer_makes_programs(const struct renderer *renderer, const struct rende
     bool makes = false;
     if (renderer_plan_lights(&plan, renderer, &desc)) {
         makes = parts_between(renderer, &desc, &plan) & with_programs;
-        emitters_free(&plan.lights);
+        light_plan_free(&plan);
     }
     return makes;
 }

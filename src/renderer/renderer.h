@@ -51,7 +51,7 @@ struct renderer_desc {
 
 /* Layouts and lights for which maps and programs are made. */
 struct light_plan {
-    struct emitters lights; /* with maps; sampled lights follow them */
+    struct emitters mapped, sampled; /* lights with maps; all others */
     struct light_layout layout, sample_layout;
     struct light_samples_desc light_samples;
     struct environment_lights sky;

@@ -38,7 +38,7 @@ static void shift_light_samples(struct renderer *renderer) {
 static void place_light_samples(struct renderer *renderer) {
     struct light_plan *plan = &renderer->plan;
     plan->light_samples.flux = renderer->sampled.flux;
-    light_samples_place(&renderer->light_samples, &plan->lights,
+    light_samples_place(&renderer->light_samples, &plan->mapped,
                         &(struct light_samples_sky){&plan->sky, &plan->sky_samples},
                         &plan->light_samples, renderer->pass);
     renderer->sample_emitters = light_samples_emitters(&renderer->light_samples);
@@ -65,7 +65,7 @@ void renderer_write_views(struct renderer *renderer) {
     follow_range(renderer);
     if (renderer->pass > 0)
         view_shift(&renderer->camera_view, place);
-    views_of_emitters(renderer->light_block, &renderer->plan.lights, desc->geometry);
+    views_of_emitters(renderer->light_block, &renderer->plan.mapped, desc->geometry);
     place_light_samples(renderer);
     views_of_emitters(renderer->sample_block, &renderer->sample_emitters, desc->geometry);
     sky_pieces_write(renderer);

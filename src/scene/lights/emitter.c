@@ -20,7 +20,7 @@ int emitter_find(const struct scene *scene, const char *text) {
 }
 
 struct emitters emitters_copy(const struct emitters *emitters) {
-    size_t count = (size_t)(emitters->count + emitters->sampled);
+    size_t count = (size_t)emitters->count;
     struct emitters copy = *emitters;
     copy.items = mem_alloc(count, sizeof *copy.items);
     if (count) /* else there may be no items */
@@ -29,9 +29,8 @@ struct emitters emitters_copy(const struct emitters *emitters) {
 }
 
 bool emitters_same(const struct emitters *a, const struct emitters *b) {
-    size_t count = (size_t)(a->count + a->sampled);
-    return a->count == b->count && a->sampled == b->sampled && a->sky == b->sky &&
-           (count == 0 || memcmp(a->items, b->items, count * sizeof *a->items) == 0);
+    return a->count == b->count && a->sky == b->sky &&
+           (a->count == 0 || memcmp(a->items, b->items, (size_t)a->count * sizeof *a->items) == 0);
 }
 
 void emitters_free(struct emitters *emitters) {

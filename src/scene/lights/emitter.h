@@ -47,7 +47,6 @@ struct emitters {
     struct emitter *items;
     int count;
     const struct environment *sky; /* the scene's, if it shines; else NULL */
-    int sampled; /* lights after these that have no maps (passes/sampled_lights.h); mostly 0 */
 };
 
 struct emitters emitters_copy(const struct emitters *emitters);
