@@ -75,11 +75,6 @@ light sampled_light_at(int i, out int shape, out vec2 size) {
     return l;
 }
 
-vec3 disk_place(vec3 right, vec3 up, vec2 place) {
-    float turn = 6.28318531 * place.y;
-    return sqrt(place.x) * (cos(turn) * right + sin(turn) * up);
-}
-
 // The place of a light's shape that two numbers choose, evenly over its area (emitter_piece in scene/lights/emitter.h).
 light sampled_light_piece(int i, vec2 place) {
     int shape;
@@ -95,7 +90,7 @@ light sampled_light_piece(int i, vec2 place) {
         l.up = cross(l.right, l.direction);
     }
     if (shape == LIGHT_SHAPE_DISK)
-        l.position += radius * disk_place(l.right, l.up, place);
+        l.position += disk_place(radius, l.right, l.up, place);
     if (shape == LIGHT_SHAPE_SPHERE) {
         float z = 1.0 - 2.0 * place.x, across = sqrt(max(1.0 - z * z, 0.0));
         l.direction = across * (cos(turn) * l.right + sin(turn) * l.up) + z * l.direction;
@@ -117,6 +112,6 @@ light sampled_light_towards(int i, vec3 receiver, vec2 place, out bool is_sized)
     if (shape != LIGHT_SHAPE_SPHERE)
         return sampled_light_piece(i, place);
     vec3 away = normalize(receiver - l.position), right = perpendicular(away);
-    l.position += 0.5 * size.x * disk_place(right, cross(away, right), place);
+    l.position += disk_place(0.5 * size.x, right, cross(away, right), place);
     return l;
 }

@@ -11,3 +11,9 @@ vec3 cosine_direction(vec3 axis, vec2 number) {
     vec3 right = perpendicular(axis);
     return sqrt(1.0 - number.x) * axis + radius * (cos(turn) * right + sin(turn) * cross(axis, right));
 }
+
+// A place of a disk around the origin, evenly over its area.
+vec3 disk_place(float radius, vec3 right, vec3 up, vec2 place) {
+    float turn = 6.28318531 * place.y;
+    return radius * sqrt(place.x) * (cos(turn) * right + sin(turn) * up);
+}

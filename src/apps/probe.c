@@ -9,6 +9,7 @@
 #include "base/log.h"
 #include "base/memory.h"
 #include "quality/meter.h"
+#include "quality/picture.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "techniques/many_lights.h"
@@ -118,15 +119,6 @@ static bool resolve(const struct values *values, struct measure_desc *desc) {
     return ok;
 }
 
-static bool show(void *user, const struct path_tracer_progress *progress) {
-    char note[64] = "";
-    if (progress->samples > 0)
-        snprintf(note, sizeof note, "%d samples, noise %.2f %%", progress->samples,
-                 100 * progress->noise);
-    progress_show(user, progress->done, note);
-    return true;
-}
-
 static bool measure_paths(const struct values *values, const struct stage *stage,
                           const struct points *points, const struct settings *settings,
                           struct reading *readings) {
@@ -135,7 +127,7 @@ static bool measure_paths(const struct values *values, const struct stage *stage
     struct path_tracer_desc desc = values->tracer;
     desc.materials = MATERIALS_FULL;
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
-    desc.progress = show;
+    desc.progress = path_progress_show;
     desc.user = &progress;
     progress_start(&progress, "paths");
     bool ok = meter_paths(stage, &desc, points->sensors, points->count, readings, &reached);

@@ -188,15 +188,6 @@ static bool check_values(struct values *values) {
     return true;
 }
 
-static bool show(void *user, const struct path_tracer_progress *progress) {
-    char note[64] = "";
-    if (progress->samples > 0)
-        snprintf(note, sizeof note, "%d samples, noise %.2f %%", progress->samples,
-                 100 * progress->noise);
-    progress_show(user, progress->done, note);
-    return true;
-}
-
 static bool show_light(void *user, double done) {
     progress_show(user, done, "light paths");
     return true;
@@ -246,7 +237,7 @@ static bool trace_paths(const struct values *values, struct stage *stage,
         !stage_find_motion(stage, (double)values->stage.time, 1 / 25., &motion))
         return false; /* and the program ends */
     desc.medium = medium_of(&stage->scene, settings, stage->geometry.radius);
-    desc.progress = show;
+    desc.progress = path_progress_show;
     desc.user = &progress;
     desc.motion = &motion;
     progress_start(&progress, "paths");

@@ -91,10 +91,8 @@ static bool tell(struct tracing *tracing, double done, const char *note) {
 }
 
 static bool tell_paths(void *user, const struct path_tracer_progress *progress) {
-    char note[64] = "";
-    if (progress->samples > 0)
-        snprintf(note, sizeof note, "%d samples, noise %.2f %%", progress->samples,
-                 100 * progress->noise);
+    char note[PATH_NOTE_SIZE];
+    path_progress_note(note, progress);
     return tell(user, progress->done, note);
 }
 

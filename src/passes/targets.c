@@ -104,6 +104,12 @@ struct interleaving irradiance_pattern(const struct irradiance *irradiance) {
     };
 }
 
+void irradiance_view_tile(const struct irradiance *irradiance, int slot) {
+    int width = irradiance->tile_width, height = irradiance->tile_height;
+    pass_viewport(slot % irradiance->interleave * width, slot / irradiance->interleave * height,
+                  width, height);
+}
+
 void irradiance_free(struct irradiance *irradiance) {
     framebuffer_free(&irradiance->framebuffer);
     texture_free(&irradiance->texture);

@@ -108,6 +108,9 @@ bool irradiance_resize(struct irradiance *irradiance, int width, int height);
         return ok;                                                                                 \
     }
 
+/* Sets the viewport to the tile of a slot of the pattern, between two draws of a pass. */
+void irradiance_view_tile(const struct irradiance *irradiance, int slot);
+
 /* Returns the pattern's parameters for shaders. */
 struct interleaving irradiance_pattern(const struct irradiance *irradiance);
 

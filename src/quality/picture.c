@@ -7,6 +7,8 @@
 #include "scene/medium.h"
 #include "techniques/many_lights.h"
 
+#include <stdio.h>
+
 bool picture_render(const struct measure_desc *desc, struct image *image) {
     struct renderer renderer;
     *image = (struct image){0};
@@ -110,4 +112,18 @@ bool picture_trace_light(const struct stage *stage, const struct light_tracer_de
     placed.width = image->width;
     placed.height = image->height;
     return light_tracer_render(&placed, image, result);
+}
+
+void path_progress_note(char note[PATH_NOTE_SIZE], const struct path_tracer_progress *progress) {
+    *note = '\0';
+    if (progress->samples > 0)
+        snprintf(note, PATH_NOTE_SIZE, "%d samples, noise %.2f %%", progress->samples,
+                 100 * progress->noise);
+}
+
+bool path_progress_show(void *user, const struct path_tracer_progress *progress) {
+    char note[PATH_NOTE_SIZE];
+    path_progress_note(note, progress);
+    progress_show(user, progress->done, note);
+    return true;
 }

@@ -30,4 +30,11 @@ bool picture_trace_paths(const struct stage *stage, const struct path_tracer_des
 bool picture_trace_light(const struct stage *stage, const struct light_tracer_desc *desc,
                          struct image *image, struct light_tracer_result *result);
 
+/* Writes samples and noise so far; "" before the first. */
+enum { PATH_NOTE_SIZE = 64 };
+void path_progress_note(char note[PATH_NOTE_SIZE], const struct path_tracer_progress *progress);
+
+/* Shows them. Implements path_tracer_desc.progress; user: a struct progress. */
+bool path_progress_show(void *user, const struct path_tracer_progress *progress);
+
 #endif

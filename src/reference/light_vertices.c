@@ -41,7 +41,7 @@ static void trace(const struct work *work, uint32_t i) {
     }
     if (!vertex->diffuse || glms_vec3_norm2(vertex->radiance) > 0)
         vertex->density = arrival.density;
-    vertex->chosen = emission_times_chosen(work->emission, &hit, PATH_CHOICES, ray.taker, place);
+    vertex->chosen = emission_times_chosen(work->emission, &hit, LIGHT_CHOICES, ray.taker, place);
 }
 
 static void trace_chunk(void *context, size_t chunk) {

@@ -183,7 +183,7 @@ static vec3s from_ray(const struct ray_scene *rays, const struct emission *emiss
     struct reservoir reservoir = {.pick = picks.x};
     vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
     struct light_choice choices[CHOICES_MAX];
-    int count = emission_choose(emission, y, picks.y, PATH_CHOICES, choices);
+    int count = emission_choose(emission, y, picks.y, LIGHT_CHOICES, choices);
     for (int i = 0; i < count; i++) {
         int n = choices[i].n;
         struct arrival arrival;
@@ -210,7 +210,7 @@ static vec3s from_found_light(const struct ray_scene *rays, const struct emissio
         if (!emission_found(emission, rays, n, y, next->direction, &next->end, next->hits,
                             &arrival))
             continue;
-        float weight = emission_choice_weight(emission, y, PATH_CHOICES, n), found = arrival.found;
+        float weight = emission_choice_weight(emission, y, LIGHT_CHOICES, n), found = arrival.found;
         float p_light = LIGHTS_PER_VERTEX * arrival.density / p_ray;
         arrival.found *= weight;
         float share = emission_found_weight(&arrival, weight * p_light) / found;

@@ -121,10 +121,7 @@ static GLuint program_for(const struct gather_pass *pass, const struct gather_in
 
 static void draw_tile(const struct gather_pass *pass, const struct gather_inputs *inputs, int slot,
                       int list) {
-    const struct irradiance *target = &pass->irradiance;
-    int n = pass->desc.interleave;
-    pass_viewport(slot % n * target->tile_width, slot / n * target->tile_height, target->tile_width,
-                  target->tile_height);
+    irradiance_view_tile(&pass->irradiance, slot);
     if (pass->desc.receivers == RECEIVERS_ADAPTIVE)
         pixel_lists_draw(inputs->lists, list);
     else

@@ -178,8 +178,7 @@ static void draw_tile(const struct near_field_pass *pass, const struct near_fiel
     int slot = draw.slot;
     const struct irradiance *irradiance = inputs->irradiance;
     int n = irradiance->interleave;
-    pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
-                  irradiance->tile_width, irradiance->tile_height);
+    irradiance_view_tile(irradiance, slot);
     set_samples(slot % n, slot / n, draw.samples, draw.pass);
     int together = lights_of_draw(pass, &draw);
     for (int light = 0; light < draw.light_count; light += together) {

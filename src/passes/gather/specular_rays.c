@@ -102,8 +102,7 @@ void specular_rays_pass_render(const struct specular_rays_pass *pass, const stru
     write_params(pass, frame, radiance);
     pass_begin(frame->timers, &state);
     for (int slot = 0; slot < n * n; slot++) {
-        pass_viewport(slot % n * radiance->tile_width, slot / n * radiance->tile_height,
-                      radiance->tile_width, radiance->tile_height);
+        irradiance_view_tile(radiance, slot);
         pass_set_ints(LOCATION_SLOT, 0, 0, slot % n, slot / n);
         pass_draw_fullscreen(1);
     }

@@ -3,8 +3,7 @@
 // ends a walk as often as surfaces absorb light, and walks that go on keep their flux [Arvo and Kirk 1990]: no light is lost.
 // Includers define the functions that are declared here.
 #include "passes/visibility/bvh.glsl"
-#include "passes/lights/triangle_albedo.glsl"
-#include "lib/medium.glsl"
+#include "passes/lights/light_end.glsl"
 #include "lib/random.glsl"
 #include "lib/tangent.glsl"
 #include "lib/weighted_pick.glsl"
@@ -32,10 +31,9 @@ void walk_on(walk w, int bounces, bool one_more, uvec2 chance, inout float pick,
     int chosen = 0, last = one_more ? bounces + 1 : bounces;
     for (int bounce = 2; bounce <= last && w.goes; bounce++) {
         vec3 direction = cosine_direction(w.axis, walk_number(bounce - 2));
-        bvh_hit hit = bvh_meet(w.place, direction, true);
-        surface s = surface(hit.triangle >= 0, w.place + hit.distance * direction, hit.normal);
-        vec3 albedo = reflected(hit);
-        vec3 arrives = medium_sends(w.place, direction, true, chance ^ uvec2(0u, bounce), s, albedo);
+        vec3 albedo, arrives;
+        float away;
+        surface s = light_end(w.place, direction, chance ^ uvec2(0u, bounce), albedo, arrives, away);
         w.goes = s.present;
         if (w.goes && chosen == bounce - 1)
             end.next = vec4(s.position, distance(w.place, s.position));

@@ -2,10 +2,9 @@
 // luck where its light comes through a window.
 #include "passes/visibility/bvh.glsl"
 #include "passes/lights/sky_pieces.glsl"
-#include "passes/lights/triangle_albedo.glsl"
+#include "passes/lights/light_end.glsl"
 #include "lib/lattice.glsl"
 #include "lib/light.glsl"
-#include "lib/medium.glsl"
 #include "lib/vpl_rows.glsl"
 
 // Multiples of the golden ratio are even however few there are, and unlike the numbers of places.
@@ -20,10 +19,9 @@ vpl vpl_by_sky_ray(int index, int number, float measure, vec2 place) {
     vec2 at = 2.0 * fract(place + vec2(right.w, up.w)) - 1.0;
     vec3 from = origin.xyz + at.x * right.xyz + at.y * up.xyz;
     vec3 direction = normalize(cross(up.xyz, right.xyz));
-    bvh_hit hit = bvh_meet(from, direction, true);
-    surface s = surface(hit.triangle >= 0, from + hit.distance * direction, hit.normal);
-    vec3 albedo = reflected(hit);
-    vec3 arrives = medium_sends(from, direction, true, floatBitsToUint(place) + uint(number), s, albedo);
+    vec3 albedo, arrives;
+    float away;
+    surface s = light_end(from, direction, floatBitsToUint(place) + uint(number), albedo, arrives, away);
     if (!s.present)
         return vpl_even(from, -direction, 0.0, vec3(0.0), 0.0);
     float area = origin.w * measure, cosine = dot(s.normal, -direction);

@@ -2,11 +2,10 @@
 #include "lib/lattice.glsl"
 #include "lib/light_domain.glsl"
 #include "lib/light_tree.glsl"
-#include "lib/medium.glsl"
 #include "lib/random.glsl"
 #include "lib/vpl_rows.glsl"
 #include "passes/visibility/bvh.glsl"
-#include "passes/lights/triangle_albedo.glsl"
+#include "passes/lights/light_end.glsl"
 
 const int AREA_SAMPLES = 2;
 
@@ -52,14 +51,12 @@ vpl vpl_by_sampled_light(light many, int number, float measure, vec2 place) {
     vec3 direction = light_domain_direction(l, vec2(place.y, rest));
     float clearance = bvh_clearance(), domain = 2.0 * LIGHT_DOMAIN_PI * (1.0 - light_domain_end(l));
     vec3 from = l.position + (l.type == LIGHT_TYPE_AREA ? clearance * l.direction : vec3(0.0));
-    bvh_hit hit = bvh_meet(from, direction, true);
-    surface s = surface(hit.triangle >= 0, from + hit.distance * direction, hit.normal);
-    vec3 albedo = reflected(hit);
-    vec3 arrives = medium_sends(from, direction, true, floatBitsToUint(place) + uint(number), s, albedo);
+    vec3 albedo, arrives;
+    float away;
+    surface s = light_end(from, direction, floatBitsToUint(place) + uint(number), albedo, arrives, away);
     if (!s.present)
         return vpl_even(from, -direction, 0.0, vec3(0.0), 0.0);
-    float distance2 = hit.distance * hit.distance;
-    vec3 power = light_intensity(l, direction) * light_in_range(l, distance2) * arrives;
+    vec3 power = light_intensity(l, direction) * light_in_range(l, away * away) * arrives;
     float area = sampled_vpl_area(many, l, measure, s.position, s.normal, uint(number));
     return vpl_even(s.position, s.normal, area, albedo * power * (domain * measure / sampled_light_flux(i)), 0.0);
 }

@@ -1,6 +1,7 @@
 #include "passes/picture/geometry.h"
 
 #include "base/memory.h"
+#include "base/unit.h"
 #include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
@@ -60,15 +61,6 @@ static void render(struct pass_state state, const struct frame *frame,
     pass_set_state(&state);
     clear(gbuffer, zero, zero, 0);
     scene_gpu_draw_shaded(frame->scene, &views);
-}
-
-/* As lib/octahedral.glsl. */
-static void octahedral_encode(const float n[3], float code[4]) {
-    float sum = fabsf(n[0]) + fabsf(n[1]) + fabsf(n[2]);
-    for (int c = 0; c < 2; c++) {
-        float folded = copysignf(1 - fabsf(n[1 - c]) / sum, n[c]);
-        code[c] = .5F + .5F * (n[2] >= 0 ? n[c] / sum : folded);
-    }
 }
 
 /* Across the view of an orthographic camera, facing it. */

@@ -11,8 +11,7 @@ vec3 lamp_place(light l, vec3 direction, vec2 place) {
         return (place.x - 0.5) * l.width * l.right + (place.y - 0.5) * l.height * l.up;
     bool flat_disk = l.shape == LIGHT_SHAPE_DISK;
     vec3 right = flat_disk ? l.right : perpendicular(direction), up = flat_disk ? l.up : cross(direction, right);
-    float turn = 6.28318531 * place.y, wide = l.shape == LIGHT_SHAPE_CAP ? tan(0.5 * l.width) : 0.5 * l.width;
-    return wide * sqrt(place.x) * (cos(turn) * right + sin(turn) * up);
+    return disk_place(l.shape == LIGHT_SHAPE_CAP ? tan(0.5 * l.width) : 0.5 * l.width, right, up, place);
 }
 
 vec3 lamp_passes(light l, surface s, vec3 direction, float distance2) {

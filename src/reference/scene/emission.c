@@ -486,7 +486,7 @@ static struct reflected direct_by_ray(const struct emission *emission, const str
         if (!emission_found(emission, rays, n, hit, direction, &end, ends, &arrival))
             continue;
         float found = arrival.found;
-        arrival.found *= emission_choice_weight(emission, hit, DIRECT_CHOICES, n);
+        arrival.found *= emission_choice_weight(emission, hit, LIGHT_CHOICES, n);
         sum = add(sum, reflect(hit, &arrival, emission_found_weight(&arrival, 0) / found));
     }
     return sum;
@@ -498,7 +498,7 @@ static struct reflected direct_of_choices(const struct emission *emission,
                                           struct sampler *sampler) {
     struct light_choice choices[CHOICES_MAX];
     struct reflected sum = {0};
-    int count = emission_choose(emission, hit, sampler_next(sampler).x, DIRECT_CHOICES, choices);
+    int count = emission_choose(emission, hit, sampler_next(sampler).x, LIGHT_CHOICES, choices);
     for (int i = 0; i < count && choices[i].n < emission->light_count; i++) {
         vec2s sample = emission->has_sizes ? sampler_next(sampler) : (vec2s){{0, 0}};
         sum = add(sum, direct_from(emission, choices[i].n, rays, hit, sample, choices[i].weight));

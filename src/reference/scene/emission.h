@@ -14,13 +14,8 @@
 enum source_kind { SOURCE_LIGHT, SOURCE_SURFACES, SOURCE_SKY };
 
 /* Most lights that all count at each surface. More are sampled by a tree: so many for a sampler of
- * direct light, for a vertex of a path; and at most at once. */
-enum {
-    LIGHTS_ALL_MAX = 64,
-    DIRECT_CHOICES = 8,
-    PATH_CHOICES = 8,
-    CHOICES_MAX = LIGHTS_ALL_MAX + 2
-};
+ * direct light or a vertex of a path, and at most at once. */
+enum { LIGHTS_ALL_MAX = 64, LIGHT_CHOICES = 8, CHOICES_MAX = LIGHTS_ALL_MAX + 2 };
 
 struct source {
     enum source_kind kind;
@@ -143,7 +138,7 @@ float emission_picked_weight(const struct arrival *arrival, float other_density)
 vec3s emission_reflected(const struct hit *hit, const struct arrival *arrival);
 
 /* Returns the reflected direct light of all lights. Shadow rays: one to a point light; `count` to
- * others, and `count` of the reflection if they can hit a light. With a tree: DIRECT_CHOICES times
+ * others, and `count` of the reflection if they can hit a light. With a tree: LIGHT_CHOICES times
  * `count` to lights. */
 struct reflected emission_direct(const struct emission *emission, const struct ray_scene *rays,
                                  const struct hit *hit, const struct sampler *samplers, int count);

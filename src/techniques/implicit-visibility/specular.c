@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/memory.h"
 #include "base/parallel.h"
+#include "base/unit.h"
 #include "gl/program.h"
 #include "passes/frame.h"
 
@@ -73,16 +74,11 @@ bool specular_pass_fit(struct specular_pass *pass, int element_count) {
     return buffer_init(&pass->links, "links of elements", count * sizeof *pass->texels, NULL);
 }
 
-/* lib/octahedral.glsl's, 16 bits each. */
+/* 16 bits each. */
 static uint32_t octahedral(vec3s n) {
-    float sum = fabsf(n.x) + fabsf(n.y) + fabsf(n.z), x = n.x / sum, y = n.y / sum;
-    if (n.z < 0) {
-        float folded = copysignf(1 - fabsf(y), x);
-        y = copysignf(1 - fabsf(x), y);
-        x = folded;
-    }
-    return (uint32_t)lroundf((x * .5F + .5F) * 65535) | (uint32_t)lroundf((y * .5F + .5F) * 65535)
-                                                            << 16;
+    float code[2];
+    octahedral_encode(n.raw, code);
+    return (uint32_t)lroundf(code[0] * 65535) | (uint32_t)lroundf(code[1] * 65535) << 16;
 }
 
 struct writing {
