@@ -1,6 +1,7 @@
 // What each texel of the reflective shadow map reflects, for the near field: once for the texel, not for
 // each of the many samples that meet it.
 #include "lib/vpl_shares.glsl"
+#include "lib/light_domain.glsl"
 #include "passes/gather/near_light.glsl"
 #include "passes/lights/rsm_light.glsl"
 #include "shared/gather.h"
@@ -30,7 +31,7 @@ void main() {
     if (!s.present)
         return;
     float by_flux = vpl_share_at(v.light).measure * lit.distance2 / max(lit.cosine, VPL_COSINE_MIN);
-    float area = vpl_area_at(by_flux, v.light, l, s.position);
+    float area = vpl_area_at(by_flux, v.light, light_domain_place(l, s.position));
     vec3 from_light = s.position - l.position, power = lit.power * (lit.cosine > 0.0 ? params.power_scale : 0.0);
     power *= ndc_measure(v.view, dot(from_light, v.view.forward) * inversesqrt(dot(from_light, from_light)));
     float z = dot(s.position - v.view.origin, v.view.forward);

@@ -16,8 +16,9 @@ enum { RAYS = 1, ADAPTIVE_RAYS = 8 }; /* of a pixel */
 static bool init_program(const struct near_sampled_pass *pass, GLuint *program, int receivers) {
     const struct near_sampled_desc *desc = &pass->desc;
     bool of_lists = receivers == RECEIVERS_ADAPTIVE;
-    char *defines = mem_printf("%s%sRECEIVERS %d", light_defines(desc->medium, desc->slides),
-                               desc->by_importance ? "BY_IMPORTANCE;" : "", receivers);
+    char *defines =
+        mem_printf("%sRECEIVERS %d;VPL_AREA %s", light_defines(desc->medium, desc->slides),
+                   receivers, vpl_area_file(desc->by_importance));
     bool ok = program_init(
         program, &(struct program_desc){
                      .vertex = of_lists ? "passes/gather/list_rows.vert" : NULL,
@@ -56,8 +57,7 @@ static void draw_tiles(const struct near_sampled_pass *pass,
     const struct irradiance *irradiance = inputs->irradiance;
     int n = irradiance->interleave;
     for (int slot = 0; slot < n * n; slot++) {
-        pass_viewport(slot % n * irradiance->tile_width, slot / n * irradiance->tile_height,
-                      irradiance->tile_width, irradiance->tile_height);
+        irradiance_view_tile(irradiance, slot);
         pass_set_ints(LOCATION_SLOT, 0, 0, slot % n, slot / n);
         if (!inputs->of_lists)
             pass_draw_fullscreen(1);

@@ -5,24 +5,13 @@
 #include "passes/lights/vpl_sampled.glsl"
 #include "passes/visibility/shadow_ray.glsl"
 #include "lib/vpl_shares.glsl"
-#ifdef BY_IMPORTANCE
-#include "passes/lights/vpl_density.glsl"
-#endif
+#include VPL_AREA
 
 PASS_BLOCK(near_sampled_params, 32)
 
 layout(location = LOCATION_SLOT) uniform ivec4 slot; // the tile's place in the pattern, in its last two
 
 layout(location = TARGET_RESULT) out vec4 irradiance;
-
-// How much of the light that a light sends there is the near field's.
-float near_share_of(int i, light l, surface end, float away, float area) {
-    vpl_share share = vpl_share_at(params.many);
-#ifdef BY_IMPORTANCE
-    area = vpl_dense_area(area, vpl_density(params.many, sampled_light_place(i, l, end.position)));
-#endif
-    return near_share(away * away, area, share.reach);
-}
 
 // Irradiance at what a ray meets, as far as it is the near field's.
 vec3 near_light(surface end, float away, uvec3 seed) {
@@ -33,9 +22,11 @@ vec3 near_light(surface end, float away, uvec3 seed) {
     if (i < 0)
         return vec3(0.0);
     light l = sampled_light_piece(i, random_of(seed.yzx));
-    float area = sampled_vpl_area(light_at(params.many), l, share.measure, end.position, end.normal, floatBitsToUint(numbers.y));
+    uint number = floatBitsToUint(numbers.y);
+    float area = sampled_vpl_area(light_at(params.many), l, share.measure, end.position, end.normal, number);
+    area = vpl_area_at(area, params.many, sampled_light_place(i, l, end.position));
     vec3 direction = normalize(end.position - l.position);
-    float near = near_share_of(i, l, end, away, area);
+    float near = near_share(away * away, area, share.reach);
     float weight = near * max(-dot(end.normal, direction), 0.0) / probability;
     return arriving(l, end.position, end.normal, weight, direction);
 }

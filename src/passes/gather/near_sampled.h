@@ -2,7 +2,7 @@
  * within a few VPL spacings of the receiver, by rays from the receiver. Each surface that a ray
  * meets takes one light by the light tree, and a ray tests its visibility. VPLs give all other
  * light (passes/gather/near_field.h has the split). Unbiased, as the area of a VPL is estimated
- * alike for both. Cost: pixels x rays x (two rays + nine samples of the tree within reach). */
+ * alike for both. Cost: pixels x rays x (two rays + three samples of the tree). */
 #ifndef PASSES_NEAR_SAMPLED_H
 #define PASSES_NEAR_SAMPLED_H
 

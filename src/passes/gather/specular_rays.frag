@@ -8,6 +8,7 @@
 #include "lib/weighted_pick.glsl"
 #include "passes/gather/receiver_all.glsl"
 #include "passes/gather/specular_weight.glsl"
+#include "lib/light_domain.glsl"
 #include "lib/vpl_shares.glsl"
 #include "shared/gather.h"
 #include "shared/vpl.h"
@@ -41,13 +42,16 @@ float share_of_rays(specular_surface seen, surface s, surface end, vec3 directio
     vpl_share shares = vpl_share_at(chosen.index);
     light l = light_at(chosen.index);
     float area = chosen.distance2 / max(chosen.cosine, VPL_COSINE_MIN) * shares.measure;
+    vec2 place = light_domain_place(l, end.position);
 #ifdef HAS_SAMPLED
-    if (chosen.sampled >= 0)
-        area = sampled_vpl_area(l, sampled_light_middle(chosen.sampled), shares.measure, end.position, end.normal,
-                                floatBitsToUint(chosen.cosine));
-    else
+    if (chosen.sampled >= 0) {
+        light own = sampled_light_middle(chosen.sampled);
+        uint number = floatBitsToUint(chosen.cosine);
+        area = sampled_vpl_area(l, own, shares.measure, end.position, end.normal, number);
+        place = sampled_light_place(chosen.sampled, own, end.position);
+    }
 #endif
-        area = vpl_area_at(area, chosen.index, l, end.position);
+    area = vpl_area_at(area, chosen.index, place);
     specular_densities there = specular_densities_at(seen, direction, -dot(end.normal, direction), dot(path, path),
                                                      rays, area * params.vpl_weight);
     return specular_weight(there.rays, there.vpls);
