@@ -52,9 +52,10 @@ static void inspect_all(struct renderer *renderer) {
     inspect_free(&inspect);
     struct image layers;
     image_init(&layers, SIZE, SIZE, "R G B");
-    check(
-        aov_append(renderer, inspect_find(renderer, OUTPUT_VALS) ? "val,ao" : "ao", NULL, &layers),
-        "AOV");
+    check(aov_append(renderer,
+                     inspect_find(renderer, OUTPUT_VALS) ? "val,ao,id.node" : "ao,id.node", NULL,
+                     &layers),
+          "AOV");
     image_free(&layers);
     struct probe probe = {0};
     struct pick pick;
