@@ -375,11 +375,15 @@ MANYLIGHT_API enum manylight_status manylight_render(struct manylight_renderer *
 
 /* Copies all layers of the last frame: R G B A, Z, direct, indirect, albedo, normal, and those of
  * specular surfaces, media and caustics. outputs adds layers as --aov does, "id.node,uv"; NULL:
- * none. Layers of surfaces are of pixel centres, without mixing, 0 where nothing is seen: id.node,
- * id.mesh and id.material (for manylight_scene_name), position (m, as of the camera), depth (along
- * the ray, m), uv, motion.next and motion.previous (from a pixel to where its surface is seen a
- * step later and earlier, pixels, y down). Outputs of the technique, "val,visibility", are for
- * single passes, not means. */
+ * none. Outputs of the technique, "val,visibility", are for single passes, not means.
+ *
+ * Layers of surfaces show pixel centres, without mixing. They are 0 where nothing is seen:
+ *   id.node, id.mesh, id.material   from 1 on, for manylight_scene_name
+ *   position                        metres, as of the camera
+ *   depth                           along the ray, metres
+ *   uv                              texture coordinates
+ *   motion.next, motion.previous    pixels to the surface's place a step later or earlier, y down
+ */
 MANYLIGHT_API enum manylight_status manylight_read(struct manylight_renderer *renderer,
                                                    const char *outputs,
                                                    struct manylight_image **image);

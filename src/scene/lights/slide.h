@@ -1,9 +1,9 @@
 /* A slide colours a light by direction: in a spot, as of a projector or a stained-glass window
  * [Dong 2011 §8.4.2], or the profile of a point.
  *
- * In a spot it fills the square around the cone; its top is the light's up. A profile has a column
- * for each part of a turn about the axis, from the light's right to its up, and a row for each part
- * of half a turn away from the axis; first and last texels are at 0 and at the whole. */
+ * In a spot it fills the square around the cone; its top is the light's up. Columns of a profile
+ * divide a turn about the axis, from the light's right to its up. Rows divide half a turn away from
+ * the axis. The first texels are at 0, the last at the whole. */
 #ifndef SCENE_LIGHTS_SLIDE_H
 #define SCENE_LIGHTS_SLIDE_H
 
