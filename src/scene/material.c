@@ -116,19 +116,24 @@ float reflectance_transmits(const struct reflectance *reflectance) {
                                 reflectance->roughness);
 }
 
+struct reflectance reflectance_lobe(const struct reflectance *reflectance, vec3s base_color) {
+    struct reflectance lobe = *reflectance;
+    lobe.f0 = glms_vec3_lerp(lobe.f0, base_color, lobe.metalness);
+    lobe.f90 = glm_lerp(lobe.f90, 1, lobe.metalness);
+    return lobe;
+}
+
 vec3s material_reflects(const struct material *material, vec3s base_color,
                         const struct reflectance *reflectance) {
-    float metalness = reflectance->metalness, roughness = reflectance->roughness;
     if (material->unlit)
         return glms_vec3_zero();
     if (material_is_diffuse(material))
         return base_color;
-    float diffuse = (1 - metalness) * reflectance_transmits(reflectance);
-    vec3s f0 = glms_vec3_lerp(reflectance->f0, base_color, metalness);
-    float f90 = glm_lerp(reflectance->f90, 1, metalness);
+    float diffuse = (1 - reflectance->metalness) * reflectance_transmits(reflectance);
+    struct reflectance lobe = reflectance_lobe(reflectance, base_color);
     vec3s sum = glms_vec3_scale(base_color, diffuse);
     for (int c = 0; c < 3; c++)
-        sum.raw[c] += lobe_mean_albedo(f0.raw[c], f90, roughness);
+        sum.raw[c] += lobe_mean_albedo(lobe.f0.raw[c], lobe.f90, lobe.roughness);
     return sum;
 }
 

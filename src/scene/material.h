@@ -81,6 +81,9 @@ struct reflectance material_reflectance_at(const struct material *material, vec4
 /* Returns the default grazing reflectance for the greatest reflectance at normal incidence. */
 float reflectance_grazing(float f0);
 
+/* Returns the reflectance of the specular lobe, with a metal's in f0 and f90. */
+struct reflectance reflectance_lobe(const struct reflectance *reflectance, vec3s base_color);
+
 /* Returns the fraction of uniform light that a surface reflects, diffuse plus specular. */
 vec3s material_reflects(const struct material *material, vec3s base_color,
                         const struct reflectance *reflectance);

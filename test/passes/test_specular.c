@@ -476,6 +476,23 @@ static void test_mirror(void **state) {
     stage_free(&stage);
 }
 
+/* The same light as one spot, which has a map, and as so many that none has. */
+static void check_floor(const struct stage *stage, const struct image *reference, int spots) {
+    struct stage own = *stage;
+    struct emitter lights[32];
+    for (int i = 0; i < spots; i++) {
+        lights[i] = stage->emitters.items[0];
+        glm_vec3_scale(lights[i].intensity, 1 / (float)spots, lights[i].intensity);
+    }
+    own.emitters = (struct emitters){.items = lights, .count = spots};
+    struct image drawn = render_stage(&own, "clustered", "", reference->width);
+    printf("    %d spots, ", spots);
+    check_near("indirect over the reference's",
+               layer_mean(&drawn, "indirect") / layer_mean(reference, "indirect"), 1, .03);
+    check_at_most("error", relative_rmse(&drawn, reference, "indirect"), .1);
+    image_free(&drawn);
+}
+
 /* A floor of rough metal throws a spot's light onto the wall ahead. */
 static void test_metal_floor(void **state) {
     (void)state;
@@ -501,12 +518,10 @@ static void test_metal_floor(void **state) {
         enum { SIZE = 48 };
         stage.scene.materials[1].roughness = of_floor[i];
         struct image reference = trace(&stage, SIZE);
-        struct image drawn = render_stage(&stage, "clustered", "", SIZE);
-        printf("    roughness %.2f:", (double)of_floor[i]);
-        check_near("indirect over the reference's",
-                   layer_mean(&drawn, "indirect") / layer_mean(&reference, "indirect"), 1, .03);
-        check_at_most("error", relative_rmse(&drawn, &reference, "indirect"), .1);
-        images_free(&reference, &drawn);
+        printf("    roughness %.2f:\n", (double)of_floor[i]);
+        check_floor(&stage, &reference, 1);
+        check_floor(&stage, &reference, 20);
+        image_free(&reference);
     }
     stage_free(&stage);
 }

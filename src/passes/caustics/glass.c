@@ -40,7 +40,6 @@ static void add_glow(const struct glass_pass *pass, const struct geometry *geome
 }
 
 static bool init_triangles(struct glass_pass *pass, const struct geometry *geometry) {
-    _Static_assert(sizeof(struct triangle_albedo) == 4 * sizeof(float), "a texel");
     size_t count = geometry->index_count / 3;
     struct triangle_albedo *albedos = mem_alloc(count, sizeof *albedos);
     float(*texels)[4] = mem_alloc(2 * count, sizeof *texels);
@@ -51,7 +50,7 @@ static bool init_triangles(struct glass_pass *pass, const struct geometry *geome
     texture_decode_table(colors.srgb_to_linear);
     triangle_albedos_find(albedos, &colors);
     for (size_t i = 0; i < count; i++)
-        memcpy(texels[2 * i], &albedos[i], sizeof albedos[i]);
+        glm_vec4(albedos[i].color, albedos[i].backs, texels[2 * i]);
     add_glow(pass, geometry, texels);
     bool ok = buffer_init_texels(&pass->triangles, GL_RGBA32F, "triangles that glass shows",
                                  2 * count * sizeof *texels, texels);

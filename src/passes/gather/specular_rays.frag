@@ -89,7 +89,7 @@ vec3 found(surface s, specular_surface seen, vec3 direction, ivec2 own, uint see
     if (chosen.share > 0.0) {
         float rays = specular_effort(seen) * float(params.rays) / (on_screen ? 1.0 : float(light_count));
         sent = on_screen ? albedo * texelFetch(direct, pixel, 0).rgb
-                         : hit_radiance(end, albedo, chosen, -direction, seen.alpha, random.y);
+                         : hit_radiance(end, albedo, reflected_specular(hit), chosen, -direction, seen.alpha, random.y);
         sent *= share_of_rays(seen, s, end, direction, chosen, rays);
     }
     return (sent + later) * medium_passes_between(s.position, end.position);

@@ -1,4 +1,4 @@
-/* Uploads the albedo of each triangle, for light rays. */
+/* Uploads the albedo and the specular lobe of each triangle, for light rays. */
 #ifndef PASSES_ALBEDOS_H
 #define PASSES_ALBEDOS_H
 
@@ -14,9 +14,8 @@ struct albedos_desc {
 
 struct albedos {
     struct albedos_desc desc;
-    struct buffer
-        buffer;       /* struct triangle_albedo of each triangle; texels: UNIT_TRIANGLE_ALBEDOS */
-    unsigned painted; /* value of geometry->painted for `buffer` */
+    struct buffer buffer; /* two texels a triangle: UNIT_TRIANGLE_ALBEDOS */
+    unsigned painted;     /* value of geometry->painted for `buffer` */
 };
 
 /* Error: driver, memory. */

@@ -125,16 +125,16 @@ vec3 end_reflects(surface end, vec3 albedo, vec4 code, vec3 to_light, vec3 to_re
            (specular.rgb == vec3(0.0) ? vec3(0.0) : specular_brdf(s, to_light));
 }
 
-// Radiance by the chosen light, over the chance that it is chosen. A sky's light sample has many directions: `random`
+// Radiance by the chosen light, over the chance that it is chosen. code: the specular part of the albedo. A sky's light sample has many directions: `random`
 // takes one.
-vec3 hit_radiance(surface end, vec3 albedo, chosen_light chosen, vec3 to_receiver, float receiver_alpha, float random) {
+vec3 hit_radiance(surface end, vec3 albedo, vec4 code, chosen_light chosen, vec3 to_receiver, float receiver_alpha,
+                  float random) {
     light l = light_at(chosen.index);
     if (chosen.sampled >= 0)
         l = sampled_light_middle(chosen.sampled);
     bool directional = l.type == LIGHT_TYPE_DIRECTIONAL;
     float distance2;
     vec3 incoming, power = light_towards(l, end.position, incoming, distance2), normal = end.normal;
-    vec4 code = vec4(0.0);
     if (IS_SKY(chosen.index))
         take_sky_direction(chosen.index, random, incoming, power);
     else if (chosen.sampled < 0)

@@ -2,12 +2,16 @@
 #include "lib/medium.glsl"
 #include "passes/lights/triangle_albedo.glsl"
 
-// albedo: what the end reflects; arrives: what of the light arrives, over the chance; away: of the surface, metres.
-surface light_end(vec3 from, vec3 direction, uvec2 seed, out vec3 albedo, out vec3 arrives, out float away) {
+// albedo: what the end reflects; specular: the lobe's part of it (lib/specular.glsl); arrives: what of the light arrives, over
+// the chance; away: of the surface, metres.
+surface light_end(vec3 from, vec3 direction, uvec2 seed, out vec3 albedo, out vec4 specular, out vec3 arrives,
+                  out float away) {
     bvh_hit hit = bvh_meet(from, direction, true);
-    surface s = surface(hit.triangle >= 0, from + hit.distance * direction, hit.normal);
+    vec3 place = from + hit.distance * direction;
+    surface s = surface(hit.triangle >= 0, place, hit.normal);
     albedo = reflected(hit);
     arrives = medium_sends(from, direction, true, seed, s, albedo);
+    specular = s.position == place ? reflected_specular(hit) : vec4(0.0);
     away = hit.distance;
     return s;
 }

@@ -32,8 +32,9 @@ void walk_on(walk w, int bounces, bool one_more, uvec2 chance, inout float pick,
     for (int bounce = 2; bounce <= last && w.goes; bounce++) {
         vec3 direction = cosine_direction(w.axis, walk_number(bounce - 2));
         vec3 albedo, arrives;
+        vec4 specular;
         float away;
-        surface s = light_end(w.place, direction, chance ^ uvec2(0u, bounce), albedo, arrives, away);
+        surface s = light_end(w.place, direction, chance ^ uvec2(0u, bounce), albedo, specular, arrives, away);
         w.goes = s.present;
         if (w.goes && chosen == bounce - 1)
             end.next = vec4(s.position, distance(w.place, s.position));

@@ -3,6 +3,7 @@
 #include "passes/visibility/bvh.glsl"
 #include "passes/lights/sky_pieces.glsl"
 #include "passes/lights/light_end.glsl"
+#include "passes/lights/vpl_lobe.glsl"
 #include "lib/lattice.glsl"
 #include "lib/light.glsl"
 #include "lib/vpl_rows.glsl"
@@ -20,11 +21,14 @@ vpl vpl_by_sky_ray(int index, int number, float measure, vec2 place) {
     vec3 from = origin.xyz + at.x * right.xyz + at.y * up.xyz;
     vec3 direction = normalize(cross(up.xyz, right.xyz));
     vec3 albedo, arrives;
+    vec4 specular;
     float away;
-    surface s = light_end(from, direction, floatBitsToUint(place) + uint(number), albedo, arrives, away);
+    surface s = light_end(from, direction, floatBitsToUint(place) + uint(number), albedo, specular, arrives, away);
     if (!s.present)
         return vpl_even(from, -direction, 0.0, vec3(0.0), 0.0);
     float area = origin.w * measure, cosine = dot(s.normal, -direction);
     vec3 power = sky_piece_row(index, piece, 3).xyz * area * arrives;
-    return vpl_even(s.position, s.normal, area / max(cosine, VPL_COSINE_MIN), albedo * power, 0.0);
+    vpl v = vpl_even(s.position, s.normal, area / max(cosine, VPL_COSINE_MIN), albedo * power, 0.0);
+    take_lobe(v, specular, albedo, -direction, cosine, 0.0);
+    return v;
 }

@@ -2,6 +2,7 @@
 #include "lib/light_domain.glsl"
 #include "passes/lights/rsm_light.glsl"
 #include "lib/vpl_rows.glsl"
+#include "passes/lights/vpl_lobe.glsl"
 #ifdef SKY_RAYS
 #include "passes/lights/sky_ray.glsl"
 #endif
@@ -9,9 +10,6 @@
 #include "passes/lights/vpl_sampled.glsl"
 #endif
 #ifdef VPL_LOBES
-// The lobe by which a VPL mirrors its light, as the light's map has the surface.
-#include "lib/lobe_albedo.glsl"
-#include "lib/octahedral.glsl"
 #include "lib/rsm_specular.glsl"
 
 float bend_towards(vpl v, light_view view, ivec2 texel) {
@@ -30,15 +28,10 @@ float patch_bend(vpl v, light_view view, ivec2 texel) {
     return across + along;
 }
 
-void take_lobe(inout vpl v, light l, light_view view, ivec2 texel, float cosine) {
-    vec4 code = rsm_specular(view, texel), specular = specular_decode(code);
-    float grazing = max(cosine, BRDF_LEAST_COSINE);
-    float alpha = specular_alpha(specular.a);
-    v.alpha = min(sqrt(alpha * alpha + patch_bend(v, view, texel)), 1.0);
-    v.to_light = octahedral_encode(l.type == LIGHT_TYPE_DIRECTIONAL ? -l.direction : normalize(l.position - v.position));
-    vec3 mirrored = specular_albedo(specular.rgb, specular_grazing(code), alpha, grazing);
-    float share = dot(mirrored, vec3(1.0)) / max(dot(rsm_albedo(view, texel), vec3(1.0)), 1e-6);
-    v.lobe = uintBitsToFloat(packHalf2x16(vec2(min(share, 1.0), lobe_albedo(v.alpha, grazing).x)));
+void take_map_lobe(inout vpl v, light l, light_view view, ivec2 texel, float cosine) {
+    vec3 to_light = l.type == LIGHT_TYPE_DIRECTIONAL ? -l.direction : normalize(l.position - v.position);
+    take_lobe(v, rsm_specular(view, texel), rsm_albedo(view, texel), to_light, cosine,
+              patch_bend(v, view, texel));
 }
 #endif
 
@@ -54,7 +47,7 @@ vpl vpl_of_texel(light l, float measure, light_view view, ivec2 texel, uvec2 see
     v.area = measure * lit.distance2 / max(lit.cosine, VPL_COSINE_MIN);
 #ifdef VPL_LOBES
     if (!lit.at_pane)
-        take_lobe(v, l, view, texel, lit.cosine);
+        take_map_lobe(v, l, view, texel, lit.cosine);
 #endif
     return v;
 }

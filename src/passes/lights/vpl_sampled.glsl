@@ -6,6 +6,7 @@
 #include "lib/vpl_rows.glsl"
 #include "passes/visibility/bvh.glsl"
 #include "passes/lights/light_end.glsl"
+#include "passes/lights/vpl_lobe.glsl"
 
 const int AREA_SAMPLES = 2;
 
@@ -52,11 +53,15 @@ vpl vpl_by_sampled_light(light many, int number, float measure, vec2 place) {
     float clearance = bvh_clearance(), domain = 2.0 * LIGHT_DOMAIN_PI * (1.0 - light_domain_end(l));
     vec3 from = l.position + (l.type == LIGHT_TYPE_AREA ? clearance * l.direction : vec3(0.0));
     vec3 albedo, arrives;
+    vec4 specular;
     float away;
-    surface s = light_end(from, direction, floatBitsToUint(place) + uint(number), albedo, arrives, away);
+    surface s = light_end(from, direction, floatBitsToUint(place) + uint(number), albedo, specular, arrives, away);
     if (!s.present)
         return vpl_even(from, -direction, 0.0, vec3(0.0), 0.0);
     vec3 power = light_intensity(l, direction) * light_in_range(l, away * away) * arrives;
     float area = sampled_vpl_area(many, l, measure, s.position, s.normal, uint(number));
-    return vpl_even(s.position, s.normal, area, albedo * power * (domain * measure / sampled_light_flux(i)), 0.0);
+    vec3 flux = albedo * power * (domain * measure / sampled_light_flux(i));
+    vpl v = vpl_even(s.position, s.normal, area, flux, 0.0);
+    take_lobe(v, specular, albedo, -direction, -dot(s.normal, direction), 0.0);
+    return v;
 }

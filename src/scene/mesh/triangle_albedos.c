@@ -24,28 +24,49 @@ static uint32_t count_places(const struct finder *finder, const struct material 
     return 1 + (uint32_t)fmin(share * PLACES, PLACES_MOST - 1);
 }
 
-static vec3s mean_color(const struct finder *finder, const struct material *material,
-                        const uint32_t index[3]) {
+static void add_lobe(struct triangle_albedo *sum, const struct corners *corners,
+                     const struct surface_colors *colors, const struct material *material,
+                     float share) {
+    const float *table = colors->srgb_to_linear;
+    vec4s base = corners_base_color(corners, colors->scene, colors->geometry, table, material);
+    struct reflectance at =
+        corners_reflectance(corners, colors->scene, colors->geometry, table, material);
+    struct reflectance lobe = reflectance_lobe(&at, glms_vec3(base));
+    glm_vec3_muladds(lobe.f0.raw, share, sum->f0);
+    sum->f90 += share * lobe.f90;
+    sum->roughness += share * lobe.roughness;
+}
+
+static bool has_lobe(const struct surface_colors *colors, const struct material *material) {
+    return colors->materials == MATERIALS_FULL && !material->unlit &&
+           !material_is_diffuse(material) &&
+           !(colors->smooth_black && material_smooth_kind(material) != SMOOTH_NONE);
+}
+
+static struct triangle_albedo mean_of(const struct finder *finder, const struct material *material,
+                                      const uint32_t index[3]) {
+    struct triangle_albedo sum = {.backs = material->double_sided ? 1 : 0};
     struct corners corners;
-    vec3s sum = glms_vec3_zero();
     uint32_t places = count_places(finder, material, index);
+    float share = 1 / (float)places;
     memcpy(corners.index, index, sizeof corners.index);
     for (uint32_t i = 0; i < places; i++) {
         corners_spread(corners.weight, radical_inverse(2, 1 + i), radical_inverse(3, 1 + i));
-        sum = glms_vec3_add(sum, glms_vec3(corners_albedo(&corners, finder->colors, material)));
+        vec4s color = corners_albedo(&corners, finder->colors, material);
+        glm_vec3_add(sum.color, color.raw, sum.color);
+        if (has_lobe(finder->colors, material))
+            add_lobe(&sum, &corners, finder->colors, material, share);
     }
-    return glms_vec3_scale(sum, 1 / (float)places);
+    glm_vec3_scale(sum.color, share, sum.color);
+    return sum;
 }
 
 static void find_in_batch(struct triangle_albedo *albedos, const struct finder *finder,
                           const struct geometry_batch *batch) {
     const struct geometry *geometry = finder->colors->geometry;
     const struct material *material = &finder->colors->scene->materials[batch->material];
-    for (uint32_t at = batch->first_index; at < batch->first_index + batch->index_count; at += 3) {
-        vec3s color = mean_color(finder, material, &geometry->indices[at]);
-        albedos[at / 3] = (struct triangle_albedo){.backs = material->double_sided ? 1 : 0};
-        memcpy(albedos[at / 3].color, color.raw, sizeof color.raw);
-    }
+    for (uint32_t at = batch->first_index; at < batch->first_index + batch->index_count; at += 3)
+        albedos[at / 3] = mean_of(finder, material, &geometry->indices[at]);
 }
 
 void triangle_albedos_find(struct triangle_albedo *albedos, const struct surface_colors *colors) {
