@@ -11,7 +11,7 @@
 #include <string.h>
 
 /* Most lights that all have maps. Of more, lights with maps are directional ones and each that has
- * more than this part of all flux. Triangles take the place of stand-ins. */
+ * more than this part of all flux. Stand-ins have none: triangles of their surfaces are sampled. */
 enum { MAPPED_LIGHTS_MAX = 16 };
 
 /* Sampled lights light no medium and no glass, need rays, and have a direct method of their own. */
@@ -24,20 +24,23 @@ static bool may_sample(const struct renderer_desc *desc) {
 
 static void divide_lights(struct light_plan *plan, const struct renderer_desc *desc) {
     struct emitters *mapped = &plan->mapped, *sampled = &plan->sampled;
-    int count = desc->emitters.count;
+    int count = desc->emitters.count, stand_ins = 0;
     double flux = 0;
     *mapped = emitters_copy(&desc->emitters);
     *sampled = (struct emitters){0};
-    if (count <= MAPPED_LIGHTS_MAX || !may_sample(desc))
-        return;
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
+        stand_ins += mapped->items[i].stands_in;
         if (mapped->items[i].type != EMITTER_DIRECTIONAL)
             flux += emitter_flux(&mapped->items[i], 1);
+    }
+    bool are_few = count - stand_ins <= MAPPED_LIGHTS_MAX;
+    if ((are_few && stand_ins == 0) || !may_sample(desc))
+        return;
     sampled->items = mem_alloc((size_t)count, sizeof *sampled->items);
     mapped->count = 0;
     for (int i = 0; i < count; i++) {
         const struct emitter *light = &desc->emitters.items[i];
-        bool has_maps = !light->stands_in && (light->type == EMITTER_DIRECTIONAL ||
+        bool has_maps = !light->stands_in && (are_few || light->type == EMITTER_DIRECTIONAL ||
                                               MAPPED_LIGHTS_MAX * emitter_flux(light, 1) > flux);
         struct emitters *list = has_maps ? mapped : sampled;
         list->items[list->count++] = *light;

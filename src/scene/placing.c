@@ -329,6 +329,13 @@ static bool check_profile(const struct emitter *emitter) {
            error_set("light: a light with a profile is a point without a size");
 }
 
+/* The light of a surface follows its material. */
+static bool check_stand_in(const struct emitter *emitter, unsigned given) {
+    return !given || !emitter->stands_in ||
+           error_set("light: %d stands in for a part of a surface that emits, and cannot change",
+                     emitter->number);
+}
+
 /* Picks the lights of one part of the text, with its changes. */
 static bool pick_emitters(struct picked *picked, const struct scene *scene, char *part) {
     int count = picked->scene_count;
@@ -344,8 +351,9 @@ static bool pick_emitters(struct picked *picked, const struct scene *scene, char
     for (int n = 0; ok && n <= count; n++) {
         picked->shines[n] |= marked[n];
         if (n < count && marked[n]) {
-            change_emitter(&picked->emitters.items[n], &changes, given);
-            ok = check_profile(&picked->emitters.items[n]);
+            struct emitter *light = &picked->emitters.items[n];
+            change_emitter(light, &changes, given);
+            ok = check_profile(light) && check_stand_in(light, given);
         }
     }
     free(marked);

@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "base/halton.h"
+#include "scene/placing.h"
 
 #include <math.h>
 #include <string.h>
@@ -208,6 +209,25 @@ static void test_one_strong(void **state) {
     stage_free(&stage);
 }
 
+/* A ball that emits is its triangles; a change of what stands in for it is refused. */
+static void test_ball(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitters changed = {0};
+    open_stage(&stage, "scenes/failures/ball-lamp.glb");
+    struct image traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced);
+    struct image image = render_stage(&stage, "clustered", "", SIZE);
+    check_near("direct light over the reference's",
+               layer_mean(&image, "direct") / layer_mean(&reference, "direct"), 1, .02);
+    check_at_most("its error", relative_rmse(&image, &reference, "direct"), .1);
+    check_near("indirect light over the reference's",
+               layer_mean(&image, "indirect") / layer_mean(&reference, "indirect"), 1, .05);
+    assert_false(emitters_from_text(&changed, &stage.scene, "0 size=2,2", 0));
+    assert_non_null(strstr(error_get(), "light: 0 stands in"));
+    images_free(&traced, &reference, &image);
+    stage_free(&stage);
+}
+
 /* Lights outside a closed room light nothing in it. */
 static void test_behind_walls(void **state) {
     (void)state;
@@ -273,7 +293,7 @@ int main(void) {
         cmocka_unit_test(test_panels),       cmocka_unit_test(test_passes),
         cmocka_unit_test(test_order),        cmocka_unit_test(test_one_strong),
         cmocka_unit_test(test_behind_walls), cmocka_unit_test(test_gloss),
-        cmocka_unit_test(test_follow),
+        cmocka_unit_test(test_ball),         cmocka_unit_test(test_follow),
     };
     return cmocka_run_group_tests_name("sampled lights", tests, open_group_context,
                                        close_group_context);

@@ -2,6 +2,7 @@
 //     E = 1/n sum_j  rho E_y near(d)     y: what ray j meets; E_y: by one light of the tree
 #include "passes/gather/receiver.glsl"
 #include "passes/gather/near_field.glsl"
+#include "lib/lattice.glsl"
 #include "passes/lights/vpl_sampled.glsl"
 #include "passes/visibility/shadow_ray.glsl"
 #include "lib/vpl_shares.glsl"
@@ -16,14 +17,12 @@ layout(location = TARGET_RESULT) out vec4 irradiance;
 // Irradiance at what a ray meets, as far as it is the near field's.
 vec3 near_light(surface end, float away, uvec3 seed) {
     vpl_share share = vpl_share_at(params.many);
-    vec2 numbers = random_of(seed);
-    float probability;
-    int i = end.present ? light_tree_sample(end.position, end.normal, numbers.x, probability) : -1;
+    float number = random_of(seed).x, probability;
+    int i = end.present ? light_tree_sample(end.position, end.normal, number, probability) : -1;
     if (i < 0)
         return vec3(0.0);
     light l = sampled_light_piece(i, random_of(seed.yzx));
-    uint number = floatBitsToUint(numbers.y);
-    float area = sampled_vpl_area(light_at(params.many), l, share.measure, end.position, end.normal, number);
+    float area = sampled_vpl_area(light_at(params.many), l, share.measure, end.position, end.normal);
     area = vpl_area_at(area, params.many, sampled_light_place(i, l, end.position));
     vec3 direction = normalize(end.position - l.position);
     float near = near_share(away * away, area, share.reach);

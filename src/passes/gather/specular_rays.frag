@@ -46,8 +46,7 @@ float share_of_rays(specular_surface seen, surface s, surface end, vec3 directio
 #ifdef HAS_SAMPLED
     if (chosen.sampled >= 0) {
         light own = sampled_light_middle(chosen.sampled);
-        uint number = floatBitsToUint(chosen.cosine);
-        area = sampled_vpl_area(l, own, shares.measure, end.position, end.normal, number);
+        area = sampled_vpl_area(l, own, shares.measure, end.position, end.normal);
         place = sampled_light_place(chosen.sampled, own, end.position);
     }
 #endif

@@ -1,5 +1,4 @@
 // VPLs of sampled lights: a light by its flux, a direction evenly over what it shines into, and what a ray meets there.
-#include "lib/lattice.glsl"
 #include "lib/light_domain.glsl"
 #include "lib/light_tree.glsl"
 #include "lib/random.glsl"
@@ -8,7 +7,7 @@
 #include "passes/lights/light_end.glsl"
 #include "passes/lights/vpl_lobe.glsl"
 
-const int AREA_SAMPLES = 2;
+const int AREA_SAMPLES = 4;
 
 // Irradiance by one light at a point that nothing hides, W/m2.
 float unhidden_irradiance(light l, vec3 position, vec3 normal) {
@@ -18,12 +17,12 @@ float unhidden_irradiance(light l, vec3 position, vec3 normal) {
     return power * max(-dot(normal, direction), VPL_COSINE_MIN) / distance2;
 }
 
-// The same by all sampled lights, estimated.
-float all_unhidden_irradiance(vec3 position, vec3 normal, uint number) {
+// The same by all sampled lights, estimated. By the same numbers everywhere, so that VPLs and rays of the near field have one
+// area for a place, and share its light without a rest.
+float all_unhidden_irradiance(vec3 position, vec3 normal) {
     float sum = 0.0, probability;
     for (int k = 0; k < AREA_SAMPLES; k++) {
-        float shift = lattice_number(number * LATTICE_GOLDEN);
-        float number = (float(k) + shift) / float(AREA_SAMPLES);
+        float number = (float(k) + 0.5) / float(AREA_SAMPLES);
         int i = light_tree_sample(position, normal, number, probability);
         light l = sampled_light_piece(max(i, 0), vec2(0.5));
         sum += i >= 0 ? unhidden_irradiance(l, position, normal) / probability : 0.0;
@@ -33,8 +32,8 @@ float all_unhidden_irradiance(vec3 position, vec3 normal, uint number) {
 
 // The area that a VPL of light `l` stands for there, by flux alone. A light that is near is not missed by chance: few VPLs
 // would stand for much light.
-float sampled_vpl_area(light many, light l, float measure, vec3 position, vec3 normal, uint number) {
-    float irradiance = all_unhidden_irradiance(position, normal, number);
+float sampled_vpl_area(light many, light l, float measure, vec3 position, vec3 normal) {
+    float irradiance = all_unhidden_irradiance(position, normal);
     return measure * many.extent / max(max(irradiance, unhidden_irradiance(l, position, normal)), 1e-30);
 }
 
@@ -59,7 +58,7 @@ vpl vpl_by_sampled_light(light many, int number, float measure, vec2 place) {
     if (!s.present)
         return vpl_even(from, -direction, 0.0, vec3(0.0), 0.0);
     vec3 power = light_intensity(l, direction) * light_in_range(l, away * away) * arrives;
-    float area = sampled_vpl_area(many, l, measure, s.position, s.normal, uint(number));
+    float area = sampled_vpl_area(many, l, measure, s.position, s.normal);
     vec3 flux = albedo * power * (domain * measure / sampled_light_flux(i));
     vpl v = vpl_even(s.position, s.normal, area, flux, 0.0);
     take_lobe(v, specular, albedo, -direction, -dot(s.normal, direction), 0.0);

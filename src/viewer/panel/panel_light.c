@@ -157,6 +157,10 @@ static void draw_additions(struct viewer *viewer) {
 static void draw_light(struct viewer *viewer) {
     draw_choice(viewer);
     struct emitter *light = viewer_light(viewer);
+    if (light->stands_in) {
+        ui_text(UI_DIM, "part of a surface that emits");
+        return;
+    }
     draw_type(viewer);
     ui_flag(&(struct ui_row){.name = "handles",
                              .help =

@@ -212,6 +212,8 @@ static bool drag(const struct light_tool *tool, const struct light_stage *stage,
 static enum light_handle handle_at(const struct light_stage *stage, double x, double y,
                                    const struct emitter *light) {
     float at[2];
+    if (light->stands_in) /* for a surface, which its material lights */
+        return HANDLE_NONE;
     for (enum light_handle handle = HANDLE_COUNT - 1; handle > HANDLE_NONE; handle--)
         if (locate(stage, light, handle, at) && is_near(stage, x, y, at))
             return handle;
