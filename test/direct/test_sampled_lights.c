@@ -209,6 +209,28 @@ static void test_one_strong(void **state) {
     stage_free(&stage);
 }
 
+/* Lights within a solid cost samples, and give no light. */
+static void test_inside_solid(void **state) {
+    (void)state;
+    struct stage stage;
+    struct emitter lights[2 * LIGHTS];
+    open_room(&stage);
+    const struct geometry_part *block = stage.geometry.parts;
+    while (block->index_count < 36) /* walls have fewer */
+        block++;
+    spread_lights(&stage, lights, 2 * LIGHTS, EMITTER_POINT, (float[]){0, 0});
+    for (int i = LIGHTS; i < 2 * LIGHTS; i++)
+        glm_vec3_center((float *)block->bounds_min, (float *)block->bounds_max, lights[i].position);
+    struct image alone = render_with(&stage, lights, LIGHTS, "clustered"),
+                 among = render_with(&stage, lights, 2 * LIGHTS, "clustered");
+    check_near("direct light, mean", layer_mean(&among, "direct") / layer_mean(&alone, "direct"), 1,
+               .01);
+    check_near("indirect light, mean",
+               layer_mean(&among, "indirect") / layer_mean(&alone, "indirect"), 1, .03);
+    images_free(&alone, &among);
+    stage_free(&stage);
+}
+
 /* A ball that emits is its triangles; a change of what stands in for it is refused. */
 static void test_ball(void **state) {
     (void)state;
@@ -293,7 +315,8 @@ int main(void) {
         cmocka_unit_test(test_panels),       cmocka_unit_test(test_passes),
         cmocka_unit_test(test_order),        cmocka_unit_test(test_one_strong),
         cmocka_unit_test(test_behind_walls), cmocka_unit_test(test_gloss),
-        cmocka_unit_test(test_ball),         cmocka_unit_test(test_follow),
+        cmocka_unit_test(test_inside_solid), cmocka_unit_test(test_ball),
+        cmocka_unit_test(test_follow),
     };
     return cmocka_run_group_tests_name("sampled lights", tests, open_group_context,
                                        close_group_context);
