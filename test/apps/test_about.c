@@ -57,8 +57,7 @@ static void transform(const float matrix[16], const float point[3], float to[3])
         to[c] = result[c] / result[3];
 }
 
-static void test_texts(void **state) {
-    (void)state;
+TEST(texts) {
     struct file_bytes file;
     float time, colours[8];
     expect(
@@ -83,8 +82,7 @@ static void test_texts(void **state) {
 }
 
 /* The same file again, and in another folder. */
-static void test_same_file(void **state) {
-    (void)state;
+TEST(same_file) {
     expect(0, "mkdir -p @/else && cp scenes/cornell-box.glb @/else && sleep 1 && "
               "% reference scenes/cornell-box.glb -o @/b.exr --size 16x16 --spp 2 -q && "
               "% reference @/else/cornell-box.glb -o @/c.exr --size 16x16 --spp 2 -q");
@@ -93,8 +91,7 @@ static void test_same_file(void **state) {
 
 /* Points on surfaces, by the depth of the picture and rays of the camera; each lies at the centre
  * of its pixel. */
-static void test_pixels(void **state) {
-    (void)state;
+TEST(pixels) {
     enum { WIDTH = 40, HEIGHT = 30 };
     struct camera camera = {.fov_y = .9F, .near = .1F};
     struct file_bytes file;
@@ -139,8 +136,7 @@ static void test_pixels(void **state) {
 
 /* Against the projection of the viewer, of perspective and orthographic cameras; near and far are
  * at 0 and 1. */
-static void test_matrices(void **state) {
-    (void)state;
+TEST(matrices) {
     for (int i = 0; i < 4; i++) {
         struct camera camera = {
             .orthographic = i % 2, .fov_y = .7F, .y_extent = 2, .near = .5F, .far = i < 2 ? 9 : 0};
@@ -167,8 +163,7 @@ static void test_matrices(void **state) {
 }
 
 /* Another program reads the same. */
-static void test_exrheader(void **state) {
-    (void)state;
+TEST(exrheader) {
     need_command("command -v exrheader");
     expect(0, "% render scenes/cornell-box.glb -o @/e.exr --size 16x16 --quality draft -q && "
               "exrheader @/e.exr");
@@ -178,11 +173,4 @@ static void test_exrheader(void **state) {
     expect_text("white (0.3127 0.329)");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_matrices),  cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_pixels),    cmocka_unit_test(test_same_file),
-        cmocka_unit_test(test_exrheader),
-    };
-    return cmocka_run_group_tests_name("about", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

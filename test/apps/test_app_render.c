@@ -31,8 +31,7 @@ static void expect_box(int status, const char *format, ...) {
 
 /* --- refusals --------------------------------------------------------------------------------- */
 
-static void test_usage_errors(void **state) {
-    (void)state;
+TEST(usage_errors) {
     static const struct {
         const char *arguments, *message;
     } cases[] = {
@@ -65,8 +64,7 @@ static void test_usage_errors(void **state) {
 }
 
 /* Every setting that has a range states it when a value is outside, and takes its ends. */
-static void test_ranges(void **state) {
-    (void)state;
+TEST(ranges) {
     struct settings settings;
     renderer_settings_init(&settings);
     for (struct setting setting = {0}; settings_next(&settings, &setting);) {
@@ -91,8 +89,7 @@ static void test_ranges(void **state) {
 }
 
 /* A preset goes before what is set beside it, whatever their order. */
-static void test_preset_first(void **state) {
-    (void)state;
+TEST(preset_first) {
     static const char *const orders[][2] = {{"path=paper", "cosine=0"}, {"cosine=0", "path=paper"}};
     for (int i = 0; i < 2; i++) {
         struct settings settings;
@@ -103,8 +100,7 @@ static void test_preset_first(void **state) {
     }
 }
 
-static void test_failures(void **state) {
-    (void)state;
+TEST(failures) {
     expect_command(1, "render", "nowhere.glb -o a.png");
     expect_text("manylight render: cannot open nowhere.glb: No such file");
     expect_box(1, "--camera nobody -o a.png");
@@ -126,8 +122,7 @@ static void test_failures(void **state) {
 }
 
 /* When the second output cannot be written, nothing half-written lies beside it. */
-static void test_nothing_half_written(void **state) {
-    (void)state;
+TEST(nothing_half_written) {
     char command[512];
     const char *folder = scratch("whole");
     snprintf(command, sizeof command, "rm -rf %s && mkdir -p %s && chmod 555 %s", folder, folder,
@@ -144,8 +139,7 @@ static void test_nothing_half_written(void **state) {
 }
 
 /* A texture of the scene is no place for the picture, whether it is shown or not. */
-static void test_own_texture(void **state) {
-    (void)state;
+TEST(own_texture) {
     unsigned char red[4] = {255, 0, 0, 255};
     struct file_bytes before, after;
     check_ok("texture", bitmap_write(&(struct bitmap){1, 1, red}, scratch("own.png")));
@@ -219,8 +213,7 @@ static double mean_of(const struct image *image) {
 }
 
 /* One run, a file of each kind; they agree. */
-static void test_files(void **state) {
-    (void)state;
+TEST(files) {
     const char *exr = scratch("files.exr"), *png = scratch("files.png"),
                *jpeg = scratch(knows_format("jpg") ? "files.jpg" : "again.png"),
                *pfm = scratch("files.pfm"), *hdr = scratch("files.hdr");
@@ -249,8 +242,7 @@ static void test_files(void **state) {
     images_free(&layers, &display, &lossy, &plain, &rgbe);
 }
 
-static void test_exposure(void **state) {
-    (void)state;
+TEST(exposure) {
     const char *plain = scratch("plain.exr"), *bright = scratch("bright.exr"),
                *dark_png = scratch("dark.png");
     expect_box(0, "-o %s", plain);
@@ -263,8 +255,7 @@ static void test_exposure(void **state) {
     images_free(&a, &b, &c);
 }
 
-static void test_stats(void **state) {
-    (void)state;
+TEST(stats) {
     expect_box(0, "--stats -o %s", scratch("stats.png"));
     static const char *const texts[] = {"faces  36",
                                         "VPLs   64, of which",
@@ -294,8 +285,7 @@ static void test_stats(void **state) {
 
 /* --glsl reads the very shaders that are embedded. */
 /* -v tells how long the phases of the start took, once. */
-static void test_phases(void **state) {
-    (void)state;
+TEST(phases) {
     static const char *const names[] = {"start: scene ",      " ms, OpenGL ",
                                         " ms, programs ",     " ms, simplify ",
                                         " ms, tree of rays ", " ms, first picture "};
@@ -309,8 +299,7 @@ static void test_phases(void **state) {
 }
 
 /* On a terminal, which script makes. */
-static void test_passes_progress(void **state) {
-    (void)state;
+TEST(passes_progress) {
     char command[1024];
     need_command("script -qec true /dev/null");
     snprintf(
@@ -325,8 +314,7 @@ static void test_passes_progress(void **state) {
 }
 
 /* Higher or wider than half of what textures may be, which lists of pixels take twice. */
-static void test_strips(void **state) {
-    (void)state;
+TEST(strips) {
     static const char *const sizes[] = {"8x9000", "9000x8", "7x8193"};
     for (int i = 0; i < 3; i++) {
         char arguments[256];
@@ -338,8 +326,7 @@ static void test_strips(void **state) {
     }
 }
 
-static void test_shader_folder(void **state) {
-    (void)state;
+TEST(shader_folder) {
     const char *embedded = scratch("embedded.exr"), *folder = scratch("folder.exr");
     if (access("src/passes/gather/gather.frag", R_OK) != 0)
         skip();
@@ -352,8 +339,7 @@ static void test_shader_folder(void **state) {
 
 /* --- outputs as layers ------------------------------------------------------------------------ */
 
-static void test_aov(void **state) {
-    (void)state;
+TEST(aov) {
     const char *with = scratch("with.exr"), *without = scratch("without.exr");
     expect_box(0, "--aov vpl,visibility,gathered,val,vpl,irradiance -o %s", with);
     expect_box(0, "-o %s", without);
@@ -384,8 +370,7 @@ static struct image append_layers(const struct stage *stage, const char *techniq
 }
 
 /* Without interleaving and blur what is gathered is the indirect layer. */
-static void test_gathered(void **state) {
-    (void)state;
+TEST(gathered) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -402,8 +387,7 @@ static void test_gathered(void **state) {
 }
 
 /* With a VAL for each VPL the share is the clustered light over the unshadowed. */
-static void test_visibility_share(void **state) {
-    (void)state;
+TEST(visibility_share) {
     const char *settings = "vpls=64 vals=64 interleave=1 clamp=disk visibility=hard "
                            "visibility-block=0 map-size=128";
     struct stage stage;
@@ -433,8 +417,7 @@ static void test_visibility_share(void **state) {
 
 /* Area lights of clusters have a layer of their own: no more of them than there are, and nearly all
  * their light. */
-static void test_light_layer(void **state) {
-    (void)state;
+TEST(light_layer) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -461,8 +444,7 @@ static void test_light_layer(void **state) {
 }
 
 /* No more flux in the picture than there is, and those VPLs that the camera sees. */
-static void test_vpl_layer(void **state) {
-    (void)state;
+TEST(vpl_layer) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -482,17 +464,4 @@ static void test_vpl_layer(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usage_errors),    cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_preset_first),    cmocka_unit_test(test_failures),
-        cmocka_unit_test(test_own_texture),     cmocka_unit_test(test_nothing_half_written),
-        cmocka_unit_test(test_files),           cmocka_unit_test(test_exposure),
-        cmocka_unit_test(test_stats),           cmocka_unit_test(test_phases),
-        cmocka_unit_test(test_passes_progress), cmocka_unit_test(test_strips),
-        cmocka_unit_test(test_shader_folder),   cmocka_unit_test(test_aov),
-        cmocka_unit_test(test_gathered),        cmocka_unit_test(test_visibility_share),
-        cmocka_unit_test(test_light_layer),     cmocka_unit_test(test_vpl_layer),
-    };
-    return cmocka_run_group_tests_name("render", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -100,8 +100,7 @@ static void check_transparent(const char *name, double tolerance) {
     assert_int_equal(row[OUTSIDE][3], 0);
 }
 
-static void test_transparent(void **state) {
-    (void)state;
+TEST(transparent) {
     render("square.glb", "png", "--background none");
     check_transparent("back.png", .51);
     if (knows_format("tga")) {
@@ -113,8 +112,7 @@ static void test_transparent(void **state) {
 }
 
 /* Exposure and tone map are the surface's alone. */
-static void test_transparent_exposed(void **state) {
-    (void)state;
+TEST(transparent_exposed) {
     unsigned char row[SIDE][4];
     float brighter[3] = {1, .5F, 1};
     render("square.glb", "png", "--background none --set exposure=1");
@@ -125,8 +123,7 @@ static void test_transparent_exposed(void **state) {
     assert_memory_equal(row[EDGE], row[MIDDLE], 3);
 }
 
-static void test_colour(void **state) {
-    (void)state;
+TEST(colour) {
     static const struct {
         const char *arguments;
         float light[3];
@@ -152,8 +149,7 @@ static void test_colour(void **state) {
 }
 
 /* Without the option: black, as a colour of 0, and no alpha channel. */
-static void test_without(void **state) {
-    (void)state;
+TEST(without) {
     unsigned char plain[SIDE][4], black[SIDE][4];
     render("square.glb", "png", "");
     read_row("back.png", plain);
@@ -164,8 +160,7 @@ static void test_without(void **state) {
 }
 
 /* TIFF has the light that it has without the option, and EXR's coverage. */
-static void test_tiff(void **state) {
-    (void)state;
+TEST(tiff) {
     struct file_bytes files[2];
     struct image tiff, exr;
     static const char *const backgrounds[] = {"", "--background none"};
@@ -191,8 +186,7 @@ static void test_tiff(void **state) {
 /* --- skies ------------------------------------------------------------------------------------ */
 
 /* The sky is not seen, in EXR either, and lights the square as before. */
-static void test_sky(void **state) {
-    (void)state;
+TEST(sky) {
     static const char *const backgrounds[] = {"", "--background none", "--background 1,0,0"};
     float lit[3][4], outside[3][4], edge[3][4];
     for (int i = 0; i < 3; i++) {
@@ -213,8 +207,7 @@ static void test_sky(void **state) {
     check_near("sky", (double)outside[0][1], .5, .001);
 }
 
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     float seen[4], hidden[4], lit[2][4];
     expect(
         0,
@@ -233,8 +226,7 @@ static void test_reference(void **state) {
 
 /* --- refusals --------------------------------------------------------------------------------- */
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const char *const formats[] = {"jpg", "bmp", "ppm", "hdr", "pfm", "gif", "webp"};
     char arguments[256], message[256];
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
@@ -261,12 +253,4 @@ static void test_refusals(void **state) {
     expect_text("--background COLOUR is for PNG");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_transparent), cmocka_unit_test(test_transparent_exposed),
-        cmocka_unit_test(test_colour),      cmocka_unit_test(test_without),
-        cmocka_unit_test(test_tiff),        cmocka_unit_test(test_sky),
-        cmocka_unit_test(test_reference),   cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, make_scenes, NULL);
-}
+RUN_TESTS(make_scenes, NULL)

@@ -11,8 +11,7 @@
 #define BUNDLE "build/bundle"
 
 /* Each line of ldd names a file of the bundle, or the C library. */
-static void test_libraries(void **state) {
-    (void)state;
+TEST(libraries) {
     static const char *const of_machine[] = {"linux-vdso.so", "ld-linux",   "libc.so.6",
                                              "libm.so.6",     "libdl.so.2", "libpthread.so.0"};
     int ours = 0, others = 0;
@@ -34,8 +33,7 @@ static void test_libraries(void **state) {
     assert_true(ours > 5);
 }
 
-static void test_size(void **state) {
-    (void)state;
+TEST(size) {
     struct stat archive;
     need_file(BUNDLE ".tar.gz");
     assert_int_equal(stat(BUNDLE ".tar.gz", &archive), 0);
@@ -53,8 +51,7 @@ static void test_size(void **state) {
 }
 
 /* Options of check, which is a script: mistakes are told before anything is done. */
-static void test_check_options(void **state) {
-    (void)state;
+TEST(check_options) {
     const char *folder = scratch("not-a-report");
     char command[700];
     need_file("bundle/check");
@@ -76,8 +73,7 @@ static void test_check_options(void **state) {
 
 /* A test that passes, one that fails and one that lacks: each has its row, and the report is
  * packed. */
-static void test_check_report(void **state) {
-    (void)state;
+TEST(check_report) {
     char command[1200], folder[512];
     need_file(BUNDLE);
     snprintf(folder, sizeof folder, "%s", scratch("report"));
@@ -95,18 +91,10 @@ static void test_check_report(void **state) {
 }
 
 /* Without the viewer's window the program says so. */
-static void test_view(void **state) {
-    (void)state;
+TEST(view) {
     need_file(BUNDLE);
     expect(1, BUNDLE "/manylight view scenes/sphere.glb");
     expect_text("this build is without it");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_libraries),     cmocka_unit_test(test_size),
-        cmocka_unit_test(test_check_options), cmocka_unit_test(test_check_report),
-        cmocka_unit_test(test_view),
-    };
-    return cmocka_run_group_tests_name("bundle", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -184,18 +184,15 @@ static void break_all(const struct victim *victim) {
         free(trial.whole[i].data);
 }
 
-static void test_render(void **state) {
-    (void)state;
+TEST(render) {
     break_all(&render);
 }
 
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     break_all(&reference);
 }
 
-static void test_compare(void **state) {
-    (void)state;
+TEST(compare) {
     enum { SIDE = 32 };
     unsigned char rgba[SIDE * SIDE * 4];
     for (int i = 0; i < SIDE * SIDE * 4; i++)
@@ -204,17 +201,8 @@ static void test_compare(void **state) {
     break_all(&compare);
 }
 
-static void test_bench(void **state) {
-    (void)state;
+TEST(bench) {
     break_all(&bench);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_render),
-        cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_compare),
-        cmocka_unit_test(test_bench),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

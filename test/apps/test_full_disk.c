@@ -58,8 +58,7 @@ static void expect_message(const char *what, const char *reason) {
     assert_int_equal(count, 1);
 }
 
-static void test_stdout(void **state) {
-    (void)state;
+TEST(stdout) {
     static const char *const cases[] = {
         "--help",
         "--version",
@@ -85,8 +84,7 @@ static void test_stdout(void **state) {
 }
 
 /* A picture does not get the number of a stream that is closed, nor need one. */
-static void test_closed_streams(void **state) {
-    (void)state;
+TEST(closed_streams) {
     make_folder();
     write_pictures();
     const char *arguments = "render " BOX QUICK "-o @/full-disk/closed.exr --quiet";
@@ -119,8 +117,7 @@ static const char *const writers[] = {
     "bench failures room --size 16x16 --noise 1 --cache @/cache -o @/full-disk",
 };
 
-static void test_writers(void **state) {
-    (void)state;
+TEST(writers) {
     write_pictures();
     make_folder();
     for (size_t i = 0; i < sizeof writers / sizeof *writers; i++) {
@@ -169,8 +166,7 @@ static void check_real_disk(const char *before) {
 }
 
 /* Without /proc a file must have a name from the start, as on file systems that know no other. */
-static void test_real_disk(void **state) {
-    (void)state;
+TEST(real_disk) {
     char command[1024];
     make_folder();
     write_pictures();
@@ -186,8 +182,7 @@ static void test_real_disk(void **state) {
 }
 
 /* The tool that makes our scenes. */
-static void test_scenes(void **state) {
-    (void)state;
+TEST(scenes) {
     char command[1024];
     const char *build = getenv("MANYLIGHT_BUILD");
     make_folder();
@@ -200,11 +195,4 @@ static void test_scenes(void **state) {
     assert_string_equal(output, "");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_stdout),  cmocka_unit_test(test_closed_streams),
-        cmocka_unit_test(test_writers), cmocka_unit_test(test_real_disk),
-        cmocka_unit_test(test_scenes),
-    };
-    return cmocka_run_group_tests_name("full disk", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

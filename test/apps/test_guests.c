@@ -22,8 +22,7 @@ static void expect_words(int status, const char *words, const char *format, cons
                  output);
 }
 
-static void test_render(void **state) {
-    (void)state;
+TEST(render) {
     const char *path = scratch("guests.exr");
     expect_words(
         0, "ambient  ",
@@ -52,8 +51,7 @@ static void test_render(void **state) {
     image_free(&image);
 }
 
-static void test_lists(void **state) {
-    (void)state;
+TEST(lists) {
     expect_words(0, "ambient.level", "render --help --technique %s", "ambient");
     expect_text("headlamp");
     assert_null(strstr(output, "clustered.vals"));
@@ -64,8 +62,7 @@ static void test_lists(void **state) {
 }
 
 /* What it makes can be had as a layer; what it lacks is refused by name. */
-static void test_outputs(void **state) {
-    (void)state;
+TEST(outputs) {
     const char *path = scratch("guests-aov.exr");
     char arguments[640];
     static const char *const lacking[] = {"val", "vpl", "visibility", "gathered", "val-depth"};
@@ -83,8 +80,7 @@ static void test_outputs(void **state) {
 }
 
 /* In a window, against a technique that has all, stepping through what there is. */
-static void test_view(void **state) {
-    (void)state;
+TEST(view) {
     char command[900];
     need_command("command -v xvfb-run");
     snprintf(command, sizeof command, "%s view --help", binary_path());
@@ -106,8 +102,7 @@ static void test_view(void **state) {
     image_free(&image);
 }
 
-static void test_compare(void **state) {
-    (void)state;
+TEST(compare) {
     char other[512], arguments[1100];
     snprintf(other, sizeof other, "%s", scratch("guests-other.exr"));
     expect_words(
@@ -122,8 +117,7 @@ static void test_compare(void **state) {
     check_near("half the level: relative bias", atof(bias + 13), -.5, 1e-4);
 }
 
-static void test_bench(void **state) {
-    (void)state;
+TEST(bench) {
     const char *csv = scratch("guests.csv");
     static const char small[] = "--size 32x24 --frames 2 --variant ambient -q --csv";
     char arguments[512];
@@ -137,11 +131,4 @@ static void test_bench(void **state) {
     expect_words(0, "  ambient ", arguments, csv);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_render),  cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_outputs), cmocka_unit_test(test_view),
-        cmocka_unit_test(test_compare), cmocka_unit_test(test_bench),
-    };
-    return cmocka_run_group_tests_name("guests", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -14,8 +14,7 @@ static int info(const char *arguments) {
     return run_program("info %s", arguments);
 }
 
-static void test_gl(void **state) {
-    (void)state;
+TEST(gl) {
     if (info("") != 0) {
         printf("    skipped: %s\n", output);
         skip();
@@ -25,8 +24,7 @@ static void test_gl(void **state) {
     expect_text("uniform block bytes");
 }
 
-static void test_scene(void **state) {
-    (void)state;
+TEST(scene) {
     assert_int_equal(info("scenes/cornell-box.glb"), 0);
     expect_text("72 vertices, 36 triangles (36 without alpha mask)");
     expect_text("(-2.78, 0, -2.796) to (2.78, 5.488, 2.796) m");
@@ -40,8 +38,7 @@ static void test_scene(void **state) {
 }
 
 /* Glass, the medium and the slide of a spot. */
-static void test_glass_and_slide(void **state) {
-    (void)state;
+TEST(glass_and_slide) {
     assert_int_equal(info("scenes/window.glb"), 0);
     expect_text("roughness 0, transmission 1, index of refraction 1.5, thin\n");
     expect_text("medium     scatters (0.05, 0.05, 0.05), absorbs (0.002, 0.002, 0.002) 1/m, g 0.4");
@@ -53,15 +50,13 @@ static void test_glass_and_slide(void **state) {
     expect_text("cone 28.71 to 29 degrees, slide of 1 x 1 texels\n");
 }
 
-static void test_point_light(void **state) {
-    (void)state;
+TEST(point_light) {
     assert_int_equal(info("scenes/sphere.glb"), 0);
     expect_text("point (3.142, 3.142, 3.142) W/sr at (0, 0, 0)\n");
 }
 
 /* Names are those of nodes, as in messages; of what a node without a name carries. */
-static void test_names(void **state) {
-    (void)state;
+TEST(names) {
     const char *path = write_parts(
         "names.glb",
         &(struct gltf_parts){
@@ -85,8 +80,7 @@ static void test_names(void **state) {
 }
 
 /* Without --size a picture has the aspect ratio of its camera. */
-static void test_aspect(void **state) {
-    (void)state;
+TEST(aspect) {
     static const struct {
         const char *camera, *size, *says;
     } rows[] = {
@@ -136,8 +130,7 @@ static void test_aspect(void **state) {
     "python3 test/apps/check_info.py @/text @/json"
 
 /* As JSON the same facts, whatever names have in them; nothing where a part fails. */
-static void test_json(void **state) {
-    (void)state;
+TEST(json) {
     need_command("python3 -c 'import json'");
     expect(0, SAME("scenes/window.glb"));
     expect(0, SAME("scenes/creatures.glb"));
@@ -154,8 +147,7 @@ static void test_json(void **state) {
         expect(0, SAME("scenes/ring.glb --gl"));
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     assert_int_equal(info("no-such-scene.glb"), 1);
     assert_string_equal(
         output, "manylight info: cannot open no-such-scene.glb: No such file or directory\n");
@@ -166,16 +158,4 @@ static void test_refusals(void **state) {
     expect_text("no EGL device 0 (there are 0, counted from 0)");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_gl),
-        cmocka_unit_test(test_scene),
-        cmocka_unit_test(test_glass_and_slide),
-        cmocka_unit_test(test_point_light),
-        cmocka_unit_test(test_names),
-        cmocka_unit_test(test_aspect),
-        cmocka_unit_test(test_json),
-        cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests_name("info", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -27,8 +27,7 @@ static int install_beside_others(void **state) {
     return run_line(MAKE " install");
 }
 
-static void test_files(void **state) {
-    (void)state;
+TEST(files) {
     need_default_build();
     expect(0, "cmp manylight @/dest/opt/here/bin/manylight");
     expect(0, "cmp LICENSE @/dest/opt/here/share/doc/manylight/LICENSE");
@@ -37,8 +36,7 @@ static void test_files(void **state) {
 }
 
 /* Of manylight manual, and of desktop/. */
-static void test_shares(void **state) {
-    (void)state;
+TEST(shares) {
     need_default_build();
     expect(0, "cd @/dest/opt/here/share && ls man/man1/manylight.1 man/man1/manylight-render.1 "
               "bash-completion/completions/manylight "
@@ -48,8 +46,7 @@ static void test_shares(void **state) {
               " while read c; do test -s share/man/man1/manylight-$c.1 || exit; done");
 }
 
-static void test_desktop_files(void **state) {
-    (void)state;
+TEST(desktop_files) {
     need_default_build();
     need_command("command -v desktop-file-validate");
     expect(0, "desktop-file-validate @/dest/opt/here/share/applications/*.desktop");
@@ -61,8 +58,7 @@ static void test_desktop_files(void **state) {
 
 /* The command of the file, with the names that a file manager puts in: a space in the scene's, no
  * extension in the picture's. */
-static void test_thumbnailer(void **state) {
-    (void)state;
+TEST(thumbnailer) {
     need_default_build();
     static const int sizes[] = {128, 512};
     for (size_t i = 0; i < 2; i++) {
@@ -85,8 +81,7 @@ static void test_thumbnailer(void **state) {
 }
 
 /* The installed program finds the installed bridge to OpenImageIO. */
-static void test_bridge(void **state) {
-    (void)state;
+TEST(bridge) {
     need_default_build();
     expect(0, "cd @/else && " BIN " render @/dest/opt/here/share/manylight/scenes/cornell-box.glb "
               "--size 8x8 --technique unshadowed -o picture.tif");
@@ -97,8 +92,7 @@ static void test_bridge(void **state) {
 
 /* From a folder that has no scenes: one of its four, which is none, is found in the
  * installed tree. */
-static void test_bench_finds_scenes(void **state) {
-    (void)state;
+TEST(bench_finds_scenes) {
     need_default_build();
     expect(0, "cd @/dest/opt/here/share/manylight/scenes && mv cornell-box.glb kept && echo no > "
               "cornell-box.glb");
@@ -110,8 +104,7 @@ static void test_bench_finds_scenes(void **state) {
 }
 
 /* scenes/ of the working folder comes first. */
-static void test_bench_prefers_working_folder(void **state) {
-    (void)state;
+TEST(bench_prefers_working_folder) {
     need_default_build();
     expect(0, "mkdir -p @/else/scenes && echo no > @/else/scenes/cornell-box.glb");
     expect(1, "cd @/else && " BIN " bench times");
@@ -120,8 +113,7 @@ static void test_bench_prefers_working_folder(void **state) {
 }
 
 /* Two installs and an uninstall leave what others put there, and nothing else. */
-static void test_uninstall(void **state) {
-    (void)state;
+TEST(uninstall) {
     need_default_build();
     expect(0, MAKE " install");
     expect(0, MAKE " uninstall");
@@ -135,16 +127,4 @@ static void test_uninstall(void **state) {
     expect_text("nothing to uninstall");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_files),
-        cmocka_unit_test(test_shares),
-        cmocka_unit_test(test_desktop_files),
-        cmocka_unit_test(test_thumbnailer),
-        cmocka_unit_test(test_bridge),
-        cmocka_unit_test(test_bench_finds_scenes),
-        cmocka_unit_test(test_bench_prefers_working_folder),
-        cmocka_unit_test(test_uninstall),
-    };
-    return cmocka_run_group_tests(tests, install_beside_others, NULL);
-}
+RUN_TESTS(install_beside_others, NULL)

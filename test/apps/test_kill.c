@@ -128,8 +128,7 @@ static void check_message(const char *folder, const char *text) {
     free(path);
 }
 
-static void test_interrupts(void **state) {
-    (void)state;
+TEST(interrupts) {
     static const int signals[] = {SIGINT, SIGTERM};
     const char *folder = scratch("interrupted");
     if (!make_whole())
@@ -153,8 +152,7 @@ static void test_interrupts(void **state) {
 }
 
 /* A frame of minutes is not awaited: nothing of it is written. */
-static void test_long_frame(void **state) {
-    (void)state;
+TEST(long_frame) {
     const char *folder = scratch("long");
     if (!make_whole())
         skip();
@@ -170,8 +168,7 @@ static void test_long_frame(void **state) {
 }
 
 /* The caller ignores the signal, as nohup does: so does the program. */
-static void test_ignored(void **state) {
-    (void)state;
+TEST(ignored) {
     const char *folder = scratch("ignored");
     if (!make_whole())
         skip();
@@ -186,8 +183,7 @@ static void test_ignored(void **state) {
 }
 
 /* Killed at any time, taken up again and again until all is there. */
-static void test_kills(void **state) {
-    (void)state;
+TEST(kills) {
     const char *folder = scratch("killed");
     int kills = 0, count = 0;
     if (!make_whole())
@@ -207,8 +203,7 @@ static void test_kills(void **state) {
     check_same(folder, whole);
 }
 
-static void test_two_processes(void **state) {
-    (void)state;
+TEST(two_processes) {
     const char *folder = scratch("shared");
     if (!make_whole())
         skip();
@@ -245,8 +240,7 @@ static void check_one_letter(const char *path) {
 }
 
 /* Three writers of one file, killed in the midst: it is of one of them, and whole. */
-static void test_killed_writers(void **state) {
-    (void)state;
+TEST(killed_writers) {
     const char *folder = scratch("writers");
     char path[600];
     int rounds = 60;
@@ -277,10 +271,5 @@ int main(void) {
      * starts here. */
     signal(SIGINT, SIG_DFL);
     signal(SIGTERM, SIG_DFL);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_interrupts),    cmocka_unit_test(test_long_frame),
-        cmocka_unit_test(test_ignored),       cmocka_unit_test(test_kills),
-        cmocka_unit_test(test_two_processes), cmocka_unit_test(test_killed_writers),
-    };
-    return cmocka_run_group_tests_name("kill", tests, NULL, NULL);
+    return run_file(__FILE__, NULL, NULL);
 }

@@ -54,8 +54,7 @@ static void check_refusal(int status, const char *message) {
 
 /* --- the environment -------------------------------------------------------------------------- */
 
-static void test_environment(void **state) {
-    (void)state;
+TEST(environment) {
     static const char *const cases[] = {
         "env -u HOME",
         "env -u TMPDIR",
@@ -101,8 +100,7 @@ static void check_print(const char *arguments) {
     assert_string_equal(output, expected);
 }
 
-static void test_comma(void **state) {
-    (void)state;
+TEST(comma) {
     if (!has_opengl())
         skip();
     if (!make_comma_locale()) {
@@ -133,8 +131,7 @@ static void make_bad_libraries(void) {
     }
 }
 
-static void test_opengl(void **state) {
-    (void)state;
+TEST(opengl) {
     bool osmesa = run_program("info --gl --context osmesa") == 0; /* gone from Mesa 25.1 on */
     const struct {
         const char *before, *options, *message; /* NULL: another way is found */
@@ -172,8 +169,7 @@ static void check_viewer_log(const char *message) {
     free(log);
 }
 
-static void test_no_display(void **state) {
-    (void)state;
+TEST(no_display) {
     char command[700];
     /* libwayland has words of its own where that folder is not named. */
     snprintf(command, sizeof command,
@@ -185,8 +181,7 @@ static void test_no_display(void **state) {
 }
 
 /* The server ends while the viewer shows a picture: so does the viewer. */
-static void test_display_gone(void **state) {
-    (void)state;
+TEST(display_gone) {
     int status = -1;
     pid_t ended = 0;
     start_viewer("scenes/cornell-box.glb", "");
@@ -203,11 +198,4 @@ static void test_display_gone(void **state) {
     check_viewer_log(stage.display);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_environment),  cmocka_unit_test(test_comma),
-        cmocka_unit_test(test_opengl),       cmocka_unit_test(test_no_display),
-        cmocka_unit_test(test_display_gone),
-    };
-    return cmocka_run_group_tests_name("machine", tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -166,8 +166,7 @@ static bool is_ignored(const struct place *place, const char *name, const char *
     return ignored;
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(options) {
     static char help[sizeof output], base[sizeof output];
     char name[64];
     int ignored = 0;
@@ -190,8 +189,7 @@ static void test_options(void **state) {
 }
 
 /* Options that have no effect at a place: the same in a short run. */
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const struct {
         const char *command, *arguments, *message;
     } cases[] = {
@@ -210,8 +208,7 @@ static void test_refusals(void **state) {
 }
 
 /* Formats of one layer hold the one that was asked for: that of an EXR. */
-static void test_layers(void **state) {
-    (void)state;
+TEST(layers) {
     static const char *const formats[] = {"pfm", "hdr", "tif"};
     for (size_t i = 0; i < 2; i++) {
         const char *layer = i ? "direct" : "indirect";
@@ -238,9 +235,4 @@ static void test_layers(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_options),
-                                       cmocka_unit_test(test_refusals),
-                                       cmocka_unit_test(test_layers)};
-    return cmocka_run_group_tests_name("effects of options", tests, make_inputs, NULL);
-}
+RUN_TESTS(make_inputs, NULL)

@@ -49,21 +49,18 @@ static void check_page(const char *kind, const char *name,
     free(text);
 }
 
-static void test_techniques(void **state) {
-    (void)state;
+TEST(techniques) {
     for (const struct technique *const *t = techniques; *t; t++)
         check_page("techniques", (*t)->name, (*t)->parts);
 }
 
-static void test_direct_methods(void **state) {
-    (void)state;
+TEST(direct_methods) {
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         check_page("direct", (*d)->name, (*d)->parts);
 }
 
 /* The page of settings is written by a script from the help of the program. */
-static void test_settings_page(void **state) {
-    (void)state;
+TEST(settings_page) {
     const char *page = "docs/user/06-settings.md", *made = scratch("settings.md");
     char command[1024], output[8192];
     snprintf(command, sizeof command, "docs/settings-page %s >%s", binary_path(), made);
@@ -74,11 +71,4 @@ static void test_settings_page(void **state) {
                  page, page, output);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_techniques),
-        cmocka_unit_test(test_direct_methods),
-        cmocka_unit_test(test_settings_page),
-    };
-    return cmocka_run_group_tests_name("pages", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -71,8 +71,7 @@ static void probe_ways(int way, const char *points, const char *lamp, const char
 }
 
 /* Case 5.2: I h^2 / d^4 of a small Lambertian lamp. */
-static void test_small_lamp(void **state) {
-    (void)state;
+TEST(small_lamp) {
     write_text(scratch("floor.csv"), "x,y,z,nx,ny,nz\n0,0,0,0,1,0\n.5,0,0,0,2,0\n1,0,0,0,1,0\r\n"
                                      "\n# a comment\n1.5, 0, 0, 0, 1, 0\n1.5,0,1.5,0,1,0\n");
     for (int way = 0; way < 2; way++) {
@@ -86,8 +85,7 @@ static void test_small_lamp(void **state) {
 }
 
 /* Case 5.3: configuration factors of a lamp of 1 m; 683 lm/W is a factor. */
-static void test_wide_lamp(void **state) {
-    (void)state;
+TEST(wide_lamp) {
     static const double expected[] = {32.68, 75.19, 81.32, 69.06, 53.40,
                                       40.00, 61.42, 79.26, 95.67, 105.78};
     write_text(scratch("room.csv"),
@@ -102,8 +100,7 @@ static void test_wide_lamp(void **state) {
 }
 
 /* Within a sphere of albedo 1/2 lit from its middle, indirect light is the same from everywhere. */
-static void test_sphere(void **state) {
-    (void)state;
+TEST(sphere) {
     static const char *const ways[] = {"--bounces 8 --spp 256", "--by frame --bounces 1"};
     write_text(scratch("sphere.csv"), ".2,.1,.6,0,0,-1\n-.3,.3,-.2,1,1,1\n0,-.5,.2,.3,-1,0\n");
     for (int way = 0; way < 2; way++) {
@@ -124,8 +121,7 @@ static void test_sphere(void **state) {
 }
 
 /* Under an even sky each point of an open floor has pi times its radiance. */
-static void test_even_sky(void **state) {
-    (void)state;
+TEST(even_sky) {
     static const char *const ways[] = {"--bounces 0", "--by frame --bounces 1"};
     for (int way = 0; way < 2; way++) {
         char line[256];
@@ -143,8 +139,7 @@ static void test_even_sky(void **state) {
 /* --- forms --- */
 
 /* A grid is its points, and a table can be measured again. */
-static void test_grid(void **state) {
-    (void)state;
+TEST(grid) {
     probe("scenes/cornell-box.glb --grid -2,5,2,4,0,0,0,0,-4,3x2 --spp 16");
     double first[ROWS_MAX][10], sum = 0, least = INFINITY;
     assert_int_equal(row_count, 6);
@@ -168,8 +163,7 @@ static void test_grid(void **state) {
 
 /* --- refusals --- */
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const struct {
         const char *points, *says;
     } files[] = {
@@ -216,11 +210,4 @@ static void test_refusals(void **state) {
     expect_command(1, "probe", "scenes/sphere.glb @/floor.csv -o @/floor.csv --spp 1");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_small_lamp), cmocka_unit_test(test_wide_lamp),
-        cmocka_unit_test(test_sphere),     cmocka_unit_test(test_even_sky),
-        cmocka_unit_test(test_grid),       cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, write_floor, NULL);
-}
+RUN_TESTS(write_floor, NULL)

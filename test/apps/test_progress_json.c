@@ -10,8 +10,7 @@ static int need_python(void **state) {
 }
 
 /* A frame's end is always told, and each file. */
-static void test_render(void **state) {
-    (void)state;
+TEST(render) {
     expect(0,
            "% render scenes/cornell-box.glb -o @/a.##.png -o @/b.##.exr --frames 3..5 --size 32x32 "
            "--quality draft --progress json" CHECKED);
@@ -20,8 +19,7 @@ static void test_render(void **state) {
 }
 
 /* A name that is no UTF-8, with a quote, a backslash and a line feed. */
-static void test_odd_name(void **state) {
-    (void)state;
+TEST(odd_name) {
     expect(0, "% render scenes/cornell-box.glb -o \"$(printf '@/odd\\377\\303\"\\\\\\n.png')\" "
               "--size 16x16 --quality draft --progress json" CHECKED);
     expect_text("file=1 ");
@@ -29,8 +27,7 @@ static void test_odd_name(void **state) {
 }
 
 /* Also after -q, of which notes are silent. */
-static void test_passes(void **state) {
-    (void)state;
+TEST(passes) {
     expect(0, "% render scenes/cornell-box.glb -o @/passes.png --size 32x32 --quality draft "
               "--passes 6 -q --progress json >/dev/null 2>@/events");
     expect(0, "test/apps/check_progress.py <@/events");
@@ -38,31 +35,27 @@ static void test_passes(void **state) {
     expect(0, "grep -c '\"pass\": [0-9]*, \"passes\": 6' @/events");
 }
 
-static void test_video(void **state) {
-    (void)state;
+TEST(video) {
     need_command("command -v ffmpeg");
     expect(0, "% render scenes/cornell-box.glb -o @/clip.mp4 --frames 0..1 --size 32x32 "
               "--quality draft --progress json" CHECKED);
     expect_text("progress=2 file=1 note=1 done=1 clip.mp4");
 }
 
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     expect(0, "% reference scenes/cornell-box.glb -o @/reference.exr --size 48x48 --spp 64 "
               "--progress json" CHECKED);
     expect_text("file=1 note=1 done=1 reference.exr");
 }
 
-static void test_bench(void **state) {
-    (void)state;
+TEST(bench) {
     expect(0, "% bench times scenes/cornell-box.glb --size 32x32 --frames 1 --variant fast "
               "--progress json" CHECKED);
     expect_text(" done=1");
 }
 
 /* Errors are the last event; what is wrong before the options are known is text. */
-static void test_errors(void **state) {
-    (void)state;
+TEST(errors) {
     expect(1, "% render @/none.glb -o @/a.png --progress json 2>@/events");
     expect(0, "test/apps/check_progress.py <@/events");
     expect_text("error=1");
@@ -75,12 +68,4 @@ static void test_errors(void **state) {
     expect_text("progress: 'loud' is not one of text, json");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_render),   cmocka_unit_test(test_passes),
-        cmocka_unit_test(test_video),    cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_bench),    cmocka_unit_test(test_errors),
-        cmocka_unit_test(test_odd_name),
-    };
-    return cmocka_run_group_tests_name("progress json", tests, need_python, NULL);
-}
+RUN_TESTS(need_python, NULL)

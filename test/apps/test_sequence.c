@@ -21,8 +21,7 @@ static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=
 
 /* --- which frames ----------------------------------------------------------------------------- */
 
-static void test_ranges(void **state) {
-    (void)state;
+TEST(ranges) {
     struct frames frames;
     check_ok("mixed", frames_parse(&frames, "3..5,9,0..11x5"));
     static const int expected[] = {3, 4, 5, 9, 0, 5, 10};
@@ -38,8 +37,7 @@ static void test_ranges(void **state) {
     }
 }
 
-static void test_names(void **state) {
-    (void)state;
+TEST(names) {
     static const struct {
         const char *name, *expected;
     } cases[] = {{"out.####.exr", "out.0042.exr"},
@@ -61,8 +59,7 @@ static void test_names(void **state) {
     }
 }
 
-static void test_rates(void **state) {
-    (void)state;
+TEST(rates) {
     static const struct {
         const char *text, *rate;
         double fps;
@@ -114,8 +111,7 @@ static size_t read_frame(const char *prefix, int frame, char *bytes, size_t size
 }
 
 /* One run forwards, against two runs that begin elsewhere and go backwards. */
-static void test_split(void **state) {
-    (void)state;
+TEST(split) {
     static char bytes[2][65536];
     if (!render_frames("whole", "0..5"))
         skip();
@@ -139,8 +135,7 @@ static long size_of(const char *path) {
 }
 
 /* A frame that is there and whole is left alone; one that is cut, or of another size, is not. */
-static void test_resume(void **state) {
-    (void)state;
+TEST(resume) {
     char more[512];
     snprintf(more, sizeof more, "--frames 0..2 --skip-existing -o %s", scratch("resumed.#.png"));
     for (int frame = 0; frame < 3; frame++) {
@@ -172,8 +167,7 @@ static void test_resume(void **state) {
     assert_int_equal(size_of(scratch("resumed.1.png")), kept);
 }
 
-static void test_misuse(void **state) {
-    (void)state;
+TEST(misuse) {
     static const struct {
         const char *arguments, *message;
         int status;
@@ -211,8 +205,7 @@ static bool same_files(const char *a, const char *b) {
 }
 
 /* Views of a file are pictures of their own; what is wrong with a line is told before any. */
-static void test_views(void **state) {
-    (void)state;
+TEST_WITH(views, open_group_context, close_group_context) {
     static const struct {
         const char *lines, *more, *error;
         int status;
@@ -243,8 +236,7 @@ static void test_views(void **state) {
     assert_true(access(scratch("w.0.exr"), F_OK) != 0);
 }
 
-static void test_any_start(void **state) {
-    (void)state;
+TEST_WITH(any_start, open_group_context, close_group_context) {
     struct stage stage;
     struct renderer renderer;
     struct image image[2];
@@ -273,8 +265,7 @@ static void test_any_start(void **state) {
 }
 
 /* After one period of the metaballs all room has been made: nothing grows any more. */
-static void test_memory(void **state) {
-    (void)state;
+TEST_WITH(memory, open_group_context, close_group_context) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, scene_path);
@@ -326,25 +317,10 @@ static int least_vals(const char *start) {
     return least;
 }
 
-static void test_starts(void **state) {
-    (void)state;
+TEST_WITH(starts, open_group_context, close_group_context) {
     assert_true(least_vals("seeds") >= 12);
     assert_true(least_vals("reseed") >= 12);
     assert_true(least_vals("warm") <= 6);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ranges), cmocka_unit_test(test_names),  cmocka_unit_test(test_rates),
-        cmocka_unit_test(test_split),  cmocka_unit_test(test_resume), cmocka_unit_test(test_misuse),
-    };
-    const struct CMUnitTest rendering[] = {
-        cmocka_unit_test(test_views),
-        cmocka_unit_test(test_any_start),
-        cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_starts),
-    };
-    return cmocka_run_group_tests_name("sequence", tests, NULL, NULL) +
-           cmocka_run_group_tests_name("moving", rendering, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(NULL, NULL)

@@ -74,8 +74,7 @@ static int make_files(void **state) {
     ".exr -l indirect -m mae --max mae=0 -q"
 
 /* The same light, however the scene comes. */
-static void test_scene_from_pipe(void **state) {
-    (void)state;
+TEST(scene_from_pipe) {
     in_bash(0, "% render @/quad.glb -o @/file.exr -q " QUICK);
     in_bash(0, "% render - -o @/in.exr -q " QUICK " < @/quad.glb && " SAME("in", "file"));
     in_bash(0, "cat @/quad.gltf | % render - -o @/gltf.exr -q " QUICK " && " SAME("gltf", "file"));
@@ -84,8 +83,7 @@ static void test_scene_from_pipe(void **state) {
                " && " SAME("dev", "file"));
 }
 
-static void test_other_commands_from_pipe(void **state) {
-    (void)state;
+TEST(other_commands_from_pipe) {
     in_bash(0, "cat @/quad.glb | % info -");
     expect_text("scene      -\n");
     expect_text("2 triangles");
@@ -96,8 +94,7 @@ static void test_other_commands_from_pipe(void **state) {
                " && " SAME("piped", "traced"));
 }
 
-static void test_pictures_from_pipe(void **state) {
-    (void)state;
+TEST(pictures_from_pipe) {
     in_bash(0, "% render @/quad.glb -o @/a.exr -o @/a.png -q --passes 1 " QUICK);
     in_bash(0, "% compare - @/a.exr -m rmse --max rmse=0 < @/a.exr");
     in_bash(0, "% compare @/a.exr - -m rmse --max rmse=0 < @/a.exr");
@@ -110,8 +107,7 @@ static void test_pictures_from_pipe(void **state) {
     in_bash(2, "% average - - -o @/mean.exr < @/a.exr");
 }
 
-static void test_pipes_refused(void **state) {
-    (void)state;
+TEST(pipes_refused) {
     in_bash(1, "% info - < /dev/null");
     expect_text("manylight info: -: the file is empty");
     in_bash(1, "% info - <&-");
@@ -132,8 +128,7 @@ static void test_pipes_refused(void **state) {
 
 /* A scene from a pipe reads no files of the working folder, and no scene reads standard input or a
  * pipe. */
-static void test_names_inside_scenes(void **state) {
-    (void)state;
+TEST(names_inside_scenes) {
     in_bash(0, "% info @/names.gltf");
     in_bash(1, "cd @ && cat names.gltf | % info -");
     expect_text("buffer 0: cannot find 'names.bin': the scene came through a pipe");
@@ -148,8 +143,7 @@ static void test_names_inside_scenes(void **state) {
 
 /* --- outputs ---------------------------------------------------------------------------------- */
 
-static void test_picture_to_stdout(void **state) {
-    (void)state;
+TEST(picture_to_stdout) {
     in_bash(0, "% render @/quad.glb -o @/one.png -o @/one.exr -q " QUICK);
     static const char *const formats[] = {"png", "exr", "webp"};
     if (knows_format("webp"))
@@ -174,8 +168,7 @@ static void test_picture_to_stdout(void **state) {
                " && cmp @/odd.name @/one.png");
 }
 
-static void test_table_leaves_stdout(void **state) {
-    (void)state;
+TEST(table_leaves_stdout) {
     in_bash(0, "% render @/quad.glb -o @/a.exr -q " QUICK);
     in_bash(0, "% compare @/a.exr @/a.exr -m rmse -o @/heat.png");
     in_bash(0, "% compare @/a.exr @/a.exr -m rmse -o - --format png 2>@/said | cmp - @/heat.png");
@@ -184,8 +177,7 @@ static void test_table_leaves_stdout(void **state) {
     in_bash(0, "grep -c \"\\\"rmse\\\": 0\" @/said");
 }
 
-static void test_outputs_refused(void **state) {
-    (void)state;
+TEST(outputs_refused) {
     static const struct {
         const char *line, *message;
         int status;
@@ -219,12 +211,4 @@ static void test_outputs_refused(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scene_from_pipe),     cmocka_unit_test(test_other_commands_from_pipe),
-        cmocka_unit_test(test_pictures_from_pipe),  cmocka_unit_test(test_pipes_refused),
-        cmocka_unit_test(test_names_inside_scenes), cmocka_unit_test(test_picture_to_stdout),
-        cmocka_unit_test(test_table_leaves_stdout), cmocka_unit_test(test_outputs_refused),
-    };
-    return cmocka_run_group_tests(tests, make_files, NULL);
-}
+RUN_TESTS(make_files, NULL)

@@ -58,8 +58,7 @@ static void check_picture(int frame, int other) {
 }
 
 /* Sides are odd: the last column and row come twice. No float has the rate. */
-static void test_frames(void **state) {
-    (void)state;
+TEST(frames) {
     need_command("command -v ffprobe");
     expect(0, CLIP "--size 99x75 --frames 0..4 -o @/clip.mp4 -o @/frame.#.png --fps 2.997");
     assert_string_equal(output, "");
@@ -75,8 +74,7 @@ static void test_frames(void **state) {
 }
 
 /* ffmpeg by itself would end with status 0. The old video stays. */
-static void test_full_disk(void **state) {
-    (void)state;
+TEST(full_disk) {
     static const char *const names[] = {"full.mp4", "full.mkv", "full.webm", "full.mov"};
     need_command("command -v ffmpeg");
     for (size_t i = 0; i < 4; i++) {
@@ -95,8 +93,7 @@ static void test_full_disk(void **state) {
     }
 }
 
-static void test_containers(void **state) {
-    (void)state;
+TEST(containers) {
     static const char *const names[] = {"a.mkv", "a.webm", "a.MOV"};
     need_command("command -v ffprobe");
     for (size_t i = 0; i < 3; i++) {
@@ -109,8 +106,7 @@ static void test_containers(void **state) {
     }
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const struct {
         const char *arguments, *message;
     } rows[] = {
@@ -133,8 +129,7 @@ static void test_refusals(void **state) {
 }
 
 /* Nothing is rendered: the pictures beside the video are missing, too. */
-static void test_missing(void **state) {
-    (void)state;
+TEST(missing) {
     expect(0, "rm -rf @/empty && mkdir @/empty");
     expect(1, "PATH=@/empty " CLIP "--size 32x32 --frames 0..2 -o @/empty/a.mp4 "
               "-o @/empty/f.#.png");
@@ -158,8 +153,7 @@ static void check_failing(const char *script, const char *message) {
     assert_int_equal(count_files(scratch("fails")), 2);
 }
 
-static void test_failing(void **state) {
-    (void)state;
+TEST(failing) {
     check_failing("kill -9 $$", "a.mp4: ffmpeg was ended by signal 9 (Killed)");
     check_failing("head -c 99999 >/dev/null; kill -9 $$", "ended by signal 9");
     check_failing("exit 0", "a.mp4: ffmpeg ended before the last frame");
@@ -169,8 +163,7 @@ static void test_failing(void **state) {
 
 /* A signal to the program and to its encoder, as Ctrl-C sends it, ends the work after a frame:
  * there is no video. The first picture tells that the work has begun. */
-static void test_interrupted(void **state) {
-    (void)state;
+TEST(interrupted) {
     need_command("command -v ffmpeg");
     expect(0, "rm -rf @/stopped @/begun.* && mkdir @/stopped");
     expect(143, "timeout --preserve-status 60 " CLIP "--size 32x32 --frames 0..9999 "
@@ -181,12 +174,4 @@ static void test_interrupted(void **state) {
     assert_int_equal(count_files(scratch("stopped")), 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_frames),    cmocka_unit_test(test_containers),
-        cmocka_unit_test(test_refusals),  cmocka_unit_test(test_missing),
-        cmocka_unit_test(test_failing),   cmocka_unit_test(test_interrupted),
-        cmocka_unit_test(test_full_disk),
-    };
-    return cmocka_run_group_tests_name("video", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

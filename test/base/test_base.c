@@ -25,8 +25,7 @@
 #include <unistd.h>
 
 /* A running value goes second, and NaN never becomes it but where it begins so. */
-static void test_extremes(void **state) {
-    (void)state;
+TEST(extremes) {
     static const float values[] = {0, 1, -2.5F, 1e30F, -1e30F, INFINITY, -INFINITY, 1e-45F};
     for (size_t i = 0; i < sizeof values / sizeof *values; i++)
         for (size_t j = 0; j < sizeof values / sizeof *values; j++) {
@@ -37,8 +36,7 @@ static void test_extremes(void **state) {
     assert_true(isnan(float_min(3, NAN)) && isnan(float_max(3, NAN)));
 }
 
-static void test_error_prefix(void **state) {
-    (void)state;
+TEST(error_prefix) {
     assert_false(error_set("cannot open %s", "lion.png"));
     error_prefix("material %d", 12);
     error_prefix("sponza.glb");
@@ -47,8 +45,7 @@ static void test_error_prefix(void **state) {
     assert_string_equal(error_get(), "again: sponza.glb: material 12: cannot open lion.png");
 }
 
-static void test_halton(void **state) {
-    (void)state;
+TEST(halton) {
     const double base2[] = {0, .5, .25, .75, .125}, base3[] = {0, 1. / 3, 2. / 3, 1. / 9, 4. / 9};
     for (uint32_t i = 0; i < 5; i++) {
         check_near("Halton base 2", radical_inverse(2, i), base2[i], 0);
@@ -66,8 +63,7 @@ static void count_up(void *context, size_t i) {
     atomic_fetch_add((atomic_size_t *)context, i + 1);
 }
 
-static void test_parallel_for(void **state) {
-    (void)state;
+TEST(parallel_for) {
     for (int k = 0; k < 6; k++) {
         int threads = k < 5 ? k : 1000; /* more than ever start */
         atomic_size_t sum = 0;
@@ -77,8 +73,7 @@ static void test_parallel_for(void **state) {
 }
 
 /* cpu.max of a container. */
-static void test_granted(void **state) {
-    (void)state;
+TEST(granted) {
     static const struct {
         const char *text;
         int cores;
@@ -92,8 +87,7 @@ static void test_granted(void **state) {
     assert_true(parallel_granted("/nowhere") >= 256);
 }
 
-static void test_layers(void **state) {
-    (void)state;
+TEST(layers) {
     struct image image;
     image_init(&image, 2, 1, "R G B Z indirect.R indirect.G indirect.B");
     int channels[3];
@@ -104,8 +98,7 @@ static void test_layers(void **state) {
     image_free(&image);
 }
 
-static void test_added_channels(void **state) {
-    (void)state;
+TEST(added_channels) {
     struct image image;
     image_init(&image, 2, 2, "R Z");
     for (int i = 0; i < 8; i++)
@@ -118,8 +111,7 @@ static void test_added_channels(void **state) {
     image_free(&image);
 }
 
-static void test_exr_round_trip(void **state) {
-    (void)state;
+TEST(exr_round_trip) {
     struct image written, read;
     image_init(&written, 3, 2, "R G B Z val.id");
     for (int i = 0; i < 3 * 2 * 5; i++)
@@ -140,8 +132,7 @@ static void test_exr_round_trip(void **state) {
 }
 
 /* Names of other programs: each channel keeps its own name, whole, and its own values. */
-static void test_foreign_names(void **state) {
-    (void)state;
+TEST(foreign_names) {
 #define LONG "a.name.of.more.than.thirty.one.bytes."
     static const char *const names[] = {"R",         "G",    "B",      "my mask", " leading",
                                         "trailing ", "a  b", LONG "1", LONG "2"};
@@ -173,8 +164,7 @@ static void test_foreign_names(void **state) {
 }
 
 /* Layers are told apart by their whole names. */
-static void test_long_layers(void **state) {
-    (void)state;
+TEST(long_layers) {
     struct image image;
     int channels[3];
     image_init(&image, 1, 1,
@@ -187,8 +177,7 @@ static void test_long_layers(void **state) {
     image_free(&image);
 }
 
-static void test_png_round_trip(void **state) {
-    (void)state;
+TEST(png_round_trip) {
     unsigned char pixels[] = {0, 1, 2, 255, 128, 254, 255, 255};
     struct bitmap written = {.width = 2, .height = 1, .rgba = pixels}, read;
     const char *path = scratch("round-trip.png");
@@ -206,8 +195,7 @@ static void test_png_round_trip(void **state) {
     assert_false(bitmap_decode(&read, "nonsense", 8));
 }
 
-static void test_file_refusals(void **state) {
-    (void)state;
+TEST(file_refusals) {
     struct image image;
     bool is_float;
     assert_false(image_read(&image, "no/such/file.exr"));
@@ -225,8 +213,7 @@ static void test_file_refusals(void **state) {
 
 /* Files of no format, pictures that a format has no room for, what is cut, and passes that a file
  * tells of. */
-static void test_formats(void **state) {
-    (void)state;
+TEST(formats) {
     struct image image, read;
     struct bitmap bitmap = {1, 1, (unsigned char[]){1, 2, 3, 4}}, decoded;
     uint64_t memory;
@@ -265,8 +252,7 @@ static void test_formats(void **state) {
     free(bytes.data);
 }
 
-static void test_text(void **state) {
-    (void)state;
+TEST(text) {
     struct text text = {0};
     char expected[3 * 1000 + 1] = "";
     for (int i = 0; i < 1000; i++) {
@@ -291,8 +277,7 @@ static void expect_no_file(const char *path, const char *message) {
     assert_null(file_read_text(path));
 }
 
-static void test_whole_files(void **state) {
-    (void)state;
+TEST(whole_files) {
     struct file_bytes bytes;
     const char *path = scratch("bytes");
     FILE *file = fopen(path, "wb");
@@ -307,8 +292,7 @@ static void test_whole_files(void **state) {
     expect_no_file("/", "cannot read /: not a file");
 }
 
-static void test_words_and_names(void **state) {
-    (void)state;
+TEST(words_and_names) {
     struct names names = {0};
     int count = 0;
     for (struct word word = {.at = " ,one, two=2,,three "}; word_next(&word); count++) {
@@ -326,8 +310,7 @@ static void test_words_and_names(void **state) {
 }
 
 /* What is asked for without a size is a place all the same. */
-static void test_no_memory(void **state) {
-    (void)state;
+TEST(no_memory) {
     char *a = mem_alloc(0, 4), *b = mem_alloc(4, 0), *c = mem_resize(NULL, 0, 1);
     assert_true(a && b && c && *a == 0 && *b == 0);
     c = mem_resize(c, 1, 0);
@@ -337,8 +320,7 @@ static void test_no_memory(void **state) {
 }
 
 /* Files that are not read: 4 GiB of nothing, a folder, none. */
-static void test_unread_files(void **state) {
-    (void)state;
+TEST(unread_files) {
     struct file_bytes bytes;
     const char *path = scratch("sparse");
     FILE *file = fopen(path, "w");
@@ -354,8 +336,7 @@ static void test_unread_files(void **state) {
 }
 
 /* A picture of grey alone is its beauty; one without colours has no layer at all. */
-static void test_grey(void **state) {
-    (void)state;
+TEST(grey) {
     struct image image;
     int channels[3];
     image_init(&image, 1, 1, "Y");
@@ -413,8 +394,7 @@ static void tell_all(void) {
 
 /* Notes by level, warnings always; a listener hears both however quiet it is, and of a silent
  * thread nobody. */
-static void test_log(void **state) {
-    (void)state;
+TEST(log) {
     enum log_level before = log_get_level();
     char *text = stderr_of(tell_all);
     log_set_level(before);
@@ -456,8 +436,7 @@ static void show_work(void) {
 }
 
 /* What is told meanwhile stands on a line of its own, which the next line follows. */
-static void test_line_is_cleared(void **state) {
-    (void)state;
+TEST(line_is_cleared) {
     char *text = stderr_of(show_work);
     const char *expected = "\rbegins\033[K\r\033[Kmanylight: warning: between\n\r  25 %";
     if (strncmp(text, expected, strlen(expected)) != 0)
@@ -469,8 +448,7 @@ static void test_line_is_cleared(void **state) {
 }
 
 /* One line of those that are there to tell, which a terminal clears and a log keeps. */
-static void test_progress(void **state) {
-    (void)state;
+TEST(progress) {
     char *text = stderr_of(show_on_terminal);
     assert_non_null(strstr(text, "\r  25 %"));
     assert_non_null(strstr(text, "left  noise\033[K\r\033[K"));
@@ -486,8 +464,7 @@ static void test_progress(void **state) {
 
 /* A variable, else the home, else neither; and the folders on the way to a file, one of which is a
  * file. */
-static void test_folders(void **state) {
-    (void)state;
+TEST(folders) {
     char *home = getenv("HOME") ? mem_strdup(getenv("HOME")) : NULL;
     setenv("MANYLIGHT_TEST", "/a", 1);
     char *folder = folder_of_user("MANYLIGHT_TEST", ".b");
@@ -524,31 +501,4 @@ static void test_folders(void **state) {
     mem_free(below, path);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_no_memory),
-        cmocka_unit_test(test_unread_files),
-        cmocka_unit_test(test_grey),
-        cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_log),
-        cmocka_unit_test(test_progress),
-        cmocka_unit_test(test_line_is_cleared),
-        cmocka_unit_test(test_folders),
-        cmocka_unit_test(test_error_prefix),
-        cmocka_unit_test(test_halton),
-        cmocka_unit_test(test_added_channels),
-        cmocka_unit_test(test_parallel_for),
-        cmocka_unit_test(test_granted),
-        cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_exr_round_trip),
-        cmocka_unit_test(test_png_round_trip),
-        cmocka_unit_test(test_formats),
-        cmocka_unit_test(test_file_refusals),
-        cmocka_unit_test(test_foreign_names),
-        cmocka_unit_test(test_long_layers),
-        cmocka_unit_test(test_text),
-        cmocka_unit_test(test_whole_files),
-        cmocka_unit_test(test_words_and_names),
-    };
-    return cmocka_run_group_tests_name("base", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

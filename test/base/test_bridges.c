@@ -20,8 +20,7 @@ static void *get(void *result) {
 }
 
 /* The first test, for the object is opened once in a process. */
-static void test_threads(void **state) {
-    (void)state;
+TEST(threads) {
     pthread_t threads[THREADS];
     const struct image_plugin *plugins[THREADS];
     need_all_formats();
@@ -48,8 +47,7 @@ static void expect_loads(bool loads, const char *arguments) {
 
 #define RENDER_BOX "% " RENDER "-o @/a.exr"
 
-static void test_start(void **state) {
-    (void)state;
+TEST(start) {
     need_all_formats();
     expect_loads(false, "--version");
     expect_loads(false, "info scenes/cornell-box.glb");
@@ -61,8 +59,7 @@ static void test_start(void **state) {
 }
 
 /* What small libraries refuse is read, and whole. */
-static void test_handed_over(void **state) {
-    (void)state;
+TEST(handed_over) {
     static const struct exr_part cut = {.channels = "B G R",
                                         .data = {2, 1, 5, 3},
                                         .display = {0, 0, 8, 5},
@@ -92,8 +89,7 @@ static void expect_line(const char *line) {
     assert_int_equal(count_text(output, "\n"), 1);
 }
 
-static void test_missing(void **state) {
-    (void)state;
+TEST(missing) {
     need_all_formats();
     expect(0, "rm -rf @/alone && mkdir @/alone && cp % @/alone/manylight");
     expect(0, ALONE RENDER "-o @/c.png -o @/c.exr");
@@ -104,8 +100,7 @@ static void test_missing(void **state) {
     expect_line("a.tif: not a picture that this build reads (.exr .pfm .hdr .png)");
 }
 
-static void test_broken(void **state) {
-    (void)state;
+TEST(broken) {
     need_all_formats();
     expect(0, "echo no > @/alone/libmanylight-openimageio.so");
     expect(0, ALONE RENDER "-o @/c.png -o @/c.exr");
@@ -173,8 +168,7 @@ static struct image make_image(const char *channels) {
     return image;
 }
 
-static void test_floats(void **state) {
-    (void)state;
+TEST(floats) {
     static const char *const files[] = {"floats.exr", "floats.pfm", "floats.hdr"};
     struct image image = make_image("R G B A Z direct.R direct.G direct.B normal.X");
     need_all_formats();
@@ -189,8 +183,7 @@ static void test_floats(void **state) {
 }
 
 /* Runs of bytes, the longest row that may have them, and a row that may not. */
-static void test_radiance_runs(void **state) {
-    (void)state;
+TEST(radiance_runs) {
     static const int widths[] = {7, 8, 300, 32767};
     need_all_formats();
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
@@ -212,8 +205,7 @@ static void test_radiance_runs(void **state) {
     }
 }
 
-static void test_bitmaps(void **state) {
-    (void)state;
+TEST(bitmaps) {
     unsigned char rgba[WIDTH * HEIGHT * 4];
     const struct bitmap bitmap = {WIDTH, HEIGHT, rgba};
     need_all_formats();
@@ -233,8 +225,7 @@ static void test_bitmaps(void **state) {
 }
 
 /* Kinds of PNG, JPEG, WebP, EXR that this program does not write. */
-static void test_others(void **state) {
-    (void)state;
+TEST(others) {
     static const struct {
         const char *file, *made_by;
         bool is_texture;
@@ -293,8 +284,7 @@ static void write_bytes(const char *name, const struct file_bytes *parts, int co
 
 /* Texts of a PNG by which OpenImageIO turns it: a tag in small letters, and
  * ImageMagick's profile. */
-static void test_turned_png(void **state) {
-    (void)state;
+TEST(turned_png) {
     enum { HEADER = 33 };
     static const struct file_bytes texts[] = {
         BYTES("\000\000\000\015tEXtorientation\0006\276_\034\217"),
@@ -318,8 +308,7 @@ static void test_turned_png(void **state) {
 }
 
 /* A row that says another width than the picture's. */
-static void test_radiance_row(void **state) {
-    (void)state;
+TEST(radiance_row) {
     static const struct file_bytes parts[] = {
         BYTES("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 8\n"),
         BYTES("\2\2\0\7\207\1\207\1\207\1\207\1 and some more bytes than eight pixels"),
@@ -330,14 +319,4 @@ static void test_radiance_row(void **state) {
     assert_false(image_is_whole(scratch("row.hdr")));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_threads),       cmocka_unit_test(test_start),
-        cmocka_unit_test(test_handed_over),   cmocka_unit_test(test_missing),
-        cmocka_unit_test(test_broken),        cmocka_unit_test(test_floats),
-        cmocka_unit_test(test_radiance_runs), cmocka_unit_test(test_bitmaps),
-        cmocka_unit_test(test_others),        cmocka_unit_test(test_turned_png),
-        cmocka_unit_test(test_radiance_row),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -134,8 +134,7 @@ static void check_values(const struct exr *exr, const char *name, const float *e
 
 /* The largest, the smallest normal and subnormal halves, and floats beyond them; where a window
  * does not begin at 0. */
-static void test_values(void **state) {
-    (void)state;
+TEST(values) {
     static const uint32_t half[6] = {0x7bff, 0xfbff, 0x0400, 0x0001, 0x3555, 0x8000};
     static const float of_half[6] = {65504, -65504, 0x1p-14F, 0x1p-24F, .333251953F, -0.F};
     static const float wide[6] = {65505, 1e6F, -1e30F, 3.4e38F, 1e-38F, 1};
@@ -151,8 +150,7 @@ static void test_values(void **state) {
 }
 
 /* Of two parts the first; the smaller libraries refuse them. */
-static void test_two_parts(void **state) {
-    (void)state;
+TEST(two_parts) {
     static const float values[6] = {.5F, 1, 2, 4, 8, 16};
     uint32_t bits[12] = {0};
     const struct exr exr = {
@@ -172,8 +170,7 @@ static void test_two_parts(void **state) {
 
 /* Channels come in the same order by whatever library: layers by name, in a layer colours and alpha
  * first. */
-static void test_order(void **state) {
-    (void)state;
+TEST(order) {
     static const char names[] = "normal.Z Z B albedo.B direct.R A normal.X R albedo.R normal.Y G "
                                 "direct.specular.R albedo.G";
     static const char *const expected[] = {
@@ -203,8 +200,7 @@ static void test_order(void **state) {
 }
 
 /* What we write ourselves: half while that holds every value, else 32 bits. */
-static void test_bright(void **state) {
-    (void)state;
+TEST(bright) {
     static const float values[2][3] = {{65504, -65504, 1}, {65520, 1e6F, 3e38F}};
     for (int k = 0; k < 2; k++) {
         struct image image, again;
@@ -238,8 +234,7 @@ static void check_exr_refused(const char *name, const struct exr *exr, const cha
     expect_text(message);
 }
 
-static void test_not_finite(void **state) {
-    (void)state;
+TEST(not_finite) {
     static const struct {
         const char *name;
         int type;
@@ -260,8 +255,7 @@ static void test_not_finite(void **state) {
     }
 }
 
-static void test_shapes(void **state) {
-    (void)state;
+TEST(shapes) {
     static const uint32_t values[6];
     static const struct {
         const char *name, *message;
@@ -314,8 +308,7 @@ static size_t find_table(const struct file_bytes *bytes) {
 
 /* Each byte of the chunks and of their table is another: the checksums of what is compressed tell.
  * What has no checksum is where a chunk begins. */
-static void test_damage(void **state) {
-    (void)state;
+TEST(damage) {
     char path[512];
     struct image whole, image;
     struct file_bytes bytes;
@@ -344,12 +337,4 @@ static void test_damage(void **state) {
     image_free(&whole);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),     cmocka_unit_test(test_two_parts),
-        cmocka_unit_test(test_order),      cmocka_unit_test(test_bright),
-        cmocka_unit_test(test_not_finite), cmocka_unit_test(test_shapes),
-        cmocka_unit_test(test_damage),
-    };
-    return cmocka_run_group_tests_name("EXR", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

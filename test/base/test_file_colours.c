@@ -57,8 +57,7 @@ static void check_even(const struct image *image, const double rgb[3], double to
                     check_near("a pixel", (double)image_at(image, x, y)[c], rgb[c], tolerance);
 }
 
-static void test_radiance(void **state) {
-    (void)state;
+TEST(radiance) {
     for (size_t i = 0; i < sizeof radiances / sizeof *radiances; i++) {
         const char *path = scratch("radiance.hdr");
         struct image image;
@@ -73,8 +72,7 @@ static void test_radiance(void **state) {
     }
 }
 
-static void test_radiance_refusals(void **state) {
-    (void)state;
+TEST(radiance_refusals) {
     static const struct radiance bad = {"", "FORMAT=16-bit\n", ONE, {0}};
     struct image image = {0};
     write_radiance(scratch("bad.hdr"), &bad);
@@ -84,8 +82,7 @@ static void test_radiance_refusals(void **state) {
 
 /* Mantissas are rounded: no error beyond half of their last bit, and none on average. The largest
  * floats stay large. */
-static void test_rounding(void **state) {
-    (void)state;
+TEST(rounding) {
     struct image image, read;
     double most = 0, sum = 0;
     image_init(&image, 64, 64, "R G B");
@@ -159,8 +156,7 @@ static void check_exr(const char *note, const float *primaries, float unit, cons
     image_free(&image);
 }
 
-static void test_exr(void **state) {
-    (void)state;
+TEST(exr) {
     static const float none[8] = {.3f, .3f, .3f, .3f, .3f, .3f, .3f, .3f};
     const double stored[] = {.6834, .2542, .086}, scaled[] = {100 * .6834, 25.42, 8.6},
                  right[] = {1, .2, .05}, both[] = {2, .4, .1};
@@ -172,9 +168,4 @@ static void test_exr(void **state) {
     check_exr("span no colours", none, 0, stored);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_radiance),
-                                       cmocka_unit_test(test_radiance_refusals),
-                                       cmocka_unit_test(test_rounding), cmocka_unit_test(test_exr)};
-    return cmocka_run_group_tests_name("colours of files", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -8,8 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static void test_values(void **state) {
-    (void)state;
+TEST(values) {
     char *text = NULL;
     size_t size;
     FILE *out = open_memstream(&text, &size);
@@ -38,8 +37,7 @@ static void test_values(void **state) {
 
 /* Characters of one to four bytes stay; bytes that are none are replaced: the sharpest cases of RFC
  * 3629. */
-static void test_utf8(void **state) {
-    (void)state;
+TEST(utf8) {
     static const struct {
         const char *text, *json;
     } rows[] = {
@@ -66,10 +64,4 @@ static void test_utf8(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_values),
-        cmocka_unit_test(test_utf8),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

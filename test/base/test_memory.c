@@ -45,8 +45,7 @@ static void write_scenes(void) {
                     "base64," TRIANGLE "\"}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":36}]}");
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
 #ifdef __SANITIZE_ADDRESS__
     skip(); /* needs more address space than any limit leaves */
 #endif
@@ -86,8 +85,7 @@ static void test_refusals(void **state) {
 }
 
 /* Products of three sizes do not wrap. */
-static void test_sums(void **state) {
-    (void)state;
+TEST(sums) {
     assert_true(mem_check(0));
     assert_true(mem_check(1 << 20));
     assert_false(mem_check(UINT64_MAX / 2));
@@ -100,8 +98,7 @@ static void test_sums(void **state) {
 }
 
 /* What nobody has is refused. */
-static void test_limits(void **state) {
-    (void)state;
+TEST(limits) {
     assert_false(mem_check(UINT64_MAX - 1));
     printf("    %s\n", error_get());
     assert_true(mem_check(1));
@@ -115,8 +112,7 @@ static void test_limits(void **state) {
 }
 
 /* A low ulimit ends each run with one message and status 1, whatever the OpenGL driver does. */
-static void test_low_limits(void **state) {
-    (void)state;
+TEST(low_limits) {
 #ifdef __SANITIZE_ADDRESS__
     skip(); /* the sanitizer's own memory counts, terabytes */
 #endif
@@ -164,8 +160,7 @@ static long pages_of_pieces(void) {
 }
 
 /* A software rasteriser asks for as much each frame. */
-static void test_keep_freed(void **state) {
-    (void)state;
+TEST(keep_freed) {
 #ifdef __SANITIZE_ADDRESS__
     skip(); /* which has an allocator of its own */
 #endif
@@ -175,11 +170,4 @@ static void test_keep_freed(void **state) {
     check_at_most("pages anew, over those at first", (double)second / (double)first, .1);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_limits),     cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_low_limits), cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_keep_freed),
-    };
-    return cmocka_run_group_tests_name("memory", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -32,8 +32,7 @@ static const struct option table[] = {
     {NULL},
 };
 
-static void test_options(void **state) {
-    (void)state;
+TEST(options) {
     struct values values;
     options_set_defaults(table, &values);
     assert_int_equal(values.count, 5);
@@ -73,8 +72,7 @@ static void test_options(void **state) {
 }
 
 /* The help of options of each type, letter by letter, and what a value is refused with. */
-static void test_option_help(void **state) {
-    (void)state;
+TEST(option_help) {
     static const char *const names[] = {"red", "green", "blue", NULL};
     static const struct option all[] = {
         {"on", 'o', OPTION_FLAG, offsetof(struct values, flag), .default_value = 1, .help = "one"},
@@ -115,8 +113,7 @@ static void test_option_help(void **state) {
 }
 
 /* Words of a command line that mean nothing, or lack something. */
-static void test_bad_arguments(void **state) {
-    (void)state;
+TEST(bad_arguments) {
     static const struct {
         const char *arguments[3], *message;
     } bad[] = {
@@ -152,8 +149,7 @@ static void test_bad_arguments(void **state) {
 }
 
 /* A unit may stand behind a number; other letters may not. */
-static void test_units(void **state) {
-    (void)state;
+TEST(units) {
     static const struct option time = {"time",    0, OPTION_FLOAT, offsetof(struct values, scale),
                                        1,         0, 1000,         .unit = "ms",
                                        .help = ""};
@@ -168,8 +164,7 @@ static void test_units(void **state) {
 }
 
 /* Texts, lists and sizes as an option's value: told, compared, and too many of them. */
-static void test_option_values(void **state) {
-    (void)state;
+TEST(option_values) {
     struct values a, b;
     char text[64];
     const struct option *name = option_find(table, "text"), *size = option_find(table, "size"),
@@ -226,8 +221,7 @@ static const struct settings_part maker_part = {"maker", "", maker_table, sizeof
                                   painter_part = {"painter", "", painter_table,
                                                   sizeof(struct painter)};
 
-static void test_settings(void **state) {
-    (void)state;
+TEST(settings) {
     struct settings settings = {0}, before;
     settings_add(&settings, &maker_part);
     settings_add(&settings, &painter_part);
@@ -273,8 +267,7 @@ static void test_settings(void **state) {
 
 /* The help of settings, with what they need; needs word by word; and assignments that are
  * too long. */
-static void test_settings_help(void **state) {
-    (void)state;
+TEST(settings_help) {
     char *text = NULL, longer[400];
     size_t size;
     struct settings settings = {0};
@@ -303,12 +296,4 @@ static void test_settings_help(void **state) {
     assert_non_null(strstr(error_get(), "...' is too long"));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_options),       cmocka_unit_test(test_option_help),
-        cmocka_unit_test(test_bad_arguments), cmocka_unit_test(test_units),
-        cmocka_unit_test(test_option_values), cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_settings_help),
-    };
-    return cmocka_run_group_tests_name("options", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -106,8 +106,7 @@ static void check_full(const char *folder, const char *extension) {
     remove(path);
 }
 
-static void test_full_disk(void **state) {
-    (void)state;
+TEST(full_disk) {
     const char *folder = fresh_folder("full");
     for (int i = 0; i < EXTENSIONS; i++)
         if (knows_format(extensions[i]))
@@ -138,8 +137,7 @@ static void check_cut(const char *folder, const char *extension) {
     free(whole.data);
 }
 
-static void test_cut_files(void **state) {
-    (void)state;
+TEST(cut_files) {
     const char *folder = fresh_folder("cut");
     for (int i = 0; i < EXTENSIONS; i++)
         if (knows_format(extensions[i]))
@@ -147,8 +145,7 @@ static void test_cut_files(void **state) {
 }
 
 /* Formats that OpenImageIO writes somewhere else, without a word, or not at all. */
-static void test_unknown_formats(void **state) {
-    (void)state;
+TEST(unknown_formats) {
     static const char *const names[] = {"a.null", "a.term", "a.sgi", "a.ico", "a", "a.xyz"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         bool is_float;
@@ -163,8 +160,7 @@ static void test_unknown_formats(void **state) {
 
 /* --- text ------------------------------------------------------------------------------------- */
 
-static void test_text(void **state) {
-    (void)state;
+TEST(text) {
     const char *folder = fresh_folder("text");
     char path[512];
     snprintf(path, sizeof path, "%s/rows.csv", folder);
@@ -183,8 +179,7 @@ static void test_text(void **state) {
     assert_int_equal(count_files(folder), 1);
 }
 
-static void test_session(void **state) {
-    (void)state;
+TEST(session) {
     const char *folder = fresh_folder("session");
     char path[512];
     struct session session = {.scene = "scenes/cornell-box.glb",
@@ -207,8 +202,7 @@ static void test_session(void **state) {
 
 /* --- names ------------------------------------------------------------------------------------ */
 
-static void test_refused_names(void **state) {
-    (void)state;
+TEST(refused_names) {
     char long_name[400], path[1024];
     const char *folder = fresh_folder("names");
     memset(long_name, 'n', sizeof long_name);
@@ -233,8 +227,7 @@ static void test_refused_names(void **state) {
 }
 
 /* The longest name that a folder takes leaves no room for a longer one beside it. */
-static void test_longest_name(void **state) {
-    (void)state;
+TEST(longest_name) {
     char path[1024], name[256];
     memset(name, 'n', 255);
     name[255] = '\0';
@@ -246,8 +239,7 @@ static void test_longest_name(void **state) {
 
 /* What another program fills takes a name, in place of an old file; where it may not, the old one
  * stays alone. */
-static void test_part(void **state) {
-    (void)state;
+TEST(part) {
     char path[512], below[600];
     struct output_part part;
     const char *folder = fresh_folder("part");
@@ -264,8 +256,7 @@ static void test_part(void **state) {
     }
 }
 
-static void test_read_only(void **state) {
-    (void)state;
+TEST(read_only) {
     if (geteuid() == 0) {
         printf("    root may write anywhere\n");
         skip();
@@ -284,8 +275,7 @@ static void test_read_only(void **state) {
 }
 
 /* A link stays a link, a file's mode stays its mode, a device stays a device. */
-static void test_what_is_replaced(void **state) {
-    (void)state;
+TEST(what_is_replaced) {
     char file[512], link[512];
     struct stat status;
     const char *folder = fresh_folder("replaced");
@@ -312,13 +302,6 @@ static void test_what_is_replaced(void **state) {
 }
 
 int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_full_disk),       cmocka_unit_test(test_cut_files),
-        cmocka_unit_test(test_unknown_formats), cmocka_unit_test(test_text),
-        cmocka_unit_test(test_session),         cmocka_unit_test(test_refused_names),
-        cmocka_unit_test(test_longest_name),    cmocka_unit_test(test_part),
-        cmocka_unit_test(test_read_only),       cmocka_unit_test(test_what_is_replaced),
-    };
     signal(SIGXFSZ, SIG_IGN);
-    return cmocka_run_group_tests_name("output file", tests, NULL, NULL);
+    return run_file(__FILE__, NULL, NULL);
 }

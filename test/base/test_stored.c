@@ -163,8 +163,7 @@ static void check_encoded(const char *path, bool grey) {
     check_stored(path, expected);
 }
 
-static void test_alpha(void **state) {
-    (void)state;
+TEST(alpha) {
     unsigned char deep[16];
     for (int i = 0; i < 16; i++)
         deep[i] = rgba[i / 2]; /* v * 257 */
@@ -206,8 +205,7 @@ static const unsigned char lossy[118] =
     "\xe7\xff\xe4\x83\xd7\x93\xcf\xcf\xfc\x90\x8f\xff\xb5\x27\xeb\xcc\x1c\xaf\xfe\xd3\x20";
 static const unsigned char of_lossy[8] = {201, 100, 50, 128, 95, 0, 0, 0};
 
-static void test_webp(void **state) {
-    (void)state;
+TEST(webp) {
     struct bytes file = {.size = 0};
     struct bitmap texture;
     float expected[6];
@@ -235,8 +233,7 @@ static void test_webp(void **state) {
 
 /* OpenImageIO gives colours of a map of 16 bits in 8, cut: those that 8 bits hold exactly, others
  * up to 1/255 less. */
-static void test_palette(void **state) {
-    (void)state;
+TEST(palette) {
     enum { WIDTH = 6, ENTRIES = 16 };
     static const unsigned map[WIDTH][3] = {
         {29 * 257, 100 * 257, 65535}, {7533, 65534, 1},     {0, 256, 257}, {513, 514, 515},
@@ -274,8 +271,7 @@ static void test_palette(void **state) {
 }
 
 /* Ours keep every value where the format has room for it, alpha 0 or not. */
-static void test_written(void **state) {
-    (void)state;
+TEST(written) {
     static const char *const names[] = {"own.exr", "own.tif"};
     for (int i = 0; i < (knows_format("tif") ? 2 : 1); i++) {
         struct image image, again;
@@ -319,16 +315,14 @@ static int stored_value(int orientation, int column, int row) {
 }
 
 /* Row 0 of orientation 6 is the picture's right side, from top to bottom: the standard's words. */
-static void test_orientation_table(void **state) {
-    (void)state;
+TEST(orientation_table) {
     assert_int_equal(stored_value(6, 0, 0), 3);
     assert_int_equal(stored_value(6, 1, 0), 6);
     assert_int_equal(stored_value(8, 0, 0), 4); /* its left side, from the bottom up */
     assert_int_equal(stored_value(8, 1, 0), 1);
 }
 
-static void test_tiff_orientation(void **state) {
-    (void)state;
+TEST(tiff_orientation) {
     need_all_formats();
     for (int o = 1; o <= 8; o++) {
         unsigned char samples[WIDE * HIGH];
@@ -354,8 +348,7 @@ static const char *write_hdr(const char *name, const char *order, int orientatio
     return write_bytes(name, &file);
 }
 
-static void test_hdr_orders(void **state) {
-    (void)state;
+TEST(hdr_orders) {
     need_all_formats();
     static const struct {
         const char *order;
@@ -369,8 +362,7 @@ static void test_hdr_orders(void **state) {
 }
 
 /* A sky of 2x1 texels, mirrored in the file. */
-static void test_sky(void **state) {
-    (void)state;
+TEST(sky) {
     need_all_formats();
     static const char *const orders[] = {"-Y 1 +X 2\n", "+Y 1 -X 2\n", "+X 2 +Y 1\n",
                                          "-X 2 -Y 1\n"};
@@ -391,8 +383,7 @@ static void test_sky(void **state) {
 }
 
 /* The case of the list: the sky of either file lights the plane with 1. */
-static void test_case(void **state) {
-    (void)state;
+TEST(case) {
     need_all_formats();
     if (!shared_path())
         return;
@@ -403,17 +394,4 @@ static void test_case(void **state) {
     check_near("rmse", strtod(strstr(output, "rmse") + 4, NULL), 0, 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_alpha),
-        cmocka_unit_test(test_webp),
-        cmocka_unit_test(test_palette),
-        cmocka_unit_test(test_written),
-        cmocka_unit_test(test_orientation_table),
-        cmocka_unit_test(test_tiff_orientation),
-        cmocka_unit_test(test_hdr_orders),
-        cmocka_unit_test(test_sky),
-        cmocka_unit_test(test_case),
-    };
-    return cmocka_run_group_tests_name("stored", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

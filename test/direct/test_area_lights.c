@@ -119,8 +119,7 @@ static double traced(const struct answer *answer) {
     return sum / (SIDE * SIDE);
 }
 
-static void test_traced(void **state) {
-    (void)state;
+TEST(traced) {
     struct answer answers[ANSWERS];
     make_answers(answers);
     for (int i = 0; i < ANSWERS; i++)
@@ -161,8 +160,7 @@ static void shade(struct answer *answers, int count, float *got) {
     glsl_set_folder(NULL);
 }
 
-static void test_shaded(void **state) {
-    (void)state;
+TEST(shaded) {
     struct answer answers[ANSWERS];
     float got[ANSWERS];
     make_answers(answers);
@@ -172,8 +170,7 @@ static void test_shaded(void **state) {
 }
 
 /* A rectangle cut in two gives what it gave whole. */
-static void test_halves(void **state) {
-    (void)state;
+TEST(halves) {
     static const struct answer wholes[] = {
         {"below the middle", {0}, {0, 0, 0}, {0, 1, 0}, 0},
         {"aside, tilted", {0}, {.3F, 0, .7F}, {.6F, .8F, 0}, 0},
@@ -196,8 +193,7 @@ static void test_halves(void **state) {
 /* --- flux ------------------------------------------------------------------------------------- */
 
 /* Places on a light, and what its pieces have together: its intensity, in its middle. */
-static void test_pieces(void **state) {
-    (void)state;
+TEST(pieces) {
     enum { SIDE = 32 };
     const struct emitter lights[] = {face(2, .5F), face(2, 0), lamp(EMITTER_SPOT, 3, .5F, .25F),
                                      lamp(EMITTER_POINT, 5, .3F, 0),
@@ -223,8 +219,7 @@ static void test_pieces(void **state) {
 
 /* In a sphere of albedo 1/2 VPLs have half of the flux, whatever shines: rho pi L A of an area
  * light. */
-static void test_vpl_flux(void **state) {
-    (void)state;
+TEST(vpl_flux) {
     const struct emitter lights[] = {face(.5F, .25F), face(.3F, 0), lamp(EMITTER_POINT, 2, .2F, 0)};
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
         struct stage stage;
@@ -270,8 +265,7 @@ static void check_size(const struct emitter *light, enum emitter_shape shape, do
 }
 
 /* The greatest scale of the node counts, both ways; -Z is the front. */
-static void test_extension(void **state) {
-    (void)state;
+TEST(extension) {
     struct scene scene;
     struct emitter light;
     open_parts(
@@ -301,8 +295,7 @@ static void test_extension(void **state) {
     scene_free(&scene);
 }
 
-static void test_extras(void **state) {
-    (void)state;
+TEST(extras) {
     struct scene scene;
     struct emitter light;
     open_parts(&scene,
@@ -344,8 +337,7 @@ static void test_extras(void **state) {
 }
 
 /* The quad of 1 x 1 in the xy plane, from 0 to 1. */
-static void test_emissive_quad(void **state) {
-    (void)state;
+TEST(emissive_quad) {
     struct scene scene;
     struct emitter front, back;
     open_parts(&scene, &(struct gltf_parts){
@@ -403,8 +395,7 @@ static void make_polygon(struct fan *fan, int corners, float squeeze) {
     make_fan(fan, corners, (const float(*)[2])corner);
 }
 
-static void test_shapes(void **state) {
-    (void)state;
+TEST(shapes) {
     struct fan fan;
     struct flat_shape shape;
     /* Eight corners, of which four lie on sides. */
@@ -441,13 +432,4 @@ static void test_shapes(void **state) {
     assert_false(flat_shape_of(&shape, &fan.primitive));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_traced),    cmocka_unit_test(test_shaded),
-        cmocka_unit_test(test_halves),    cmocka_unit_test(test_pieces),
-        cmocka_unit_test(test_extension), cmocka_unit_test(test_vpl_flux),
-        cmocka_unit_test(test_extras),    cmocka_unit_test(test_emissive_quad),
-        cmocka_unit_test(test_shapes),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

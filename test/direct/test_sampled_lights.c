@@ -46,8 +46,7 @@ static void spread_lights(const struct stage *stage, struct emitter *lights, int
 /* --- a second implementation: maps ------------------------------------------------------------ */
 
 /* imperfect-volume gives each light a map. */
-static void test_maps(void **state) {
-    (void)state;
+TEST(maps) {
     static const struct {
         const char *what;
         enum emitter_type type;
@@ -79,8 +78,7 @@ static void test_maps(void **state) {
 
 /* --- paths ------------------------------------------------------------------------------------ */
 
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     struct stage stage;
     struct emitter lights[LIGHTS];
     open_room(&stage);
@@ -118,8 +116,7 @@ static struct image render_passes(const struct stage *stage, struct emitter *lig
 
 /* Forty panels over a floor: 24 have lights of their own, and the triangles of the others are
  * lights. */
-static void test_panels(void **state) {
-    (void)state;
+TEST(panels) {
     enum { PANELS = 40, NODE = 160 };
     char nodes[(PANELS + 2) * NODE] =
         "[{\"mesh\": 1, \"scale\": [9, 9, 1], \"translation\": [-4.5, -4.5, 0]}, "
@@ -152,8 +149,7 @@ static void test_panels(void **state) {
 }
 
 /* Passes have other samples, and their mean errs less. */
-static void test_passes(void **state) {
-    (void)state;
+TEST(passes) {
     struct stage stage;
     struct emitter lights[LIGHTS];
     double errors[2];
@@ -172,8 +168,7 @@ static void test_passes(void **state) {
 
 /* --- relations -------------------------------------------------------------------------------- */
 
-static void test_order(void **state) {
-    (void)state;
+TEST(order) {
     struct stage stage;
     struct emitter lights[LIGHTS], reversed[LIGHTS];
     open_room(&stage);
@@ -188,8 +183,7 @@ static void test_order(void **state) {
 }
 
 /* One light among dark ones, and one that outshines all others, have maps. */
-static void test_one_strong(void **state) {
-    (void)state;
+TEST(one_strong) {
     struct stage stage;
     struct emitter lights[LIGHTS];
     open_room(&stage);
@@ -210,8 +204,7 @@ static void test_one_strong(void **state) {
 }
 
 /* Lights within a solid cost samples, and give no light. */
-static void test_inside_solid(void **state) {
-    (void)state;
+TEST(inside_solid) {
     struct stage stage;
     struct emitter lights[2 * LIGHTS];
     open_room(&stage);
@@ -232,8 +225,7 @@ static void test_inside_solid(void **state) {
 }
 
 /* A ball that emits is its triangles; a change of what stands in for it is refused. */
-static void test_ball(void **state) {
-    (void)state;
+TEST(ball) {
     struct stage stage;
     struct emitters changed = {0};
     open_stage(&stage, "scenes/failures/ball-lamp.glb");
@@ -251,8 +243,7 @@ static void test_ball(void **state) {
 }
 
 /* Lights outside a closed room light nothing in it. */
-static void test_behind_walls(void **state) {
-    (void)state;
+TEST(behind_walls) {
     struct stage stage;
     struct emitter lights[LIGHTS];
     open_room(&stage);
@@ -267,8 +258,7 @@ static void test_behind_walls(void **state) {
 }
 
 /* Glossy surfaces: what is mirrored is not reflected diffusely, and highlights keep their light. */
-static void test_gloss(void **state) {
-    (void)state;
+TEST(gloss) {
     struct stage stage;
     struct emitter lights[LIGHTS];
     open_stage(&stage, "scenes/gloss.glb");
@@ -286,8 +276,7 @@ static void test_gloss(void **state) {
 
 /* Lights come and go: sampled lights, and parts that only frames with them have. A size tells the
  * direct method. */
-static void test_follow(void **state) {
-    (void)state;
+TEST(follow) {
     struct stage stage;
     struct renderer renderer = {0};
     struct emitter lights[LIGHTS];
@@ -309,15 +298,4 @@ static void test_follow(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_maps),         cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_panels),       cmocka_unit_test(test_passes),
-        cmocka_unit_test(test_order),        cmocka_unit_test(test_one_strong),
-        cmocka_unit_test(test_behind_walls), cmocka_unit_test(test_gloss),
-        cmocka_unit_test(test_inside_solid), cmocka_unit_test(test_ball),
-        cmocka_unit_test(test_follow),
-    };
-    return cmocka_run_group_tests_name("sampled lights", tests, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

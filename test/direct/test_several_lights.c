@@ -33,8 +33,7 @@ static void darken(struct emitter *light) {
 /* --- maps ------------------------------------------------------------------------------------- */
 
 /* Each view has a layer of its kind's maps, and those of a light follow each other. */
-static void test_layout(void **state) {
-    (void)state;
+TEST(layout) {
     struct stage stage;
     open_stage(&stage, three_lights);
     struct emitter lights[6];
@@ -65,8 +64,7 @@ static void test_layout(void **state) {
 
 /* A light that gives nothing beside another changes no bit: neither where its maps take room, nor
  * which VPLs the other has. */
-static void test_dark_lights(void **state) {
-    (void)state;
+TEST(dark_lights) {
     struct stage stage;
     open_stage(&stage, three_lights);
     static const struct {
@@ -125,8 +123,7 @@ static struct image *add_up(struct image *parts, int count) {
 
 /* Without visibility the sum over VPLs is linear; each light has about a third of them in the sum,
  * and all of them alone. */
-static void test_sum(void **state) {
-    (void)state;
+TEST(sum) {
     struct stage stage;
     struct image parts[3];
     const char *settings = "vpls=8192 interleave=1 near-samples=256 shadow-size=1024";
@@ -150,8 +147,7 @@ static void test_sum(void **state) {
 }
 
 /* A light in two halves at one place is the one; the halves' VPLs lie between each other. */
-static void test_split(void **state) {
-    (void)state;
+TEST(split) {
     struct stage stage;
     const char *settings = "vpls=4096 interleave=1 near-samples=256 shadow-size=512";
     open_stage(&stage, three_lights);
@@ -175,8 +171,7 @@ static void test_split(void **state) {
 
 /* Against the path tracer, by the pixels' centres: both have all three lights. In so small a
  * picture the Cornell box under one spot is 17 and 9 % off. */
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     struct stage stage;
     open_stage(&stage, three_lights);
     struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
@@ -210,8 +205,7 @@ static void test_reference(void **state) {
 
 /* --- too many --------------------------------------------------------------------------------- */
 
-static void test_too_many(void **state) {
-    (void)state;
+TEST(too_many) {
     struct stage stage;
     struct renderer renderer;
     struct emitter lights[LIGHTS_MAX + 1];
@@ -270,8 +264,7 @@ static void check_points(const struct stage *stage, const struct technique *tech
     images_free(&many, &single);
 }
 
-static void test_points(void **state) {
-    (void)state;
+TEST(points) {
     struct stage stage;
     open_stage(&stage, three_lights);
     for (const struct technique *const *technique = techniques; *technique; technique++)
@@ -290,15 +283,13 @@ static void test_points(void **state) {
 }
 
 /* Maps of many views are smaller. */
-static void test_map_share(void **state) {
-    (void)state;
+TEST(map_share) {
     assert_int_equal(light_map_share(2048, 32, 32), 2048);
     assert_int_equal(light_map_share(2048, 128, 32), 1024);
     assert_int_equal(light_map_share(32, 1000, 1), 16);
 }
 
-static void test_case(void **state) {
-    (void)state;
+TEST(case) {
     char path[512];
     struct stage stage;
     if (!shared_path())
@@ -314,14 +305,4 @@ static void test_case(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_layout),    cmocka_unit_test(test_dark_lights),
-        cmocka_unit_test(test_sum),       cmocka_unit_test(test_split),
-        cmocka_unit_test(test_reference), cmocka_unit_test(test_too_many),
-        cmocka_unit_test(test_points),    cmocka_unit_test(test_map_share),
-        cmocka_unit_test(test_case),
-    };
-    return cmocka_run_group_tests_name("several lights", tests, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -99,8 +99,7 @@ static double all_of_it(const float place[3]) {
 static const char *const settings_tried[] = {"", "sky.lights=6", "fit=rectangles lights=60",
                                              "sky.shadow-rays=2"};
 
-static void test_floor(void **state) {
-    (void)state;
+TEST(floor) {
     struct stage stage;
     open_quads(&stage, "\"translation\": [0, 0, 2]",
                "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
@@ -115,8 +114,7 @@ static void test_floor(void **state) {
 }
 
 /* A cube, of which the camera sees three sides: none hides another's sky. */
-static void test_convex_body(void **state) {
-    (void)state;
+TEST(convex_body) {
     struct stage stage;
     open_quads(
         &stage,
@@ -145,8 +143,7 @@ static double beside_wall(const float place[3]) {
     return place[2] < 1e-3F && x > .15 && fabsf(place[1]) < 1 ? (1 + x / hypot(x, 1)) / 2 : -1;
 }
 
-static void test_wall(void **state) {
-    (void)state;
+TEST(wall) {
     struct stage stage;
     open_quads(&stage, "\"translation\": [1.2, 0, 2]",
                "{\"mesh\": 0, \"scale\": [3, 16, 1], \"translation\": [0, -8, 0]},"
@@ -212,8 +209,7 @@ static void open_roof(struct stage *stage, int rows) {
 }
 
 /* A dielectric shows all light, a metal what its lobe reflects once. */
-static void test_furnace(void **state) {
-    (void)state;
+TEST(furnace) {
     static const struct {
         const char *name;
         float metalness, f0;
@@ -287,8 +283,7 @@ static double through_window(const float place[3]) {
     ", " z "]}"
 
 /* Its walls are seen edge-on, or from below a roof, by the lights whose ways leave through them. */
-static void test_room(void **state) {
-    (void)state;
+TEST(room) {
     struct stage stage;
     open_quads(&stage, "\"translation\": [0, 0, 0.95]",
                ROOM PIECE("0.3", "1", "-0.5", "0.3") "," PIECE("0.2", "1", "-0.5", "1") "," PIECE(
@@ -326,8 +321,7 @@ static void check_passes(const struct stage *stage, const struct image *referenc
 
 /* Below the table it is too dark: what the map shows is taken to be as deep as keeps courtyards
  * dark. */
-static void test_day(void **state) {
-    (void)state;
+TEST(day) {
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_day);
@@ -353,8 +347,7 @@ static void paint_texel(const float direction[3], float radiance[3]) {
     glm_vec3_broadcast(column == TEXEL_COLUMN && row == TEXEL_ROW ? TEXEL_RADIANCE : 0, radiance);
 }
 
-static void test_texel(void **state) {
-    (void)state;
+TEST(texel) {
     struct stage stage;
     struct emitter sun = {.type = EMITTER_DIRECTIONAL, .number = -1};
     float towards[3];
@@ -383,8 +376,7 @@ static void test_texel(void **state) {
 }
 
 /* Below a roof between walls, by the scene's own sky. */
-static void test_courtyard(void **state) {
-    (void)state;
+TEST(courtyard) {
     struct stage stage;
     open_stage(&stage, "scenes/courtyard.glb");
     struct image reference = trace_stage(&stage, SIZE, 64);
@@ -406,8 +398,7 @@ static void test_courtyard(void **state) {
 
 /* --- beside other lights ---------------------------------------------------------------------- */
 
-static void test_sum(void **state) {
-    (void)state;
+TEST(sum) {
     const char *settings = is_long_run() ? "" : "shadow-size=512 rsm-size=64 vpls=64";
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
@@ -446,8 +437,7 @@ static void paint_black(const float direction[3], float radiance[3]) {
     glm_vec3_zero(radiance);
 }
 
-static void test_black(void **state) {
-    (void)state;
+TEST(black) {
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     struct image without = render_stage(&stage, "clustered", "", SIZE);
@@ -462,13 +452,4 @@ static void test_black(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_floor),     cmocka_unit_test(test_convex_body),
-        cmocka_unit_test(test_wall),      cmocka_unit_test(test_day),
-        cmocka_unit_test(test_courtyard), cmocka_unit_test(test_texel),
-        cmocka_unit_test(test_sum),       cmocka_unit_test(test_black),
-        cmocka_unit_test(test_room),      cmocka_unit_test(test_furnace),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

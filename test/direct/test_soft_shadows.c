@@ -147,8 +147,7 @@ static const struct {
     {"cssm", "shadow-size=1024 cssm.prefilter=sat", {.022, .018, .022, .013}},
 };
 
-static void test_stands(void **state) {
-    (void)state;
+TEST(stands) {
     for (size_t r = 0; r < sizeof rows / sizeof *rows; r++)
         for (size_t s = 0; s < sizeof stands / sizeof *stands; s++)
             if (is_tried_here(r + s, 2))
@@ -158,8 +157,7 @@ static void test_stands(void **state) {
 }
 
 /* What a method has more of makes it truer. */
-static void test_more(void **state) {
-    (void)state;
+TEST(more) {
     static const struct {
         const char *method, *few, *many;
     } steps[] = {
@@ -219,8 +217,7 @@ static double light_below(double plate, const char *settings) {
 
 /* Where a map is constant all of its windows have one mean, whether a MIP level or a summed area
  * table tells it. */
-static void test_constant(void **state) {
-    (void)state;
+TEST(constant) {
     static const double plates[] = {.05, .1, .2};
     double lit = light_below(below_floor, HALF_HIDDEN);
     for (size_t i = 0; i < sizeof plates / sizeof *plates; i++) {
@@ -284,8 +281,7 @@ static double share_error(const struct stage *stage, const char *method, const c
     return sqrt(squares / count);
 }
 
-static void test_table(void **state) {
-    (void)state;
+TEST(table) {
     static const struct {
         const char *method;
         double least, most;
@@ -313,8 +309,7 @@ static void test_table(void **state) {
 /* A sphere, a disk of spots and a sun over the table, beside points of them. The cone of the spots
  * is taken from their middle, which is some of their error; the sun meets a lamp above a table, and
  * windows have one depth. */
-static void test_types(void **state) {
-    (void)state;
+TEST(types) {
     static const struct {
         const char *what;
         enum emitter_type type;
@@ -367,8 +362,7 @@ static struct image render_lights(struct stage *stage, const char *light, const 
 
 /* Lights larger than all, next to nothing, touching a table and a wall, in a sphere larger than the
  * room: whatever the picture, it is one. */
-static void test_extremes(void **state) {
-    (void)state;
+TEST(extremes) {
     static const char *const lights[] = {"size=50,50",      "size=1e9,0",
                                          "size=1e-6,1e-6",  "size=0,0",
                                          "size=1e-6,3",     "position=0,0.76,0",
@@ -417,8 +411,7 @@ static struct image render_soft(const struct stage *stage, const char *method) {
 
 /* A light that is next to nothing has hard shadows, by rays those of a fine map; and one in two
  * halves is the one. */
-static void test_limits(void **state) {
-    (void)state;
+TEST(limits) {
     static const double halves_most[SOFT_METHODS] = {.06, .06, .06, .2};
     struct stage stage;
     struct emitter halves[2];
@@ -455,8 +448,7 @@ static void test_limits(void **state) {
 
 /* Neither units nor axes mean anything: a table a thousand times as large, or turned. World-aligned
  * faces come back to themselves after a quarter turn; a light's own map turns with it. */
-static void test_scale_and_turns(void **state) {
-    (void)state;
+TEST(scale_and_turns) {
     for (int m = 0; m < SOFT_METHODS; m++) {
         struct stage stage;
         open_stage(&stage, "scenes/table.glb");
@@ -480,8 +472,7 @@ static void test_scale_and_turns(void **state) {
 }
 
 /* A plate behind the floor, and one beyond the light, hide nothing. */
-static void test_idle_casters(void **state) {
-    (void)state;
+TEST(idle_casters) {
     static const char *const methods[] = {"hard", "pcss", "vssm", "msm", "cssm"};
     struct stage below, beyond;
     open_stand(&below, &stands[0], below_floor);
@@ -501,8 +492,7 @@ static void test_idle_casters(void **state) {
 }
 
 /* In an empty room nothing hides a light in the ceiling (CIE 171:2006, 5.3). */
-static void test_empty_room(void **state) {
-    (void)state;
+TEST(empty_room) {
     static const char *const methods[] = {"pcss", "vssm", "msm", "cssm", "samples"};
     static const char *const lights[] = {
         "+area position=2,3,-2 direction=0,-1,0 size=1,1 intensity=10,10,10"};
@@ -534,19 +524,4 @@ static void test_empty_room(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_empty_room),
-        cmocka_unit_test(test_stands),
-        cmocka_unit_test(test_more),
-        cmocka_unit_test(test_constant),
-        cmocka_unit_test(test_table),
-        cmocka_unit_test(test_types),
-        cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_limits),
-        cmocka_unit_test(test_scale_and_turns),
-        cmocka_unit_test(test_idle_casters),
-    };
-    return cmocka_run_group_tests_name("soft shadows", tests, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -64,13 +64,11 @@ static void check_context(const struct context_desc *desc, const char *descripti
     assert_null(gl.CreateTextures);
 }
 
-static void test_egl(void **state) {
-    (void)state;
+TEST(egl) {
     check_context(&egl_desc, "EGL");
 }
 
-static void test_osmesa(void **state) {
-    (void)state;
+TEST(osmesa) {
     check_context(&osmesa_desc, "OSMesa");
 }
 
@@ -130,8 +128,7 @@ static GLuint make_reader(const char *other) {
 
 /* What a sampler without a texture reads is each driver's choice: each one counts as a fault of a
  * draw or dispatch. */
-static void test_samplers(void **state) {
-    (void)state;
+TEST(samplers) {
     struct context *context = open_context(&(struct context_desc){.debug = true});
     GLuint program = make_reader("5"), read = make_texel(orange), written = make_texel(teal);
     gl.UseProgram(program);
@@ -156,13 +153,11 @@ static void test_samplers(void **state) {
     context_free(context);
 }
 
-static void test_messages(void **state) {
-    (void)state;
+TEST(messages) {
     check_messages(&egl_desc);
 }
 
-static void test_messages_osmesa(void **state) {
-    (void)state;
+TEST(messages_osmesa) {
     check_messages(&osmesa_desc);
 }
 
@@ -189,20 +184,17 @@ static void check_alternation(const struct context_desc *first, const struct con
     context_free(b);
 }
 
-static void test_alternation(void **state) {
-    (void)state;
+TEST(alternation) {
     check_alternation(&egl_desc, &egl_desc);
 }
 
-static void test_alternation_with_osmesa(void **state) {
-    (void)state;
+TEST(alternation_with_osmesa) {
     check_alternation(&egl_desc, &osmesa_desc);
     check_alternation(&osmesa_desc, &egl_desc);
 }
 
 /* A message of another context goes to its own counter. */
-static void test_messages_of_two(void **state) {
-    (void)state;
+TEST(messages_of_two) {
     struct context *a = open_context(&egl_desc), *b = context_create(&egl_desc);
     gl.Enable(GL_VENDOR);
     context_make_current(a);
@@ -212,8 +204,7 @@ static void test_messages_of_two(void **state) {
     context_free(a);
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     char devices[4096];
     context_list_devices(devices, sizeof devices);
     printf("%s", devices);
@@ -230,8 +221,7 @@ static void test_refusals(void **state) {
 }
 
 /* Devices by name: what is no device is refused, and hardware is never software. */
-static void test_devices(void **state) {
-    (void)state;
+TEST(devices) {
     static const char *const good[] = {"0", "12", "cuda:0", "cuda:7", "hardware"};
     static const char *const bad[] = {"",      "-1",      "1x",       "cuda",
                                       "cuda:", "cuda:-1", "Hardware", "gpu"};
@@ -257,8 +247,7 @@ static void test_devices(void **state) {
 }
 
 /* A machine without GPU drivers: the message tells what was tried. */
-static void test_no_driver(void **state) {
-    (void)state;
+TEST(no_driver) {
     char command[512], output[4096];
     snprintf(command, sizeof command, "__EGL_VENDOR_LIBRARY_DIRS=/nowhere %s info --context egl",
              binary_path());
@@ -270,8 +259,7 @@ static void *getproc_without_compute(const char *name) {
     return strcmp(name, "glDispatchCompute") == 0 ? NULL : (void *)name;
 }
 
-static void test_missing_function(void **state) {
-    (void)state;
+TEST(missing_function) {
     assert_null(context_adopt(getproc_without_compute, false));
     assert_string_equal(error_get(), "window: no function glDispatchCompute");
 }
@@ -328,8 +316,7 @@ static void expect_refusal(struct driver lacking, const char *message) {
     assert_true(gl_needs_met(&api));
 }
 
-static void test_needs(void **state) {
-    (void)state;
+TEST(needs) {
     char message[128];
     struct driver old = enough, layerless = enough, small = enough, brief = enough;
     old.version = 43;
@@ -349,21 +336,4 @@ static void test_needs(void **state) {
     expect_refusal(brief, message);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_egl),
-        cmocka_unit_test(test_osmesa),
-        cmocka_unit_test(test_messages),
-        cmocka_unit_test(test_samplers),
-        cmocka_unit_test(test_messages_osmesa),
-        cmocka_unit_test(test_alternation),
-        cmocka_unit_test(test_alternation_with_osmesa),
-        cmocka_unit_test(test_messages_of_two),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_devices),
-        cmocka_unit_test(test_no_driver),
-        cmocka_unit_test(test_missing_function),
-        cmocka_unit_test(test_needs),
-    };
-    return cmocka_run_group_tests_name("gl", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

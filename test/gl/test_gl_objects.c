@@ -61,8 +61,7 @@ static void expect_error(const char *part) {
         fail_msg("'%s' is not in: %s", part, error_get());
 }
 
-static void test_includes(void **state) {
-    (void)state;
+TEST_WITH(includes, use_shader_folder, use_embedded_shaders) {
     struct glsl_source source;
     write_shader("main.frag", "#include \"lib/a.glsl\"\n#include \"lib/b.glsl\"\nint own;\n");
     write_shader("lib/a.glsl", "#include \"lib/b.glsl\"\nint a;\n");
@@ -81,8 +80,7 @@ static void test_includes(void **state) {
 }
 
 /* A define chooses a file. */
-static void test_chosen_include(void **state) {
-    (void)state;
+TEST_WITH(chosen_include, use_shader_folder, use_embedded_shaders) {
     struct glsl_source source;
     write_shader("main.frag", "#include PART\nint own;\n");
     write_shader("lib/b.glsl", "int b;\n");
@@ -120,8 +118,7 @@ static void expect_compiles(const char *fragment) {
 }
 
 /* What is included twice is there once, be it also hidden by an #if or included by itself. */
-static void test_once(void **state) {
-    (void)state;
+TEST_WITH(once, use_shader_folder, use_embedded_shaders) {
     write_shader("lib/a.glsl", "#include \"lib/b.glsl\"\nfloat a() { return b(); }\n");
     write_shader("lib/b.glsl", "#include \"lib/b.glsl\"\nfloat b() { return 1.0; }\n");
     expect_compiles("#include \"lib/a.glsl\"\n#include \"lib/b.glsl\"\n"
@@ -131,7 +128,7 @@ static void test_once(void **state) {
 }
 
 /* Lines keep their numbers behind what the compiler skips. */
-static void test_skipped_lines(void **state) {
+TEST_WITH(skipped_lines, use_shader_folder, use_embedded_shaders) {
     write_shader("lib/a.glsl", "#include \"lib/b.glsl\"\nfloat a() { return b(); }\n");
     write_shader("lib/b.glsl", "float b() { return 1.0; }\n\n\n");
     expect_compile_error(state,
@@ -153,8 +150,7 @@ static void test_skipped_lines(void **state) {
 }
 
 /* A technique's shaders are in its folder, beside the shaders' own. */
-static void test_owned_shaders(void **state) {
-    (void)state;
+TEST_WITH(owned_shaders, use_shader_folder, use_embedded_shaders) {
     write_shader("lib/b.glsl", "float b() { return 1.0; }\n");
     write_shader("../src/techniques/a.glsl", "float a() { return b(); }\n");
     write_shader("../src/direct/c.glsl", "float c() { return b(); }\n");
@@ -162,8 +158,7 @@ static void test_owned_shaders(void **state) {
                     "#include \"direct/c.glsl\"\nvoid main() { a(), c(); }\n");
 }
 
-static void test_missing_include(void **state) {
-    (void)state;
+TEST_WITH(missing_include, use_shader_folder, use_embedded_shaders) {
     struct glsl_source source;
     write_shader("main.frag", "int one;\n#include \"lib/c.glsl\"\n");
     write_shader("lib/c.glsl", "\n\n#include \"lib/nowhere.glsl\"\n");
@@ -176,15 +171,14 @@ static void test_missing_include(void **state) {
 }
 
 /* A mistake in an included file is told by that file's name and line. */
-static void test_messages(void **state) {
+TEST_WITH(messages, use_shader_folder, use_embedded_shaders) {
     write_shader("lib/wrong.glsl", "int fine;\nint wrong = nothing;\n");
     expect_compile_error(state, "#include \"lib/wrong.glsl\"\nvoid main() {}\n",
                          "lib/wrong.glsl:2");
 }
 
 /* What other drivers write. */
-static void test_places(void **state) {
-    (void)state;
+TEST(places) {
     static const struct {
         const char *message, *explained;
     } cases[] = {
@@ -202,8 +196,7 @@ static void test_places(void **state) {
     }
 }
 
-static void test_link_errors(void **state) {
-    (void)state;
+TEST_WITH(link_errors, use_shader_folder, use_embedded_shaders) {
     GLuint program;
     write_shader("triangle.vert", "void main() { gl_Position = vec4(0.0); }\n");
     write_shader("main.frag", "in vec3 missing;\nlayout(location = 0) out vec3 color;\n"
@@ -215,8 +208,7 @@ static void test_link_errors(void **state) {
 }
 
 /* Alike programs are one object; a define makes another. */
-static void test_programs(void **state) {
-    (void)state;
+TEST(programs) {
     GLuint programs[3];
     struct program_desc desc = {.vertex = "fullscreen.vert",
                                 .fragment = "passes/picture/depth_only.frag"};
@@ -234,8 +226,7 @@ static void test_programs(void **state) {
 
 /* --- textures, buffers, ledger ---------------------------------------------------------------- */
 
-static void test_ledger(void **state) {
-    (void)state;
+TEST(ledger) {
     size_t before = gpu_memory_total();
     int objects = gpu_memory_object_count();
     struct texture texture;
@@ -261,8 +252,7 @@ static void test_ledger(void **state) {
     assert_int_equal(gpu_memory_object_count(), objects);
 }
 
-static void test_too_large(void **state) {
-    (void)state;
+TEST(too_large) {
     struct texture texture;
     struct texture_desc desc = {.label = "huge", .format = GL_R8, .width = 1 << 24};
     assert_false(texture_init(&texture, &desc));
@@ -272,7 +262,7 @@ static void test_too_large(void **state) {
 
 /* The largest texture of the limits is above any memory. In a context of its own, as the driver
  * also tells the debug log. */
-static void test_out_of_memory(void **state) {
+TEST(out_of_memory) {
     struct context *context = open_context(CONTEXT_AUTO);
     struct texture texture;
     GLint size, layers;
@@ -335,8 +325,7 @@ static void check_level(const struct texture *volume, int level) {
 }
 
 /* Each level of a volume, written by a compute shader and read back. */
-static void test_volume(void **state) {
-    (void)state;
+TEST_WITH(volume, use_shader_folder, use_embedded_shaders) {
     GLuint program;
     struct texture volume;
     size_t before = gpu_memory_total();
@@ -376,8 +365,7 @@ static void test_volume(void **state) {
 }
 
 /* Beyond its last layer a volume repeats or not, as it was told. */
-static void test_volume_wrap(void **state) {
-    (void)state;
+TEST_WITH(volume_wrap, use_shader_folder, use_embedded_shaders) {
     static const GLenum wraps[] = {0, GL_REPEAT};
     static const float expected[] = {1, 0}, texels[] = {0, 1};
     GLuint program;
@@ -415,8 +403,7 @@ static void test_volume_wrap(void **state) {
 }
 
 /* A volume has a limit of its own, on most drivers below that of pictures. */
-static void test_volume_limit(void **state) {
-    (void)state;
+TEST(volume_limit) {
     struct texture texture;
     GLint size;
     char limit[64];
@@ -429,8 +416,7 @@ static void test_volume_limit(void **state) {
     expect_error(limit);
 }
 
-static void test_buffers(void **state) {
-    (void)state;
+TEST(buffers) {
     struct buffer buffer;
     const uint32_t words[4] = {1, 2, 3, 4}, more[2] = {7, 8};
     uint32_t read[4];
@@ -486,19 +472,16 @@ static void check_timers(bool software) {
     timers_free(&timers);
 }
 
-static void test_clock(void **state) {
-    (void)state;
+TEST(clock) {
     check_timers(true);
 }
 
-static void test_queries(void **state) {
-    (void)state;
+TEST(queries) {
     check_timers(false);
 }
 
 /* Hundreds of passes of one name, as instant radiosity has with small batches. */
-static void test_many_passes(void **state) {
-    (void)state;
+TEST(many_passes) {
     struct timers timers;
     timers_init(&timers, true, false);
     for (int frame = 0; frame < 3; frame++) {
@@ -514,8 +497,7 @@ static void test_many_passes(void **state) {
     timers_free(&timers);
 }
 
-static void test_disabled(void **state) {
-    (void)state;
+TEST(disabled) {
     struct timers timers;
     timers_init(&timers, false, true);
     run_frame(&timers, 1);
@@ -523,34 +505,4 @@ static void test_disabled(void **state) {
     timers_free(&timers);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_includes, use_shader_folder, use_embedded_shaders),
-        cmocka_unit_test_setup_teardown(test_chosen_include, use_shader_folder,
-                                        use_embedded_shaders),
-        cmocka_unit_test_setup_teardown(test_once, use_shader_folder, use_embedded_shaders),
-        cmocka_unit_test_setup_teardown(test_skipped_lines, use_shader_folder,
-                                        use_embedded_shaders),
-        cmocka_unit_test_setup_teardown(test_owned_shaders, use_shader_folder,
-                                        use_embedded_shaders),
-        cmocka_unit_test_setup_teardown(test_missing_include, use_shader_folder,
-                                        use_embedded_shaders),
-        cmocka_unit_test_setup_teardown(test_messages, use_shader_folder, use_embedded_shaders),
-        cmocka_unit_test_setup_teardown(test_link_errors, use_shader_folder, use_embedded_shaders),
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_programs),
-        cmocka_unit_test(test_ledger),
-        cmocka_unit_test(test_too_large),
-        cmocka_unit_test(test_out_of_memory),
-        cmocka_unit_test_setup_teardown(test_volume, use_shader_folder, use_embedded_shaders),
-        cmocka_unit_test_setup_teardown(test_volume_wrap, use_shader_folder, use_embedded_shaders),
-        cmocka_unit_test(test_volume_limit),
-        cmocka_unit_test(test_buffers),
-        cmocka_unit_test(test_clock),
-        cmocka_unit_test(test_queries),
-        cmocka_unit_test(test_many_passes),
-        cmocka_unit_test(test_disabled),
-    };
-    return cmocka_run_group_tests_name("gl objects", tests, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -120,8 +120,7 @@ static void read_volume(GLuint program, const struct texture *volume, const stru
 }
 
 /* One pass stores a volume, the next reads it as a texture, and the host what that one stored. */
-static void test_compute(void **state) {
-    (void)state;
+TEST(compute) {
     const float scale[4] = {1, .5F, .25F, 2};
     float texels[TEXELS][4];
     struct texture volume;
@@ -181,8 +180,7 @@ static void read_target(const struct target *target, unsigned char pixels[8][8][
 }
 
 /* A pass that keeps colours leaves them, and the next clear and pass write them all the same. */
-static void test_kept_colors(void **state) {
-    (void)state;
+TEST(kept_colors) {
     static const float zero[4] = {0};
     unsigned char pixels[8][8][4];
     struct target target;
@@ -221,8 +219,7 @@ static int drawn(const struct target *target) {
 }
 
 /* Points are as wide as their shader says where the state says so, and else a pixel. */
-static void test_point_size(void **state) {
-    (void)state;
+TEST(point_size) {
     static const float zero[4] = {0};
     struct target target;
     open_target(&target);
@@ -301,15 +298,13 @@ static void check_write(GLuint writer,
     programs_free(&reader, &writer);
 }
 
-static void test_writes_wait_for_reads(void **state) {
-    (void)state;
+TEST(writes_wait_for_reads) {
     check_write(open_program("ones.vert", NULL, NULL), write_by_feedback);
     check_write(open_program(NULL, NULL, "ones.comp"), write_by_dispatch);
 }
 
 /* Without a target what is drawn still becomes fragments, as many as the viewport has pixels. */
-static void test_no_target(void **state) {
-    (void)state;
+TEST(no_target) {
     uint32_t count = 0;
     struct buffer counter;
     GLuint program = open_program("triangle.vert", "nothing.frag", NULL);
@@ -328,11 +323,4 @@ static void test_no_target(void **state) {
     program_free(&program);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_compute),    cmocka_unit_test(test_kept_colors),
-        cmocka_unit_test(test_point_size), cmocka_unit_test(test_writes_wait_for_reads),
-        cmocka_unit_test(test_no_target),
-    };
-    return cmocka_run_group_tests_name("gl_pass", tests, open_shaders, close_shaders);
-}
+RUN_TESTS(open_shaders, close_shaders)

@@ -91,8 +91,7 @@ static void check_picture(const struct picture *picture) {
     stage_free(&stage);
 }
 
-static void test_pictures(void **state) {
-    (void)state;
+TEST(pictures) {
     for (size_t i = 0; i < sizeof pictures / sizeof *pictures; i++)
         if (is_tried_here(i, 3))
             check_picture(&pictures[i]);
@@ -136,8 +135,7 @@ static void draw_part(enum screen_way way, float *texels) {
 }
 
 /* A dispatch keeps to the viewport as a triangle does. */
-static void test_viewport(void **state) {
-    (void)state;
+TEST(viewport) {
     static float drawn[WIDTH * HEIGHT * LAYERS_DRAWN * 4], dispatched[sizeof drawn / sizeof *drawn];
     int outside = 0;
     draw_part(SCREEN_FRAGMENT, drawn);
@@ -291,8 +289,7 @@ static void check_mask(enum screen_way way, int width, int height, int every) {
 
 /* The second pass runs at marked pixels and at no others: few, none, all, and more than a row of
  * groups has. */
-static void test_masks(void **state) {
-    (void)state;
+TEST(masks) {
     static const struct {
         int width, height, every;
     } tried[] = {{97, 61, 5}, {97, 61, 100000}, {97, 61, 1}, {1500, 1450, 1}};
@@ -304,8 +301,7 @@ static void test_masks(void **state) {
 }
 
 /* A mask that the GPU has no memory for leaves nothing. */
-static void test_mask_memory(void **state) {
-    (void)state;
+TEST(mask_memory) {
     size_t memory = gl.memory, before = gpu_memory_total();
     for (enum screen_way way = SCREEN_FRAGMENT; way <= SCREEN_COMPUTE; way++) {
         struct pixel_mask mask;
@@ -323,8 +319,7 @@ static void test_mask_memory(void **state) {
 }
 
 /* Messages name the body's file and line, whatever is written before. */
-static void test_places(void **state) {
-    (void)state;
+TEST(places) {
     static const char text[] = "#version 450 core\n"
                                "#ifndef INCLUDED_0\n#define INCLUDED_0\n"
                                "#line 1\n"
@@ -343,8 +338,7 @@ static void test_places(void **state) {
 }
 
 /* The choice is the process's, and is made once; timing leaves it alone. */
-static void test_auto(void **state) {
-    (void)state;
+TEST(auto) {
     struct screen_times times;
     screen_set_way(SCREEN_AUTO);
     check_ok("times", screen_time_ways(&times));
@@ -366,8 +360,7 @@ static void *count_dispatched(void *count) {
 }
 
 /* While one thread times both ways, what others make runs in the way that is chosen. */
-static void test_timing_aside(void **state) {
-    (void)state;
+TEST(timing_aside) {
     pthread_t other;
     struct screen_times times;
     int dispatched = 0;
@@ -392,8 +385,7 @@ static void note_dispatch(int width, int height, int first, int count, int strid
 }
 
 /* Rectangles that overlap are of later rounds, unless they are different parts. */
-static void test_rounds(void **state) {
-    (void)state;
+TEST(rounds) {
     static const struct {
         struct screen_rectangle rectangle;
         int part;
@@ -416,12 +408,4 @@ static void test_rounds(void **state) {
     assert_true(screen_rows_empty());
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),       cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_timing_aside), cmocka_unit_test(test_rounds),
-        cmocka_unit_test(test_viewport),     cmocka_unit_test(test_masks),
-        cmocka_unit_test(test_mask_memory),  cmocka_unit_test(test_pictures),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

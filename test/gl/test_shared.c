@@ -95,8 +95,7 @@ static int check_header(const char *text) {
     return count;
 }
 
-static void test_layouts(void **state) {
-    (void)state;
+TEST(layouts) {
     int count = 0;
     for (const struct glsl_file *file = glsl_embedded; file->name; file++)
         if (strncmp(file->name, "shared/", 7) == 0)
@@ -107,8 +106,7 @@ static void test_layouts(void **state) {
 
 /* A number has one name within its kind. Texture units have arrays, and numbers of passes:
  * test/shaders/check. */
-static void test_bindings(void **state) {
-    (void)state;
+TEST(bindings) {
     static const char kind[] = "#define BLOCK_";
     const struct glsl_file *file = glsl_embedded;
     while (file->name && strcmp(file->name, "shared/bindings.h") != 0)
@@ -128,10 +126,4 @@ static void test_bindings(void **state) {
     assert_true(count > 5);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_layouts),
-        cmocka_unit_test(test_bindings),
-    };
-    return cmocka_run_group_tests_name("shared", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -53,8 +53,7 @@ static int check_csv(const char *text) {
     return rows - 1;
 }
 
-static void test_times(void **state) {
-    (void)state;
+TEST(times) {
     char arguments[1024];
     const char *csv = scratch("bench.csv");
     snprintf(arguments, sizeof arguments,
@@ -92,8 +91,7 @@ static void test_times(void **state) {
 }
 
 /* Whole frames alone: the clock and the CPU, and no pass. */
-static void test_times_of_whole_frames(void **state) {
-    (void)state;
+TEST(times_of_whole_frames) {
     char arguments[1024];
     const char *csv = scratch("whole.csv");
     snprintf(arguments, sizeof arguments,
@@ -111,8 +109,7 @@ static void test_times_of_whole_frames(void **state) {
 }
 
 /* The first frame has the pixels of render's picture, whatever comes after it. */
-static void test_picture_of_times(void **state) {
-    (void)state;
+TEST(picture_of_times) {
     expect(0, "% render scenes/cornell-box.glb --size 24x16 --technique clustered --set path=traced"
               " -q -o @/rendered.exr");
     expect(0, "% bench times scenes/cornell-box.glb --size 24x16 --variant traced --frames 1"
@@ -131,8 +128,7 @@ static void test_picture_of_times(void **state) {
 }
 
 /* A frame by some of the lights alone takes no passes of the others. */
-static void test_times_by_light(void **state) {
-    (void)state;
+LONG_TEST(times_by_light) {
     static const char *const lights[] = {"", " --light 0", " --light sky"};
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
         char arguments[1024];
@@ -149,8 +145,7 @@ static void test_times_by_light(void **state) {
 }
 
 /* A sweep measures errors against a reference that the second run finds where the first put it. */
-static void test_sweep_and_cache(void **state) {
-    (void)state;
+TEST(sweep_and_cache) {
     char arguments[1024], remove[600];
     const char *cache = scratch("bench-cache"), *csv = scratch("sweep.csv");
     snprintf(remove, sizeof remove, "rm -rf %s", cache);
@@ -177,8 +172,7 @@ static void test_sweep_and_cache(void **state) {
 }
 
 /* More voxels err less, at the same distance. */
-static void test_ambient_occlusion(void **state) {
-    (void)state;
+LONG_TEST(ambient_occlusion) {
     char arguments[1024];
     double error[2] = {0};
     const char *csv = scratch("ao.csv");
@@ -219,8 +213,7 @@ static void draw(const char *csv, const char *folder) {
 }
 
 /* Drawn from the rows that the sweep above has written. */
-static void test_chart(void **state) {
-    (void)state;
+TEST(chart) {
     const char *svg = scratch("charts/cornell-box.svg"), *png = scratch("charts/cornell-box.png");
     remove(svg);
     remove(png);
@@ -245,8 +238,7 @@ static FILE *open_rows(const char *name) {
 }
 
 /* Of two scenes of one name each has a chart; rings stand around what is on the front. */
-static void test_front(void **state) {
-    (void)state;
+TEST(front) {
     static const double cases[][2] = {
         {1, 9}, {8, 1}, {4, 4}, /* on the front */
         {4, 5}, {9, 9},         /* as fast, less true; neither */
@@ -272,8 +264,7 @@ static void test_front(void **state) {
     free(text);
 }
 
-static void test_other_charts(void **state) {
-    (void)state;
+TEST(other_charts) {
     FILE *file = open_rows("others.csv");
     for (int i = 0; i < 4; i++) {
         fprintf(file, "curves,box,30,8,8,a curve's name,vals=%d,relative-rmse,%d,,x\n", 2 << i,
@@ -294,8 +285,7 @@ static void test_other_charts(void **state) {
 
 /* Names of scenes and settings that a shell, a path or gnuplot would take for something else stay
  * names. */
-static void test_odd_names(void **state) {
-    (void)state;
+TEST(odd_names) {
     FILE *file = open_rows("odd.csv");
     static const char *const names[] = {"../../escaped", "a b", "a c",  "$(touch x) `touch x`",
                                         "| touch x",     "%s",  "it's", ""};
@@ -331,8 +321,7 @@ static double number_of(const char *text, const char *row, int column) {
 }
 
 /* The chain from the reference to the frame. Bounds are loose: 48 x 48 pixels, 10 % noise. */
-static void test_budget(void **state) {
-    (void)state;
+TEST(budget) {
     char arguments[1024];
     const char *csv = scratch("budget.csv");
     snprintf(arguments, sizeof arguments,
@@ -361,8 +350,7 @@ static void test_budget(void **state) {
 
 /* What is chosen for an error is no slower than all that errs no more, and errs as was estimated.
  * Bounds are loose: 32 x 32 pixels, 10 % noise. */
-static void test_quality(void **state) {
-    (void)state;
+TEST(quality) {
     char arguments[1024];
     const char *csv = scratch("quality.csv");
     snprintf(arguments, sizeof arguments,
@@ -385,8 +373,7 @@ static void test_quality(void **state) {
 }
 
 /* A camera that is nearer changes the estimate as it changes the error. */
-static void test_quality_closer(void **state) {
-    (void)state;
+LONG_TEST(quality_closer) {
     char arguments[1024];
     snprintf(arguments, sizeof arguments,
              "quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s -q --passes 1 "
@@ -401,8 +388,7 @@ static void test_quality_closer(void **state) {
 
 /* Soft shadows see of a lamp what the tracer sees, hard ones less; and what is seen of it
  * is drawn. */
-static void test_direct(void **state) {
-    (void)state;
+TEST(direct) {
     char arguments[1024];
     const char *csv = scratch("direct.csv");
     snprintf(arguments, sizeof arguments,
@@ -426,8 +412,7 @@ static void test_direct(void **state) {
 
 /* manylight reference --technique vpl-raytraced: rays and maps see the same from the same VPLs.
  * Maps that do not know their casters' planes have 2.0 %, in corners and at edges of the blocks. */
-static void test_vpl_raytraced(void **state) {
-    (void)state;
+LONG_TEST(vpl_raytraced) {
     const char *traced = scratch("traced.exr"), *mapped = scratch("mapped.exr");
     if (run_program(
             "reference scenes/cornell-box.glb --technique vpl-raytraced --set vpls=64 "
@@ -442,8 +427,7 @@ static void test_vpl_raytraced(void **state) {
 
 /* --- the command line ------------------------------------------------------------------------- */
 
-static void test_help(void **state) {
-    (void)state;
+TEST(help) {
     static const char *const modes[] = {"times",    "sweep",  "budget",   "curves", "temporal",
                                         "failures", "direct", "caustics", "quality"};
     check_runs("--help");
@@ -461,8 +445,7 @@ static void test_help(void **state) {
     }
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const struct {
         const char *arguments, *message;
         int status;
@@ -491,25 +474,4 @@ static void test_refusals(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_times),
-        cmocka_unit_test(test_times_of_whole_frames),
-        cmocka_unit_test(test_picture_of_times),
-        cmocka_unit_test(test_sweep_and_cache),
-        cmocka_unit_test(test_chart),
-        cmocka_unit_test(test_front),
-        cmocka_unit_test(test_other_charts),
-        cmocka_unit_test(test_odd_names),
-        cmocka_unit_test(test_budget),
-        cmocka_unit_test(test_quality),
-        cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_help),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_times_by_light),
-        cmocka_unit_test(test_ambient_occlusion),
-        cmocka_unit_test(test_vpl_raytraced),
-        cmocka_unit_test(test_quality_closer),
-    };
-    return run_some_tests(tests, 13, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -16,8 +16,7 @@ static int clean(void **state) {
     return 0;
 }
 
-static void test_formats_are_the_scene(void **state) {
-    (void)state;
+TEST(formats_are_the_scene) {
     static const char *const scenes[] = {"cornell-box", "three-lights", "table", "courtyard",
                                          "plant"};
     static const char *const formats[] = {"pack", "mitsuba"};
@@ -33,8 +32,7 @@ static void test_formats_are_the_scene(void **state) {
         }
 }
 
-static void test_schema(void **state) {
-    (void)state;
+TEST(schema) {
     need_command("python3 -c 'import jsonschema'");
     expect(0, "for s in three-lights courtyard table; do"
               " % export scenes/$s.glb -o @/schema-$s -q || exit 1; done");
@@ -47,16 +45,14 @@ static void test_schema(void **state) {
 }
 
 /* The shorter side of a high picture is its width. */
-static void test_high_picture(void **state) {
-    (void)state;
+TEST(high_picture) {
     need_command("python3 -c 1");
     expect(0, "% export scenes/cornell-box.glb -o @/high --format mitsuba --size 100x200 -q &&"
               " python3 test/apps/check_export.py mitsuba @/high scenes/cornell-box.glb");
 }
 
 /* A checker that misses a change would pass anything. */
-static void test_checker_sees_changes(void **state) {
-    (void)state;
+TEST(checker_sees_changes) {
     static const char *const changes[] = {"s/up=.0 1 0/up=\"0 -1 0/",
                                           "s/intensity. value=.500/intensity\" value=\"501/",
                                           "s/fov. value=.39/fov\" value=\"38/",
@@ -118,8 +114,7 @@ static double share_of_same(const struct environment *sky, const struct image *i
     return (double)same / DIRECTIONS;
 }
 
-static void test_environment_lies_right(void **state) {
-    (void)state;
+TEST(environment_lies_right) {
     struct stage stage;
     struct image image;
     float angle = 0, scale = 0;
@@ -141,8 +136,7 @@ static void test_environment_lies_right(void **state) {
 
 /* --- what formats lack ------------------------------------------------------------------------ */
 
-static void test_notes_are_in_the_files(void **state) {
-    (void)state;
+TEST(notes_are_in_the_files) {
     expect(0, "% export scenes/gloss.glb -o @/gloss --format mitsuba");
     expect_text("Mitsuba's principled BSDF in place of glTF's");
     expect(0, "grep -c '<!-- material .*principled' @/gloss/scene.xml");
@@ -156,8 +150,7 @@ static void test_notes_are_in_the_files(void **state) {
 }
 
 /* No format has slides. */
-static void test_slide_is_noted(void **state) {
-    (void)state;
+TEST(slide_is_noted) {
     need_command("python3 -c 1");
     expect(0, "python3 test/apps/add_slide.py scenes/cornell-box.glb @/slide.glb");
     for (int i = 0; i < 2; i++) {
@@ -168,8 +161,7 @@ static void test_slide_is_noted(void **state) {
 }
 
 /* All XML is well-formed, and all files that it names are there. */
-static void test_xml_is_well_formed(void **state) {
-    (void)state;
+TEST(xml_is_well_formed) {
     need_command("python3 -c 1");
     expect(0,
            "for scene in gloss textured; do python3 -c 'import sys, os, xml.etree.ElementTree as"
@@ -179,8 +171,7 @@ static void test_xml_is_well_formed(void **state) {
 }
 
 /* Names of materials may have what ends a comment. */
-static void test_odd_names(void **state) {
-    (void)state;
+TEST(odd_names) {
     need_command("python3 -c 1");
     expect(0, "LC_ALL=C sed 's/\"name\":\"metal/\"name\":\"-->--/' scenes/gloss.glb > @/odd.glb &&"
               " % export @/odd.glb -o @/odd --format mitsuba && grep -e '- ->' @/odd/scene.xml &&"
@@ -188,8 +179,7 @@ static void test_odd_names(void **state) {
 }
 
 /* A name that begins with dots has a name without them. */
-static void test_dots(void **state) {
-    (void)state;
+TEST(dots) {
     expect(0, "cp scenes/cornell-box.glb @/..glb && % export @/..glb -o @/dots --size 9x8 -q &&"
               " grep -e '\"name\": ' -e '\"file\": ' @/dots/scene.json");
     expect_text("\"name\": \"glb\"");
@@ -199,8 +189,7 @@ static void test_dots(void **state) {
 /* Formats have one mode for both directions. Texture 4 is repeated across and mirrored down,
  * outside of 0 to 1; texture 6 is changed to be mirrored in one direction, which its coordinates
  * never leave. */
-static void test_wrap_modes(void **state) {
-    (void)state;
+TEST(wrap_modes) {
     expect(0, "% export scenes/materials.glb -o @/wrap --format mitsuba 2>&1 | grep wraps");
     assert_int_equal(count_text(output, "note: texture 4: wraps down as it does across"), 1);
     for (int down = 0; down < 2; down++) {
@@ -218,8 +207,7 @@ static void test_wrap_modes(void **state) {
 }
 
 /* A signal while files are written leaves none of them. */
-static void test_interrupted(void **state) {
-    (void)state;
+TEST(interrupted) {
     expect(143, "% export scenes/courtyard.glb -o @/ended --format mitsuba & p=$!; until"
                 " ls -d @/ended.part-* || ! kill -0 $p; do :; done > @/log.txt 2>&1; kill -TERM $p;"
                 " wait $p");
@@ -227,8 +215,7 @@ static void test_interrupted(void **state) {
 }
 
 /* A light that is changed, and a lamp that is left off. */
-static void test_chosen_lights(void **state) {
-    (void)state;
+TEST(chosen_lights) {
     expect(0, "% export scenes/table.glb -o @/dark --format mitsuba -q --light \"+point"
               " position=0,2,0 intensity=1,2,3\" && grep -A3 'type=\"point\"' @/dark/scene.xml");
     expect_text("value=\"0 2 0\"");
@@ -268,23 +255,20 @@ static void check_entry(const char *command, const char *pack, double most_bias,
     assert_null(strstr(output, "fault: shifted"));
 }
 
-static void test_cycles(void **state) {
-    (void)state;
+TEST(cycles) {
     need_command("blender --version");
     check_entry("blender -b --factory-startup -P bench/entries/blender/entry.py -- @/entry @/cycles"
                 " --spp 64",
                 "cycles", .02, .2);
 }
 
-static void test_povray(void **state) {
-    (void)state;
+TEST(povray) {
     need_command("povray --version");
     check_entry("python3 bench/entries/povray/entry.py @/entry @/povray", "povray", .02, .2);
 }
 
 /* Scripts refuse what they cannot draw before they start anything. */
-static void test_scripts_refuse(void **state) {
-    (void)state;
+TEST(scripts_refuse) {
     need_command("python3 -c 1");
     expect(0, "rm -rf @/lamp; % export scenes/table.glb -o @/lamp -q");
     expect(1, "python3 bench/entries/povray/entry.py @/refused @/lamp");
@@ -299,8 +283,7 @@ static void test_scripts_refuse(void **state) {
     expect_text("its SHA-256 is another");
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     expect(2, "% export scenes/table.glb");
     expect_text("-o FOLDER is missing");
     expect(2, "% export scenes/table.glb -o @/none --format maya");
@@ -317,25 +300,4 @@ static void test_refusals(void **state) {
     expect(2, "ls -d @/none @/none.part-* @/no @/no.part-* @/there.part-* 2>/dev/null");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_formats_are_the_scene),
-        cmocka_unit_test(test_high_picture),
-        cmocka_unit_test(test_schema),
-        cmocka_unit_test(test_checker_sees_changes),
-        cmocka_unit_test(test_environment_lies_right),
-        cmocka_unit_test(test_notes_are_in_the_files),
-        cmocka_unit_test(test_slide_is_noted),
-        cmocka_unit_test(test_xml_is_well_formed),
-        cmocka_unit_test(test_odd_names),
-        cmocka_unit_test(test_dots),
-        cmocka_unit_test(test_wrap_modes),
-        cmocka_unit_test(test_interrupted),
-        cmocka_unit_test(test_chosen_lights),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_cycles),
-        cmocka_unit_test(test_povray),
-        cmocka_unit_test(test_scripts_refuse),
-    };
-    return cmocka_run_group_tests_name("export", tests, clean, NULL);
-}
+RUN_TESTS(clean, NULL)

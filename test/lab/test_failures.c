@@ -45,7 +45,7 @@ static int count_broken(const struct results *results) {
     return broken;
 }
 
-static void test_rows(void **state) {
+TEST(rows) {
     static const struct text_list settings = {{SMALL}, 1};
     struct failure_desc desc = small_desc(*state, &settings);
     int broken = 0;
@@ -65,7 +65,7 @@ static void test_rows(void **state) {
 /* Bounds are no formality: without any visibility none holds, but that of what has none. Voxels and
  * surface elements err as much as no visibility in some pictures this small, such as the room: 21 %
  * beside 16. */
-static void test_bounds_break(void **state) {
+TEST(bounds_break) {
     static const char *const rows[] = {"room", "val-plane", "closed-door", "grazing-light",
                                        "corner"};
     static const struct text_list settings = {{SMALL, "technique=unshadowed"}, 2};
@@ -81,16 +81,10 @@ static void test_bounds_break(void **state) {
 }
 
 /* A row that is not there is named with those that are. */
-static void test_names(void **state) {
-    (void)state;
+TEST(names) {
     assert_null(failure_row_find("no-such-row"));
     printf("    %s\n", error_get());
     assert_non_null(failure_row_find("closed-door"));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_rows),
-                                       cmocka_unit_test(test_bounds_break),
-                                       cmocka_unit_test(test_names)};
-    return cmocka_run_group_tests_name("failures", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

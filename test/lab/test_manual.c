@@ -108,8 +108,7 @@ static int names_of_help(const char *command, char names[][32], int most) {
     return count;
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(options) {
     char names[32][32], modes[32][32];
     int count = names_of_help("", names, 32), mode_count = names_of_help("bench", modes, 32);
     assert_true(count >= 10 && mode_count >= 10);
@@ -124,8 +123,7 @@ static void test_options(void **state) {
         }
 }
 
-static void test_settings(void **state) {
-    (void)state;
+TEST(settings) {
     struct settings settings;
     char *page = read_page("render"), name[SETTING_NAME_SIZE], words[2 * SETTING_NAME_SIZE];
     int count = 0;
@@ -143,8 +141,7 @@ static void test_settings(void **state) {
 
 /* --- checkers --------------------------------------------------------------------------------- */
 
-static void test_groff(void **state) {
-    (void)state;
+TEST(groff) {
     need_command("command -v groff");
     expect(0, "for page in @/manual/*.1; do groff -ww -z -man -Tutf8 $page; done");
     assert_string_equal(output, "");
@@ -152,8 +149,7 @@ static void test_groff(void **state) {
 
 /* Characters of commands are shown as they are typed: roff has hyphens, quotes, hats and tildes of
  * its own. A hyphen at the end of a line divides a word. */
-static void test_characters(void **state) {
-    (void)state;
+TEST(characters) {
     need_command("command -v groff");
     expect(0, "for page in @/manual/*.1; do groff -man -Tutf8 -P-cbou $page; done >@/pages");
     expect(1, "grep -e '‐.' -e '‘' -e '’' -e 'ˆ' -e '˜' @/pages");
@@ -162,15 +158,13 @@ static void test_characters(void **state) {
 }
 
 /* Titles of modes do not run into the next sentence. */
-static void test_titles(void **state) {
-    (void)state;
+TEST(titles) {
     char *page = read_page("bench");
     expect_in(page, "Tables 1 and 2\n.PP\nWithout SCENE");
     free(page);
 }
 
-static void test_mandoc(void **state) {
-    (void)state;
+TEST(mandoc) {
     need_command("command -v mandoc");
     expect(0, "mandoc -T lint -W warning @/manual/*.1");
 }
@@ -203,8 +197,7 @@ static void check_completions(const char *command) {
     }
 }
 
-static void test_bash(void **state) {
-    (void)state;
+TEST(bash) {
     check_completions("test/lab/complete.bash @/manual '%s'");
     expect(0, "test/lab/complete.bash @/manual 'manylight render --set clustered.visibility=p'");
     assert_string_equal(output, "pcss\n");
@@ -229,8 +222,7 @@ static void test_bash(void **state) {
 
 /* --- refusals --------------------------------------------------------------------------------- */
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     expect_command(2, "manual", "");
     expect_text("-o FOLDER is missing");
     expect_command(1, "manual", "-o @/manual");
@@ -239,12 +231,4 @@ static void test_refusals(void **state) {
     expect_text("No such file");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_options),    cmocka_unit_test(test_settings),
-        cmocka_unit_test(test_groff),      cmocka_unit_test(test_mandoc),
-        cmocka_unit_test(test_characters), cmocka_unit_test(test_titles),
-        cmocka_unit_test(test_bash),       cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, write_manual, free_manual);
-}
+RUN_TESTS(write_manual, free_manual)

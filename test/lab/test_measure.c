@@ -21,8 +21,7 @@ static const char small[] = "vpls=64 vals=6 map-size=32 rsm-size=64 shadow-size=
 
 /* --- figures ---------------------------------------------------------------------------------- */
 
-static void test_summary(void **state) {
-    (void)state;
+TEST(summary) {
     float values[101];
     for (int i = 0; i < 101; i++)
         values[i] = (float)((i * 37) % 101); /* 0 to 100, shuffled */
@@ -38,8 +37,7 @@ static void test_summary(void **state) {
     check_near("p95 of one", summary.p95, 7, 0);
 }
 
-static void test_interpolation(void **state) {
-    (void)state;
+TEST(interpolation) {
     /* y = 8 / sqrt x, then up and down again. */
     const double at[] = {1, 4, 64, 256, 512}, error[] = {8, 4, 1, 4, .5};
     check_near("on a power law", log_interpolate(at, error, 5, 2), 16, 1e-9);
@@ -69,8 +67,7 @@ static void check_grid(const char *first, const char *second, const char *expect
     free(list.items);
 }
 
-static void test_grids(void **state) {
-    (void)state;
+TEST(grids) {
     check_grid("vals=2,8,30", NULL, "fast: vals=2; fast: vals=8; fast: vals=30");
     check_grid("M=2..12", NULL, "fast: vals=2; fast: vals=4; fast: vals=8; fast: vals=12");
     check_grid("N=64..128", NULL, "fast: vpls=64; fast: vpls=128");
@@ -82,8 +79,7 @@ static void test_grids(void **state) {
                "fast cssm: vals=2; fast hard: vals=2; fast cssm: vals=4; fast hard: vals=4");
 }
 
-static void test_grid_refusals(void **state) {
-    (void)state;
+TEST(grid_refusals) {
     static const char *const wrong[] = {"",        "vals",   "vals=",          "=3",
                                         "vals=x",  "vals=0", "vals=8..2",      "vals=2..",
                                         "vals=2,", "woof=1", "technique=woof", "visibility=a..b"};
@@ -98,8 +94,7 @@ static void test_grid_refusals(void **state) {
     }
 }
 
-static void test_subjects(void **state) {
-    (void)state;
+TEST(subjects) {
     struct measure_desc desc = measure_default(NULL, 60, 40);
     check_ok("variant", variant_apply(&desc, "mine:technique=unshadowed,rsm-size=64"));
     check_ok("settings", measure_assign(&desc, "vals=4,visibility=hard vpls=128,size=30x20"));
@@ -128,8 +123,7 @@ static void check_other_file(const struct measure_desc *desc, const char *first,
 }
 
 /* What a reference shows, and nothing else, has a part in its name. */
-static void test_reference_names(void **state) {
-    (void)state;
+TEST(reference_names) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct measure_desc desc = measure_default(&stage, 16, 16);
@@ -162,8 +156,7 @@ static void test_reference_names(void **state) {
 
 /* Diffuse materials are asked of the reference and of the tracer beside a technique, too: neither
  * then has reflections, and the tracer errs by its noise alone. */
-static void test_matt_reference(void **state) {
-    (void)state;
+TEST(matt_reference) {
     struct stage stage;
     struct image references[2];
     struct results results = {0};
@@ -185,8 +178,7 @@ static void test_matt_reference(void **state) {
 }
 
 /* The reference that was just made is the one that is there the next time, bit for bit. */
-static void test_same_reference(void **state) {
-    (void)state;
+TEST(same_reference) {
     struct stage stage;
     struct image references[2];
     struct reference_desc reference = {REFERENCE_PATH, scratch("fresh-references"), .5};
@@ -207,8 +199,7 @@ static void test_same_reference(void **state) {
 
 /* --- virtual lights --------------------------------------------------------------------------- */
 
-static void test_lights(void **state) {
-    (void)state;
+TEST_WITH(lights, open_group_context, close_group_context) {
     struct stage stage;
     struct renderer renderer;
     struct lights lights;
@@ -238,8 +229,7 @@ static struct contribution nothing(const void *state) {
 }
 
 /* Without VPLs, VALs and anything gathered: what needs them says so. */
-static void test_without_vpls(void **state) {
-    (void)state;
+TEST_WITH(without_vpls, open_group_context, close_group_context) {
     struct technique voxels = {.name = "voxels", .contribution = nothing};
     struct stage stage;
     struct renderer renderer;
@@ -270,8 +260,7 @@ static void add_subject(struct results *results, struct measure_desc *desc, int 
 
 /* Of its scene and size alone: the baseline needs 16 ms for an error of 2, and errs by a FLIP of .5
  * at the most. */
-static void test_baseline(void **state) {
-    (void)state;
+TEST_WITH(baseline, open_group_context, close_group_context) {
     struct stage stage;
     struct results results = {0};
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -313,8 +302,7 @@ static double value_of(const struct results *results, const char *variant, const
 }
 
 /* The reference does not flicker against itself; what is interleaved and blurred does. */
-static void test_flicker(void **state) {
-    (void)state;
+TEST_WITH(flicker, open_group_context, close_group_context) {
     struct stage stage;
     struct results results = {0};
     open_stage(&stage, "scenes/moving-spot.glb");
@@ -351,8 +339,7 @@ static void test_flicker(void **state) {
 }
 
 /* The reference and two tests, of which one is left empty, above their differences. */
-static void test_panels(void **state) {
-    (void)state;
+TEST(panels) {
     struct image reference, tests[2] = {{0}}, read;
     const char *path = scratch("panels.png");
     image_init(&reference, 40, 30, "R G B");
@@ -373,8 +360,7 @@ static void test_panels(void **state) {
 }
 
 /* Beside a black reference differences are not over its mean; what is not finite has no colour. */
-static void test_odd_panels(void **state) {
-    (void)state;
+TEST(odd_panels) {
     struct image reference, tests[2];
     for (int i = 0; i < 3; i++)
         image_init(i ? &tests[i - 1] : &reference, 4, 3, "R G B");
@@ -391,21 +377,4 @@ static void test_odd_panels(void **state) {
     images_free(&reference, &tests[0]);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_panels),         cmocka_unit_test(test_odd_panels),
-        cmocka_unit_test(test_summary),        cmocka_unit_test(test_interpolation),
-        cmocka_unit_test(test_grids),          cmocka_unit_test(test_grid_refusals),
-        cmocka_unit_test(test_subjects),       cmocka_unit_test(test_reference_names),
-        cmocka_unit_test(test_matt_reference), cmocka_unit_test(test_same_reference),
-    };
-    const struct CMUnitTest rendering[] = {
-        cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_without_vpls),
-        cmocka_unit_test(test_baseline),
-        cmocka_unit_test(test_flicker),
-    };
-    return cmocka_run_group_tests_name("measure", tests, NULL, NULL) +
-           cmocka_run_group_tests_name("renderers", rendering, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(NULL, NULL)

@@ -54,8 +54,7 @@ static struct image trace(const struct open_box *box, int every, int samples) {
 }
 
 /* Each pixel lies in its square, and all places of a square are taken. */
-static void test_places(void **state) {
-    (void)state;
+TEST(places) {
     enum { EVERY = 3, SQUARES = 60 };
     int counts[EVERY * EVERY] = {0};
     for (int y = 0; y < SQUARES; y++)
@@ -74,7 +73,7 @@ static void test_places(void **state) {
 }
 
 /* Some of the pixels are those of the whole picture, within the noise of both. */
-static void test_some_pixels(void **state) {
+TEST(some_pixels) {
     enum { EVERY = 4, SAMPLES = 64 };
     struct image all = trace(*state, 1, SAMPLES), some = trace(*state, EVERY, SAMPLES);
     int layer[3];
@@ -110,7 +109,7 @@ static double error_of(const struct image *picture, const struct image *referenc
 }
 
 /* The error that some pixels tell is that of all of them. */
-static void test_estimate(void **state) {
+TEST(estimate) {
     struct open_box *box = *state;
     struct measure_desc measure = box->measure;
     struct estimate estimate;
@@ -140,8 +139,7 @@ static void test_estimate(void **state) {
 
 /* At silhouettes against nothing, the more samples a reference has, the more slivers it knows. The
  * estimate depends on neither. */
-static void test_slivers(void **state) {
-    (void)state;
+TEST(slivers) {
     struct stage stage;
     struct renderer renderer;
     struct estimate estimate;
@@ -203,8 +201,7 @@ static bool tell_made_up(void *user, const struct quality_choice *choice, double
 
 /* What is asked for is the first that reaches it; what cannot be had is no better for
  * taking long. */
-static void test_climb(void **state) {
-    (void)state;
+TEST(climb) {
     static const struct {
         const char *name;
         double asked, frames[5],
@@ -244,8 +241,7 @@ static void test_climb(void **state) {
 }
 
 /* A rung that cannot be made would be passed over in silence. */
-static void test_rungs(void **state) {
-    (void)state;
+TEST(rungs) {
     struct quality_choice choices[QUALITY_CHOICES_MAX];
     int count = quality_ladder(choices, QUALITY_MOST_PASSES);
     check_at_most("rungs", count, QUALITY_CHOICES_MAX);
@@ -259,7 +255,7 @@ static void test_rungs(void **state) {
 /* --- the ladder, drawn --- */
 
 /* The less it may err, the dearer it gets, and what does not go says so. */
-static void test_ladder(void **state) {
+TEST(ladder) {
     const char *small = "vpls=256 vals=8 map.size=64";
     struct quality_found draft = find(*state, small, .5, 1), none = find(*state, small, .03, 1);
     assert_string_equal(draft.choice.settings, "path=draft");
@@ -274,8 +270,7 @@ static void test_ladder(void **state) {
 
 /* Where light comes from a bright corner, another technique is cheaper; it is taken unless one is
  * named. */
-static void test_techniques(void **state) {
-    (void)state;
+TEST(techniques) {
     struct stage stage;
     open_stage(&stage, "scenes/failures/corner.glb");
     struct measure_desc measure = measure_default(&stage, SIDE, SIDE);
@@ -294,7 +289,7 @@ static void test_techniques(void **state) {
 }
 
 /* What is given wins, and a preset that is given is the only one. */
-static void test_given(void **state) {
+TEST(given) {
     struct open_box *box = *state;
     struct settings settings;
     const char *vals = "vals=5", *path = "path=traced";
@@ -311,8 +306,7 @@ static void test_given(void **state) {
 }
 
 /* The words, in a shell. */
-static void test_words(void **state) {
-    (void)state;
+TEST(words) {
     static const struct {
         const char *arguments;
         int status;
@@ -335,8 +329,7 @@ static void test_words(void **state) {
 }
 
 /* A path-traced picture is `reference`'s, in each format; what speaks of frames keeps them. */
-static void test_traced(void **state) {
-    (void)state;
+TEST(traced) {
     static const char scene[] = "scenes/cornell-box.glb --size 40x40";
     char exr[256], png[256], reference[256];
     if (!gl.software)
@@ -366,14 +359,4 @@ static void test_traced(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),     cmocka_unit_test(test_some_pixels),
-        cmocka_unit_test(test_estimate),   cmocka_unit_test(test_slivers),
-        cmocka_unit_test(test_climb),      cmocka_unit_test(test_rungs),
-        cmocka_unit_test(test_ladder),     cmocka_unit_test(test_given),
-        cmocka_unit_test(test_techniques), cmocka_unit_test(test_words),
-        cmocka_unit_test(test_traced),
-    };
-    return cmocka_run_group_tests_name("quality", tests, open_box, close_box);
-}
+RUN_TESTS(open_box, close_box)

@@ -111,8 +111,7 @@ static void check_shift(void) {
     check_near("shift down", down, 0, .1);
 }
 
-static void test_each_fault_is_named(void **state) {
-    (void)state;
+TEST(each_fault_is_named) {
     static const struct planted {
         const char *fault;
         void (*plant)(struct image *image);
@@ -139,8 +138,7 @@ static void test_each_fault_is_named(void **state) {
     }
 }
 
-static void test_another_camera(void **state) {
-    (void)state;
+TEST(another_camera) {
     write_entry(&frame, NAME, "{\"name\": \"test\"}");
     expect(0, "% render scenes/cornell-box.glb --size 96x72 -q --camera \"0 eye=-2,4,1 "
               "forward=1,-.5,-.4\""
@@ -150,8 +148,7 @@ static void test_another_camera(void **state) {
     assert_int_equal(count_text(output, "fault: "), 1);
 }
 
-static void test_size_layer_and_names(void **state) {
-    (void)state;
+TEST(size_layer_and_names) {
     struct image small = copy_of(&frame, 48, 36);
     write_entry(&small, NAME, "{\"name\": \"test\"}");
     expect(1, "% score @/entry @/references");
@@ -168,8 +165,7 @@ static void test_size_layer_and_names(void **state) {
     expect_text("fault: name");
 }
 
-static void test_missing_layer(void **state) {
-    (void)state;
+TEST(missing_layer) {
     struct image beauty;
     image_init(&beauty, WIDTH, HEIGHT, "R G B");
     for (int i = 0; i < WIDTH * HEIGHT; i++)
@@ -182,8 +178,7 @@ static void test_missing_layer(void **state) {
 }
 
 /* The table does not mix with JSON on standard output. */
-static void test_sums_and_standard_output(void **state) {
-    (void)state;
+TEST(sums_and_standard_output) {
     char method[256], digits[SHA256_DIGITS + 1];
     write_entry(&frame, NAME, "{\"name\": \"test\"}");
     check_ok(NAME, sha256_of_file(scratch("entry/" NAME), digits));
@@ -213,8 +208,7 @@ static void test_sums_and_standard_output(void **state) {
 /* --- figures ---------------------------------------------------------------------------------- */
 
 /* The same digits as compare prints, and no fault, be the technique right or wrong. */
-static void test_figures_are_those_of_compare(void **state) {
-    (void)state;
+TEST(figures_are_those_of_compare) {
     static const char *const techniques[] = {"clustered", "unshadowed", "lightcuts"};
     for (int i = 0; i < 3; i++) {
         char line[512], of_score[4096];
@@ -237,8 +231,7 @@ static void test_figures_are_those_of_compare(void **state) {
     }
 }
 
-static void test_schemas(void **state) {
-    (void)state;
+TEST(schemas) {
     need_command("python3 -c 'import jsonschema'");
     write_entry(
         &frame, NAME,
@@ -253,8 +246,7 @@ static void test_schemas(void **state) {
     expect(1, "python3 test/apps/check_schema.py bench/schema/method.schema.json @/wrong.json");
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const struct refusal {
         const char *method, *message;
     } refusals[] = {
@@ -299,8 +291,7 @@ static void test_refusals(void **state) {
 
 /* Examples of the standard, and all lengths around the ends of blocks: bytes that follow one
  * another in a chain. */
-static void test_sha256(void **state) {
-    (void)state;
+TEST(sha256) {
     static const struct example {
         const char *text, *digits;
     } examples[] = {
@@ -325,17 +316,4 @@ static void test_sha256(void **state) {
     assert_string_equal(digits, "4eac42b463100e77a6ab668b7188207e90e2c9b280713517f60bdac2f7bf352f");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_each_fault_is_named),
-        cmocka_unit_test(test_another_camera),
-        cmocka_unit_test(test_size_layer_and_names),
-        cmocka_unit_test(test_missing_layer),
-        cmocka_unit_test(test_sha256),
-        cmocka_unit_test(test_sums_and_standard_output),
-        cmocka_unit_test(test_figures_are_those_of_compare),
-        cmocka_unit_test(test_schemas),
-        cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests_name("score", tests, make_pictures, free_pictures);
-}
+RUN_TESTS(make_pictures, free_pictures)

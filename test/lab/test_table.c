@@ -39,8 +39,7 @@ static void expect_count(const char *file, const char *text, int expected) {
     free(all);
 }
 
-static void test_failed_case_is_a_row(void **state) {
-    (void)state;
+TEST(failed_case_is_a_row) {
     need_file("bench/table/run");
     expect_count("one/results.json", "\"scene\": ", 4);
     expect_count("one/results.json", "\"status\": \"failed\", \"error\": \"too bad\"", 2);
@@ -49,8 +48,7 @@ static void test_failed_case_is_a_row(void **state) {
 }
 
 /* All figures are those of score for the folder that the table leaves as an entry. */
-static void test_rows_are_scores(void **state) {
-    (void)state;
+TEST(rows_are_scores) {
     need_file("bench/table/run");
     run_line(
         "% score @/one/entries/copy @/one/references -o @/score.json"); /* noise may be a fault */
@@ -61,8 +59,7 @@ static void test_rows_are_scores(void **state) {
     expect_count("one/entries/copy/method.json", ".exr\": \"", 2);
 }
 
-static void test_resume(void **state) {
-    (void)state;
+TEST(resume) {
     need_file("bench/table/run");
     expect(0,
            "rm -rf @/two && cp -r @/one @/two && rm @/two/cases/*24x24.copy* @/two/results.json");
@@ -84,8 +81,7 @@ static void test_resume(void **state) {
     expect(0, "cmp @/one/results.json @/two/results.json");
 }
 
-static void test_dry_run_writes_nothing(void **state) {
-    (void)state;
+TEST(dry_run_writes_nothing) {
     need_file("bench/table/run");
     expect(0, RUN SIZES COPY "-o @/nothing --dry-run");
     expect_text("missing  cornell-box 24x24 copy");
@@ -93,8 +89,7 @@ static void test_dry_run_writes_nothing(void **state) {
     expect(1, "test -e @/nothing");
 }
 
-static void test_parts_and_machines(void **state) {
-    (void)state;
+TEST(parts_and_machines) {
     need_file("bench/table/run");
     expect(0, RUN SIZES COPY MORE "-o @/parts --part 1/2");
     expect(1, "test -e @/parts/results.json");
@@ -115,8 +110,7 @@ static void test_parts_and_machines(void **state) {
     expect_text("another row of this device is here");
 }
 
-static void test_entry_and_variant(void **state) {
-    (void)state;
+TEST(entry_and_variant) {
     need_file("bench/table/run");
     expect(0, "cp @/one/references/cornell-box.24x24.exr @/entry && echo '{\"name\": \"them\", "
               "\"device\": \"GPU\", "
@@ -139,8 +133,7 @@ static void test_entry_and_variant(void **state) {
 #define FEW "bench/table/run --spp 4 --scene scenes/cornell-box.glb --size 24x24 --frames 1 "
 
 /* A row of another picture of the entry or of other settings is stale. */
-static void test_changed_inputs(void **state) {
-    (void)state;
+TEST(changed_inputs) {
     need_file("bench/table/run");
     expect(0,
            FEW "--variant few:technique=unshadowed,vpls=64 --entry @/entry -o @/mixed --dry-run");
@@ -155,8 +148,7 @@ static void test_changed_inputs(void **state) {
 }
 
 /* A run that is ended stops the renderer that it started, and leaves no row of it. */
-static void test_ended_run(void **state) {
-    (void)state;
+TEST(ended_run) {
     need_file("bench/table/run");
     expect(0,
            RUN "--size 24x24 --variant none --renderer 'slow=echo $$ > @/pid; exec sleep 300; :' "
@@ -166,8 +158,7 @@ static void test_ended_run(void **state) {
 }
 
 /* Names stay whole in all files. A case that is named twice is measured once. */
-static void test_odd_names(void **state) {
-    (void)state;
+TEST(odd_names) {
     need_file("bench/table/run");
     expect(0, "cp scenes/cornell-box.glb '@/a \"b\" c\\d|e.glb'");
     expect(0, "bench/table/run --frames 0 --spp 4 --device test --scene '@/a \"b\" c\\d|e.glb' "
@@ -184,8 +175,7 @@ static void test_odd_names(void **state) {
 }
 
 /* Two cases must not write one file. */
-static void test_names_taken(void **state) {
-    (void)state;
+TEST(names_taken) {
     need_file("bench/table/run");
     expect(0, "cp scenes/cornell-box.glb @/cornell-box.glb");
     expect(2, RUN "--scene @/cornell-box.glb -o @/nothing");
@@ -197,8 +187,7 @@ static void test_names_taken(void **state) {
     expect(1, "test -e @/nothing");
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     need_file("bench/table/run");
     expect(2, RUN "--size 24 -o @/nothing");
     expect_text("--size 24: it is no WxH");
@@ -221,19 +210,4 @@ static void test_refusals(void **state) {
     expect_count("cut/results.json", "\"error\": \"reference: ", 1);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_failed_case_is_a_row),
-        cmocka_unit_test(test_rows_are_scores),
-        cmocka_unit_test(test_resume),
-        cmocka_unit_test(test_dry_run_writes_nothing),
-        cmocka_unit_test(test_parts_and_machines),
-        cmocka_unit_test(test_entry_and_variant),
-        cmocka_unit_test(test_changed_inputs),
-        cmocka_unit_test(test_ended_run),
-        cmocka_unit_test(test_odd_names),
-        cmocka_unit_test(test_names_taken),
-        cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests_name("table", tests, prepare, NULL);
-}
+RUN_TESTS(prepare, NULL)

@@ -100,8 +100,7 @@ static struct run play(machine *takes, double target, double noise, int search, 
 }
 
 /* Machines that do not err are met within ten frames, and stay. */
-static void test_search(void **state) {
-    (void)state;
+TEST(search) {
     static const struct {
         const char *name;
         machine *takes;
@@ -118,8 +117,7 @@ static void test_search(void **state) {
 
 /* What is out of reach takes the last level there is; a gap is stayed below, but for a look now and
  * then. */
-static void test_ends(void **state) {
-    (void)state;
+TEST(ends) {
     assert_int_equal(play(even, 1, 0, SEARCH, true).last, 0);
     assert_int_equal(play(even, 1e4, 0, SEARCH, true).last, LAST);
     double low = stepped(39, 0), high = stepped(40, 0);
@@ -129,8 +127,7 @@ static void test_ends(void **state) {
 }
 
 /* Frames' times err, and some are disturbed: the mean holds. */
-static void test_noise(void **state) {
-    (void)state;
+TEST(noise) {
     for (int level = 8; level < LAST; level += 20) {
         struct run calm = play(even, even(level, 0), .05, SEARCH, true);
         check_near("mean, times within 5 %", calm.mean, 1, .07);
@@ -141,8 +138,7 @@ static void test_noise(void **state) {
 }
 
 /* The time goes with the scene, and the level follows. */
-static void test_clip(void **state) {
-    (void)state;
+TEST(clip) {
     struct run slow = play(growing, 20, .03, SEARCH, true);
     check_at_most("a scene that fills: frames off by more than a tenth", 1 - slow.within, .25);
     struct run sudden = play(cut, 20, 0, SEARCH, true);
@@ -150,8 +146,7 @@ static void test_clip(void **state) {
 }
 
 /* Dearer levels have no fewer VPLs of a pixel, and all go together. */
-static void test_levels(void **state) {
-    (void)state;
+TEST(levels) {
     double before = 0;
     for (int level = 0; level <= LAST; level++) {
         char *text = time_budget_settings(level);
@@ -177,8 +172,7 @@ static void run_box(int status, const char *arguments, const char *says) {
 }
 
 /* In a shell. Nobody's frames take a minute at the last level, or nothing at the first. */
-static void test_program(void **state) {
-    (void)state;
+TEST(program) {
     run_box(0, "--frames 0..1 --budget 60000ms --stats --set vpls=64,vals=3,adaptive=0,samples=1",
             "chosen by --budget 60000ms: level 40 of 40");
     run_box(0, "--frames 0 --budget .001 --stats --set vals=3",
@@ -188,11 +182,4 @@ static void test_program(void **state) {
     run_box(2, "--frames 0 --budget 16 --set vals=3,path=traced", "--budget excludes path=");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_search), cmocka_unit_test(test_ends),
-        cmocka_unit_test(test_noise),  cmocka_unit_test(test_clip),
-        cmocka_unit_test(test_levels), cmocka_unit_test(test_program),
-    };
-    return cmocka_run_group_tests_name("time budget", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -55,8 +55,7 @@ static const struct row {
      {.light = "+area position=0,5.4,0 size=1,1 intensity=9,9,9"}},
 };
 
-static void test_same_bits_as_program(void **state) {
-    (void)state;
+TEST(same_bits_as_program) {
     struct manylight_device *device = open_device();
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         if (!is_tried_here(i, 4))
@@ -83,8 +82,7 @@ static void test_same_bits_as_program(void **state) {
 }
 
 /* A renderer is the same whatever it drew before, and whatever it was. */
-static void test_same_bits_after_changes(void **state) {
-    (void)state;
+TEST(same_bits_after_changes) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene("scenes/door.glb");
     struct manylight_view at_0 = {.size = sizeof at_0}, later = {.size = sizeof later, .time = 2};
@@ -107,8 +105,7 @@ static void test_same_bits_after_changes(void **state) {
     manylight_device_free(device);
 }
 
-static void test_reference_same_bits(void **state) {
-    (void)state;
+TEST(reference_same_bits) {
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_image *image;
     const struct manylight_reference_desc desc = {
@@ -122,8 +119,7 @@ static void test_reference_same_bits(void **state) {
 
 /* --- scenes from elsewhere -------------------------------------------------------------------- */
 
-static void test_scene_from_memory(void **state) {
-    (void)state;
+TEST(scene_from_memory) {
     struct manylight_device *device = open_device();
     struct manylight_scene *file = open_scene(BOX), *memory;
     struct file_bytes bytes;
@@ -180,8 +176,7 @@ static const struct manylight_renderer_desc by_maps = {.settings = "path=maps"};
 
 /* Camera and light of the file by text, and those of the arrays, differ in last bits alone. By
  * maps: a last bit moves some shadow rays past an edge. */
-static void test_scene_from_arrays(void **state) {
-    (void)state;
+TEST(scene_from_arrays) {
     struct manylight_device *device = open_device();
     struct manylight_scene *file = open_scene(BOX), *arrays;
     struct manylight_mesh meshes[PARTS_MAX] = {{0}};
@@ -252,8 +247,7 @@ static void *draw_alone(void *user) {
 }
 
 /* Four threads, one scene whose triangles move, each thread at a time of its own. */
-static void test_devices_and_threads(void **state) {
-    (void)state;
+TEST(devices_and_threads) {
     enum { THREADS = 4 };
     struct manylight_device *devices[2] = {open_device(), open_device()};
     struct manylight_scene *scene = open_scene("scenes/door.glb");
@@ -286,8 +280,7 @@ static void *fail_alone(void *user) {
     return NULL;
 }
 
-static void test_errors_are_of_threads(void **state) {
-    (void)state;
+TEST(errors_are_of_threads) {
     char theirs[2048];
     pthread_t thread;
     check_failed(manylight_setting_at(-1, NULL), MANYLIGHT_BAD_ARGUMENT, "there is no setting -1");
@@ -298,8 +291,7 @@ static void test_errors_are_of_threads(void **state) {
 }
 
 /* The caller's rounding mode neither changes the picture nor is changed. */
-static void test_rounding_mode(void **state) {
-    (void)state;
+TEST(rounding_mode) {
     struct manylight_scene *scene = open_scene(BOX);
     const struct manylight_reference_desc desc = {
         .size = sizeof desc, .width = 16, .height = 16, .samples = 4, .threads = 1};
@@ -318,8 +310,7 @@ static void test_rounding_mode(void **state) {
 }
 
 /* Nor does a locale that writes 1,5: the texts of callers are those of the command line. */
-static void test_locale(void **state) {
-    (void)state;
+TEST(locale) {
     char folder[1024];
     need_command("command -v localedef && test -e /usr/share/i18n/locales/de_DE");
     expect(0, "mkdir -p @ && localedef -i de_DE -f UTF-8 @/de_DE.UTF-8 || test -d @/de_DE.UTF-8");
@@ -357,8 +348,7 @@ static void hear(void *user, enum manylight_log_level level, const char *message
     snprintf(told->last, sizeof told->last, "%s", message);
 }
 
-static void test_log(void **state) {
-    (void)state;
+TEST(log) {
     const float triangle[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const struct manylight_mesh mesh = {
         .size = sizeof mesh, .positions = triangle, .vertex_count = 3};
@@ -392,8 +382,7 @@ static int step(void *user, double done, const char *note) {
     return steps->last > 0 && steps->count == steps->last;
 }
 
-static void test_progress(void **state) {
-    (void)state;
+TEST(progress) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_image *image;
@@ -421,8 +410,7 @@ static int cancel(void *user, double done, const char *note) {
     return 1;
 }
 
-static void test_reference_cancelled(void **state) {
-    (void)state;
+TEST(reference_cancelled) {
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_image *image;
     const struct manylight_view view = {.size = sizeof view, .progress = cancel};
@@ -435,8 +423,7 @@ static void test_reference_cancelled(void **state) {
 
 /* --- layers and metrics ----------------------------------------------------------------------- */
 
-static void test_layers(void **state) {
-    (void)state;
+TEST(layers) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_renderer *renderer = open_drawing(device, scene, &by_maps);
@@ -467,8 +454,7 @@ static void test_layers(void **state) {
     manylight_device_free(device);
 }
 
-static void test_compare(void **state) {
-    (void)state;
+TEST(compare) {
     const float a[] = {1, 2, 3, 4, 5, 6}, b[] = {1, 2, 4, 4, 5, 6};
     struct manylight_image *test, *reference, *none;
     float map[2];
@@ -497,8 +483,7 @@ static void test_compare(void **state) {
     manylight_image_free(reference);
 }
 
-static void test_names(void **state) {
-    (void)state;
+TEST(names) {
     struct manylight_setting setting = {.size = sizeof setting};
     int settings = 0, techniques = 0, metrics = 0;
     while (!manylight_setting_at(settings, &setting)) {
@@ -534,8 +519,7 @@ static void cycle(void) {
 }
 
 /* Memory of the driver settles within some cycles. */
-static void test_cycles(void **state) {
-    (void)state;
+TEST(cycles) {
     int cycles = is_long_run() ? 100 : 24, settling = is_long_run() ? 20 : 12;
     int objects = gpu_memory_object_count();
     double before = 0;
@@ -551,24 +535,4 @@ static void test_cycles(void **state) {
 #endif
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_bits_as_program),
-        cmocka_unit_test(test_same_bits_after_changes),
-        cmocka_unit_test(test_reference_same_bits),
-        cmocka_unit_test(test_scene_from_memory),
-        cmocka_unit_test(test_scene_from_arrays),
-        cmocka_unit_test(test_devices_and_threads),
-        cmocka_unit_test(test_errors_are_of_threads),
-        cmocka_unit_test(test_rounding_mode),
-        cmocka_unit_test(test_locale),
-        cmocka_unit_test(test_log),
-        cmocka_unit_test(test_progress),
-        cmocka_unit_test(test_reference_cancelled),
-        cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_compare),
-        cmocka_unit_test(test_names),
-        cmocka_unit_test(test_cycles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -100,8 +100,7 @@ static struct manylight_device *adopt(const struct manylight_host *by) {
 
 /* --- pictures --------------------------------------------------------------------------------- */
 
-static void test_adopted_and_own(void **state) {
-    (void)state;
+TEST(adopted_and_own) {
     need_host();
     struct manylight_device *own = open_device(), *adopted = adopt(&bound_by_calls);
     struct manylight_scene *scene = open_scene(BOX);
@@ -131,8 +130,7 @@ static void *no_functions(void *user, const char *name) {
     return NULL;
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     struct manylight_device *device;
     struct manylight_host broken = {
         .size = sizeof broken, .get_proc = no_functions, .make_current = refuse_current};
@@ -505,8 +503,7 @@ static void check_state(const char *what) {
 
 /* Whatever state the caller has, the picture is the same, and the state after each call is that of
  * before. Screen passes are drawn and dispatched in turn. */
-static void test_state_stays(void **state) {
-    (void)state;
+TEST(state_stays) {
     need_host();
     load_functions();
     assert_int_equal(make_current(NULL), 0);
@@ -562,8 +559,7 @@ static int count_objects(void) {
     return count;
 }
 
-static void test_objects_go(void **state) {
-    (void)state;
+TEST(objects_go) {
     need_host();
     load_functions();
     assert_int_equal(make_current(NULL), 0);
@@ -587,12 +583,4 @@ static void test_objects_go(void **state) {
     release_current(NULL);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_adopted_and_own),
-        cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_state_stays),
-        cmocka_unit_test(test_objects_go),
-    };
-    return cmocka_run_group_tests(tests, open_host, close_host);
-}
+RUN_TESTS(open_host, close_host)

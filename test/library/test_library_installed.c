@@ -27,8 +27,7 @@ static void check_same_layers(const char *file) {
     }
 }
 
-static void test_pkg_config(void **state) {
-    (void)state;
+TEST(pkg_config) {
     need_default_build();
     need_command("pkg-config --version");
     expect(
@@ -47,8 +46,7 @@ static void test_pkg_config(void **state) {
 }
 
 /* Of C++, too. */
-static void test_cmake(void **state) {
-    (void)state;
+TEST(cmake) {
     need_default_build();
     need_command("cmake --version");
     write_text(scratch("CMakeLists.txt"),
@@ -66,16 +64,14 @@ static void test_cmake(void **state) {
     expect_text("0.1");
 }
 
-static void test_cxx_reads_header(void **state) {
-    (void)state;
+TEST(cxx_reads_header) {
     need_default_build();
     expect(0, "echo '#include <manylight.h>' | c++ -x c++ -std=c++11 -Wall -Wextra -Werror "
               "-pedantic -I" PREFIX "/include -fsyntax-only -");
 }
 
 /* A header of another ABI asks for functions that this library does not have. */
-static void test_other_header(void **state) {
-    (void)state;
+TEST(other_header) {
     need_default_build();
     expect(0,
            "mkdir -p @/other && sed -E 's/(_create|_open|_read)_0$/\\1_1/; s/ABI 0/ABI 1/' " PREFIX
@@ -86,8 +82,7 @@ static void test_other_header(void **state) {
 }
 
 /* What the header declares, by its own names. */
-static void test_symbols(void **state) {
-    (void)state;
+TEST(symbols) {
     need_default_build();
     expect(0, "nm -D --defined-only " PREFIX
               "/lib/libmanylight.so | sed 's/.* //; s/[^A-Za-z0-9_].*//' |"
@@ -104,8 +99,7 @@ static void test_symbols(void **state) {
 }
 
 /* What would change the process for others. */
-static void test_process_stays(void **state) {
-    (void)state;
+TEST(process_stays) {
     need_default_build();
     expect(0, "nm -D --undefined-only " PREFIX
               "/lib/libmanylight.so | sed 's/.* //; s/[^A-Za-z0-9_].*//' > @/needed");
@@ -113,8 +107,7 @@ static void test_process_stays(void **state) {
     expect(1, "grep -xE 'exit|signal|setlocale|putenv|chdir|system|popen|atexit' @/needed");
 }
 
-static void test_window(void **state) {
-    (void)state;
+TEST(window) {
     need_default_build();
     need_command("xvfb-run --help");
     need_command("pkg-config --exists glfw3 gl");
@@ -126,8 +119,7 @@ static void test_window(void **state) {
     expect_text("window: cannot open nowhere.glb");
 }
 
-static void test_uninstall(void **state) {
-    (void)state;
+TEST(uninstall) {
     need_default_build();
     expect(0, "make -s uninstall PREFIX=$(realpath " PREFIX ") && find " PREFIX
               " -name '*manylight*'");
@@ -135,12 +127,4 @@ static void test_uninstall(void **state) {
     assert_null(strstr(output, "/include/"));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pkg_config),       cmocka_unit_test(test_cmake),
-        cmocka_unit_test(test_cxx_reads_header), cmocka_unit_test(test_other_header),
-        cmocka_unit_test(test_symbols),          cmocka_unit_test(test_process_stays),
-        cmocka_unit_test(test_window),           cmocka_unit_test(test_uninstall),
-    };
-    return cmocka_run_group_tests(tests, install_library, NULL);
-}
+RUN_TESTS(install_library, NULL)

@@ -33,8 +33,7 @@ static void check_broken_file(const char *path) {
     assert_null(scene);
 }
 
-static void test_broken_scenes(void **state) {
-    (void)state;
+TEST(broken_scenes) {
     struct manylight_scene *scene;
     static const char cut[] = "glTF\2\0\0\0";
     write_text(scratch("text.glb"), "no scene");
@@ -54,8 +53,7 @@ static void test_broken_scenes(void **state) {
 }
 
 /* Each array of a triangle with a fault. */
-static void test_broken_arrays(void **state) {
-    (void)state;
+TEST(broken_arrays) {
     struct manylight_scene *scene;
     const float good[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, bad[] = {0, 0, 0, 1, NAN, 0, 0, 1, 0};
     const uint32_t indices[] = {0, 1, 7};
@@ -83,8 +81,7 @@ static void test_broken_arrays(void **state) {
 }
 
 /* A part of each kind that no file could hold. */
-static void test_broken_parts(void **state) {
-    (void)state;
+TEST(broken_parts) {
     struct manylight_scene *scene;
     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const struct manylight_mesh mesh = {
@@ -132,8 +129,7 @@ static void test_broken_parts(void **state) {
                  "camera 0: right is not that of forward and up");
 }
 
-static void test_scene_descriptors(void **state) {
-    (void)state;
+TEST(scene_descriptors) {
     struct manylight_scene *scene;
     struct {
         struct manylight_scene_desc desc;
@@ -181,8 +177,7 @@ static const struct {
     {"", "passes: -1 is not from 0 to 1e+06", {.passes = -1}, MANYLIGHT_BAD_ARGUMENT},
 };
 
-static void test_settings(void **state) {
-    (void)state;
+TEST(settings) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_renderer *renderer;
@@ -203,8 +198,7 @@ static void test_settings(void **state) {
 }
 
 /* A change that is refused leaves the renderer what it was. */
-static void test_refused_change(void **state) {
-    (void)state;
+TEST(refused_change) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
@@ -226,8 +220,7 @@ static void test_refused_change(void **state) {
     manylight_device_free(device);
 }
 
-static void test_views(void **state) {
-    (void)state;
+TEST(views) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_renderer *renderer = open_drawing(device, scene, NULL);
@@ -301,8 +294,7 @@ static int use_in_child(struct manylight_device *device, struct manylight_scene 
 }
 
 /* A child does without the driver's threads: it gets errors, at its end too, and may trace paths */
-static void test_forked(void **state) {
-    (void)state;
+TEST(forked) {
     int status;
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
@@ -327,8 +319,7 @@ static void test_forked(void **state) {
 }
 
 /* Machines of tests have OpenGL on the CPU alone, or besides. */
-static void test_devices(void **state) {
-    (void)state;
+TEST(devices) {
     struct manylight_device *device;
     struct manylight_device_info info = {.size = sizeof info};
     struct manylight_device_desc desc = {.size = sizeof desc, .device = "99", .allow_software = 1};
@@ -353,8 +344,7 @@ static void test_devices(void **state) {
 }
 
 /* The program's --device takes software that is named; the library asks for allow_software. */
-static void test_software_not_allowed(void **state) {
-    (void)state;
+TEST(software_not_allowed) {
     char text[4096], number[8] = "";
     struct manylight_device *device;
     struct manylight_device_desc desc = {.size = sizeof desc, .device = number};
@@ -369,8 +359,7 @@ static void test_software_not_allowed(void **state) {
                  "(software): it is software, which allow_software takes");
 }
 
-static void test_too_much_memory(void **state) {
-    (void)state;
+TEST(too_much_memory) {
     struct manylight_device *device = open_device();
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_renderer *renderer;
@@ -392,8 +381,7 @@ static void test_too_much_memory(void **state) {
     manylight_device_free(device);
 }
 
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     struct manylight_scene *scene = open_scene(BOX);
     struct manylight_image *image;
     struct manylight_reference_desc desc = {.size = sizeof desc, .samples = 4, .noise = .1F};
@@ -416,14 +404,4 @@ static void test_reference(void **state) {
     manylight_scene_free(scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_broken_scenes),   cmocka_unit_test(test_broken_arrays),
-        cmocka_unit_test(test_broken_parts),    cmocka_unit_test(test_scene_descriptors),
-        cmocka_unit_test(test_settings),        cmocka_unit_test(test_refused_change),
-        cmocka_unit_test(test_views),           cmocka_unit_test(test_devices),
-        cmocka_unit_test(test_forked),          cmocka_unit_test(test_software_not_allowed),
-        cmocka_unit_test(test_too_much_memory), cmocka_unit_test(test_reference),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -47,8 +47,7 @@ static const char *with_pictures(const char *more) {
     return arguments;
 }
 
-static void test_help(void **state) {
-    (void)state;
+TEST(help) {
     expect_command(0, "compare", "--help");
     expect_text("usage: manylight compare TEST REFERENCE");
     expect_text("--max METRIC=VALUE");
@@ -56,8 +55,7 @@ static void test_help(void **state) {
     expect_command(0, "compare", "--nonsense --help");
 }
 
-static void test_usage_errors(void **state) {
-    (void)state;
+TEST(usage_errors) {
     static const struct {
         const char *arguments, *message;
     } cases[] = {
@@ -78,8 +76,7 @@ static void test_usage_errors(void **state) {
     }
 }
 
-static void test_table(void **state) {
-    (void)state;
+TEST(table) {
     expect_command(0, "compare", with_pictures(""));
     check_near("rmse", value_of("rmse"), .125, 1e-6);
     check_near("relative-bias", value_of("relative-bias"), .25, 1e-6);
@@ -98,8 +95,7 @@ static void test_table(void **state) {
     expect_text("ldr-flip");
 }
 
-static void test_json(void **state) {
-    (void)state;
+TEST(json) {
     expect_command(0, "compare", with_pictures("--json -m mae -m rmse"));
     assert_int_equal(output[0], '{');
     expect_text("\"layer\": \"beauty\", \"width\": 16, \"height\": 8");
@@ -111,8 +107,7 @@ static void test_json(void **state) {
 }
 
 /* The range that is found, given again, is the same; another one is not. */
-static void test_exposures(void **state) {
-    (void)state;
+TEST(exposures) {
     char found[sizeof output], more[1200];
     double range[3];
     expect_command(0, "compare", with_pictures("--json -m hdr-flip"));
@@ -143,8 +138,7 @@ static void test_exposures(void **state) {
     expect_text("--exposures needs hdr-flip");
 }
 
-static void test_bounds(void **state) {
-    (void)state;
+TEST(bounds) {
     expect_command(0, "compare", with_pictures("-m rmse --max rmse=0.13"));
     expect_command(1, "compare", with_pictures("-m rmse --max rmse=0.12 --max mae=1"));
     expect_text("manylight compare: rmse is 0.125, above 0.12");
@@ -161,8 +155,7 @@ static void test_bounds(void **state) {
 }
 
 /* The same picture beside channels that other programs made. */
-static void test_foreign_channels(void **state) {
-    (void)state;
+TEST(foreign_channels) {
     static const char *const names[] = {"R", "G", "B", "A mask", "my mask", " z"};
     char arguments[1200];
     struct image image;
@@ -178,8 +171,7 @@ static void test_foreign_channels(void **state) {
     check_near("rmse", value_of("rmse"), 0, 0);
 }
 
-static void test_pictures_of_the_error(void **state) {
-    (void)state;
+TEST(pictures_of_the_error) {
     char more[600];
     const char *path = scratch("heat.png");
     snprintf(more, sizeof more, "-m rmse -o %s", path);
@@ -203,8 +195,7 @@ static void test_pictures_of_the_error(void **state) {
     expect_text("manylight compare: cannot write no/such/folder/heat.png: No such file");
 }
 
-static void test_encoded_files(void **state) {
-    (void)state;
+TEST(encoded_files) {
     unsigned char pixels[2][16] = {{188, 188, 188, 255, 188, 188, 188, 255},
                                    {255, 255, 255, 255, 255, 255, 255, 255}};
     char arguments[1200], paths[2][512];
@@ -221,8 +212,7 @@ static void test_encoded_files(void **state) {
     assert_null(strstr(output, "hdr-flip"));
 }
 
-static void test_files_that_do_not_compare(void **state) {
-    (void)state;
+TEST(files_that_do_not_compare) {
     expect_command(1, "compare", with_pictures("--layer albedo"));
     expect_text("compare-test.exr: no layer 'albedo' (there is: beauty, indirect)");
 
@@ -254,8 +244,7 @@ static void test_files_that_do_not_compare(void **state) {
     image_free(&image);
 }
 
-static void test_shared_references(void **state) {
-    (void)state;
+TEST(shared_references) {
     if (!shared_path() || access("../shared/reference/cornell-box.exr", R_OK) != 0)
         skip();
     const char *box = "../shared/reference/cornell-box.exr";
@@ -268,19 +257,4 @@ static void test_shared_references(void **state) {
     check_at_most("the horse shows", .1, value_of("rmse"));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_help),
-        cmocka_unit_test(test_usage_errors),
-        cmocka_unit_test(test_table),
-        cmocka_unit_test(test_json),
-        cmocka_unit_test(test_exposures),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_foreign_channels),
-        cmocka_unit_test(test_pictures_of_the_error),
-        cmocka_unit_test(test_encoded_files),
-        cmocka_unit_test(test_files_that_do_not_compare),
-        cmocka_unit_test(test_shared_references),
-    };
-    return cmocka_run_group_tests_name("compare", tests, make_pictures, NULL);
-}
+RUN_TESTS(make_pictures, NULL)

@@ -22,8 +22,7 @@ static double lightness_at(const struct bitmap *picture, int x, int y) {
 }
 
 /* Lightness changes in proportion: up from black, or down on both sides of white. */
-static void test_heat_map(void **state) {
-    (void)state;
+TEST(heat_map) {
     enum { WIDTH = 401 };
     static float values[WIDTH];
     for (int is_signed = 0; is_signed < 2; is_signed++) {
@@ -48,8 +47,7 @@ static void test_heat_map(void **state) {
     }
 }
 
-static void test_heat_map_scale(void **state) {
-    (void)state;
+TEST(heat_map_scale) {
     float values[1000];
     for (int i = 0; i < 1000; i++)
         values[i] = (i % 2 ? -.31f : .31f) * (float)i / 1000;
@@ -92,8 +90,7 @@ static void check_box(const char *what, const int box[4], int left, int top, int
 
 /* Letters of 5 dots, one dot apart; a z fills its five rows from the third on, and is cut at
  * borders. */
-static void test_label(void **state) {
-    (void)state;
+TEST(label) {
     struct bitmap picture = {30, 20, calloc(30 * 20, 4)};
     int box[4];
     assert_int_equal(label_width("zz", 1), 12);
@@ -113,8 +110,7 @@ static void test_label(void **state) {
 }
 
 /* Each value fills a square; below lie the bar, its numbers and the title. */
-static void test_heat_map_layout(void **state) {
-    (void)state;
+TEST(heat_map_layout) {
     static const float values[6] = {1, .5f, .25f, .5f, .75f, .5f};
     struct heat_map map = {.title = "z", .width = 3, .height = 2, .values = values, .top = 1};
     struct bitmap picture;
@@ -138,8 +134,7 @@ static void test_heat_map_layout(void **state) {
 }
 
 /* Colours without a legend, as they lie on the picture; files as numbers, and none of no format. */
-static void test_heat_map_files(void **state) {
-    (void)state;
+TEST(heat_map_files) {
     static const float values[6] = {1, .5f, .25f, .5f, .75f, .5f}, none[2] = {0, 0},
                        wild[2] = {INFINITY, INFINITY};
     struct heat_map map = {.title = "z", .width = 3, .height = 2, .values = values, .top = 1};
@@ -169,11 +164,4 @@ static void test_heat_map_files(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_heat_map),       cmocka_unit_test(test_heat_map_scale),
-        cmocka_unit_test(test_label),          cmocka_unit_test(test_heat_map_layout),
-        cmocka_unit_test(test_heat_map_files),
-    };
-    return cmocka_run_group_tests_name("heat map", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -51,8 +51,7 @@ static void check_part(const struct image *layer, const struct exr_part *part) {
     assert_int_equal(wrong, 0);
 }
 
-static void test_windows(void **state) {
-    (void)state;
+TEST(windows) {
     need_all_formats();
     static const struct {
         struct exr_part part;
@@ -88,8 +87,7 @@ static void test_windows(void **state) {
 }
 
 /* rmse of what is 1 in a quarter of the picture, and else black, is the root of 3 of 4. */
-static void test_compared_windows(void **state) {
-    (void)state;
+TEST(compared_windows) {
     need_all_formats();
     struct image whole;
     const struct exr_part part = {0, "B G R", {3, 2, 3, 2}, {0, 0, 6, 4}, .base = 1};
@@ -115,8 +113,7 @@ static void test_compared_windows(void **state) {
 }
 
 /* Little files that claim much: refused at once. */
-static void test_hostile_windows(void **state) {
-    (void)state;
+TEST(hostile_windows) {
     need_all_formats();
     static const int displays[][4] = {{0, 0, 2000000000, 2000000000},
                                       {0, 0, 2147483647, 1},
@@ -175,8 +172,7 @@ static void check_name(const struct name_case *c) {
     "ViewLayer.Normal.X ViewLayer.Normal.Y ViewLayer.Normal.Z"
 #define COMBINED "ViewLayer.Combined.R ViewLayer.Combined.G ViewLayer.Combined.B"
 
-static void test_names(void **state) {
-    (void)state;
+TEST(names) {
     static const struct name_case cases[] = {
         {"R G B A Z", NULL, "", "R G B", NULL},
         {"R G B A Z", NULL, "Z", "Z Z Z", NULL},
@@ -231,8 +227,7 @@ static void test_names(void **state) {
 }
 
 /* More layers than a message holds: as many as there is room for, and that there are more. */
-static void test_many_names(void **state) {
-    (void)state;
+TEST(many_names) {
     char *names[500];
     struct image image;
     int channels[3];
@@ -250,8 +245,7 @@ static void test_many_names(void **state) {
 
 /* --- parts ------------------------------------------------------------------------------------ */
 
-static void test_parts(void **state) {
-    (void)state;
+TEST(parts) {
     need_all_formats();
     static const struct exr_part parts[3] = {
         {"depth", "Z", {0, 0, 6, 4}, {0, 0, 6, 4}, .base = 1},
@@ -286,8 +280,7 @@ static void test_parts(void **state) {
 }
 
 /* A name for each file; JSON tells both. */
-static void test_two_names(void **state) {
-    (void)state;
+TEST(two_names) {
     need_all_formats();
     static const struct exr_part one = {0,
                                         "L.x.B L.x.G L.x.R",
@@ -312,8 +305,7 @@ static void test_two_names(void **state) {
 
 /* --- inputs of others ------------------------------------------------------------------------- */
 
-static void test_cases(void **state) {
-    (void)state;
+TEST(cases) {
     static const struct {
         const char *arguments;
         double relative_rmse;
@@ -349,12 +341,4 @@ static void test_cases(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_windows),         cmocka_unit_test(test_compared_windows),
-        cmocka_unit_test(test_hostile_windows), cmocka_unit_test(test_names),
-        cmocka_unit_test(test_many_names),      cmocka_unit_test(test_parts),
-        cmocka_unit_test(test_two_names),       cmocka_unit_test(test_cases),
-    };
-    return cmocka_run_group_tests_name("layers", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -36,8 +36,7 @@ static void fill_random(struct image *image, int width, int height, uint32_t see
         image->pixels[i] = random_unit(&seed);
 }
 
-static void test_errors_by_hand(void **state) {
-    (void)state;
+TEST(errors_by_hand) {
     struct image test, reference;
     image_init(&test, 2, 1, "R G B");
     image_init(&reference, 2, 1, "R G B");
@@ -63,8 +62,7 @@ static void fill(struct image *image, int width, int height, float value) {
         image->pixels[i] = value;
 }
 
-static void test_gradient_by_hand(void **state) {
-    (void)state;
+TEST(gradient_by_hand) {
     struct image test, reference;
     fill(&reference, 3, 3, .5f);
     fill(&test, 3, 3, 2);
@@ -80,8 +78,7 @@ static void test_gradient_by_hand(void **state) {
 }
 
 /* Of 200 pixels two are the worst 1 %. */
-static void test_worst_share_by_hand(void **state) {
-    (void)state;
+TEST(worst_share_by_hand) {
     struct image test, reference;
     float map[200];
     fill(&reference, 20, 10, 1);
@@ -105,8 +102,7 @@ static void test_worst_share_by_hand(void **state) {
     images_free(&test, &reference);
 }
 
-static void test_box_errors_by_hand(void **state) {
-    (void)state;
+TEST(box_errors_by_hand) {
     struct image test, reference;
     fill(&reference, 32, 32, 2);
     fill(&test, 32, 32, 2);
@@ -136,8 +132,7 @@ static void test_box_errors_by_hand(void **state) {
     images_free(&test, &reference);
 }
 
-static void test_psnr_by_hand(void **state) {
-    (void)state;
+TEST(psnr_by_hand) {
     struct image test, reference;
     fill(&reference, 2, 2, 0);
     fill(&test, 2, 2, srgb_decode(.5f));
@@ -152,8 +147,7 @@ static void test_psnr_by_hand(void **state) {
     images_free(&test, &reference);
 }
 
-static void test_equal_and_black_pictures(void **state) {
-    (void)state;
+TEST(equal_and_black_pictures) {
     struct image random, black;
     fill_random(&random, 33, 21, 1);
     fill(&black, 33, 21, 0);
@@ -167,8 +161,7 @@ static void test_equal_and_black_pictures(void **state) {
     images_free(&random, &black);
 }
 
-static void test_symmetry_and_growth(void **state) {
-    (void)state;
+TEST(symmetry_and_growth) {
     struct image reference, noisy;
     fill_random(&reference, 48, 32, 2);
     fill_random(&noisy, 48, 32, 3);
@@ -195,8 +188,7 @@ static void test_symmetry_and_growth(void **state) {
     images_free(&reference, &noisy);
 }
 
-static void test_threads_agree(void **state) {
-    (void)state;
+TEST(threads_agree) {
     enum { WIDTH = 57, HEIGHT = 101 };
     struct image test, reference;
     static float alone[WIDTH * HEIGHT], together[WIDTH * HEIGHT];
@@ -216,8 +208,7 @@ static void test_threads_agree(void **state) {
     images_free(&test, &reference);
 }
 
-static void test_colour_spaces(void **state) {
-    (void)state;
+TEST(colour_spaces) {
     check_near("sRGB 188/255", (double)srgb_decode(188 / 255.f), 0.502886, 1e-5);
     check_near("sRGB of 0.18", (double)srgb_encode(.18f), 0.461356, 1e-5);
     check_near("sRGB of 0.002, below the curve", (double)srgb_encode(.002f), .02584, 1e-6);
@@ -238,8 +229,7 @@ static void test_colour_spaces(void **state) {
         check_near("red in CIELAB", (double)there[c], red[c], .02);
 }
 
-static void test_flip_against_definition(void **state) {
-    (void)state;
+TEST(flip_against_definition) {
     struct image test, reference;
     fill_random(&test, 23, 37, 7);
     fill_random(&reference, 23, 37, 8);
@@ -317,8 +307,7 @@ static void draw(pattern *pattern, struct image *test, struct image *reference) 
             pattern(x, y, image_at(test, x, y), image_at(reference, x, y));
 }
 
-static void test_flip_vectors(void **state) {
-    (void)state;
+TEST(flip_vectors) {
     static const struct {
         const char *name, *metric;
         pattern *pattern;
@@ -346,8 +335,7 @@ static double aces(double x) {
     return x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14);
 }
 
-static void test_hdr_flip_exposures(void **state) {
-    (void)state;
+TEST(hdr_flip_exposures) {
     struct image test, reference;
     draw(bright_ramps, &test, &reference);
     struct exposure_range range = hdr_flip_exposures(&reference);
@@ -374,8 +362,7 @@ static void test_hdr_flip_exposures(void **state) {
 }
 
 /* One exposure is LDR-FLIP of the curve's pictures; of several each pixel has the most. */
-static void test_given_exposures(void **state) {
-    (void)state;
+TEST(given_exposures) {
     enum { PIXELS = 64 * 48 };
     struct image test, reference;
     float maps[3][PIXELS], curve[PIXELS];
@@ -402,8 +389,7 @@ static void test_given_exposures(void **state) {
     images_free(&test, &reference);
 }
 
-static void test_quantile(void **state) {
-    (void)state;
+TEST(quantile) {
     float values[] = {5, 1, 4, 2, 3, 6};
     check_near("median of six", (double)quantile(values, 6, .5), 4, 0);
     check_near("least", (double)quantile(values, 6, 0), 1, 0);
@@ -417,8 +403,7 @@ static void refuse_layer(const struct image *picture, const char *layer, const c
     image_free(&refused);
 }
 
-static void test_layer_refusals(void **state) {
-    (void)state;
+TEST(layer_refusals) {
     struct image picture, layer;
     image_init(&picture, 4, 3, "R G B indirect.R indirect.G indirect.B");
     image_at(&picture, 2, 1)[4] = NAN;
@@ -431,8 +416,7 @@ static void test_layer_refusals(void **state) {
     image_free(&picture);
 }
 
-static void test_encoded_layer(void **state) {
-    (void)state;
+TEST(encoded_layer) {
     unsigned char pixels[] = {188, 0, 255, 255};
     struct bitmap bitmap = {.width = 1, .height = 1, .rgba = pixels};
     const char *path = scratch("encoded.png");
@@ -453,8 +437,7 @@ static void test_encoded_layer(void **state) {
 }
 
 /* Where a falling curve comes to a height. */
-static void test_summary(void **state) {
-    (void)state;
+TEST(summary) {
     static const double x[] = {1, 2, 4}, y[] = {9, 3, 1};
     check_near("at its beginning", log_interpolate(x, y, 3, 9), 1, 0);
     check_near("above it", log_interpolate(x, y, 3, 10), 0, 0);
@@ -464,8 +447,7 @@ static void test_summary(void **state) {
 }
 
 /* A file without such a layer, and one that is not there. */
-static void test_layer_files(void **state) {
-    (void)state;
+TEST(layer_files) {
     struct image picture, layer;
     bool encoded;
     image_init(&picture, 2, 2, "R G B");
@@ -478,26 +460,4 @@ static void test_layer_files(void **state) {
     image_free(&picture);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_errors_by_hand),
-        cmocka_unit_test(test_gradient_by_hand),
-        cmocka_unit_test(test_worst_share_by_hand),
-        cmocka_unit_test(test_box_errors_by_hand),
-        cmocka_unit_test(test_psnr_by_hand),
-        cmocka_unit_test(test_equal_and_black_pictures),
-        cmocka_unit_test(test_symmetry_and_growth),
-        cmocka_unit_test(test_threads_agree),
-        cmocka_unit_test(test_colour_spaces),
-        cmocka_unit_test(test_flip_against_definition),
-        cmocka_unit_test(test_flip_vectors),
-        cmocka_unit_test(test_hdr_flip_exposures),
-        cmocka_unit_test(test_given_exposures),
-        cmocka_unit_test(test_quantile),
-        cmocka_unit_test(test_layer_refusals),
-        cmocka_unit_test(test_encoded_layer),
-        cmocka_unit_test(test_summary),
-        cmocka_unit_test(test_layer_files),
-    };
-    return cmocka_run_group_tests_name("metrics", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -79,8 +79,7 @@ static void make_stripes(struct gbuffer *gbuffer) {
 }
 
 /* Stripes are adaptive, the plane is not, nor its straight edge; a list has each pixel once. */
-static void test_lists(void **state) {
-    (void)state;
+TEST(lists) {
     struct adaptive_bench bench;
     struct gbuffer gbuffer;
     open_bench(&bench, "scenes/cornell-box.glb", "vpls=1 interleave=1", .5f);
@@ -139,8 +138,7 @@ static void check_levels(float code, GLuint level_of_stripes) {
 }
 
 /* Gentle relief is adaptive as edges are. */
-static void test_levels(void **state) {
-    (void)state;
+TEST(levels) {
     check_levels(across, PIXEL_LEVEL_DETAIL);
     check_levels(turned, PIXEL_LEVEL_EDGE);
 }
@@ -184,8 +182,7 @@ static int lists_height(void) {
 }
 
 /* Weights sum to one, whatever is adaptive, along lines and in squares. */
-static void test_blur_conserves(void **state) {
-    (void)state;
+TEST(blur_conserves) {
     struct adaptive_bench bench;
     struct gbuffer gbuffer;
     struct irradiance source, adaptive;
@@ -239,8 +236,7 @@ static int away_of(GLuint code) {
 
 /* With blocks that share visibility a pixel that no block speaks for is adaptive, whatever lies
  * around it; all others are told one whose centre has their normal. */
-static void test_blocks(void **state) {
-    (void)state;
+TEST(blocks) {
     enum { BLOCK = 16 };
     struct adaptive_bench bench;
     struct gbuffer gbuffer;
@@ -281,8 +277,7 @@ static void test_blocks(void **state) {
 }
 
 /* What is adaptive with n = 1 takes all VPLs and no blur, as all pixels without interleaving do. */
-static void test_adaptive_sums(void **state) {
-    (void)state;
+TEST(adaptive_sums) {
     struct adaptive_bench bench;
     open_bench(&bench, "scenes/cornell-animal.glb", "vpls=256 interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
@@ -309,8 +304,7 @@ static void test_adaptive_sums(void **state) {
 
 /* Of VPLs that go together one asks for the visibility of all: each pixel has noise, their mean is
  * that of pixels whose VPLs each ask. */
-static void test_one_asks_for_all(void **state) {
-    (void)state;
+TEST(one_asks_for_all) {
     struct adaptive_bench bench;
     open_bench(&bench, "scenes/cornell-animal.glb", "interleave=8 adaptive=1", 1);
     list_pixels(&bench, &bench.renderer.gbuffer);
@@ -340,8 +334,7 @@ static void test_one_asks_for_all(void **state) {
 
 /* Pixels of large pictures take fewer lights: of 4 and 5 times as many in one of 400x400, 1 in one
  * of 800x800. */
-static void test_times_of_large_pictures(void **state) {
-    (void)state;
+TEST(times_of_large_pictures) {
     static const struct {
         int size;
         bool same;
@@ -364,15 +357,4 @@ static void test_times_of_large_pictures(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_times_of_large_pictures),
-        cmocka_unit_test(test_lists),
-        cmocka_unit_test(test_levels),
-        cmocka_unit_test(test_blur_conserves),
-        cmocka_unit_test(test_adaptive_sums),
-        cmocka_unit_test(test_one_asks_for_all),
-        cmocka_unit_test(test_blocks),
-    };
-    return cmocka_run_group_tests_name("adaptive", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -101,8 +101,7 @@ static double coverage_error(const struct stage *stage, const char *settings) {
 /* A pixel that an edge crosses along x or y is off by sqrt(1/12) = .29 at its centre, and one that
  * it crosses aslant by .22. Of the patterns of 4, 8, 12 and 16 samples the worst slope is off by
  * .128, .100, .086 and .069; a tenth is for where these edges happen to fall. */
-static void test_coverage(void **state) {
-    (void)state;
+TEST(coverage) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     for (int axis = 0; axis < 3; axis++) { /* rolled, so that edges are at all slopes and places */
@@ -148,8 +147,7 @@ static void count_slivers(struct renderer *renderer, int *slivers, int *missed) 
 
 /* A layer of light tells of a sliver what it tells of a whole pixel: none of a hundredth of a
  * pixel's width is black. */
-static void test_slivers(void **state) {
-    (void)state;
+TEST(slivers) {
     enum { ZOOMS = 32 };
     struct stage stage;
     struct renderer renderer;
@@ -229,8 +227,7 @@ static void check_layers(const char *path, double albedo, double beauty) {
     stage_free(&stage);
 }
 
-static void test_layers(void **state) {
-    (void)state;
+TEST(layers) {
     check_layers("scenes/cornell-box.glb", .35, .8);
     check_layers("scenes/cornell-animal.glb", .35, 1);
     /* Much of it is thinner than a pixel, and some of that no pixel's centre has seen. */
@@ -243,8 +240,7 @@ static void test_layers(void **state) {
 #define DETAIL "interleave=2 blur-radius=1 adaptive=1 clamp=disk vpls=64 samples=8 "
 
 /* Things thinner than a pixel are lit as they are, not as what lies beside or behind them. */
-static void test_edge_samples(void **state) {
-    (void)state;
+TEST(edge_samples) {
     struct stage stage;
     open_stage(&stage, "scenes/atrium.glb");
     struct image fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
@@ -263,8 +259,7 @@ static void test_edge_samples(void **state) {
 
 /* As few layers as can be: no other number of samples that a driver has in one gives fewer, or as
  * many with fewer samples in all. */
-static void test_sample_layers(void **state) {
-    (void)state;
+TEST(sample_layers) {
     static const int sizes[] = {4, 8, 16};
     for (int samples = 2; samples <= 16; samples++)
         for (int most = 4; most <= 64; most++) {
@@ -290,11 +285,4 @@ static void test_sample_layers(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coverage),     cmocka_unit_test(test_sample_layers),
-        cmocka_unit_test(test_slivers),      cmocka_unit_test(test_layers),
-        cmocka_unit_test(test_edge_samples),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

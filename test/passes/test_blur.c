@@ -76,8 +76,7 @@ static float constant(const struct blur_bench *bench, int x, int y) {
 
 /* Whatever the geometry, a mean of equal values is that value; also at the picture's edges, whose
  * sizes are no multiples of the pattern. */
-static void test_blur_conserves(void **state) {
-    (void)state;
+TEST(blur_conserves) {
     for (int way = 0; way < 4; way++) {
         struct blur_bench bench;
         open_blur(&bench, &(struct blur_desc){61, 43, 4, .1f, .8f, .square = way & 1},
@@ -102,8 +101,7 @@ static float normal_code(const struct blur_bench *bench, int x, int y) {
 
 /* Values that differ from wall to wall stay apart where normals must agree; the blocks are turned
  * by 17 degrees. */
-static void test_blur_keeps_edges(void **state) {
-    (void)state;
+TEST(blur_keeps_edges) {
     struct blur_bench bench;
     open_blur(&bench, &(struct blur_desc){64, 64, 6, 10, .99f, .square = false}, 1);
     float *blurred = run_blur(&bench, normal_code);
@@ -125,8 +123,7 @@ static float slot_code(const struct blur_bench *bench, int x, int y) {
 
 /* Each of the 64 places of the pattern counts equally: their mean is 31.5 wherever the window lies
  * on one wall. */
-static void test_blur_holds_every_slot(void **state) {
-    (void)state;
+TEST(blur_holds_every_slot) {
     struct blur_bench bench;
     open_blur(&bench, &(struct blur_desc){64, 64, 4, 10, .9f, .square = false}, 8);
     float *blurred = run_blur(&bench, slot_code);
@@ -149,11 +146,4 @@ static void test_blur_holds_every_slot(void **state) {
     close_blur(&bench);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_blur_conserves),
-        cmocka_unit_test(test_blur_keeps_edges),
-        cmocka_unit_test(test_blur_holds_every_slot),
-    };
-    return cmocka_run_group_tests_name("blur", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -338,14 +338,12 @@ static void check_frames(const struct cluster_desc *desc, const float *values) {
 }
 
 /* As the paper has it: the same seeds each frame. */
-static void test_lengths(void **state) {
-    (void)state;
+TEST(lengths) {
     check_frames(&lengths, NULL);
 }
 
 /* The same with VPLs weighted by importance: few have a high one, some none. */
-static void test_weights(void **state) {
-    (void)state;
+TEST(weights) {
     float values[POINTS];
     for (int i = 0; i < POINTS; i++)
         values[i] = i % 5 == 0 ? 0 : powf((float)radical_inverse(2, (uint32_t)i + 1), 4);
@@ -353,8 +351,7 @@ static void test_weights(void **state) {
 }
 
 /* By squares, weighted by flux, each frame from the means of the one before. */
-static void test_squares(void **state) {
-    (void)state;
+TEST(squares) {
     check_frames(&squares, NULL);
 }
 
@@ -378,8 +375,7 @@ static void check_turns(const struct cluster_desc *desc) {
         close_clustering(&c[i]);
 }
 
-static void test_lost(void **state) {
-    (void)state;
+TEST(lost) {
     struct cluster_desc desc = squares;
     check_turns(&desc);
     desc.start = CLUSTER_START_RESEED;
@@ -391,8 +387,7 @@ static void test_lost(void **state) {
 }
 
 /* Other lights are mapped to the clusters that these have. */
-static void test_others(void **state) {
-    (void)state;
+TEST(others) {
     struct clustering c;
     struct vpl vpls[POINTS], others[POINTS];
     struct vpl_buffer there;
@@ -427,8 +422,7 @@ static void render_lights(struct clustering *c, const struct vpl *lights, size_t
  * mean than all three, as is one that met nothing; and a third far off. The view looks from the
  * plane of the nearest of the three, below which the mean lies. That of the second's two lies above
  * the first's plane: the view looks from above that one. */
-static void test_views(void **state) {
-    (void)state;
+TEST(views) {
     static const struct vpl before[] = {
         {.position = {0, 0, 0}, .normal = {0, 0, 1}, .area = 1, .flux = {1}, .reach = 1},
         {.position = {.1f, .25f, .1f}, .normal = {0, 0, 1}, .area = 1, .flux = {1}, .reach = 1},
@@ -484,8 +478,7 @@ static void test_views(void **state) {
 }
 
 /* Normals that cancel out have no mean: the one before stays. */
-static void test_opposed(void **state) {
-    (void)state;
+TEST(opposed) {
     static const struct vpl lights[] = {
         {.position = {0, 0, 0}, .normal = {0, .6f, .8f}, .area = 1, .flux = {1}, .reach = 1},
         {.position = {1, 0, 2}, .normal = {0, -.6f, -.8f}, .area = 1, .flux = {2}, .reach = 1},
@@ -507,8 +500,7 @@ static void test_opposed(void **state) {
 }
 
 /* More lights than a dispatch takes, more sums than invocations; light i is of cluster i % MANY. */
-static void test_many(void **state) {
-    (void)state;
+TEST(many) {
     enum { MANY = CLUSTER_GROUP / 2, LIGHTS = 60 * CLUSTER_GROUP + 3 };
     struct cluster_desc desc = squares;
     struct cluster_pass pass;
@@ -563,8 +555,7 @@ static GLenum no_memory(void) {
 }
 
 /* Each texture and buffer fails once: that is told, and nothing is left. */
-static void test_memory(void **state) {
-    (void)state;
+TEST(memory) {
     struct cluster_pass pass, nothing = {0};
     bool ok = false;
     real = gl;
@@ -588,13 +579,4 @@ static void test_memory(void **state) {
     assert_true(allocations >= 3 + 1 + 1 + 1 + 2 + 1);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lengths), cmocka_unit_test(test_squares),
-        cmocka_unit_test(test_weights), cmocka_unit_test(test_lost),
-        cmocka_unit_test(test_others),  cmocka_unit_test(test_views),
-        cmocka_unit_test(test_opposed), cmocka_unit_test(test_many),
-        cmocka_unit_test(test_memory),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -97,8 +97,7 @@ static void check_surfaces(const char *scene) {
     close_bench(&bench);
 }
 
-static void test_surfaces(void **state) {
-    (void)state;
+TEST(surfaces) {
     check_surfaces(cornell_box);
     check_surfaces(cornell_animal);
     check_surfaces("scenes/metaballs.glb");
@@ -154,8 +153,7 @@ static void check_direct(struct bench *bench) {
     end_frame(bench);
 }
 
-static void test_direct(void **state) {
-    (void)state;
+TEST(direct) {
     for (int i = 0; i < 3; i++) {
         struct bench bench;
         open_bench(&bench, cornell_animal);
@@ -218,13 +216,11 @@ static void check_vpls(const char *settings) {
     }
 }
 
-static void test_vpls(void **state) {
-    (void)state;
+TEST(vpls) {
     check_vpls("vpls=1024 interleave=1");
 }
 
-static void test_vpls_of_facets(void **state) {
-    (void)state;
+TEST(vpls_of_facets) {
     check_vpls("vpls=1024 interleave=1 facets=on");
 }
 
@@ -300,8 +296,7 @@ static void check_sums(const char *settings, int count, clamp_function clamp) {
     close_bench(&bench);
 }
 
-static void test_sums(void **state) {
-    (void)state;
+TEST(sums) {
     check_sums("vpls=64 interleave=1 clamp=none", 64, clamp_none);
     check_sums("vpls=64 interleave=1 clamp=value", 64, clamp_value);
     check_sums("vpls=64 interleave=1 clamp=disk", 64, clamp_disk);
@@ -310,8 +305,7 @@ static void test_sums(void **state) {
 }
 
 /* Each pixel takes the VPLs of its slot, of N / n^2 or one more, for all. */
-static void test_slots(void **state) {
-    (void)state;
+TEST(slots) {
     enum { SIZE = 20, N = 100, SIDE = 3, SLOTS = SIDE * SIDE };
     struct bench bench;
     open_bench(&bench, cornell_box);
@@ -337,8 +331,7 @@ static void test_slots(void **state) {
 }
 
 /* The near field's samples are a pattern's: pixels without interleaving take them all. */
-static void test_near_samples(void **state) {
-    (void)state;
+TEST(near_samples) {
     struct stage stage;
     open_stage(&stage, cornell_box);
     struct image by_default = render_stage(&stage, "unshadowed", "vpls=64 interleave=1", 24);
@@ -425,8 +418,7 @@ static int all_of(int x, int y) {
 
 /* What the blur finds beside an edge, where it does not find all of a pattern, tells the light as
  * all would. */
-static void test_near_places(void **state) {
-    (void)state;
+TEST(near_places) {
     check_at_most("a row's error, relative (Halton's points: .18)", error_of_parts(row_of, 8), .06);
     check_at_most("a column's (.18)", error_of_parts(column_of, 8), .06);
     check_at_most("a slanted line's (.33)", error_of_parts(slant_of, 8), .06);
@@ -436,8 +428,7 @@ static void test_near_places(void **state) {
 
 /* A lamp above a table looks into five faces of a cube: what lies beyond an edge of the face that a
  * receiver is in, another face has, and its texels' solid angles. */
-static void test_near_faces(void **state) {
-    (void)state;
+TEST(near_faces) {
     struct stage stage;
     open_stage(&stage, "scenes/table.glb");
     struct image drawn = render_stage(&stage, "clustered", "samples=1", 64);
@@ -480,8 +471,7 @@ static double brightest_from(const struct stage *stage, int texels) {
 
 /* Where a receiver lies in the middle of a texel, the texel is no nearer than a quarter of its
  * width: without a bound one pixel is 86 times the mean. */
-static void test_near_facets(void **state) {
-    (void)state;
+TEST(near_facets) {
     const struct stage_desc desc = {
         .path = "scenes/cornell-animal.glb",
         .camera = "0 eye=.31,1.2,.9 forward=-.3,-1,-.9 fov=1.1",
@@ -494,8 +484,7 @@ static void test_near_facets(void **state) {
     stage_free(&stage);
 }
 
-static void test_near_occlusion(void **state) {
-    (void)state;
+TEST(near_occlusion) {
     const struct stage_desc behind_sheet = {
         .path = "scenes/failures/thin-wall.glb",
         .camera = "0 eye=1.4,1.2,1.8 forward=-.15,-.25,-1 fov=1.1",
@@ -551,22 +540,11 @@ static void check_map_of_vpl(const char *scene, int seed) {
     close_bench(&bench);
 }
 
-static void test_map_of_vpl(void **state) {
-    (void)state;
+TEST(map_of_vpl) {
     for (int seed = 1; seed <= 4; seed++) {
         check_map_of_vpl(cornell_box, seed);
         check_map_of_vpl(cornell_animal, seed);
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_surfaces),    cmocka_unit_test(test_direct),
-        cmocka_unit_test(test_vpls),        cmocka_unit_test(test_vpls_of_facets),
-        cmocka_unit_test(test_sums),        cmocka_unit_test(test_slots),
-        cmocka_unit_test(test_map_of_vpl),  cmocka_unit_test(test_near_samples),
-        cmocka_unit_test(test_near_places), cmocka_unit_test(test_near_faces),
-        cmocka_unit_test(test_near_facets), cmocka_unit_test(test_near_occlusion),
-    };
-    return cmocka_run_group_tests_name("gather", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

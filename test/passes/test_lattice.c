@@ -37,8 +37,7 @@ static void read_numbers(float *numbers) {
 
 /* Each is the fraction of x steps along x and y along y: against integers, and against the
  * multiples that these stand for. */
-static void test_numbers(void **state) {
-    (void)state;
+TEST(numbers) {
     static float numbers[SIDE * SIDE];
     double wrong = 0, furthest = 0;
     need_file("glsl/lib/lattice.glsl");
@@ -55,9 +54,4 @@ static void test_numbers(void **state) {
     check_at_most("off the fraction of the multiple", furthest, 3e-6);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers),
-    };
-    return cmocka_run_group_tests_name("lattice", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -261,18 +261,15 @@ static void check_projection(int projection) {
     close_lookups(lookups);
 }
 
-static void test_paraboloid(void **state) {
-    (void)state;
+TEST(paraboloid) {
     check_projection(PROJECTION_PARABOLOID);
 }
 
-static void test_perspective(void **state) {
-    (void)state;
+TEST(perspective) {
     check_projection(PROJECTION_PERSPECTIVE);
 }
 
-static void test_orthographic(void **state) {
-    (void)state;
+TEST(orthographic) {
     check_projection(PROJECTION_ORTHOGRAPHIC);
 }
 
@@ -305,23 +302,19 @@ static void check_filter(int filter, double (*expected)(const struct lookups *lo
     }
 }
 
-static void test_hard(void **state) {
-    (void)state;
+TEST(hard) {
     check_filter(FILTER_HARD, filter_hard);
 }
 
-static void test_pcf(void **state) {
-    (void)state;
+TEST(pcf) {
     check_filter(FILTER_PCF, filter_pcf);
 }
 
-static void test_pcss(void **state) {
-    (void)state;
+TEST(pcss) {
     check_filter(FILTER_PCSS, filter_pcss);
 }
 
-static void test_cssm(void **state) {
-    (void)state;
+TEST(cssm) {
     check_filter(FILTER_CSSM, filter_cssm);
 }
 
@@ -329,8 +322,7 @@ static void test_cssm(void **state) {
  * of K sines of what lies between receiver and plate. All before the plate is lit, all that is more
  * than the step behind it is dark, as far off as it may be: also behind the farthest caster, where
  * the series, unclamped, would begin again. */
-static void test_step(void **state) {
-    (void)state;
+TEST(step) {
     const double plate = nearest, dark_from = .52 / (2 * TERMS);
     struct lookups *lookups = open_lookups(PROJECTION_PARABOLOID, FILTER_CSSM, plate);
     double worst = 0, least_before = 1, most_behind = 0, farthest_behind = 0;
@@ -369,8 +361,7 @@ static struct map_view view_of(float x, float y, float axis_x, float axis_y, flo
 
 /* VAL 0 looks along +x. The nearest of the others is empty, and the next looks away from it. Two on
  * the left look back at it and see what is behind it. Another has its back to everything. */
-static void test_map_in_front(void **state) {
-    (void)state;
+TEST(map_in_front) {
     enum { VALS = 6, ASKED = 4 };
     struct map_view views[MAP_VIEWS_MAX] = {
         view_of(0, 0, 1, 0, .01F),      view_of(-1, 0, 1, 0, MAP_VIEW_EMPTY),
@@ -412,13 +403,4 @@ static void test_map_in_front(void **state) {
     program_free(&program);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_paraboloid),   cmocka_unit_test(test_perspective),
-        cmocka_unit_test(test_orthographic), cmocka_unit_test(test_hard),
-        cmocka_unit_test(test_pcf),          cmocka_unit_test(test_pcss),
-        cmocka_unit_test(test_cssm),         cmocka_unit_test(test_step),
-        cmocka_unit_test(test_map_in_front),
-    };
-    return cmocka_run_group_tests_name("lookup", tests, open_group_shaders, close_group_shaders);
-}
+RUN_TESTS(open_group_shaders, close_group_shaders)

@@ -203,8 +203,7 @@ static void check_fluxes(const struct frame_of_vals *frame) {
     check_near("flux of all VALs over that of all VPLs", vals / vpls, 1, 1e-5);
 }
 
-static void test_clusters(void **state) {
-    (void)state;
+TEST(clusters) {
     static const char *const settings[] = {
         "vpls=512 vals=30 interleave=1",
         "vpls=100 vals=7 interleave=1 iterations=1 weight-normal=2",
@@ -278,8 +277,7 @@ static double off_center(const struct frame_of_vals *frame, int k) {
     return (double)glm_vec3_distance(expected, (float *)frame->views[k].center);
 }
 
-static void test_views(void **state) {
-    (void)state;
+TEST(views) {
     struct frame_of_vals frame;
     open_vals(&frame, "scenes/cornell-animal.glb", "vpls=512 vals=30 interleave=1");
     double extents = 0, centers = 0, axes = 0, frames = 0, ranges = 0;
@@ -306,8 +304,7 @@ static void test_views(void **state) {
 }
 
 /* The mean of VPLs on a ball lies within it; the map looks from without. */
-static void test_views_from_outside(void **state) {
-    (void)state;
+TEST(views_from_outside) {
     struct frame_of_vals frame;
     open_vals(&frame, "scenes/failures/center-inside.glb", "vpls=512 vals=4 interleave=1");
     vec3 middle = {0, 1.2f, 0};
@@ -390,8 +387,7 @@ static double wrong_texels(const char *scene, const char *settings) {
 /* Within a triangle the depth is exact. Its outline is drawn straight where it is bent: the more so
  * the wider the triangle is seen, and most where it reaches behind the VAL. A long one has the true
  * outline; a texel of a silhouette shows either side. */
-static void test_depth_maps(void **state) {
-    (void)state;
+TEST(depth_maps) {
     static const char *const scenes[] = {"scenes/cornell-box.glb", "scenes/cornell-animal.glb"};
     for (int i = 0; i < 2; i++) {
         printf("  %s\n", scenes[i]);
@@ -422,8 +418,7 @@ static int count_cracks(const struct frame_of_vals *frame, const struct rays *ra
 
 /* Be the edges that two triangles share drawn straight or bent, no crack opens along them. What is
  * left lies around triangles that a VAL's near clip leaves out. */
-static void test_cracks(void **state) {
-    (void)state;
+TEST(cracks) {
     static const int longest[] = {0, 500, 5000, 20000};
     for (int i = 0; i < 4; i++) {
         struct frame_of_vals frame;
@@ -481,8 +476,7 @@ static double argument(const struct fitted *fitted, double z) {
     return fitted->end * beyond / (beyond + fitted->knee) * (range + fitted->knee) / range;
 }
 
-static void test_ranges(void **state) {
-    (void)state;
+TEST(ranges) {
     struct frame_of_vals frame;
     open_vals(&frame, "scenes/cornell-animal.glb",
               "vpls=256 vals=8 interleave=1 map-size=64 visibility=cssm");
@@ -567,8 +561,7 @@ static void check_bases(const struct frame_of_vals *frame, int k, int group) {
     }
 }
 
-static void test_bases(void **state) {
-    (void)state;
+TEST(bases) {
     struct frame_of_vals frame;
     open_vals(&frame, "scenes/cornell-box.glb",
               "vpls=64 vals=3 interleave=1 map-size=64 visibility=cssm "
@@ -579,15 +572,4 @@ static void test_bases(void **state) {
     close_vals(&frame);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_clusters),
-        cmocka_unit_test(test_views),
-        cmocka_unit_test(test_views_from_outside),
-        cmocka_unit_test(test_depth_maps),
-        cmocka_unit_test(test_cracks),
-        cmocka_unit_test(test_ranges),
-        cmocka_unit_test(test_bases),
-    };
-    return cmocka_run_group_tests_name("passes", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -116,8 +116,7 @@ static void check_sums(int size, int moments) {
     free(sums);
 }
 
-static void test_sums(void **state) {
-    (void)state;
+TEST(sums) {
     check_sums(16, 2);
     check_sums(301, 2);
     check_sums(301, 4);
@@ -158,8 +157,7 @@ static double box_error(const struct depths *depths, const uint32_t *sums,
 
 /* As exact as a texel's twelve bits, in boxes of all widths: that of all texels wraps in
  * no table. */
-static void test_basis_sums(void **state) {
-    (void)state;
+TEST(basis_sums) {
     enum { SIZE = 300, SIDE = SIZE + 1 };
     static const int boxes[][4] = {{0, 0, SIZE, SIZE},
                                    {7, 3, 8, 4},
@@ -222,8 +220,7 @@ static int wrong_squares(const struct depths *depths, const struct depth_bounds 
     return wrong;
 }
 
-static void test_bounds(void **state) {
-    (void)state;
+TEST(bounds) {
     static const int sizes[] = {2, 16, 37, 300};
     struct timers timers;
     struct frame frame = untimed_frame(&timers);
@@ -293,8 +290,7 @@ static const char *const moment_names[] = {"vssm", "msm"};
 
 /* One caster before a receiver that is in the map: both are exact, but for the bias of four
  * moments. */
-static void test_two_depths(void **state) {
-    (void)state;
+TEST(two_depths) {
     static const double shares[CELLS] = {.1, .25, .5, .75, .9}, near[CELLS] = {.3, .5, .2, .6, .4};
     for (int f = 0; f < 2; f++) {
         struct answer answers[CELLS];
@@ -314,8 +310,7 @@ static void test_two_depths(void **state) {
 
 /* Two casters that hide all of the light, a apart, the receiver b behind the second: two moments
  * light it by Chebyshev's inequality, four do not. */
-static void test_bleeding(void **state) {
-    (void)state;
+TEST(bleeding) {
     static const double behind[CELLS] = {.25, .5, 1, 2, 4}; /* b / a */
     static const double lit[CELLS] = {.308, .2, .1, .038, .012};
     const double a = .08;
@@ -333,8 +328,7 @@ static void test_bleeding(void **state) {
 }
 
 /* The straight part of a truncated series. */
-static void test_steps(void **state) {
-    (void)state;
+TEST(steps) {
     static const struct {
         int terms;
         double zero, full;
@@ -347,11 +341,4 @@ static void test_steps(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sums),     cmocka_unit_test(test_basis_sums),
-        cmocka_unit_test(test_bounds),   cmocka_unit_test(test_two_depths),
-        cmocka_unit_test(test_bleeding), cmocka_unit_test(test_steps),
-    };
-    return cmocka_run_group_tests_name("prefilter", tests, open_group_shaders, close_group_shaders);
-}
+RUN_TESTS(open_group_shaders, close_group_shaders)

@@ -97,8 +97,7 @@ static void make_direction(uint32_t i, struct brdf *brdf, vec3s *v, vec3s *l) {
         *l = brdf_sample(brdf, n, *v, sampler_next(&sampler));
 }
 
-static void test_same_as_traced(void **state) {
-    (void)state;
+TEST(same_as_traced) {
     static struct question questions[DIRECTIONS];
     static vec4 answers[DIRECTIONS];
     const vec3s n = {{0, 0, 1}};
@@ -128,8 +127,7 @@ static void test_same_as_traced(void **state) {
 
 /* Directions that rays take, and their density: those of the tracer's metals, whose samples all go
  * to the lobe. */
-static void test_sampled_as_traced(void **state) {
-    (void)state;
+TEST(sampled_as_traced) {
     static struct question questions[DIRECTIONS];
     static vec4 answers[DIRECTIONS];
     const vec3s n = {{0, 0, 1}};
@@ -211,8 +209,7 @@ static double traced(const struct emitter *light, const struct brdf *brdf, vec3s
     return sum / (SIDE * SIDE);
 }
 
-static void test_lights(void **state) {
-    (void)state;
+TEST(lights) {
     static const char *const names[LIGHTS] = {"rectangle", "disk", "sphere", "sun"};
     static struct light_block block;
     struct geometry geometry = {.radius = 1};
@@ -261,8 +258,7 @@ static void make_ball(struct question *question, float radius, float tilt, bool 
                                   .to_eye = {0, 0, -1}};
 }
 
-static void test_ball(void **state) {
-    (void)state;
+TEST(ball) {
     static const float radii[] = {1e-4F, .1F, .25F, .5F, 1};
     struct question questions[5];
     vec4 answers[5];
@@ -289,8 +285,7 @@ static void test_ball(void **state) {
 }
 
 /* As much as an even plane gives, however large the balls are: pi (1 + cos) / 2. */
-static void test_plane_of_balls(void **state) {
-    (void)state;
+TEST(plane_of_balls) {
     static const float radii[] = {.2F, .6F, 1}, tilts[] = {0, .5F};
     struct question questions[6];
     vec4 answers[6];
@@ -333,8 +328,7 @@ static struct image trace(const struct stage *stage, int size) {
     return traced;
 }
 
-static void test_picture(void **state) {
-    (void)state;
+TEST(picture) {
     enum { SIZE = 96 };
     struct stage stage;
     open_stage(&stage, "scenes/gloss.glb");
@@ -381,8 +375,7 @@ static double unevenness(const struct image *image, const char *layer) {
 
 /* A wall that is a mirror, and sees light of later bounces alone, does not show the pattern by
  * which pixels share their VPLs. */
-static void test_mirror_of_bounces(void **state) {
-    (void)state;
+TEST(mirror_of_bounces) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct material *wall = &stage.scene.materials[2];
@@ -450,8 +443,7 @@ static void check_mirror(const struct stage *stage, double cosine) {
     image_free(&drawn);
 }
 
-static void test_mirror(void **state) {
-    (void)state;
+TEST(mirror) {
     struct stage stage;
     struct camera camera = {.eye = {.5F, .5F, 1},
                             .right = {1, 0, 0},
@@ -494,8 +486,7 @@ static void check_floor(const struct stage *stage, const struct image *reference
 }
 
 /* A floor of rough metal throws a spot's light onto the wall ahead. */
-static void test_metal_floor(void **state) {
-    (void)state;
+TEST(metal_floor) {
     static const float of_floor[] = {.45F, .6F, .8F};
     const struct camera camera = {.eye = {.5F, 1.5F, 3},
                                   .right = {1, 0, 0},
@@ -526,17 +517,4 @@ static void test_metal_floor(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_same_as_traced),
-        cmocka_unit_test(test_sampled_as_traced),
-        cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_ball),
-        cmocka_unit_test(test_plane_of_balls),
-        cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_mirror_of_bounces),
-        cmocka_unit_test(test_mirror),
-        cmocka_unit_test(test_metal_floor),
-    };
-    return cmocka_run_group_tests_name("specular", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

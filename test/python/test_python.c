@@ -52,30 +52,25 @@ static void run_script(const char *script) {
     run_script_of(BUILD "/python", script);
 }
 
-static void test_bits(void **state) {
-    (void)state;
+TEST(bits) {
     run_script("check_bits.py % @");
 }
 
-static void test_arguments(void **state) {
-    (void)state;
+TEST(arguments) {
     run_script("check_arguments.py % @");
 }
 
-static void test_life(void **state) {
-    (void)state;
+TEST(life) {
     run_script("check_life.py");
 }
 
-static void test_notebook(void **state) {
-    (void)state;
+LONG_TEST(notebook) {
     run_script("run_notebook.py examples/python.ipynb");
 }
 
 /* pip's wheel is for any later Python, carries the library and makes the same bits, from wherever
  * it lies. */
-static void test_wheel(void **state) {
-    (void)state;
+LONG_TEST(wheel) {
     need_python();
     need_command(
         "/usr/bin/python3 -c 'import mesonpy, pip; mesonpy.__version__ >= \"0.14\" or exit(1)'");
@@ -88,11 +83,4 @@ static void test_wheel(void **state) {
     run_script_of("@/site", "check_bits.py % @");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_bits),  cmocka_unit_test(test_arguments),
-        cmocka_unit_test(test_life),  cmocka_unit_test(test_notebook),
-        cmocka_unit_test(test_wheel),
-    };
-    return run_some_tests(tests, 3, build_module, NULL);
-}
+RUN_TESTS(build_module, NULL)

@@ -46,8 +46,7 @@ static void check_floor(const char *what, struct world *world, float x, float di
     image_free(&image);
 }
 
-static void test_plane(void **state) {
-    (void)state;
+TEST(plane) {
     struct world world;
     start_floor(&world);
     world_finish(&world);
@@ -59,8 +58,7 @@ static void test_plane(void **state) {
 }
 
 /* 1 - (acos u - u sqrt(1 - u^2)) / pi of a wall at u D: 1/2 at its foot, 1 from D on. */
-static void test_wall(void **state) {
-    (void)state;
+TEST(wall) {
     struct world world;
     start_floor(&world);
     add_rectangle(&world, 0, at(0, 0, 10), at(0, 0, -20), at(0, 10, 0));
@@ -74,8 +72,7 @@ static void test_wall(void **state) {
 
 /* (H / D)^2 under a ceiling at H: the farther a ray counts, the less is open; 1 where it counts to
  * H. */
-static void test_ceiling(void **state) {
-    (void)state;
+TEST(ceiling) {
     struct world world;
     start_floor(&world);
     add_rectangle(&world, 0, at(-10, .5F, -10), at(20, 0, 0), at(0, 0, 20));
@@ -107,8 +104,7 @@ static void add_turned(struct world *world, const vec2s *profile, int count, flo
 }
 
 /* r^2 / (r^2 + h^2) in the middle of the floor of a round hole. */
-static void test_hole(void **state) {
-    (void)state;
+TEST(hole) {
     struct world world;
     start_floor(&world);
     add_turned(&world, (vec2s[]){{{.5F, 1}}, {{.5F, 0}}}, 2, NAN);
@@ -136,8 +132,7 @@ static void start_bowl(struct world *world, double share) {
 }
 
 /* Form factors between points of a sphere are equal: 1 - f at every point. */
-static void test_bowl(void **state) {
-    (void)state;
+TEST(bowl) {
     static const double shares[] = {.25, .5, .75};
     for (int i = 0; i < 3; i++)
         for (int far = 0; far < 2; far++) {
@@ -153,8 +148,7 @@ static void test_bowl(void **state) {
 
 /* In a hemisphere all pixels have the same value: their distance from it is what their standard
  * errors tell. */
-static void test_noise(void **state) {
-    (void)state;
+TEST(noise) {
     struct world world;
     struct image image;
     start_bowl(&world, .5);
@@ -175,8 +169,7 @@ static void test_noise(void **state) {
 }
 
 /* Holes of alpha masks are no ceiling. */
-static void test_alpha_mask(void **state) {
-    (void)state;
+TEST(alpha_mask) {
     static unsigned char texel[4] = {255, 255, 255, 0};
     struct scene_texture texture = {.bitmap = {1, 1, texel}, .nearest = true};
     for (int solid = 0; solid < 2; solid++) {
@@ -193,8 +186,7 @@ static void test_alpha_mask(void **state) {
 }
 
 /* The mean is over samples that show a surface: no dark seam, and 0 beside it. */
-static void test_background(void **state) {
-    (void)state;
+TEST(background) {
     struct world world;
     struct image image;
     start_floor(&world);
@@ -214,8 +206,7 @@ static void test_background(void **state) {
 
 /* The layer does not depend on threads, and the other layers not on it; specular ones come before
  * it. */
-static void test_same_bits(void **state) {
-    (void)state;
+TEST(same_bits) {
     struct world world;
     struct image images[4];
     start_floor(&world);
@@ -252,13 +243,4 @@ static void test_same_bits(void **state) {
     world_free(&world);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plane),      cmocka_unit_test(test_wall),
-        cmocka_unit_test(test_ceiling),    cmocka_unit_test(test_hole),
-        cmocka_unit_test(test_bowl),       cmocka_unit_test(test_noise),
-        cmocka_unit_test(test_alpha_mask), cmocka_unit_test(test_background),
-        cmocka_unit_test(test_same_bits),
-    };
-    return cmocka_run_group_tests_name("ao", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -44,8 +44,7 @@ static double albedo_by_samples(const struct brdf *brdf, float cosine, uint32_t 
 }
 
 /* F = 1, roughness 1: 1 - mu ln(1 + 1/mu). The others are of an independent quadrature. */
-static void test_albedo(void **state) {
-    (void)state;
+TEST(albedo) {
     static const struct {
         float roughness, cosine;
         double albedo;
@@ -69,8 +68,7 @@ static vec3s any_direction(uint32_t i, uint32_t pair) {
     return at_cosine(.01F + .99F * sample.x, 2 * GLM_PIf * sample.y);
 }
 
-static void test_reciprocity(void **state) {
-    (void)state;
+TEST(reciprocity) {
     double worst = 0;
     for (uint32_t i = 0; i < 10000; i++) {
         struct brdf brdf = plastic(.05F + (float)i / 10000);
@@ -141,8 +139,7 @@ static void check_sampling(const struct brdf *brdf, float cosine) {
     check_near("standard deviations", z, 0, 3.5);
 }
 
-static void test_sampling(void **state) {
-    (void)state;
+TEST(sampling) {
     static const float cosines[] = {.95F, .5F, .1F};
     for (int i = 0; i < 3; i++) {
         struct brdf metal = white_metal(.5F), rough = white_metal(1), mixed = plastic(.6F);
@@ -153,8 +150,7 @@ static void test_sampling(void **state) {
 }
 
 /* Metals never reflect more than they get. */
-static void test_energy(void **state) {
-    (void)state;
+TEST(energy) {
     double most = 0;
     for (int r = 0; r <= 10; r++)
         for (int c = 1; c <= 8; c++) {
@@ -187,8 +183,7 @@ static double lobe_albedo_by_half_vectors(double alpha, double cosine, int power
     return sum / (ACROSS * AROUND);
 }
 
-static void test_lobe_albedo(void **state) {
-    (void)state;
+TEST(lobe_albedo) {
     double worst[2] = {0};
     for (int r = 0; r < 8; r++)
         for (int c = 0; c < 8; c++) {
@@ -207,8 +202,7 @@ static void test_lobe_albedo(void **state) {
 /* A white dielectric shows all of even light at every angle, whatever its interface, and reflects
  * all that comes at every angle; no surface shows more. The sum over the lobe is by samples, the
  * diffuse part's by the midpoint rule. */
-static void test_furnace(void **state) {
-    (void)state;
+TEST(furnace) {
     static const float cosines[] = {1, .866F, .5F, .1736F, .0872F};
     static const float roughnesses[] = {.1F, .3F, .5F, .75F, .95F};
     static const struct {
@@ -246,8 +240,7 @@ static void test_furnace(void **state) {
 }
 
 /* What is told of all that a surface reflects of even light, against the sum over views. */
-static void test_even_light(void **state) {
-    (void)state;
+TEST(even_light) {
     enum { VIEWS = 32 };
     static const float roughnesses[] = {.2F, .5F, .9F};
     const struct material material = {
@@ -267,8 +260,7 @@ static void test_even_light(void **state) {
     }
 }
 
-static void test_matt(void **state) {
-    (void)state;
+TEST(matt) {
     struct material material = {.roughness = 1,
                                 .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
                                 .specular_f90 = 1,
@@ -292,8 +284,7 @@ static void test_matt(void **state) {
 
 /* All is reflected outside, as older files' white specular colour has it: hardly anything is left
  * to divide by. */
-static void test_all_outside(void **state) {
-    (void)state;
+TEST(all_outside) {
     const struct material materials[] = {
         {.roughness = 1, .specular_f0 = {1, 1, 1}, .specular_f90 = 1},
         {.roughness = .1F, .specular_f0 = {1, 0, 0}, .specular_f90 = 1},
@@ -309,13 +300,4 @@ static void test_all_outside(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_albedo),      cmocka_unit_test(test_reciprocity),
-        cmocka_unit_test(test_sampling),    cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_lobe_albedo), cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_even_light),  cmocka_unit_test(test_matt),
-        cmocka_unit_test(test_all_outside),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

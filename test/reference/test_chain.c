@@ -29,8 +29,7 @@ static double beauty_of(struct world *world, const struct path_tracer_desc *look
 }
 
 /* Behind glass that has no back is glass without end. */
-static void test_open(void **state) {
-    (void)state;
+TEST(open) {
     static const float expected[] = {1, .04F};
     for (int absorbs = 0; absorbs < 2; absorbs++) {
         struct world world;
@@ -47,8 +46,7 @@ static void test_open(void **state) {
 }
 
 /* A sky that is hidden behind surfaces still lights them. */
-static void test_hidden_sky(void **state) {
-    (void)state;
+TEST(hidden_sky) {
     struct world world;
     world_init(&world);
     make_mirror(&world.materials[MATERIAL_SMOOTH], .7F);
@@ -61,8 +59,7 @@ static void test_hidden_sky(void **state) {
 }
 
 /* Glass that shines is seen in a mirror, before a sky. */
-static void test_glow(void **state) {
-    (void)state;
+TEST(glow) {
     enum { LAMP = 1 };
     struct world world;
     struct emissive_surface surface = {.end = 6, .lamp = LAMP};
@@ -89,11 +86,4 @@ static void test_glow(void **state) {
     world_free(&world);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_open),
-        cmocka_unit_test(test_hidden_sky),
-        cmocka_unit_test(test_glow),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

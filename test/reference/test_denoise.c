@@ -59,8 +59,7 @@ static void brighten_right(struct picture *picture) {
             picture->pixels[i].light = (vec3s){{3, 3, 3}};
 }
 
-static void test_constant(void **state) {
-    (void)state;
+TEST(constant) {
     static struct picture picture;
     make_plane(&picture);
     for (int i = 0; i < COUNT; i += 7)
@@ -72,8 +71,7 @@ static void test_constant(void **state) {
     check_at_most("a constant changes by", worst, 1e-6);
 }
 
-static void test_edges(void **state) {
-    (void)state;
+TEST(edges) {
     static struct picture picture;
     make_plane(&picture);
     brighten_right(&picture);
@@ -109,8 +107,7 @@ static void test_edges(void **state) {
 }
 
 /* White noise on a plane. */
-static void test_noise(void **state) {
-    (void)state;
+TEST(noise) {
     static struct picture picture;
     uint32_t random = 1;
     make_plane(&picture);
@@ -137,8 +134,7 @@ static void test_noise(void **state) {
 }
 
 /* A pixel that is unlike all others has only them to take light from. */
-static void test_lonely(void **state) {
-    (void)state;
+TEST(lonely) {
     static struct picture picture;
     make_plane(&picture);
     int leaf = 20 * SIZE + 20;
@@ -184,8 +180,7 @@ static double energy_of(const struct image *image) {
     return sum;
 }
 
-static void test_box(void **state) {
-    (void)state;
+TEST(box) {
     static const struct {
         int samples;
         double least_gain;
@@ -209,10 +204,4 @@ static void test_box(void **state) {
     image_free(&reference);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_constant), cmocka_unit_test(test_edges), cmocka_unit_test(test_noise),
-        cmocka_unit_test(test_lonely),   cmocka_unit_test(test_box),
-    };
-    return cmocka_run_group_tests_name("denoise", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -8,8 +8,7 @@
 
 /* --- one interface ---------------------------------------------------------------------------- */
 
-static void test_fresnel(void **state) {
-    (void)state;
+TEST(fresnel) {
     static const struct {
         double angle, reflectance;
     } rows[] = {{0, .04}, {30, .041523}, {60, .089187}, {89.999, 1}};
@@ -59,8 +58,7 @@ static double crossing(const struct smooth_ray *ray) {
 }
 
 /* Parallel rays through a ball meet R / 2 behind it, those aside a bit before. */
-static void test_ball(void **state) {
-    (void)state;
+TEST(ball) {
     static const float asides[] = {.1F, .25F, .5F};
     for (size_t i = 0; i < sizeof asides / sizeof *asides; i++) {
         struct world world;
@@ -98,8 +96,7 @@ static void add_tube(struct world *world, int material, float height) {
 
 /* A sun at 45 degrees into a mirror tube without a lid: the caustic's cusp lies half a radius from
  * the middle. */
-static void test_cusp(void **state) {
-    (void)state;
+TEST(cusp) {
     struct world world;
     struct image image;
     enum { SIZE = 64 };
@@ -132,8 +129,7 @@ static void test_cusp(void **state) {
 /* --- exact answers ---------------------------------------------------------------------------- */
 
 /* A floor beside an upright mirror: the light comes from behind the mirror, too. */
-static void test_mirror(void **state) {
-    (void)state;
+TEST(mirror) {
     enum { STEPS = 100 };
     struct world world;
     struct image image;
@@ -161,8 +157,7 @@ static void test_mirror(void **state) {
 }
 
 /* A slab of glass between a light and the floor, seen below it. */
-static void test_slab(void **state) {
-    (void)state;
+TEST(slab) {
     struct world world;
     struct image image;
     world_init(&world);
@@ -187,8 +182,7 @@ static void test_slab(void **state) {
 
 /* A mirror that reflects all sends all light to the floor that lies below, and all of that
  * is seen. */
-static void test_energy(void **state) {
-    (void)state;
+TEST(energy) {
     struct world world;
     struct image image;
     world_init(&world);
@@ -240,8 +234,7 @@ static void look_along(struct world *world, bool orthographic) {
 }
 
 /* Light straight from the light is direct light and airlight. */
-static void test_straight(void **state) {
-    (void)state;
+TEST(straight) {
     static const struct {
         const char *name;
         enum emitter_type type;
@@ -302,8 +295,7 @@ static void make_roof(struct world *world, const struct material *glass) {
 }
 
 /* Glass that bends nothing is not there. */
-static void test_index_one(void **state) {
-    (void)state;
+TEST(index_one) {
     struct material glass;
     make_glass(&glass, 1);
     for (int thin = 0; thin < 2; thin++) {
@@ -333,8 +325,7 @@ static void test_index_one(void **state) {
 }
 
 /* However far away the lamp is, rays go to all of the glass. */
-static void test_far(void **state) {
-    (void)state;
+TEST(far) {
     struct world world;
     struct image image;
     struct material glass;
@@ -349,8 +340,7 @@ static void test_far(void **state) {
 }
 
 /* Nor does it hide anything from the camera above it. */
-static void test_window(void **state) {
-    (void)state;
+TEST(window) {
     struct material glass;
     make_glass(&glass, 1);
     double beauty[2];
@@ -371,8 +361,7 @@ static void test_window(void **state) {
 }
 
 /* Glass takes no light and adds none. */
-static void test_seen_through(void **state) {
-    (void)state;
+TEST(seen_through) {
     float texels[2][3] = {{1, 1, 1}, {1, 1, 1}};
     struct environment sky = {.width = 2, .height = 1, .texels = texels, .strength = 1};
     for (int kind = 0; kind < 3; kind++) {
@@ -411,8 +400,7 @@ static void make_bright(struct world *world) {
     place_light(world, EMITTER_POINT, at(.3F, 2, 0), at(0, -1, 0), 1);
 }
 
-static void test_relations(void **state) {
-    (void)state;
+TEST(relations) {
     struct world world;
     struct image one, again, halves, more;
     make_bright(&world);
@@ -444,8 +432,7 @@ static void test_relations(void **state) {
 }
 
 /* A beam that a window lets through, seen from the front and from behind. */
-static void test_sides(void **state) {
-    (void)state;
+TEST(sides) {
     double volumes[2];
     for (int side = 0; side < 2; side++) {
         struct world world;
@@ -478,8 +465,7 @@ static void test_sides(void **state) {
 }
 
 /* The error that is told is that between two seeds. */
-static void test_noise(void **state) {
-    (void)state;
+TEST(noise) {
     struct world world;
     struct image image, other;
     double square = 0, told = 0;
@@ -537,8 +523,7 @@ static void make_hard(struct world *world, enum hard hard) {
     place_light(world, EMITTER_POINT, inside ? at(.1F, .5F, 0) : at(.3F, 1.5F, 0), at(0, -1, 0), 1);
 }
 
-static void test_hard(void **state) {
-    (void)state;
+TEST(hard) {
     static const char *const names[] = {"camera inside glass", "nested glass",
                                         "an open mesh",        "total reflection everywhere",
                                         "absorption of 1e6",   "a light inside glass",
@@ -564,8 +549,7 @@ static void test_hard(void **state) {
 }
 
 /* Nothing is traced where there is nothing to bend light. */
-static void test_no_glass(void **state) {
-    (void)state;
+TEST(no_glass) {
     struct world world;
     struct image image;
     world_in_sphere(&world);
@@ -578,16 +562,4 @@ static void test_no_glass(void **state) {
     world_free(&world);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_fresnel),   cmocka_unit_test(test_ball),
-        cmocka_unit_test(test_cusp),      cmocka_unit_test(test_mirror),
-        cmocka_unit_test(test_slab),      cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_straight),  cmocka_unit_test(test_index_one),
-        cmocka_unit_test(test_window),    cmocka_unit_test(test_seen_through),
-        cmocka_unit_test(test_relations), cmocka_unit_test(test_noise),
-        cmocka_unit_test(test_sides),     cmocka_unit_test(test_hard),
-        cmocka_unit_test(test_no_glass),  cmocka_unit_test(test_far),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

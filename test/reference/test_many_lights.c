@@ -93,19 +93,16 @@ static void compare_with_dark(bool metal, bool medium) {
     world_free(&world);
 }
 
-static void test_metal(void **state) {
-    (void)state;
+TEST(metal) {
     compare_with_dark(true, false);
 }
 
-static void test_medium(void **state) {
-    (void)state;
+TEST(medium) {
     compare_with_dark(false, true);
 }
 
 /* Equal lights in one place are one, and their direct light has no noise at all. */
-static void test_one_place(void **state) {
-    (void)state;
+TEST(one_place) {
     enum { LIGHTS = 200 };
     struct world world;
     struct emitter lights[LIGHTS];
@@ -152,8 +149,7 @@ static void compare_parts(struct emitter whole, int across) {
     world_free(&world);
 }
 
-static void test_parts(void **state) {
-    (void)state;
+TEST(parts) {
     struct emitter area = emitter_new(EMITTER_AREA), sun = emitter_new(EMITTER_DIRECTIONAL);
     glm_vec3_copy((vec3){.6F, 1, .5F}, area.position);
     area.size[0] = .6F;
@@ -164,12 +160,4 @@ static void test_parts(void **state) {
     compare_parts(sun, 10);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_metal),
-        cmocka_unit_test(test_medium),
-        cmocka_unit_test(test_one_place),
-        cmocka_unit_test(test_parts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -84,8 +84,7 @@ static vec3s passes_at(const struct pane_scene *scene, float degrees) {
 }
 
 /* CIE 171:2006, 5.5: clear glass of index 1.52 with inner reflections. */
-static void test_glass_by_angle(void **state) {
-    (void)state;
+TEST(glass_by_angle) {
     static const float degrees[] = {0, 15, 30, 45, 60, 75, 80};
     static const double expected[] = {.9183, .9182, .9160, .9025, .8435, .6148, .4560};
     struct material glass = plain();
@@ -114,8 +113,7 @@ static void test_glass_by_angle(void **state) {
     close_rays(&scene);
 }
 
-static void test_blended(void **state) {
-    (void)state;
+TEST(blended) {
     static const float alphas[] = {0, .2F, .5F, .7F, 1};
     for (size_t i = 0; i < sizeof alphas / sizeof *alphas; i++) {
         struct material pane = plain();
@@ -136,8 +134,7 @@ static void test_blended(void **state) {
 }
 
 /* The floor through the pane, lit through it, and the pane's own light before it. */
-static void test_seen(void **state) {
-    (void)state;
+TEST(seen) {
     static const float alphas[] = {.3F, .5F, .8F};
     for (size_t i = 0; i < sizeof alphas / sizeof *alphas; i++) {
         struct world world;
@@ -157,8 +154,7 @@ static void test_seen(void **state) {
 }
 
 /* Light of one bounce from the floor to the ceiling through a pane is as much less. */
-static void test_bounce(void **state) {
-    (void)state;
+TEST(bounce) {
     double seen[3];
     for (int kind = 0; kind < 3; kind++) {
         struct world world;
@@ -191,8 +187,7 @@ static void test_bounce(void **state) {
 }
 
 /* Interpolated alphas are a rounding off. */
-static void test_cutoff(void **state) {
-    (void)state;
+TEST(cutoff) {
     static const float alphas[] = {.5F, .3F, .9F};
     for (size_t i = 0; i < sizeof alphas / sizeof *alphas; i++) {
         struct material mask = plain();
@@ -209,11 +204,4 @@ static void test_cutoff(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_glass_by_angle), cmocka_unit_test(test_blended),
-        cmocka_unit_test(test_seen),           cmocka_unit_test(test_bounce),
-        cmocka_unit_test(test_cutoff),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

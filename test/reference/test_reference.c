@@ -28,8 +28,7 @@ static double floor_direct(const struct world *world, double x, double z) {
     return light->intensity[0] * cone * cone * (-dy / distance) / (GLM_PI * distance * distance);
 }
 
-static void test_light_on_floor(void **state) {
-    (void)state;
+TEST(light_on_floor) {
     struct world world;
     struct image image;
     world_init(&world);
@@ -69,8 +68,7 @@ static void test_light_on_floor(void **state) {
 
 /* Every pair of points of a sphere has the geometry term 1 / (4 R^2): each bounce is the
  * albedo times the one before, in every pixel. */
-static void test_sphere(void **state) {
-    (void)state;
+TEST(sphere) {
     struct world world;
     struct image image;
     world_in_sphere(&world);
@@ -141,8 +139,7 @@ static void check_one_bounce(struct world *world, const char *what,
     image_free(&image);
 }
 
-static void test_rectangles(void **state) {
-    (void)state;
+TEST(rectangles) {
     struct world world;
     world_init(&world);
     add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
@@ -163,11 +160,4 @@ static void test_rectangles(void **state) {
     world_free(&world);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_light_on_floor),
-        cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_rectangles),
-    };
-    return cmocka_run_group_tests_name("reference", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -19,8 +19,7 @@ static int reference(const char *arguments, char *output, size_t output_size) {
     return status;
 }
 
-static void test_usage(void **state) {
-    (void)state;
+TEST(usage) {
     static const struct {
         const char *arguments, *says;
         int status;
@@ -60,8 +59,7 @@ static void test_usage(void **state) {
 }
 
 /* A scene without glass says so; one with glass in a medium has all layers. */
-static void test_light_paths(void **state) {
-    (void)state;
+TEST(light_paths) {
     char arguments[700], output[4096];
     const char *path = scratch("light-paths.exr");
     snprintf(arguments, sizeof arguments,
@@ -85,8 +83,7 @@ static void test_light_paths(void **state) {
 }
 
 /* Scene file to picture file: 0.5 direct, 0.25 bounced radiance in every pixel. */
-static void test_sphere_file(void **state) {
-    (void)state;
+TEST(sphere_file) {
     char arguments[700], output[4096];
     const char *path = scratch("reference-sphere.exr");
     snprintf(arguments, sizeof arguments, "scenes/sphere.glb -o %s --size 16x12 --noise 1%% -q",
@@ -116,8 +113,7 @@ static void test_sphere_file(void **state) {
 }
 
 /* The sphere's diameter is 2 m: nothing is open from 2 m on, and all but (D / 2)^2 within D. */
-static void test_ao_file(void **state) {
-    (void)state;
+TEST(ao_file) {
     static const struct {
         const char *distance;
         double open;
@@ -204,21 +200,12 @@ static void compare_with_given(const char *name) {
     images_free(&test, &given);
 }
 
-static void test_given_box(void **state) {
-    (void)state;
+TEST(given_box) {
     compare_with_given("cornell-box");
 }
 
-static void test_given_horse(void **state) {
-    (void)state;
+TEST(given_horse) {
     compare_with_given("cornell-horse");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_usage),       cmocka_unit_test(test_light_paths),
-        cmocka_unit_test(test_sphere_file), cmocka_unit_test(test_ao_file),
-        cmocka_unit_test(test_given_box),   cmocka_unit_test(test_given_horse),
-    };
-    return cmocka_run_group_tests_name("reference_app", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

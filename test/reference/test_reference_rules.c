@@ -42,8 +42,7 @@ static const float *right_pixel(const struct image *image) {
     return image_at(image, 6, 4);
 }
 
-static void test_back_of_single_sided(void **state) {
-    (void)state;
+TEST(back_of_single_sided) {
     struct world world;
     start_floor(&world);
     add_half_cover(&world, 1, false);
@@ -54,8 +53,7 @@ static void test_back_of_single_sided(void **state) {
     image_free(&image);
 }
 
-static void test_back_of_double_sided(void **state) {
-    (void)state;
+TEST(back_of_double_sided) {
     struct world world;
     start_floor(&world);
     world.materials[1].double_sided = true;
@@ -72,8 +70,7 @@ static void test_back_of_double_sided(void **state) {
 
 /* Light bounces off the floor beside the cover to the cover's under side and down again: none of it
  * where the under side is the back of a single-sided material. */
-static void test_bounce_off_a_back(void **state) {
-    (void)state;
+TEST(bounce_off_a_back) {
     double under[3];
     for (int kind = 0; kind < 3; kind++) {
         struct world world;
@@ -102,8 +99,7 @@ static void set_mask(struct world *world, struct scene_texture *texture) {
     world->materials[1].alpha_mask = true;
 }
 
-static void test_alpha_mask(void **state) {
-    (void)state;
+TEST(alpha_mask) {
     struct world world;
     struct scene_texture texture;
     start_floor(&world);
@@ -132,8 +128,7 @@ static void test_alpha_mask(void **state) {
 }
 
 /* Four rays at once see what each sees alone, holes too. */
-static void test_packets(void **state) {
-    (void)state;
+TEST(packets) {
     struct world world;
     struct scene_texture texture;
     struct hit_table table;
@@ -173,8 +168,7 @@ static void test_packets(void **state) {
 }
 
 /* Where a pixel shows two surfaces, and where it is partly empty. */
-static void test_albedo_weighting(void **state) {
-    (void)state;
+TEST(albedo_weighting) {
     struct world world;
     world_init(&world);
     world.materials[1].base_color[0] = 0.1f;
@@ -208,8 +202,7 @@ static void make_corner(struct world *world) {
     world_finish(world);
 }
 
-static void test_threads_and_seeds(void **state) {
-    (void)state;
+TEST(threads_and_seeds) {
     struct world world;
     struct image one, three, other;
     make_corner(&world);
@@ -246,8 +239,7 @@ static void test_threads_and_seeds(void **state) {
 }
 
 /* Counts that are no multiple of the streams, and a single path. */
-static void test_few_samples(void **state) {
-    (void)state;
+TEST(few_samples) {
     struct world world;
     struct image image;
     make_corner(&world);
@@ -278,8 +270,7 @@ static bool count_calls(void *user, const struct path_tracer_progress *progress)
     return ++*calls < 20;
 }
 
-static void test_noise_and_cancel(void **state) {
-    (void)state;
+TEST(noise_and_cancel) {
     struct world world;
     struct image image, coarse;
     make_corner(&world);
@@ -307,8 +298,7 @@ static void test_noise_and_cancel(void **state) {
 
 /* The first 256 points of a pair are a (0,2)-net: one in each elementary interval. Over many seeds
  * any one point is uniform in the square. */
-static void test_sampler(void **state) {
-    (void)state;
+TEST(sampler) {
     int cells[64] = {0};
     for (uint32_t seed = 0; seed < 4096; seed++) {
         vec2s first = sampler_next(&(struct sampler){.seed = sampler_hash(seed, 7)});
@@ -332,8 +322,7 @@ static void test_sampler(void **state) {
         }
 }
 
-static void test_warps(void **state) {
-    (void)state;
+TEST(warps) {
     static const vec3s axes[] = {{{0, 0, 1}}, {{0, 0, -1}}, {{0.6f, -0.8f, 0}}, {{0, 0.6f, -0.8f}}};
     enum { COUNT = 4096 };
     for (size_t a = 0; a < sizeof axes / sizeof *axes; a++) {
@@ -361,19 +350,4 @@ static void test_warps(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sampler),
-        cmocka_unit_test(test_warps),
-        cmocka_unit_test(test_back_of_single_sided),
-        cmocka_unit_test(test_back_of_double_sided),
-        cmocka_unit_test(test_bounce_off_a_back),
-        cmocka_unit_test(test_alpha_mask),
-        cmocka_unit_test(test_packets),
-        cmocka_unit_test(test_albedo_weighting),
-        cmocka_unit_test(test_threads_and_seeds),
-        cmocka_unit_test(test_few_samples),
-        cmocka_unit_test(test_noise_and_cancel),
-    };
-    return cmocka_run_group_tests_name("reference_rules", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

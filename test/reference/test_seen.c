@@ -46,8 +46,7 @@ static void check_share(const char *what, struct emitter light, float x, double 
 }
 
 /* A square's share is clamp(1/2 + x), a disk's 1/2 + (s sqrt(1 - s^2) + asin s) / pi, s = 2 x. */
-static void test_half_plane(void **state) {
-    (void)state;
+TEST(half_plane) {
     check_share("square", lamp_above(1, 1), -.6F, 0);
     check_share("square", lamp_above(1, 1), -.25F, .25);
     check_share("square", lamp_above(1, 1), 0, .5);
@@ -69,8 +68,7 @@ static double spread_of(const struct image *image, int channel, double value) {
 
 /* How far the pixels' shares are off the closed form is what their standard errors tell; of direct
  * light likewise. */
-static void test_noise(void **state) {
-    (void)state;
+TEST(noise) {
     struct world world;
     struct emitter light = lamp_above(1, 1);
     make_edge(&world);
@@ -86,8 +84,7 @@ static void test_noise(void **state) {
 }
 
 /* Under the middle of the square, whatever hides it, E / L = .752275. */
-static void test_unshadowed(void **state) {
-    (void)state;
+TEST(unshadowed) {
     struct world world;
     struct emitter light = lamp_above(1, 1);
     make_edge(&world);
@@ -100,8 +97,7 @@ static void test_unshadowed(void **state) {
 
 /* A red light that is hidden and a green one that is not: each colour tells of its own; blue, of
  * both. */
-static void test_two(void **state) {
-    (void)state;
+TEST(two) {
     struct world world;
     struct emitter lights[2] = {{.type = EMITTER_POINT, .position = {-1, 1, 0}},
                                 {.type = EMITTER_POINT, .position = {1, 1, 0}}};
@@ -117,8 +113,7 @@ static void test_two(void **state) {
 }
 
 /* Of an even sky, half a plane at a height leaves half above its edge: of what could be seen. */
-static void test_sky(void **state) {
-    (void)state;
+TEST(sky) {
     struct world world;
     float texel[2][3] = {{1, 1, 1}, {1, 1, 1}};
     struct environment sky = {.width = 2, .height = 1, .texels = texel, .strength = 1};
@@ -130,11 +125,4 @@ static void test_sky(void **state) {
     world_free(&world);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_half_plane), cmocka_unit_test(test_noise),
-        cmocka_unit_test(test_unshadowed), cmocka_unit_test(test_two),
-        cmocka_unit_test(test_sky),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -35,8 +35,7 @@ static void look_tilted(struct world *world, float cosine) {
 }
 
 /* Under a sky of 1 a white metal shows its albedo. */
-static void test_sky_of_one(void **state) {
-    (void)state;
+TEST(sky_of_one) {
     static const struct {
         float roughness, cosine;
         double albedo;
@@ -87,8 +86,7 @@ static void place_lamp(struct world *world, enum emitter_shape shape) {
 }
 
 /* Smooth metal shows lights as they are, though no surface is there. */
-static void test_lamps_in_mirror(void **state) {
-    (void)state;
+TEST(lamps_in_mirror) {
     static const char *const names[] = {"", "rectangle", "disk", "sphere", "sun"};
     for (int shape = EMITTER_IS_RECTANGLE; shape <= EMITTER_IS_CAP; shape++) {
         struct world world;
@@ -105,8 +103,7 @@ static void test_lamps_in_mirror(void **state) {
 }
 
 /* A light without a size: the BRDF itself. */
-static void test_point_light(void **state) {
-    (void)state;
+TEST(point_light) {
     struct world world;
     struct image image;
     make_floor(&world, .4F);
@@ -142,8 +139,7 @@ static void check_direction(const char *what, vec3s seen, vec3s expected) {
 }
 
 /* X follows u, Y goes against v, wherever these lie; the back's is the other way round. */
-static void test_normal_map(void **state) {
-    (void)state;
+TEST(normal_map) {
     unsigned char texel[4] = {218, 166, 218, 255}; /* .71, .30, .71 */
     struct scene_texture texture = {.bitmap = {.width = 1, .height = 1, .rgba = texel},
                                     .linear = true};
@@ -300,8 +296,7 @@ static void check_beside(const char *what, struct path_tracer_desc *desc) {
     image_free(&image);
 }
 
-static void test_under_sky(void **state) {
-    (void)state;
+TEST(under_sky) {
     float texels[SKY_WIDTH * SKY_HEIGHT][3];
     struct environment sky = {
         .width = SKY_WIDTH, .height = SKY_HEIGHT, .texels = texels, .strength = 1};
@@ -314,8 +309,7 @@ static void test_under_sky(void **state) {
     world_free(&world);
 }
 
-static void test_under_lamp(void **state) {
-    (void)state;
+TEST(under_lamp) {
     struct world world;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
@@ -329,8 +323,7 @@ static void test_under_lamp(void **state) {
 /* --- noise, and the other setting ------------------------------------------------------------- */
 
 /* Between seeds pictures differ by as much as each says of itself. */
-static void test_noise(void **state) {
-    (void)state;
+TEST(noise) {
     enum { SEEDS = 24, SIZE = 12 };
     double estimated = 0, spread = 0, sums[SIZE * SIZE] = {0}, squares[SIZE * SIZE] = {0};
     struct world world;
@@ -357,8 +350,7 @@ static void test_noise(void **state) {
 }
 
 /* The other setting shows specular scenes as diffuse ones of the same colours, bit for bit. */
-static void test_diffuse(void **state) {
-    (void)state;
+TEST(diffuse) {
     struct world world;
     struct image specular, diffuse;
     make_corner(&world);
@@ -381,8 +373,7 @@ static void test_diffuse(void **state) {
 }
 
 /* The eye sees its colour, and light nothing. */
-static void test_unlit(void **state) {
-    (void)state;
+TEST(unlit) {
     struct world world;
     struct image image;
     make_corner(&world);
@@ -413,8 +404,7 @@ static vec3s place_on_horizon(vec3s normal) {
 }
 
 /* A light vertex there sends nothing: a facet of a gem had a pixel that was not a number. */
-static void test_light_on_horizon(void **state) {
-    (void)state;
+TEST(light_on_horizon) {
     struct world world;
     make_floor(&world, 0);
     struct path_tracer_desc desc = describe(&world, 1, 1);
@@ -447,13 +437,4 @@ static void test_light_on_horizon(void **state) {
     world_free(&world);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sky_of_one),  cmocka_unit_test(test_lamps_in_mirror),
-        cmocka_unit_test(test_point_light), cmocka_unit_test(test_normal_map),
-        cmocka_unit_test(test_under_sky),   cmocka_unit_test(test_under_lamp),
-        cmocka_unit_test(test_noise),       cmocka_unit_test(test_diffuse),
-        cmocka_unit_test(test_unlit),       cmocka_unit_test(test_light_on_horizon),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -59,8 +59,7 @@ static struct vpl *trace_vpls(struct world *world, int count) {
 
 /* Any VPLs whose flux sums to the reflected flux give albedo x direct in every pixel;
  * and nothing inside a sphere hides anything. */
-static void test_sphere(void **state) {
-    (void)state;
+TEST(sphere) {
     struct world world;
     struct image image;
     world_in_sphere(&world);
@@ -80,8 +79,7 @@ static void test_sphere(void **state) {
 
 /* A floor of which the camera sees [0, 1]^2 and a rectangle above that hides the VPL from x < 1/2:
  * the VPL is over x = 1/2, so the shadow's edge is there too. */
-static void test_one_vpl(void **state) {
-    (void)state;
+TEST(one_vpl) {
     struct world world;
     world_init(&world);
     add_rectangle(&world, 0, (vec3s){{-2, 0, 3}}, (vec3s){{5, 0, 0}}, (vec3s){{0, 0, -5}});
@@ -129,8 +127,7 @@ static void test_one_vpl(void **state) {
 
 /* Two implementations of one integral: a spot lights part of a wall, a screen stands between wall
  * and floor. */
-static void test_against_path_tracer(void **state) {
-    (void)state;
+TEST(against_path_tracer) {
     struct world world;
     struct image sum, traced;
     world_init(&world);
@@ -164,11 +161,4 @@ static void test_against_path_tracer(void **state) {
     world_free(&world);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_one_vpl),
-        cmocka_unit_test(test_against_path_tracer),
-    };
-    return cmocka_run_group_tests_name("vpl_sum", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -35,8 +35,7 @@ static double worst_difference(const struct image *a, const struct image *b) {
 }
 
 /* The frame does not see that it is asked, before or after; and what it says is no technique's. */
-static void test_every_technique(void **state) {
-    (void)state;
+TEST(every_technique) {
     struct stage stage;
     struct image first = {0};
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -74,8 +73,7 @@ static struct image trace(const struct stage *stage, float distance) {
 }
 
 /* With all samples of a pixel, and 0 beside the box. */
-static void test_traced(void **state) {
-    (void)state;
+TEST(traced) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -118,8 +116,7 @@ static void check_as_fresh(const char *what, struct renderer *renderer,
     renderer_free(&fresh);
 }
 
-static void test_changes(void **state) {
-    (void)state;
+TEST(changes) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -140,8 +137,7 @@ static void test_changes(void **state) {
 }
 
 /* Points move with their triangles. */
-static void test_poses(void **state) {
-    (void)state;
+TEST(poses) {
     struct stage stage;
     struct renderer moved, fresh;
     open_stage(&stage, "scenes/door.glb");
@@ -178,8 +174,7 @@ static void mark(const struct texture *texture) {
 }
 
 /* It is drawn once of each frame, and rays are traced once of each pose. */
-static void test_kept(void **state) {
-    (void)state;
+TEST(kept) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/door.glb");
@@ -202,8 +197,7 @@ static void test_kept(void **state) {
 }
 
 /* Before a frame is drawn. */
-static void test_refusal(void **state) {
-    (void)state;
+TEST(refusal) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -215,15 +209,4 @@ static void test_refusal(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_technique),
-        cmocka_unit_test(test_traced),
-        cmocka_unit_test(test_changes),
-        cmocka_unit_test(test_poses),
-        cmocka_unit_test(test_kept),
-        cmocka_unit_test(test_refusal),
-    };
-    return cmocka_run_group_tests_name("ambient occlusion", tests, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -59,8 +59,7 @@ static void check_technique(const struct stage *stage, const char *name, bool ke
     renderer_free(&renderer);
 }
 
-static void test_cancelled_frames(void **state) {
-    (void)state;
+TEST(cancelled_frames) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     for (size_t i = 0; techniques[i]; i++)
@@ -70,8 +69,7 @@ static void test_cancelled_frames(void **state) {
 }
 
 /* A watch that nobody cancels changes no bit. */
-static void test_watched_frame(void **state) {
-    (void)state;
+TEST(watched_frame) {
     struct stage stage;
     struct renderer renderer;
     int asked;
@@ -87,10 +85,4 @@ static void test_watched_frame(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cancelled_frames),
-        cmocka_unit_test(test_watched_frame),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -11,8 +11,7 @@ static const char *const kinds[] = {CHEAP "caustics.surface=patches caustics.siz
                                     CHEAP "caustics.surface=points caustics.size=256"};
 
 /* The light of a mirrored light, tinted. */
-static void test_mirror(void **state) {
-    (void)state;
+TEST(mirror) {
     struct stage stage;
     open_mirror(&stage, 4, 1);
     for (int k = 0; k < 2; k++) {
@@ -29,8 +28,7 @@ static void test_mirror(void **state) {
 }
 
 /* On the axis: I (1 - F)^2 / (s + t/n + e)^2. */
-static void test_slab(void **state) {
-    (void)state;
+TEST(slab) {
     struct stage stage;
     open_slab(&stage, 1.5F, 1, .5F);
     struct image drawn = draw(&stage, PATCHES);
@@ -64,16 +62,14 @@ static void check_energy(double half) {
     stage_free(&stage);
 }
 
-static void test_energy(void **state) {
-    (void)state;
+TEST(energy) {
     check_energy(.25);
     check_energy(.005); /* small in the light's wide cone */
 }
 
 /* An object that bends nothing: light that was direct is a caustic, airlight a caustic in the
  * medium. It holds for any pictures, cameras and numbers of rays. */
-static void test_no_refraction(void **state) {
-    (void)state;
+TEST(no_refraction) {
     static const struct {
         float g, field, roll; /* radians */
         int rays, size;
@@ -177,8 +173,7 @@ static void check_same_volume(const char *what, struct image *drawn, struct imag
 /* Light from one mirror to another is seen as light from a mirror to a surface that scatters. Rays
  * differ, because the light's view is fitted to mirrors. Of two such segments a ray draws one by
  * chance, for both. */
-static void test_between_mirrors(void **state) {
-    (void)state;
+TEST(between_mirrors) {
     struct between between = {.mirror_ceiling = true, .from = 1.2F, .to = 2.8F}, lands = between;
     lands.mirror_ceiling = false;
     struct image one = draw_between(&between), expected = draw_between(&lands);
@@ -191,8 +186,7 @@ static void test_between_mirrors(void **state) {
 }
 
 /* Channels of little light are right as well: shares of all light are rounded by chance. */
-static void test_between_colours(void **state) {
-    (void)state;
+TEST(between_colours) {
     struct between between = {
         .mirror_ceiling = true, .from = 1.2F, .to = 2.8F, .intensity = {1, 1e-4F, 1e-3F}};
     struct image drawn = draw_between(&between);
@@ -203,8 +197,7 @@ static void test_between_colours(void **state) {
 
 /* Light of a range of 4 m comes 4.2 m to the ceiling: in the medium it fades with its way, the
  * square root of two times x, as the light of no range does not. */
-static void test_range(void **state) {
-    (void)state;
+TEST(range) {
     for (int mirror = 0; mirror < 2; mirror++) {
         struct between between = {.mirror_ceiling = mirror, .from = 1.2F, .to = 2.8F};
         struct image all = draw_between(&between);
@@ -225,8 +218,7 @@ static void test_range(void **state) {
 
 /* Numbers by which a ray goes on do not choose its line: light behind dark glass is the same for
  * the first light as for one whose number no surface has. */
-static void test_chance(void **state) {
-    (void)state;
+TEST(chance) {
     enum { LIGHTS = 40 };
     double means[2];
     for (int last = 0; last < 2; last++) {
@@ -263,8 +255,7 @@ static void test_chance(void **state) {
 
 /* Published lines all have one weight. Across the view it is the square root of two times the right
  * one, at the depth of the glass; steps and kernel keep the mean. */
-static void test_published(void **state) {
-    (void)state;
+TEST(published) {
     static const char *const settings[] = {"paper", "paper caustics.step=.02",
                                            "paper caustics.step=.02 caustics.kernel=.25",
                                            "paper caustics.kernel=2 caustics.step=.02"};
@@ -294,8 +285,7 @@ static void test_published(void **state) {
 
 /* Light from beside a wide mirror, just above it: the reflected light of directions that its
  * corners do not bound. */
-static void test_low_light(void **state) {
-    (void)state;
+TEST(low_light) {
     struct stage stage;
     char nodes[512];
     int used = snprintf(nodes, sizeof nodes,
@@ -320,8 +310,7 @@ static void test_low_light(void **state) {
 }
 
 /* A mirror of one side is black from behind, as the reference has it. */
-static void test_behind(void **state) {
-    (void)state;
+TEST(behind) {
     struct stage stage;
     open_squares(&stage, &(struct square){UP_NODE, 3, 4}, 1, 1);
     make_mirror(&stage);
@@ -338,8 +327,7 @@ static void test_behind(void **state) {
 }
 
 /* A light that lies on a surface, as those of lamps do: the surface does not keep its light. */
-static void test_lamp(void **state) {
-    (void)state;
+TEST(lamp) {
     static const double turns[] = {.3, .5, .7, .9};
     const double side = .02;
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
@@ -372,8 +360,7 @@ static void test_lamp(void **state) {
 }
 
 /* Caustics carry all that a mirror reflects, so no technique has it light the floor as well. */
-static void test_no_indirect(void **state) {
-    (void)state;
+TEST(no_indirect) {
     struct stage stage;
     open_mirror(&stage, 4, 1);
     for (int i = 0; techniques[i]; i++) {
@@ -390,8 +377,7 @@ static void test_no_indirect(void **state) {
 /* --- relations -------------------------------------------------------------------------------- */
 
 /* More rays: the same light with less noise. */
-static void test_more_rays(void **state) {
-    (void)state;
+TEST(more_rays) {
     static const char *const scenes[] = {"scenes/ring.glb", "scenes/gem.glb"};
     for (int s = 0; s < 2; s++) {
         struct stage stage;
@@ -412,8 +398,7 @@ static void test_more_rays(void **state) {
     }
 }
 
-static void test_halves(void **state) {
-    (void)state;
+TEST(halves) {
     struct stage stage;
     open_stage(&stage, "scenes/ring.glb");
     struct renderer_desc desc = desc_of(&stage, "unshadowed", PATCHES, SIZE, SIZE);
@@ -426,8 +411,7 @@ static void test_halves(void **state) {
 
 /* A light that does not reach the ring, a scene without glass, and lines without a medium: not a
  * bit is other. */
-static void test_out_of_view(void **state) {
-    (void)state;
+TEST(out_of_view) {
     struct stage stage;
     open_stage(&stage, "scenes/ring.glb");
     emitter_aim(&stage.emitters.items[0], (float[]){-1, 0, 0});
@@ -451,8 +435,7 @@ static void test_out_of_view(void **state) {
 }
 
 /* One renderer that goes from setting to setting: the pictures of renderers of their own. */
-static void test_follow(void **state) {
-    (void)state;
+TEST(follow) {
     static const char *const all[] = {CHEAP,
                                       PATCHES,
                                       PATCHES "caustics.medium=lines",
@@ -474,8 +457,7 @@ static void test_follow(void **state) {
 }
 
 /* The mean over passes is that of one frame, for rays move within their texels. */
-static void test_passes(void **state) {
-    (void)state;
+TEST(passes) {
     enum { PASSES = 6 };
     struct stage stage;
     struct renderer renderer;
@@ -497,17 +479,4 @@ static void test_passes(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mirror),          cmocka_unit_test(test_slab),
-        cmocka_unit_test(test_energy),          cmocka_unit_test(test_no_refraction),
-        cmocka_unit_test(test_between_mirrors), cmocka_unit_test(test_between_colours),
-        cmocka_unit_test(test_range),           cmocka_unit_test(test_chance),
-        cmocka_unit_test(test_published),       cmocka_unit_test(test_low_light),
-        cmocka_unit_test(test_behind),          cmocka_unit_test(test_lamp),
-        cmocka_unit_test(test_no_indirect),     cmocka_unit_test(test_more_rays),
-        cmocka_unit_test(test_halves),          cmocka_unit_test(test_out_of_view),
-        cmocka_unit_test(test_follow),          cmocka_unit_test(test_passes),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -52,8 +52,7 @@ static void set_orthographic(struct stage *stage) {
 }
 
 /* A number in each pixel. */
-static void test_hard(void **state) {
-    (void)state;
+TEST(hard) {
     static const struct {
         const char *what, *settings;
         void (*set)(struct stage *stage);
@@ -89,8 +88,7 @@ static void test_hard(void **state) {
 
 /* A slab within a slab: each interface has air on its other side, so that index is over index
  * twice. Reflections between the four interfaces add a percent. */
-static void test_nested(void **state) {
-    (void)state;
+TEST(nested) {
     static const float indices[] = {1, 1.5F};
     for (int i = 0; i < 2; i++) {
         struct stage stage;
@@ -111,8 +109,7 @@ static void test_nested(void **state) {
 }
 
 /* One side of a slab: a ray enters and never leaves. */
-static void test_open(void **state) {
-    (void)state;
+TEST(open) {
     struct stage stage;
     open_squares(&stage, &(struct square){UP_NODE, 1, 1}, 1, .5F);
     make_glass(&stage, 1.5F);
@@ -126,8 +123,7 @@ static void test_open(void **state) {
 }
 
 /* Solid glass that caustics do not refract is told, and no other. */
-static void test_note(void **state) {
-    (void)state;
+TEST(note) {
     static const char *const scenes[] = {"scenes/gem.glb", "scenes/cornell-box.glb"};
     for (int i = 0; i < 2; i++) {
         char command[512], output[4096];
@@ -144,8 +140,7 @@ static void test_note(void **state) {
     }
 }
 
-static void test_refused(void **state) {
-    (void)state;
+TEST(refused) {
     struct settings settings;
     renderer_settings_init(&settings);
     check_refused(settings_assign(&settings, "caustics.size=0"), "from 8 to 2048");
@@ -154,10 +149,4 @@ static void test_refused(void **state) {
     check_refused(settings_assign(&settings, "caustics.surface=bright"), "patches");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hard), cmocka_unit_test(test_nested),  cmocka_unit_test(test_open),
-        cmocka_unit_test(test_note), cmocka_unit_test(test_refused),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -109,7 +109,7 @@ static void check_followed(const char *what, struct renderer *renderer,
     check_as_new(what, renderer);
 }
 
-static void test_as_new(void **state) {
+TEST_WITH(as_new, set_up, tear_down) {
     struct fixture *fixture = need_context(state);
     struct renderer renderer;
     check_ok("init", renderer_init(&renderer, &fixture->desc));
@@ -164,7 +164,7 @@ static void check_still_works(struct renderer *renderer, const struct bitmap *be
 
 /* Where pixels share more in large pictures, a picture that became large has nothing left of a
  * small one's. */
-static void test_sizes(void **state) {
+TEST_WITH(sizes, set_up, tear_down) {
     struct fixture *fixture = need_context(state);
     struct renderer renderer;
     struct renderer_desc desc = fixture->desc;
@@ -183,7 +183,7 @@ static void test_sizes(void **state) {
     renderer_free(&renderer);
 }
 
-static void test_failures(void **state) {
+TEST_WITH(failures, set_up, tear_down) {
     struct fixture *fixture = need_context(state);
     struct renderer renderer;
     check_ok("init", renderer_init(&renderer, &fixture->desc));
@@ -270,7 +270,7 @@ static void check_out_of_memory(struct renderer *renderer, const struct renderer
     bitmap_free(&before);
 }
 
-static void test_out_of_memory(void **state) {
+TEST_WITH(out_of_memory, set_up_sky, tear_down) {
     struct fixture *fixture = need_context(state);
     struct renderer renderer;
     struct renderer_desc desc = fixture->desc;
@@ -302,7 +302,7 @@ static void go_round(struct renderer *renderer, const struct renderer_desc *desc
 }
 
 /* What the pool of casters keeps is there after the first round. */
-static void test_no_leak(void **state) {
+TEST_WITH(no_leak, set_up, tear_down) {
     struct fixture *fixture = need_context(state);
     struct renderer renderer;
     check_ok("init", renderer_init(&renderer, &fixture->desc));
@@ -335,7 +335,7 @@ static void check_frame(const char *what, struct renderer *renderer,
     check_as_new(what, renderer);
 }
 
-static void test_lights_are_kept(void **state) {
+TEST_WITH(lights_are_kept, set_up_moving, tear_down) {
     struct fixture *fixture = need_context(state);
     struct renderer_desc desc = fixture->desc;
     struct renderer renderer;
@@ -367,14 +367,4 @@ static void test_lights_are_kept(void **state) {
     renderer_free(&renderer);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(test_as_new, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_sizes, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_failures, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_out_of_memory, set_up_sky, tear_down),
-        cmocka_unit_test_setup_teardown(test_no_leak, set_up, tear_down),
-        cmocka_unit_test_setup_teardown(test_lights_are_kept, set_up_moving, tear_down),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

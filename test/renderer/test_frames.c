@@ -67,8 +67,7 @@ static double error_of(const char *name, const struct image *image, const char *
     return error;
 }
 
-static void test_techniques(void **state) {
-    (void)state;
+TEST(techniques) {
     struct stage stage;
     double worst = 0;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -81,8 +80,7 @@ static void test_techniques(void **state) {
     stage_free(&stage);
 }
 
-static void test_direct(void **state) {
-    (void)state;
+TEST(direct) {
     struct stage stage;
     double worst = 0;
     open_stage(&stage, "scenes/table.glb");
@@ -97,8 +95,4 @@ static void test_direct(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_techniques),
-                                       cmocka_unit_test(test_direct)};
-    return cmocka_run_group_tests_name("frames", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

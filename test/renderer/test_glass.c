@@ -28,8 +28,7 @@ static double over_floor(const struct image *image, const char *channel, double 
 /* --- exact answers ---------------------------------------------------------------------------- */
 
 /* The floor below the light, in a mirror above both. The picture does not show the floor. */
-static void test_mirror(void **state) {
-    (void)state;
+TEST(mirror) {
     struct stage stage;
     open_mirror(&stage, 4, 1);
     place_light(&stage, 2);
@@ -52,8 +51,7 @@ static void test_mirror(void **state) {
 /* Light that comes back from a mirror is indirect light of the floor that the mirror shows: none
  * but of rays that see the floor by another surface. A ceiling beside the mirror reflects light to
  * the floor. */
-static void test_indirect(void **state) {
-    (void)state;
+TEST(indirect) {
     struct stage stage;
     char nodes[512];
     int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
@@ -83,8 +81,7 @@ static void test_indirect(void **state) {
 
 /* The floor through a slab, straight on: (1 - F)^2 of it, and F^2 of that once more by reflection
  * within. */
-static void test_slab(void **state) {
-    (void)state;
+TEST(slab) {
     struct stage stage;
     static const struct {
         const char *what;
@@ -117,8 +114,7 @@ static void test_slab(void **state) {
 
 /* The floor below a pane, by the light above it, from below and from above: without caustics light
  * goes straight on. From below, fog has as much of it. */
-static void test_panes(void **state) {
-    (void)state;
+TEST(panes) {
     double fog = 0;
     static const struct {
         const char *what;
@@ -158,8 +154,7 @@ static void test_panes(void **state) {
 
 /* The floor by what a blended surface above the light reflects: as much of what it reflects if
  * opaque as it covers. */
-static void test_panes_reflect(void **state) {
-    (void)state;
+TEST(panes_reflect) {
     static const struct {
         const char *node;
         float alpha, expected;
@@ -220,8 +215,7 @@ static void open_storeys(struct stage *stage, bool pane, float light) {
 
 /* The ceiling by the floor's light through a black pane of alpha .6, for all techniques; the light
  * is below the pane, and above. */
-static void test_techniques(void **state) {
-    (void)state;
+TEST(techniques) {
     for (int above = 0; above < 2; above++)
         for (const struct technique *const *t = techniques; *t; t++) {
             double indirect[2];
@@ -238,8 +232,7 @@ static void test_techniques(void **state) {
 }
 
 /* Links of elements have the colours of panes. */
-static void test_red_light(void **state) {
-    (void)state;
+TEST(red_light) {
     struct stage stage;
     open_storeys(&stage, true, .4F);
     make_glass(&stage, 1);
@@ -259,8 +252,7 @@ static void test_red_light(void **state) {
 /* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if
  * opaque. Voxels that an opaque surface crosses have no light of their own: there its light is of
  * others, a voxel away. */
-static void test_panes_before_sky(void **state) {
-    (void)state;
+TEST(panes_before_sky) {
     static const char *const names[] = {"clustered", "imperfect-volume", "implicit-visibility"};
     static const double tolerances[] = {.01, .04, .01};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
@@ -292,8 +284,7 @@ static void test_panes_before_sky(void **state) {
 }
 
 /* Of a square lamp, three fifths lie behind a pane of alpha .5 with an edge. */
-static void test_half_a_lamp(void **state) {
-    (void)state;
+TEST(half_a_lamp) {
     double direct[2];
     for (int pane = 0; pane < 2; pane++) {
         struct stage stage;
@@ -316,8 +307,7 @@ static void test_half_a_lamp(void **state) {
 
 /* Fog that a coloured pane hides from the camera, lit below it: in the frame and in the path
  * tracer. */
-static void test_fog_behind_colours(void **state) {
-    (void)state;
+TEST(fog_behind_colours) {
     static const char *const channels[] = {"airlight.R", "airlight.G", "airlight.B"};
     struct stage stage;
     open_squares(&stage, &(struct square){UP_NODE, 1, 30}, 1, 1.5F);
@@ -346,8 +336,7 @@ static void test_fog_behind_colours(void **state) {
 
 /* Of two renderers of one geometry, glass is a pane to one and an occluder, which throws caustics,
  * to the other. */
-static void test_two_renderers(void **state) {
-    (void)state;
+TEST(two_renderers) {
     static const char *const settings[] = {CHEAP, SHOWN};
     struct stage stage;
     struct renderer renderers[2];
@@ -372,8 +361,7 @@ static void test_two_renderers(void **state) {
 
 /* A wall of one side, seen from behind through glass, is black, as in the reference; one of two
  * sides has the light below it. */
-static void test_wall_from_behind(void **state) {
-    (void)state;
+TEST(wall_from_behind) {
     struct stage stage;
     char nodes[512];
     int used = snprintf(nodes, sizeof nodes,
@@ -405,8 +393,7 @@ static void test_wall_from_behind(void **state) {
 
 /* One interface, and a slab in a slab, each of whose interfaces has air on its other side: as the
  * reference has it. */
-static void test_open_and_nested(void **state) {
-    (void)state;
+TEST(open_and_nested) {
     for (int nested = 0; nested < 2; nested++) {
         struct stage stage;
         static const struct square squares[] = {
@@ -430,8 +417,7 @@ static void test_open_and_nested(void **state) {
 /* --- beside the path tracer ------------------------------------------------------------------- */
 
 /* Without caustics on surfaces, which the path tracer does not show in glass. */
-static void test_traced(void **state) {
-    (void)state;
+TEST(traced) {
     enum { WIDE = 96 };
     static const char *const scenes[] = {"scenes/ring.glb", "scenes/pawns.glb", "scenes/gem.glb"};
     static const char shown[] =
@@ -482,8 +468,7 @@ static void check_medium(bool thin) {
     stage_free(&without);
 }
 
-static void test_medium(void **state) {
-    (void)state;
+TEST(medium) {
     check_medium(false);
     check_medium(true);
 }
@@ -492,8 +477,7 @@ static void test_medium(void **state) {
 
 /* With a sky, a medium and all caustics the composite has more samplers than GL promises, if edge
  * samples have theirs. They come back once there is room. */
-static void test_all_kinds(void **state) {
-    (void)state;
+TEST(all_kinds) {
     static const char *const settings[] = {
         CHEAP "samples=8 caustics.size=16 caustics.surface=patches caustics.medium=lines",
         CHEAP "samples=8 caustics.size=16 caustics.surface=patches",
@@ -515,8 +499,7 @@ static void test_all_kinds(void **state) {
 }
 
 /* Glass is diffuse if all materials are, as it is to the path tracer. */
-static void test_diffuse(void **state) {
-    (void)state;
+TEST(diffuse) {
     static const char *const settings[] = {PATCHES, PATCHES "surface.materials=diffuse",
                                            CHEAP "surface.materials=diffuse"};
     struct stage stage;
@@ -542,25 +525,4 @@ static void test_diffuse(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mirror),
-        cmocka_unit_test(test_indirect),
-        cmocka_unit_test(test_slab),
-        cmocka_unit_test(test_panes),
-        cmocka_unit_test(test_panes_reflect),
-        cmocka_unit_test(test_techniques),
-        cmocka_unit_test(test_panes_before_sky),
-        cmocka_unit_test(test_red_light),
-        cmocka_unit_test(test_half_a_lamp),
-        cmocka_unit_test(test_fog_behind_colours),
-        cmocka_unit_test(test_two_renderers),
-        cmocka_unit_test(test_wall_from_behind),
-        cmocka_unit_test(test_open_and_nested),
-        cmocka_unit_test(test_traced),
-        cmocka_unit_test(test_medium),
-        cmocka_unit_test(test_all_kinds),
-        cmocka_unit_test(test_diffuse),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

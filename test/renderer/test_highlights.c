@@ -97,8 +97,7 @@ static void check_ball(const struct renderer_desc *desc, const char *what) {
 static const int sizes[] = {64, 65, 33, 128};
 
 /* Suns of pi W/m2 at angles from the eye. */
-static void test_suns(void **state) {
-    (void)state;
+TEST(suns) {
     static const float roughnesses[] = {0, .1F, .2F}, angles[] = {30, 60, 10};
     struct stage stage;
     open_ball(&stage);
@@ -123,8 +122,7 @@ static void test_suns(void **state) {
 
 /* A needle of 3 pixels across bends much across alone. A mirror shows E / (4 K) W/sr, with K the
  * Gaussian curvature where it mirrors the sun: 1 / K = (a b c)^2 / sum((a n_x)^2 ...)^2. */
-static void test_needle(void **state) {
-    (void)state;
+TEST(needle) {
     static const float angles[] = {0, 10, 20};
     const double across = .05 * .05, along = .4 * .4;
     struct stage stage;
@@ -154,8 +152,7 @@ static void paint_sun(const float direction[3], float radiance[3]) {
     glm_vec3_broadcast(is_sun ? GLM_PIf / (float)environment_solid_angle(&sky, row) : 0, radiance);
 }
 
-static void test_sun_of_sky(void **state) {
-    (void)state;
+TEST(sun_of_sky) {
     struct stage stage;
     open_ball(&stage);
     stage.scene.materials[0].roughness = 0;
@@ -169,9 +166,4 @@ static void test_sun_of_sky(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_suns), cmocka_unit_test(test_needle),
-                                       cmocka_unit_test(test_sun_of_sky)};
-    return cmocka_run_group_tests_name("highlights", tests, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -79,15 +79,13 @@ static void check_pictures(const char *technique, const char *settings) {
     close_frame(&stage, &renderer);
 }
 
-static void test_pictures(void **state) {
-    (void)state;
+TEST(pictures) {
     check_pictures("clustered", "visibility=cssm");
     for (const struct technique *const *t = techniques; *t; t++)
         check_pictures((*t)->name, "");
 }
 
-static void test_missing(void **state) {
-    (void)state;
+TEST(missing) {
     struct stage stage;
     struct renderer renderer;
     struct inspect inspect;
@@ -104,8 +102,7 @@ static void test_missing(void **state) {
 }
 
 /* A view that is drawn again reads no shader; one of another lookup does. */
-static void test_shaders_kept(void **state) {
-    (void)state;
+TEST(shaders_kept) {
     struct stage stage;
     struct renderer renderer;
     struct inspect inspect;
@@ -133,8 +130,7 @@ static void test_shaders_kept(void **state) {
 /* --- a pixel ---------------------------------------------------------------------------------- */
 
 /* What is told of a place is what the layers have there. */
-static void test_pick(void **state) {
-    (void)state;
+TEST(pick) {
     struct stage stage;
     struct renderer renderer;
     struct probe probe = {0};
@@ -171,12 +167,4 @@ static void test_pick(void **state) {
     close_frame(&stage, &renderer);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_missing),
-        cmocka_unit_test(test_shaders_kept),
-        cmocka_unit_test(test_pick),
-    };
-    return cmocka_run_group_tests_name("inspect", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -111,8 +111,7 @@ static double by_steps(double d, double gamma, double wall, double scattering, d
     return scattering * sum * wall / STEPS;
 }
 
-static void test_airlight(void **state) {
-    (void)state;
+TEST(airlight) {
     static const struct {
         double d, angle, wall, expected;
     } rows[] = {{2, 30, 5, .01631943}, {1, 80, 3, 0}, {4, 5, 6, 0}, {2, 150, 5, 0}};
@@ -131,8 +130,7 @@ static void test_airlight(void **state) {
 }
 
 /* So thin that nothing is lost. */
-static void test_thin(void **state) {
-    (void)state;
+TEST(thin) {
     struct stage stage;
     open_wall(&stage, 5, 50);
     set_medium(&stage, .3e-5F, 0, 0);
@@ -144,8 +142,7 @@ static void test_thin(void **state) {
 }
 
 /* Below the top of so large a sphere that it is a half space. */
-static void test_directional(void **state) {
-    (void)state;
+TEST(directional) {
     struct stage stage;
     const float deep = 1.5F, large = 2e3F;
     open_wall(&stage, 4, large);
@@ -156,8 +153,7 @@ static void test_directional(void **state) {
     stage_free(&stage);
 }
 
-static void test_phase(void **state) {
-    (void)state;
+TEST(phase) {
     static const float all[] = {-.99F, -.5F, 0, .3F, .9F, .99F};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         enum { STEPS = 1000000 };
@@ -198,8 +194,7 @@ enum { SIZE = 64 };
 #define CHEAP "vpls=64 vals=4 map.size=32 rsm-size=64 "
 
 /* Irradiance from the middle of a sphere that a medium fills: I exp(-sigma R) / R^2. */
-static void test_filled_sphere(void **state) {
-    (void)state;
+TEST(filled_sphere) {
     struct stage stage;
     open_stage(&stage, "scenes/sphere.glb");
     set_medium(&stage, .5F, .3F, .2F);
@@ -212,8 +207,7 @@ static void test_filled_sphere(void **state) {
 }
 
 /* What absorbs alone takes its share and adds nothing. */
-static void test_absorption(void **state) {
-    (void)state;
+TEST(absorption) {
     struct stage stage;
     open_wall(&stage, 5, 50);
     place_light(&stage, 2, 30);
@@ -253,8 +247,7 @@ static double difference(const struct image *a, const struct image *b, const cha
 }
 
 /* Half as large, twice as dense, with a quarter of the light: the same picture. */
-static void test_scale(void **state) {
-    (void)state;
+TEST(scale) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     float radius = stage.geometry.radius;
@@ -274,8 +267,7 @@ static void test_scale(void **state) {
 }
 
 /* A scene's first light, and two half as bright in its place. */
-static void test_halves(void **state) {
-    (void)state;
+TEST(halves) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     set_medium(&stage, .3F, 0, .4F);
@@ -288,8 +280,7 @@ static void test_halves(void **state) {
 }
 
 /* Settings stand for a medium of the file; the file's may be left out; none is no other bit. */
-static void test_settings(void **state) {
-    (void)state;
+TEST(settings) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct image clear = render_stage(&stage, "clustered", CHEAP, SIZE);
@@ -307,8 +298,7 @@ static void test_settings(void **state) {
     stage_free(&stage);
 }
 
-static void test_without_light(void **state) {
-    (void)state;
+TEST(without_light) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     set_medium(&stage, .3F, .1F, 0);
@@ -323,8 +313,7 @@ static void test_without_light(void **state) {
 }
 
 /* A light in the camera: airlight without a bound, but a number. */
-static void test_light_in_camera(void **state) {
-    (void)state;
+TEST(light_in_camera) {
     struct stage stage;
     open_wall(&stage, 5, 10);
     place_light(&stage, 0, 0);
@@ -339,8 +328,7 @@ static void test_light_in_camera(void **state) {
 }
 
 /* Passes add up: their mean has the airlight of one frame, with less noise. */
-static void test_passes(void **state) {
-    (void)state;
+TEST(passes) {
     enum { PASSES = 8 };
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -364,8 +352,7 @@ static void test_passes(void **state) {
 
 /* One renderer that goes from medium to medium, and back from passes: the pictures of renderers of
  * their own. */
-static void test_follow(void **state) {
-    (void)state;
+TEST(follow) {
     static const char *const all[] = {CHEAP "medium.scatter=.1", CHEAP "medium.scatter=.6", CHEAP,
                                       CHEAP "medium.scatter=.6 medium.g=.5",
                                       CHEAP "medium.scatter=.6 medium.g=.5 medium.steps=8"};
@@ -409,8 +396,7 @@ static void check_scene(const char *path, const char *settings, int samples) {
     stage_free(&stage);
 }
 
-static void test_scenes(void **state) {
-    (void)state;
+TEST(scenes) {
     check_scene("scenes/cornell-box.glb", "medium.scatter=.3", 64);
     check_scene("scenes/cornell-box.glb", "medium.scatter=.5 medium.g=.7", 64);
     check_scene("scenes/atrium.glb", "medium.scatter=.4 absorb=.2 medium.g=-.3", 64);
@@ -439,8 +425,7 @@ static double drawn_over_traced(struct stage *stage, const char *technique, cons
 
 /* Indirect light passes the medium, too: of VPLs, of the near field, of rays and of indirect
  * bounces. It errs as without one. */
-static void test_indirect(void **state) {
-    (void)state;
+TEST(indirect) {
     static const struct {
         const char *path, *technique, *settings, *layer;
         int bounces;
@@ -470,8 +455,7 @@ static void test_indirect(void **state) {
 }
 
 /* Sharp shafts beside their source: as dense and as pointed as settings allow, nothing overflows */
-static void test_extremes(void **state) {
-    (void)state;
+TEST(extremes) {
     static const char *const all[] = {
         "medium.scatter=1000", "medium.scatter=1000 medium.g=.99",
         "absorb=1000",         "medium.scatter=.3 medium.g=-.99",
@@ -494,8 +478,7 @@ static void test_extremes(void **state) {
 }
 
 /* A million per metre: nothing is seen. */
-static void test_opaque(void **state) {
-    (void)state;
+TEST(opaque) {
     struct stage stage;
     open_stage(&stage, "scenes/hall.glb");
     set_medium(&stage, 0, 1e6F, 0);
@@ -509,8 +492,7 @@ static void test_opaque(void **state) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-static void test_files(void **state) {
-    (void)state;
+TEST(files) {
     static const char *const refused[][2] = {
         {"{\"sigma_s\": -0.1}", "extras: medium: sigma_s: it is no number from 0 to 1e+09"},
         {"{\"sigma_a\": [0, -1, 0]}", "extras: medium: sigma_a: it is no number"},
@@ -540,17 +522,4 @@ static void test_files(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_airlight),      cmocka_unit_test(test_thin),
-        cmocka_unit_test(test_directional),   cmocka_unit_test(test_phase),
-        cmocka_unit_test(test_filled_sphere), cmocka_unit_test(test_absorption),
-        cmocka_unit_test(test_scale),         cmocka_unit_test(test_halves),
-        cmocka_unit_test(test_settings),      cmocka_unit_test(test_without_light),
-        cmocka_unit_test(test_passes),        cmocka_unit_test(test_light_in_camera),
-        cmocka_unit_test(test_follow),        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_indirect),      cmocka_unit_test(test_extremes),
-        cmocka_unit_test(test_opaque),        cmocka_unit_test(test_files),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

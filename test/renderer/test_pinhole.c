@@ -52,8 +52,7 @@ static void check_pixel(const char *what, const float place[2], const int size[2
 }
 
 /* By the library, by text, by the OpenEXR matrix, and back along the ray. */
-static void test_projection(void **state) {
-    (void)state;
+TEST(projection) {
     const int size[2] = {640, 360};
     const float aspect = 640 / 360.F;
     struct scene scene;
@@ -149,8 +148,7 @@ static double part_off(const struct image *part, const struct image *whole, cons
 
 /* A picture of a shifted lens, and of pixels that are not square, is a part of a larger picture.
  * Indirect light has noise. Spots of caustics have the size that a pixel shows of a surface. */
-static void test_parts(void **state) {
-    (void)state;
+TEST(parts) {
     static const struct {
         const char *scene, *technique, *settings, *channel;
         int columns;
@@ -185,8 +183,7 @@ static void test_parts(void **state) {
 }
 
 /* Pixels of a panorama see along their longitude and latitude. */
-static void test_panorama(void **state) {
-    (void)state;
+TEST(panorama) {
     struct stage stage;
     struct rays rays;
     int astray = 0, seen = 0;
@@ -224,8 +221,7 @@ static void test_panorama(void **state) {
 
 /* --- refusals --- */
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const char *const texts[][2] = {
         {"intrinsics=1,2,3,4,5", "wants 6 numbers"},
         {"intrinsics=0,9,3,4,5,5", "focal lengths of 0 and 9 pixels"},
@@ -275,8 +271,7 @@ static void test_refusals(void **state) {
 }
 
 /* A picture without --size has that of the intrinsics. */
-static void test_default_size(void **state) {
-    (void)state;
+TEST(default_size) {
     struct stage stage;
     int size[2];
     check_ok("stage",
@@ -289,11 +284,4 @@ static void test_default_size(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_default_size), cmocka_unit_test(test_projection),
-        cmocka_unit_test(test_parts),        cmocka_unit_test(test_panorama),
-        cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

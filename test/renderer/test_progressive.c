@@ -52,8 +52,7 @@ static void check_alike(const struct image *a, const struct image *b, double bou
 /* --- the mean --------------------------------------------------------------------------------- */
 
 /* The first pass is the frame; the next are others, and the same each time. */
-static void test_passes(void **state) {
-    (void)state;
+TEST(passes) {
     struct stage stage;
     open_stage(&stage, box);
     struct renderer_desc desc = desc_of(&stage, NULL, "vpls=256 vals=8 samples=8", SIZE, SIZE);
@@ -89,8 +88,7 @@ static bool keeps(struct renderer *renderer, const struct renderer_desc *changed
 
 /* What changes a picture begins another mean; exposure does not. Passes depend on their number
  * alone: not on those before, nor on the picture before that. */
-static void test_beginning_anew(void **state) {
-    (void)state;
+TEST(beginning_anew) {
     struct stage stage;
     open_stage(&stage, "scenes/moving-spot.glb");
     struct renderer_desc desc =
@@ -179,8 +177,7 @@ static void render_means(const struct renderer_desc *desc, int few, struct image
 }
 
 /* Towards the path tracer's picture: both are the mean over pixels' areas. */
-static void test_convergence(void **state) {
-    (void)state;
+TEST(convergence) {
     static const char *const scenes[] = {"scenes/cornell-box.glb", "scenes/metaballs.glb"};
     enum { FEW = 8 };
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
@@ -225,8 +222,7 @@ static void read_scratch(struct image *image, const char *name) {
 }
 
 /* 4 + 4 passes, averaged, are 8 but for the rounding of sums; so are 2 + 6 in other order. */
-static void test_split(void **state) {
-    (void)state;
+TEST(split) {
 #define RENDER                                                                                     \
     "render scenes/cornell-box.glb -q --size 48x40 --set \"vpls=256 vals=8 "                       \
     "map-size=64 rsm-size=128 shadow-size=256\" "
@@ -261,8 +257,7 @@ static void test_split(void **state) {
 }
 
 /* The frame alone is a part, too, of its own weight: 1 + 7 passes are 8. */
-static void test_one_pass(void **state) {
-    (void)state;
+TEST(one_pass) {
     char output[2048];
     struct image whole, part;
     static const char *const commands[] = {
@@ -282,8 +277,7 @@ static void test_one_pass(void **state) {
 
 /* What is set by the user holds for all passes, where they have settings of their own, too; what a
  * preset sets does not, nor what nobody set. */
-static void test_given(void **state) {
-    (void)state;
+TEST(given) {
     static const struct {
         const char *given;
         bool differs;
@@ -305,8 +299,7 @@ static void test_given(void **state) {
 }
 
 /* What cannot be averaged, and what cannot be a mean. */
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const struct {
         const char *arguments, *says;
         int status;
@@ -335,12 +328,4 @@ static void test_refusals(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_passes),      cmocka_unit_test(test_beginning_anew),
-        cmocka_unit_test(test_convergence), cmocka_unit_test(test_split),
-        cmocka_unit_test(test_one_pass),    cmocka_unit_test(test_given),
-        cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -45,8 +45,7 @@ static struct image render_with(const struct stage *stage, const struct recipe *
 /* --- the same bits ---------------------------------------------------------------------------- */
 
 /* Frame after frame, renderer after renderer. */
-static void test_twice(void **state) {
-    (void)state;
+TEST(twice) {
     struct stage stage;
     open_stage(&stage, cornell_animal);
     for (int i = 0; i < RECIPES; i++) {
@@ -69,8 +68,7 @@ static void test_twice(void **state) {
 }
 
 /* Three renderers in one context take turns; each draws what it draws alone. */
-static void test_neighbours(void **state) {
-    (void)state;
+TEST(neighbours) {
     struct stage stage;
     struct renderer renderers[RECIPES];
     struct image alone[RECIPES];
@@ -99,7 +97,7 @@ static void test_neighbours(void **state) {
 
 /* Two libraries, of one Mesa or of two, which may have other places of samples and filter textures
  * otherwise: Mesa 26 makes path=paper .0012 of 22 and 25. */
-static void test_contexts(void **state) {
+TEST(contexts) {
     struct stage stage;
     struct image images[2][RECIPES];
     char versions[2][128];
@@ -151,8 +149,7 @@ static struct image run_binary(const char *environment, const struct recipe *rec
 }
 
 /* One thread of llvmpipe, or several, or another library: the same file. */
-static void test_threads(void **state) {
-    (void)state;
+TEST(threads) {
     for (int i = 0; i < RECIPES; i++) {
         if (!is_tried_here((size_t)i, 2))
             continue;
@@ -163,8 +160,7 @@ static void test_threads(void **state) {
     }
 }
 
-static void test_contexts_of_binary(void **state) {
-    (void)state;
+TEST(contexts_of_binary) {
     for (int k = 0; k < 2; k++) {
         if (run_program("info --context %s", k ? "osmesa" : "egl") != 0 ||
             !strstr(output, "llvmpipe"))
@@ -219,8 +215,7 @@ static void split_meshes(struct scene *scene) {
 
 /* The same triangles in another order: only what is equally deep could differ. All triangles are
  * casters, because simplified ones keep vertices where parts meet. */
-static void test_split_meshes(void **state) {
-    (void)state;
+TEST(split_meshes) {
     struct stage stage;
     open_stage(&stage, cornell_animal);
     struct image whole[RECIPES];
@@ -242,8 +237,7 @@ static void test_split_meshes(void **state) {
 /* Everything turned together. What is rounded, and along which axes boxes are measured, changes:
  * bounds, and with them the lengths that are fractions of the radius; maps' texels fall otherwise,
  * and the outlines of hard shadows with them. By a right angle bounds stay. */
-static void test_turns(void **state) {
-    (void)state;
+TEST(turns) {
     static const struct { double degrees, bound; } turns[] = {{90, .01}, {180, .01}, {37, .06}};
     struct stage stage;
     open_stage(&stage, cornell_animal);
@@ -323,8 +317,7 @@ static void check_order(struct renderer *renderer, int interleave, int run) {
 }
 
 /* VPLs with their clusters have the sums of those that they were made of. */
-static void test_hue(void **state) {
-    (void)state;
+TEST(hue) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, cornell_animal);
@@ -346,8 +339,7 @@ static void test_hue(void **state) {
     stage_free(&stage);
 }
 
-static void test_order(void **state) {
-    (void)state;
+TEST(order) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, cornell_animal);
@@ -361,8 +353,7 @@ static void test_order(void **state) {
 }
 
 /* Another set of VPLs is another sample of the same light. */
-static void test_seeds(void **state) {
-    (void)state;
+TEST(seeds) {
     struct stage stage;
     open_stage(&stage, cornell_animal);
     for (int i = 0; i < RECIPES; i++) {
@@ -386,8 +377,7 @@ static void test_seeds(void **state) {
 }
 
 /* Twice the VPLs at half the flux: the picture stays and its error falls. */
-static void test_more_vpls(void **state) {
-    (void)state;
+TEST(more_vpls) {
     struct stage stage;
     open_stage(&stage, cornell_animal);
     struct image many =
@@ -413,8 +403,7 @@ static void test_more_vpls(void **state) {
 
 /* The bounds have 15 MiB for adaptive pixels, and 3 for planes of blocks. 34 are for edge samples
  * with the normals of samples, and 20 for planes in a map per VPL. */
-static void test_memory(void **state) {
-    (void)state;
+TEST(memory) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     for (int i = 0; i < RECIPES; i++) {
@@ -436,8 +425,7 @@ static void test_memory(void **state) {
 }
 
 /* A renderer that cannot be made leaves nothing behind. */
-static void test_half_built(void **state) {
-    (void)state;
+TEST(half_built) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     for (int i = 0; i < RECIPES; i++) {
@@ -451,21 +439,4 @@ static void test_half_built(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_twice),
-        cmocka_unit_test(test_neighbours),
-        cmocka_unit_test(test_contexts),
-        cmocka_unit_test(test_threads),
-        cmocka_unit_test(test_contexts_of_binary),
-        cmocka_unit_test(test_split_meshes),
-        cmocka_unit_test(test_turns),
-        cmocka_unit_test(test_hue),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_seeds),
-        cmocka_unit_test(test_more_vpls),
-        cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_half_built),
-    };
-    return cmocka_run_group_tests_name("render", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -53,8 +53,7 @@ static void check_scene(const char *path, int size) {
     close_view(&view);
 }
 
-static void test_own_scenes(void **state) {
-    (void)state;
+TEST(own_scenes) {
     static const char *const names[] = {"cornell-box", "cornell-animal", "sphere", "metaballs",
                                         "atrium"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
@@ -65,8 +64,7 @@ static void test_own_scenes(void **state) {
     }
 }
 
-static void test_shared_scenes(void **state) {
-    (void)state;
+TEST(shared_scenes) {
     static const char *const names[] = {"cornell-box", "cornell-horse", "sponza-98k", "sponza"};
     if (!shared_path())
         skip();
@@ -83,8 +81,7 @@ static void test_shared_scenes(void **state) {
 /* Small maps and few lights, so that what is extreme is one thing at a time. */
 #define SMALL "vpls=64 vals=4 map-size=64 rsm-size=64 shadow-size=256 interleave=2 "
 
-static void test_extremes(void **state) {
-    (void)state;
+TEST(extremes) {
     static const char *const settings[] = {
         "vpls=1 vals=1 interleave=1",
         SMALL "vals=1",
@@ -136,8 +133,7 @@ static void test_extremes(void **state) {
     close_view(&view);
 }
 
-static void test_sizes(void **state) {
-    (void)state;
+TEST(sizes) {
     static const int sizes[][2] = {{1, 1}, {2, 1}, {1, 7}, {16, 400}, {400, 16}, {9, 9}, {17, 31}};
     struct scene_view view;
     open_view(&view, "scenes/cornell-box.glb");
@@ -157,8 +153,7 @@ static double rounding_of(const struct technique *technique) {
     return strcmp(technique->name, "implicit-visibility") == 0 ? .015 : .002;
 }
 
-static void test_scale(void **state) {
-    (void)state;
+TEST(scale) {
     const int rgb[] = {0, 1, 2};
     static const float scales[] = {1e-3f, 1e4f};
     int size = is_long_run() ? 64 : 32;
@@ -193,8 +188,7 @@ static void test_scale(void **state) {
 /* --- light ------------------------------------------------------------------------------------ */
 
 /* A light that is off, dim, bright, and one that meets nothing. */
-static void test_odd_lights(void **state) {
-    (void)state;
+TEST(odd_lights) {
     static const float intensities[] = {0, 1e-20f, 1e15f};
     for (int i = 0; i < 4; i++) {
         struct scene_view view;
@@ -212,11 +206,4 @@ static void test_odd_lights(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_own_scenes), cmocka_unit_test(test_shared_scenes),
-        cmocka_unit_test(test_extremes),   cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_scale),      cmocka_unit_test(test_odd_lights),
-    };
-    return cmocka_run_group_tests_name("robust", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -43,8 +43,7 @@ static void check_same(const char *arguments, const char *const *environments, i
     free(expected.data);
 }
 
-static void test_rendered(void **state) {
-    (void)state;
+TEST(rendered) {
     static const char *const scenes[] = {"cornell-box", "character"};
     static const char *const environments[] = {
         "",
@@ -63,14 +62,12 @@ static void test_rendered(void **state) {
 }
 
 /* The path tracer: each thread takes other pixels each time. */
-static void test_traced(void **state) {
-    (void)state;
+TEST(traced) {
     static const char *const environments[] = {"", "taskset -c 0"};
     check_same("reference scenes/metaballs.glb --spp 2", environments, 2);
 }
 
-static void test_without_avx(void **state) {
-    (void)state;
+TEST(without_avx) {
     double error = NAN;
     skip_without_llvmpipe();
     struct file_bytes bytes = picture("render scenes/cornell-box.glb", "");
@@ -87,11 +84,4 @@ static void test_without_avx(void **state) {
     check_at_most("relative RMSE without AVX", error, .03);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rendered),
-        cmocka_unit_test(test_traced),
-        cmocka_unit_test(test_without_avx),
-    };
-    return cmocka_run_group_tests_name("same bits", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -75,8 +75,7 @@ static bool comes_in(const struct emitter *light) {
 
 /* Light from behind the other walls has the least weight; the mean is 1, and so much; most
  * directions come in. */
-static void test_slit(void **state) {
-    (void)state;
+TEST(slit) {
     struct stage stage;
     struct sky_groups groups;
     struct environment_lights lights;
@@ -106,8 +105,7 @@ static void test_slit(void **state) {
 }
 
 /* No place reflects light into the picture: all lights count by their power. */
-static void test_open_floor(void **state) {
-    (void)state;
+TEST(open_floor) {
     struct stage stage;
     struct sky_groups groups, even;
     struct environment_lights lights;
@@ -119,8 +117,7 @@ static void test_open_floor(void **state) {
 }
 
 /* The mean over places is what the lights have together, for even weights and others. */
-static void test_pieces(void **state) {
-    (void)state;
+TEST(pieces) {
     struct stage stage;
     struct sky_groups groups;
     struct environment_lights lights;
@@ -153,8 +150,7 @@ static void test_pieces(void **state) {
 
 /* Frames of a few seeds have the tracer's light. By twelve directions the slit has up to half too
  * much of it, by luck. */
-static void test_light(void **state) {
-    (void)state;
+TEST(light) {
     static const char *const rooms[] = {SLIT_ROOM, ROOF_ROOM, PLAIN_ROOM};
     for (size_t r = 0; r < sizeof rooms / sizeof *rooms; r++) {
         struct stage stage;
@@ -180,8 +176,7 @@ static void test_light(void **state) {
 }
 
 /* A renderer whose camera moves has the pictures of new ones. */
-static void test_moved_camera(void **state) {
-    (void)state;
+TEST(moved_camera) {
     struct stage stage;
     struct renderer renderer = {0};
     open_stage(&stage, "scenes/courtyard.glb");
@@ -199,8 +194,7 @@ static void test_moved_camera(void **state) {
 
 /* Voxels stay while only the camera moves, so their light comes from the same directions for all
  * views. */
-static void test_voxels(void **state) {
-    (void)state;
+TEST(voxels) {
     struct stage stage;
     open_nodes(&stage, SLIT_ROOM);
     struct image by_power =
@@ -213,8 +207,7 @@ static void test_voxels(void **state) {
 
 /* Near light of a plain, whose VPLs are far apart, does not reach into a closed room but at its
  * edges. */
-static void test_closed_room(void **state) {
-    (void)state;
+TEST(closed_room) {
     struct stage stage;
     open_nodes(&stage, PLAIN_ROOM ", {\"mesh\": 0, \"translation\": [-0.5, -0.5, 1]}");
     struct image image = render_stage(&stage, "clustered", "path=traced importance=off", SIZE);
@@ -223,12 +216,4 @@ static void test_closed_room(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_slit),        cmocka_unit_test(test_open_floor),
-        cmocka_unit_test(test_pieces),      cmocka_unit_test(test_light),
-        cmocka_unit_test(test_closed_room), cmocka_unit_test(test_moved_camera),
-        cmocka_unit_test(test_voxels),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -82,8 +82,7 @@ static void place_on_slide(const struct stage *stage, int x, int y, double place
 
 /* Each pixel of the floor has the light without a slide, times the colour that the slide
  * has there. */
-static void test_chart(void **state) {
-    (void)state;
+TEST(chart) {
     static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
     struct stage stage;
     int checked = 0, lit[4] = {0};
@@ -115,8 +114,7 @@ static void test_chart(void **state) {
 }
 
 /* A white slide is none, bit for bit, in all that lights do. */
-static void test_white(void **state) {
-    (void)state;
+TEST(white) {
     static const char settings[] =
         CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=64 medium.scatter=.3";
     static const char *const names[] = {"unshadowed", "clustered", "implicit-visibility"};
@@ -139,8 +137,7 @@ static void test_white(void **state) {
 /* --- other light ------------------------------------------------------------------------------ */
 
 /* Layers of a chart in fog between walls, by the path tracer. */
-static void test_traced(void **state) {
-    (void)state;
+TEST(traced) {
     struct stage stage;
     struct image traced;
     static const char *const channels[] = {"direct.R",   "direct.G",   "direct.B",
@@ -171,8 +168,7 @@ static void test_traced(void **state) {
 
 /* Glass that bends nothing: what was direct light of the slide is a caustic of it, on the floor and
  * in the medium. */
-static void test_caustic(void **state) {
-    (void)state;
+TEST(caustic) {
     static const char *const channels[] = {"R", "G", "B"};
     struct stage with, without;
     open_slab(&with, 1, 1, .75F);
@@ -225,8 +221,7 @@ static void check_magenta(const struct stage *stage, const char *technique,
     image_free(&image);
 }
 
-static void test_everywhere(void **state) {
-    (void)state;
+TEST(everywhere) {
     unsigned char magenta[4] = {255, 0, 255, 255};
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -239,8 +234,7 @@ static void test_everywhere(void **state) {
 }
 
 /* Specular rays that look up maps read the most textures of all passes, and a slide is one more. */
-static void test_specular_maps(void **state) {
-    (void)state;
+TEST(specular_maps) {
     static const char *const techniques_of_maps[][2] = {
         {"cluster-lights", CHEAP}, {"clustered", CHEAP "path=paper lights.importance=on"}};
     unsigned char magenta[4] = {255, 0, 255, 255};
@@ -260,8 +254,7 @@ static void test_specular_maps(void **state) {
 
 /* Two spots, each with its slide, of other sizes: a red and a green one. Red light is the first
  * spot's alone. Steps of airlight begin elsewhere for each light. */
-static void test_two_spots(void **state) {
-    (void)state;
+TEST(two_spots) {
     unsigned char red[4] = {255, 0, 0, 255}, green[8] = {0, 255, 0, 255, 0, 255, 0, 255};
     const struct bitmap bitmaps[] = {{.width = 1, .height = 1, .rgba = red},
                                      {.width = 2, .height = 1, .rgba = green}};
@@ -298,8 +291,7 @@ static void test_two_spots(void **state) {
 }
 
 /* The mean over passes has the colours of one frame. */
-static void test_passes(void **state) {
-    (void)state;
+TEST(passes) {
     enum { PASSES = 4 };
     static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
     struct stage stage;
@@ -345,8 +337,7 @@ static bool open_file(struct scene *scene, struct geometry *geometry, const char
 
 #define SPOT "\"type\": \"spot\", \"spot\": {\"outerConeAngle\": 0.5}"
 
-static void test_file(void **state) {
-    (void)state;
+TEST(file) {
     struct scene scene;
     struct geometry geometry;
     check_ok("opened",
@@ -365,8 +356,7 @@ static void test_file(void **state) {
 }
 
 /* A JPEG of a red and a green block of 8 x 8 pixels. */
-static void test_jpeg(void **state) {
-    (void)state;
+TEST(jpeg) {
     unsigned char rgba[4 * 16 * 8] = {0};
     struct scene scene;
     struct geometry geometry;
@@ -390,8 +380,7 @@ static void test_jpeg(void **state) {
     scene_free(&scene);
 }
 
-static void test_refused(void **state) {
-    (void)state;
+TEST(refused) {
     static const struct {
         const char *light, *extras, *message, *picture;
     } rows[] = {
@@ -414,14 +403,4 @@ static void test_refused(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_chart),      cmocka_unit_test(test_white),
-        cmocka_unit_test(test_traced),     cmocka_unit_test(test_caustic),
-        cmocka_unit_test(test_everywhere), cmocka_unit_test(test_specular_maps),
-        cmocka_unit_test(test_two_spots),  cmocka_unit_test(test_passes),
-        cmocka_unit_test(test_jpeg),       cmocka_unit_test(test_file),
-        cmocka_unit_test(test_refused),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

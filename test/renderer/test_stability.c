@@ -54,8 +54,7 @@ static void check_far(const char *path) {
     }
 }
 
-static void test_far(void **state) {
-    (void)state;
+TEST(far) {
     check_far("scenes/cornell-box.glb");
     check_far("scenes/sphere.glb");
 }
@@ -64,8 +63,7 @@ static void test_far(void **state) {
 
 /* The inside of a sphere, a millimetre to a kilometre wide: the closed form (test_light.c) has no
  * length in it but the radius. */
-static void test_scales(void **state) {
-    (void)state;
+TEST(scales) {
     static const float scales[] = {1e-3F, 1e-2F, .1F, 10, 100, 1000};
     for (const struct technique *const *t = techniques; *t; t++) {
         struct stage stage;
@@ -91,8 +89,7 @@ static void test_scales(void **state) {
 
 /* A power of two scales without rounding: only a length that is absolute changes the picture. Cross
  * products of the edges of these triangles are shorter than 1e-7. */
-static void test_millimetre(void **state) {
-    (void)state;
+TEST(millimetre) {
     static const char *const paths[] = {"scenes/cornell-animal.glb", "scenes/gloss.glb"};
     for (int i = 0; i < 2; i++) {
         struct image traced[2], drawn[2];
@@ -143,8 +140,7 @@ static double leak(const char *technique, const char *settings) {
     return dark / lit;
 }
 
-static void test_closed_door(void **state) {
-    (void)state;
+TEST(closed_door) {
     for (int i = 0; i < 2; i++)
         check_at_most("light behind a closed door", leak(shadowing[i], "vpls=512"), .01);
 }
@@ -161,8 +157,7 @@ static struct node *find_node(struct scene *scene, const char *name) {
 
 /* What no light reaches changes nothing, however large it is: neither what lies near a light's
  * centre, nor clusters, casters, blocks and the blur's reach. */
-static void test_plain(void **state) {
-    (void)state;
+TEST(plain) {
     for (int i = 0; i < 2; i++) {
         struct stage stage;
         open_stage(&stage, "scenes/failures/plain.glb");
@@ -181,11 +176,4 @@ static void test_plain(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_far),        cmocka_unit_test(test_scales),
-        cmocka_unit_test(test_millimetre), cmocka_unit_test(test_closed_door),
-        cmocka_unit_test(test_plain),
-    };
-    return cmocka_run_group_tests_name("stability", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

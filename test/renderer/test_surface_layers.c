@@ -113,8 +113,7 @@ static void check_ids(const struct image *image, const struct scene *scene) {
 }
 
 /* Masked leaves, panes with a shifted lens, an orthographic camera, skins, metaballs. */
-static void test_frame_and_rays(void **state) {
-    (void)state;
+TEST(frame_and_rays) {
     static const struct {
         const char *scene;
         double time;
@@ -226,8 +225,7 @@ static void check_motion(const char *path, double time, const char *layer) {
 }
 
 /* A skin, a rigid door. */
-static void test_motion(void **state) {
-    (void)state;
+TEST(motion) {
     check_motion("scenes/character.glb", .5, "next");
     check_motion("scenes/character.glb", .5, "previous");
     check_motion("scenes/door.glb", .5, "next");
@@ -236,8 +234,7 @@ static void test_motion(void **state) {
 /* --- files --- */
 
 /* Integers of a file, and the names in its header. */
-static void test_file(void **state) {
-    (void)state;
+TEST(file) {
     struct image drawn, read;
     char path[512];
     snprintf(path, sizeof path, "%s", scratch("ids.exr"));
@@ -271,8 +268,7 @@ static void test_file(void **state) {
     images_free(&drawn, &read);
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     expect(1, "% render scenes/pawns.glb -o @/a.exr --size 16x16 --aov id.nodes");
     expect_text("has no layer 'id.nodes' to add");
     expect_text("id.material");
@@ -286,12 +282,4 @@ static void test_refusals(void **state) {
     expect(2, "% render scenes/pawns.glb -o @/a.png --size 16x16 --aov uv");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_frame_and_rays),
-        cmocka_unit_test(test_motion),
-        cmocka_unit_test(test_file),
-        cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

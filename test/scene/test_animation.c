@@ -47,8 +47,7 @@ static float translation_x(const struct scene *scene, double time) {
     return worlds[0][12];
 }
 
-static void test_interpolation(void **state) {
-    (void)state;
+TEST(interpolation) {
     static const float values[] = {3, 0, 0, 5, 0, 0, -1, 0, 0};
     static const struct {
         const char *clip;
@@ -70,8 +69,7 @@ static void test_interpolation(void **state) {
 }
 
 /* A cubic through keys of x = t^3 with its tangents is t^3. */
-static void test_cubic(void **state) {
-    (void)state;
+TEST(cubic) {
     static const double keys[3] = {1, 2, 4};
     float values[27] = {0};
     for (int k = 0; k < 3; k++) {
@@ -87,8 +85,7 @@ static void test_cubic(void **state) {
 }
 
 /* A quarter turn about z, then on the way back by the quaternion of other sign: the short way. */
-static void test_rotation(void **state) {
-    (void)state;
+TEST(rotation) {
     const float h = (float)sqrt(.5);
     const float values[12] = {0, 0, 0, 1, 0, 0, -h, -h, 0, 0, 0, 1};
     struct scene scene;
@@ -104,8 +101,7 @@ static void test_rotation(void **state) {
     scene_free(&scene);
 }
 
-static void test_clip_choice(void **state) {
-    (void)state;
+TEST(clip_choice) {
     static const float values[] = {3, 0, 0, 5, 0, 0, -1, 0, 0};
     struct scene scene;
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
@@ -135,16 +131,14 @@ static bool is_rigid(const char *clips) {
 }
 
 /* What begins as a point must not be simplified as one. */
-static void test_rigid(void **state) {
-    (void)state;
+TEST(rigid) {
     assert_true(is_rigid(CLIPS(CLIP("translation", "LINEAR"))));
     assert_false(is_rigid(CLIPS(CLIP("scale", "LINEAR"))));
     assert_false(is_rigid(CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR"))));
 }
 
 /* Camera and light hang on a node that moves. */
-static void test_camera_and_light(void **state) {
-    (void)state;
+TEST(camera_and_light) {
     const float h = (float)sqrt(.5);
     const float values[12] = {0, 0, 0, 1, 0, h, 0, h, 0, h, 0, h};
     struct scene scene;
@@ -177,8 +171,7 @@ static void test_camera_and_light(void **state) {
 /* --- deformation ------------------------------------------------------------------------------ */
 
 /* The quad's displacements by two targets, and weights that move from one to the other. */
-static void test_morph(void **state) {
-    (void)state;
+TEST(morph) {
     /* Times at 0, weights at 8 for three keys, a displacement for each of 4 vertices from 16 on. */
     float extra[EXTRA_FLOATS] = {1, 2, 4, 0, 0, 0, 0, 0, 0, .5F, 1, 0, 1, 2};
     for (int v = 0; v < 4; v++)
@@ -238,8 +231,7 @@ static const char skin_accessors[] =
 
 /* One joint with an inverse bind matrix, and one whose is the identity but for want of a second:
  * the file gives each skin one joint, and the second skin none. */
-static void test_skin(void **state) {
-    (void)state;
+TEST(skin) {
     const float h = (float)sqrt(.5), turn[12] = {0, 0, 0, 1, 0, 0, h, h, 0, 0, 0, 1};
     const float bind[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, 0, 0, 1};
     float extra[EXTRA_FLOATS] = {1, 2, 4};
@@ -310,8 +302,7 @@ static void check_same_triangles(const struct geometry *a, const struct geometry
     }
 }
 
-static void test_order_of_poses(void **state) {
-    (void)state;
+TEST(order_of_poses) {
     static const double times[] = {3.2, 0, 19.96, 7.04, 3.2};
     struct scene scene;
     struct geometry one, other;
@@ -343,8 +334,7 @@ static void check_bounds(const struct geometry *geometry, const float low[3], co
 
 /* A unit square goes to x = 10 and back to 4: its clip's bounds are the same at all times, and its
  * sphere holds it at each. */
-static void test_bounds_of_clip(void **state) {
-    (void)state;
+TEST(bounds_of_clip) {
     static const float values[] = {0, 0, 0, 10, 0, 0, 4, 0, 0};
     struct scene scene;
     struct geometry geometry, first;
@@ -372,8 +362,7 @@ static void test_bounds_of_clip(void **state) {
 }
 
 /* Of one pose alone where that is asked for, and where nothing moves. */
-static void test_bounds_of_pose(void **state) {
-    (void)state;
+TEST(bounds_of_pose) {
     static const float values[] = {0, 0, 0, 10, 0, 0, 4, 0, 0};
     static const struct gltf_parts quad = {0};
     struct scene scene;
@@ -399,8 +388,7 @@ static void test_bounds_of_pose(void **state) {
 /* --- what is left out ------------------------------------------------------------------------- */
 
 /* Channels of nobody, or of what no node has, and joints beyond four are dropped; the rest moves */
-static void test_left_out(void **state) {
-    (void)state;
+TEST(left_out) {
     struct scene scene;
     hear_notes();
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
@@ -445,8 +433,7 @@ static void test_left_out(void **state) {
 }
 
 /* A mesh at two places, each with the node's own weights of its morph targets. */
-static void test_weights_of_places(void **state) {
-    (void)state;
+TEST(weights_of_places) {
     float places[2][3] = {{1, 0, 0}, {2, 0, 0}};
     struct scene scene;
     check_ok(
@@ -478,8 +465,7 @@ static void test_weights_of_places(void **state) {
 /* --- refusals --------------------------------------------------------------------------------- */
 
 /* Bad channels are left out; under --strict they are refused, as the last one is anyway. */
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const struct {
         const char *message, *accessors, *more;
         float extra[EXTRA_FLOATS];
@@ -549,15 +535,4 @@ static void test_refusals(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_interpolation),  cmocka_unit_test(test_cubic),
-        cmocka_unit_test(test_rotation),       cmocka_unit_test(test_clip_choice),
-        cmocka_unit_test(test_rigid),          cmocka_unit_test(test_camera_and_light),
-        cmocka_unit_test(test_morph),          cmocka_unit_test(test_skin),
-        cmocka_unit_test(test_order_of_poses), cmocka_unit_test(test_bounds_of_clip),
-        cmocka_unit_test(test_bounds_of_pose), cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_left_out),       cmocka_unit_test(test_weights_of_places),
-    };
-    return cmocka_run_group_tests_name("animation", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -252,20 +252,12 @@ static void compare(const char *path) {
     stage_free(&stage);
 }
 
-static void test_cube(void **state) {
-    (void)state;
+TEST(cube) {
     compare(write_cube());
 }
 
-static void test_helmet(void **state) {
-    (void)state;
+TEST(helmet) {
     compare(write_helmet());
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cube),
-        cmocka_unit_test(test_helmet),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -53,8 +53,7 @@ static void check_ramp(const struct scene *scene) {
 
 /* What blends is opaque where its alpha is 1, and what shines is a hole below half. Half and half
  * of .2 and .8 is a pane of two shares, of 0 and 1 a mask. */
-static void test_blending(void **state) {
-    (void)state;
+TEST(blending) {
     static const float uvs[4][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     static const unsigned char alphas[2][2] = {{51, 204}, {0, 255}};
     unsigned char ramp[16 * 4];
@@ -97,7 +96,4 @@ static void test_blending(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_blending)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

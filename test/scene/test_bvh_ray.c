@@ -57,8 +57,7 @@ static vec3s direction_of(uint32_t i) {
     return vec3s_unit(direction);
 }
 
-static void test_nearest(void **state) {
-    (void)state;
+TEST(nearest) {
     struct bvh tree;
     int hits = 0, fronts = 0;
     double worst = 0;
@@ -87,8 +86,7 @@ static void test_nearest(void **state) {
 
 /* Of two triangles the nearer one is met where its part is opaque: parts go row by row along the
  * first edge (scene/mesh/opacity.c). */
-static void test_opaque(void **state) {
-    (void)state;
+TEST(opaque) {
     struct bvh tree;
     struct bvh_triangle *triangles = mem_alloc(2, sizeof *triangles);
     const struct bvh_triangle both = {.edges = {{{1, 0, 0}}, {{0, 1, 0}}},
@@ -173,8 +171,7 @@ static struct below look_below(const struct bvh *tree, uint32_t number) {
 
 /* Every triangle is in one leaf, leaves are small, and threads do not change the order. The cost is
  * 75 here, and 88 where all nodes of up to four triangles are leaves. */
-static void test_tree(void **state) {
-    (void)state;
+TEST(tree) {
     struct bvh tree, again;
     bool *seen = mem_alloc(MANY, sizeof *seen);
     bvh_init(&tree, scatter_triangles(MANY, .02F), MANY);
@@ -196,8 +193,7 @@ static void test_tree(void **state) {
 }
 
 /* Triangles whose boxes have one middle cannot be split. */
-static void test_one_place(void **state) {
-    (void)state;
+TEST(one_place) {
     enum { COUNT = 40 };
     struct bvh tree;
     struct bvh_triangle *triangles = mem_alloc(COUNT, sizeof *triangles);
@@ -213,8 +209,7 @@ static void test_one_place(void **state) {
     bvh_free(&tree);
 }
 
-static void test_none(void **state) {
-    (void)state;
+TEST(none) {
     struct bvh tree;
     bvh_init(&tree, mem_alloc(0, sizeof *tree.triangles), 0);
     assert_int_equal(tree.count, 0);
@@ -222,9 +217,4 @@ static void test_none(void **state) {
     bvh_free(&tree);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_nearest), cmocka_unit_test(test_tree),
-                                       cmocka_unit_test(test_one_place),
-                                       cmocka_unit_test(test_opaque), cmocka_unit_test(test_none)};
-    return cmocka_run_group_tests_name("bvh_ray", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -116,8 +116,7 @@ static int count_open_edges(float (*position)[3], const struct caster *caster) {
 
 /* The triangles with the longest edges are long, as many as may be but for those that are alike,
  * and no triangle is lost. */
-static void test_long(void **state) {
-    (void)state;
+TEST(long) {
     struct geometry box;
     make_box(&box);
     static const int most[] = {0, 1, 5, 8, 11, 12, 1000000};
@@ -146,8 +145,7 @@ static void test_long(void **state) {
 }
 
 /* Both lists have all batches, opaque ones first. */
-static void test_batches(void **state) {
-    (void)state;
+TEST(batches) {
     struct geometry box;
     make_box(&box);
     struct caster caster;
@@ -178,8 +176,7 @@ static void test_batches(void **state) {
 }
 
 /* Metaballs have other triangles with each pose: none is long. */
-static void test_dynamic(void **state) {
-    (void)state;
+TEST(dynamic) {
     struct geometry box;
     make_box(&box);
     box.batches[0].dynamic = true;
@@ -270,8 +267,7 @@ static double deepest(float (*position)[3], const struct caster *caster) {
 
 /* A ball of few triangles strays no more than was allowed for, and no crack opens in it nor between
  * its parts. */
-static void test_simplified(void **state) {
-    (void)state;
+TEST(simplified) {
     struct geometry ball;
     make_ball(&ball);
     /* The poles' rows have triangles without area. */
@@ -292,8 +288,7 @@ static void test_simplified(void **state) {
 }
 
 /* What bends or has holes keeps its triangles, and so does all where nothing may stray. */
-static void test_not_simplified(void **state) {
-    (void)state;
+TEST(not_simplified) {
     enum { OFF, NOT_RIGID, MASKED, KINDS };
     for (int kind = 0; kind < KINDS; kind++) {
         struct geometry ball;
@@ -312,8 +307,7 @@ static void test_not_simplified(void **state) {
 }
 
 /* A small thing keeps its shape whatever the scene's size allows for. */
-static void test_small_part(void **state) {
-    (void)state;
+TEST(small_part) {
     struct geometry ball;
     make_ball(&ball);
     struct caster caster;
@@ -324,11 +318,4 @@ static void test_small_part(void **state) {
     geometry_free(&ball);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_long),           cmocka_unit_test(test_batches),
-        cmocka_unit_test(test_dynamic),        cmocka_unit_test(test_simplified),
-        cmocka_unit_test(test_not_simplified), cmocka_unit_test(test_small_part),
-    };
-    return cmocka_run_group_tests_name("caster", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

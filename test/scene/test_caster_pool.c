@@ -48,8 +48,7 @@ static const struct caster_gpu *acquire(struct caster_pool *pool, const struct c
 }
 
 /* Who asks for the same gets the same, and one that nobody uses stays until another is made. */
-static void test_shared_and_kept(void **state) {
-    (void)state;
+TEST(shared_and_kept) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     size_t before = gpu_memory_total();
@@ -84,7 +83,7 @@ static void test_shared_and_kept(void **state) {
 
 /* Solids are told where nothing moves, a camera stands and casters may stray; metaballs close as
  * they move. */
-static void test_solid(void **state) {
+TEST(solid) {
     static const struct {
         const char *path;
         const struct caster_desc *desc;
@@ -138,8 +137,7 @@ static void check_moved(struct stage *stage, float cell) {
     caster_pool_free(pool);
 }
 
-static void test_moved(void **state) {
-    (void)state;
+TEST(moved) {
     struct stage stage;
     open_stage(&stage, "scenes/door.glb");
     check_moved(&stage, 0);
@@ -147,8 +145,7 @@ static void test_moved(void **state) {
 }
 
 /* Metaballs outgrow their room, and all is laid out anew. */
-static void test_laid_out_anew(void **state) {
-    (void)state;
+TEST(laid_out_anew) {
     struct stage stage;
     open_stage(&stage, "scenes/metaballs.glb");
     float cell = stage.scene.metaballs[0].cell;
@@ -160,8 +157,7 @@ static void test_laid_out_anew(void **state) {
 }
 
 /* Where there is an alpha mask casters have texture coordinates. */
-static void test_masked(void **state) {
-    (void)state;
+TEST(masked) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     stage.scene.materials[0].alpha_mask = true;
@@ -177,12 +173,4 @@ static void test_masked(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_shared_and_kept), cmocka_unit_test(test_solid),
-        cmocka_unit_test(test_moved),           cmocka_unit_test(test_laid_out_anew),
-        cmocka_unit_test(test_masked),
-    };
-    return cmocka_run_group_tests_name("caster pool", tests, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -23,8 +23,7 @@ static double at(const struct environment *sky, double azimuth, double elevation
 }
 
 /* Directions of even density by the cosine see the wanted irradiance of a level plane. */
-static void test_integral(void **state) {
-    (void)state;
+TEST(integral) {
     enum { SAMPLES = 20000 };
     for (int type = 1; type <= 16; type++) {
         char text[64];
@@ -41,8 +40,7 @@ static void test_integral(void **state) {
     }
 }
 
-static void test_ratios(void **state) {
-    (void)state;
+TEST(ratios) {
     struct environment *even = make("cie:5,zenith=7");
     for (int i = 0; i < 100; i++)
         check_near("even", at(even, 31 * i, .5 + .89 * i), 7, 1e-5);
@@ -58,8 +56,7 @@ static void test_ratios(void **state) {
 }
 
 /* ISO 15469 for a clear sky, written once more; brightest where the sun is, alike on both sides. */
-static void test_clear(void **state) {
-    (void)state;
+TEST(clear) {
     static const double sun_azimuth = 90, sun_elevation = 30;
     struct environment *sky = make("cie:12,azimuth=90,elevation=30,zenith=1");
     double worst = 0, uneven = 0, most = 0, where[2] = {0};
@@ -87,8 +84,7 @@ static void test_clear(void **state) {
     environment_free(sky);
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const char *const texts[][2] = {
         {"cie:", "cie:: type: '' is not a whole number from 1 to 16"},
         {"cie:0", "'0' is not a whole number from 1 to 16"},
@@ -107,12 +103,4 @@ static void test_refusals(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_integral),
-        cmocka_unit_test(test_ratios),
-        cmocka_unit_test(test_clear),
-        cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -5,7 +5,6 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "scene/animation.h"
 #include "scene/clips.h"
 #include "scene/mesh/geometry.h"
@@ -70,8 +69,7 @@ static void check_playing(const struct scene *scene, const char *expected) {
 #define BLINK CLIP("blink", CHANNEL("2", "scale", "1"))
 #define GROW CLIP("grow", CHANNEL("0", "scale", "0"))
 
-static void test_defaults(void **state) {
-    (void)state;
+TEST(defaults) {
     static const struct {
         const char *clips, *playing;
         double duration;
@@ -96,8 +94,7 @@ static void test_defaults(void **state) {
     }
 }
 
-static void test_together(void **state) {
-    (void)state;
+TEST(together) {
     struct scene scene;
     load(&scene, DOOR "," LID);
     check_near("the door at .5 s", x_of(&scene, 0, .5), 2, 1e-6);
@@ -115,8 +112,7 @@ static void test_together(void **state) {
     scene_free(&scene);
 }
 
-static void test_choice(void **state) {
-    (void)state;
+TEST(choice) {
     static const struct {
         const char *text, *playing, *kept;
     } rows[] = {
@@ -150,8 +146,7 @@ static void test_choice(void **state) {
 }
 
 /* A note names what is left out, info marks it, and --clip is heard. */
-static void test_commands(void **state) {
-    (void)state;
+TEST(commands) {
     assert_int_equal(run_program("info %s", write_clips(WALK "," RUN "," BLINK)), 0);
     expect_text("do not play: 1=run;");
     expect_text("channels 2, only by --clip");
@@ -165,8 +160,7 @@ static void test_commands(void **state) {
     expect_text("no clip 'jump' (there is: 0=walk 1=run 2=blink)");
 }
 
-static void test_case(void **state) {
-    (void)state;
+TEST(case) {
     const char *path = shared_case("two-clips/two.gltf");
     struct scene scene;
     struct geometry geometry;
@@ -185,12 +179,4 @@ static void test_case(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_defaults), cmocka_unit_test(test_together),
-        cmocka_unit_test(test_choice),   cmocka_unit_test(test_commands),
-        cmocka_unit_test(test_case),
-    };
-    return cmocka_run_group_tests_name("clips", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

@@ -106,8 +106,7 @@ static const char small[] = "vpls=64 vals=4 map-size=32 rsm-size=64 shadow-size=
 
 /* Perspective and orthographic views, one and several; at the beginning of a clip and where its
  * parts have moved, and their arrays have grown. */
-static void test_triangles(void **state) {
-    (void)state;
+TEST(triangles) {
     static const char *const paths[] = {"scenes/atrium.glb", "scenes/creatures.glb",
                                         "scenes/metaballs.glb", "scenes/character.glb"};
     for (size_t p = 0; p < sizeof paths / sizeof *paths; p++) {
@@ -136,8 +135,7 @@ static void see_all(const struct culling *culling) {
 
 /* Pictures are the same bits as where all is drawn: also tiny ones, of which samples leave a good
  * part. */
-static void test_pictures(void **state) {
-    (void)state;
+TEST(pictures) {
     static const char *const paths[] = {"scenes/atrium.glb", "scenes/three-lights.glb",
                                         "scenes/plant.glb"};
     static const int sizes[][2] = {{64, 40}, {3, 2}, {1, 1}};
@@ -163,10 +161,4 @@ static void test_pictures(void **state) {
         }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_triangles),
-        cmocka_unit_test(test_pictures),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -4,7 +4,6 @@
 #include "command_support.h"
 #include "cube_parts.h"
 
-#include "base/log.h"
 #include "scene/lights/emitter.h"
 #include "scene/open.h"
 #include "scene/placing.h"
@@ -110,8 +109,7 @@ static int count_added(const struct scene *scene) {
     return count;
 }
 
-static void test_lamps(void **state) {
-    (void)state;
+TEST(lamps) {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct scene scene;
         struct geometry geometry;
@@ -123,8 +121,7 @@ static void test_lamps(void **state) {
 }
 
 /* The decision is the same at any size of the scene, in the same light. */
-static void test_far_and_large(void **state) {
-    (void)state;
+TEST(far_and_large) {
     static const struct row large[] = {
         {"a LED of 20 m on a box of 200 m, far out",
          "{\"mesh\": 0, \"scale\": [100, 100, 100], \"translation\": [1e6, 0, 0]},"
@@ -145,8 +142,7 @@ static void test_far_and_large(void **state) {
 }
 
 /* A note says what was done. */
-static void test_notes(void **state) {
-    (void)state;
+TEST(notes) {
     assert_int_equal(run_program("info %s", write_row(&rows[0])), 0);
     expect_text("its own lights leave the picture dark");
     assert_int_equal(run_program("info %s", write_row(&rows[12])), 0);
@@ -155,8 +151,7 @@ static void test_notes(void **state) {
 }
 
 /* Metals that mirror nothing but the dark are black by lights without a size. */
-static void test_mirrors(void **state) {
-    (void)state;
+TEST(mirrors) {
 #define METAL(roughness) "\"pbrMetallicRoughness\": {\"roughnessFactor\": " roughness "}"
     static const struct {
         const char *what, *material, *nodes, *options;
@@ -196,8 +191,7 @@ static void test_mirrors(void **state) {
 }
 
 /* Nothing is added where the user names the lights, and the note tells the truth. */
-static void test_named_lights(void **state) {
-    (void)state;
+TEST(named_lights) {
     static const struct {
         const char *light;
         int added, shining; /* lights */
@@ -230,8 +224,7 @@ static void test_named_lights(void **state) {
     }
 }
 
-static void test_notes_of_named_lights(void **state) {
-    (void)state;
+TEST(notes_of_named_lights) {
     static const struct row without = {"a box alone", CUBE, "0", "1", NULL, true};
     static const struct {
         const struct row *row;
@@ -252,8 +245,7 @@ static void test_notes_of_named_lights(void **state) {
 
 /* A black emission map with one bright texel of 8 x 8, as a helmet's lights are: most of the model
  * is dark. */
-static void test_emission_map(void **state) {
-    (void)state;
+TEST(emission_map) {
     static const char *const maps[] = {"iVBORw0KGgoAAAANSUhEUgAAAAgAAAAICAAAAADhZOFXAAAAD0lEQVR42mN"
                                        "gwA7+M5AGADAYAQAynfmjAAAAAElFTkSuQmCC"
                                        /* one texel of 255 */,
@@ -289,8 +281,7 @@ static void test_emission_map(void **state) {
 }
 
 /* The case of the public reports. */
-static void test_case(void **state) {
-    (void)state;
+TEST(case) {
     const char *path = shared_case("faint-emission/led.gltf");
     struct scene scene;
     struct geometry geometry;
@@ -302,13 +293,4 @@ static void test_case(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lamps),        cmocka_unit_test(test_far_and_large),
-        cmocka_unit_test(test_notes),        cmocka_unit_test(test_mirrors),
-        cmocka_unit_test(test_named_lights), cmocka_unit_test(test_notes_of_named_lights),
-        cmocka_unit_test(test_emission_map), cmocka_unit_test(test_case),
-    };
-    return cmocka_run_group_tests_name("darkness", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

@@ -44,8 +44,7 @@ static void light_batch(struct lit_world *lit, int batch, float radiance) {
 }
 
 /* Within a sphere that emits 1 and reflects half, each bounce brings half of the one before. */
-static void test_furnace(void **state) {
-    (void)state;
+TEST(furnace) {
     struct lit_world lit;
     struct image image;
     world_in_sphere(&lit.world);
@@ -82,8 +81,7 @@ static void make_square(struct lit_world *lit) {
 
 /* Below its middle E / L = .752275; and both ways alone, from so near and from within its plane's
  * reach. */
-static void test_square(void **state) {
-    (void)state;
+TEST(square) {
     struct lit_world lit;
     struct image image;
     make_square(&lit);
@@ -96,8 +94,7 @@ static void test_square(void **state) {
 }
 
 /* A texture of two texels, one of them black: half of the light. */
-static void test_texture(void **state) {
-    (void)state;
+TEST(texture) {
     struct lit_world lit;
     struct image image;
     unsigned char rgba[8] = {255, 255, 255, 255, 0, 0, 0, 255};
@@ -115,8 +112,7 @@ static void test_texture(void **state) {
 
 /* Right below a lamp, and beside one that it touches: by triangles alone, points near them would be
  * bright without bound. */
-static void test_touching(void **state) {
-    (void)state;
+TEST(touching) {
     struct lit_world lit;
     struct image image;
     world_init(&lit.world);
@@ -195,8 +191,7 @@ static double intensity(const struct lamp_part *parts, int count, vec3s towards)
     return sum;
 }
 
-static void test_ball(void **state) {
-    (void)state;
+TEST(ball) {
     static struct triangles ball;
     struct lamp_part parts[STAND_INS_MAX];
     make_ball(&ball, 16);
@@ -221,8 +216,7 @@ static void test_ball(void **state) {
 }
 
 /* A strip of many triangles is one rectangle, whatever they are like. */
-static void test_strip(void **state) {
-    (void)state;
+TEST(strip) {
     static struct triangles strip;
     struct lamp_part part;
     strip.count = 0;
@@ -286,8 +280,7 @@ static double power_of_lights(const struct scene *scene) {
 
 /* 40 panes, more than can be lights of their own, of which none is lost: the largest are, as they
  * are. */
-static void test_many(void **state) {
-    (void)state;
+TEST(many) {
     enum { PANES = 40 };
     char nodes[8192] = "[";
     struct scene scene;
@@ -325,8 +318,7 @@ static void test_many(void **state) {
 }
 
 /* A unit ball of radiance 1 before a patch that faces it: E = pi / d^2. */
-static void test_ball_of_triangles(void **state) {
-    (void)state;
+TEST(ball_of_triangles) {
     static struct triangles ball;
     const float distance = 3;
     double irradiance = 0;
@@ -351,8 +343,7 @@ static void test_ball_of_triangles(void **state) {
 }
 
 /* A shape of one triangle, of both sides, mirrored and turned. */
-static void test_listed_triangles(void **state) {
-    (void)state;
+TEST(listed_triangles) {
     static const struct {
         const char *what, *material, *node;
         int triangles;
@@ -384,8 +375,7 @@ static void test_listed_triangles(void **state) {
 }
 
 /* A triangle, a mirrored one, and one of two sides, below nodes that turn and stretch them. */
-static void test_shaped(void **state) {
-    (void)state;
+TEST(shaped) {
     struct scene scene;
     const struct gltf_parts parts = {
         .accessors = ONE_TRIANGLE,
@@ -407,8 +397,7 @@ static void test_shaped(void **state) {
 }
 
 /* Which surfaces become lights, and how many: the quad in another material, or moved otherwise. */
-static void test_which_shine(void **state) {
-    (void)state;
+TEST(which_shine) {
     static unsigned char half[4 * 4 * 4];
     static const float alphas[4][4] = {{1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}, {1, 1, 1, 0}};
 #define GLOW "\"emissiveFactor\": [1, 1, 1]"
@@ -477,8 +466,7 @@ static void test_which_shine(void **state) {
 }
 
 /* A lamp's own light, and that it is dark when it does not shine: GL beside rays. */
-static void test_glow(void **state) {
-    (void)state;
+TEST(glow) {
     enum { SIZE = 32 };
     struct stage stage;
     struct image traced;
@@ -513,20 +501,4 @@ static void test_glow(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_furnace),
-        cmocka_unit_test(test_square),
-        cmocka_unit_test(test_texture),
-        cmocka_unit_test(test_touching),
-        cmocka_unit_test(test_ball),
-        cmocka_unit_test(test_strip),
-        cmocka_unit_test(test_many),
-        cmocka_unit_test(test_shaped),
-        cmocka_unit_test(test_which_shine),
-        cmocka_unit_test(test_glow),
-        cmocka_unit_test(test_listed_triangles),
-        cmocka_unit_test(test_ball_of_triangles),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

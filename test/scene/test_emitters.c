@@ -25,8 +25,7 @@ static void check_deal(const double *weights, int takers, int things, const int 
 }
 
 /* Whole shares, their sum, one at least, none for nothing, and all alike where none weighs. */
-static void test_deal_counts(void **state) {
-    (void)state;
+TEST(deal_counts) {
     check_deal((double[]){3}, 1, 7, (int[]){7});
     check_deal((double[]){1, 1}, 2, 8, (int[]){4, 4});
     check_deal((double[]){5, 2, 1}, 3, 16, (int[]){10, 4, 2});
@@ -38,8 +37,7 @@ static void test_deal_counts(void **state) {
 }
 
 /* Any run has each taker's within one of its weight. */
-static void test_deal_runs(void **state) {
-    (void)state;
+TEST(deal_runs) {
     enum { THINGS = 1024, RUN = 16 };
     static const double weights[] = {.62, .3, .08};
     struct dealt dealt[THINGS];
@@ -100,8 +98,7 @@ static void check_meet(const char *what, enum emitter_type type, float width, fl
     assert_true(emitter_extent(&light) > 0);
 }
 
-static void test_meet(void **state) {
-    (void)state;
+TEST(meet) {
     check_meet("rectangle", EMITTER_AREA, .5F, .25F);
     check_meet("disk", EMITTER_AREA, .5F, 0);
     check_meet("spot's disk", EMITTER_SPOT, .5F, 0);
@@ -131,8 +128,7 @@ static void check_picked(const struct scene *scene, const char *text, const char
     emitters_free(&again);
 }
 
-static void test_texts(void **state) {
-    (void)state;
+TEST(texts) {
     struct scene scene;
     check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
     check_picked(&scene, NULL, "0,1,2");
@@ -159,8 +155,7 @@ static void rename_node(struct scene *scene, enum node_kind kind, int n, const c
 }
 
 /* Names with what parts lists: alone by the whole name, else by number. */
-static void test_names_with_signs(void **state) {
-    (void)state;
+TEST(names_with_signs) {
     static const char *const names[] = {"Sun, warm", "key; w=1,2,3", "a=b"};
     struct scene scene;
     struct camera camera;
@@ -193,8 +188,7 @@ static void test_names_with_signs(void **state) {
 }
 
 /* All area lights by one word, which without any is a name like others. */
-static void test_emitters_text(void **state) {
-    (void)state;
+TEST(emitters_text) {
     struct scene scene;
     struct emitters emitters = {0};
     check_ok("scene", scene_load(&scene, "scenes/table.glb"));
@@ -207,8 +201,7 @@ static void test_emitters_text(void **state) {
     scene_free(&scene);
 }
 
-static void test_text_refusals(void **state) {
-    (void)state;
+TEST(text_refusals) {
     static const struct {
         const char *text, *error;
     } rows[] = {
@@ -249,8 +242,7 @@ static void test_text_refusals(void **state) {
 }
 
 /* A camera by words: by its name, moved, turned, tilted; and words that mean nothing. */
-static void test_camera_text(void **state) {
-    (void)state;
+TEST(camera_text) {
     static const char *const bad[][2] = {
         {"nobody eye=0,0,0", "no camera 'nobody' (there is:"},
         {"eye=0,0", "camera: 'eye=0,0' wants 3 numbers"},
@@ -298,8 +290,7 @@ static double flux_by_rule(const struct emitter *light) {
     return sum * 2 / STEPS * 2 * GLM_PI * (double)light->intensity[0];
 }
 
-static void test_flux(void **state) {
-    (void)state;
+TEST(flux) {
     static const struct {
         const char *what;
         enum emitter_type type;
@@ -393,8 +384,7 @@ static double worst_direct(const struct image *whole, const struct image *parts,
 }
 
 /* Light adds up: three lights are one and one and one. */
-static void test_sum(void **state) {
-    (void)state;
+TEST(sum) {
     struct world world;
     struct emitter lights[3];
     struct image parts[3];
@@ -418,8 +408,7 @@ static void test_sum(void **state) {
 }
 
 /* A light in two halves at one place is the one. */
-static void test_split(void **state) {
-    (void)state;
+TEST(split) {
     struct world world;
     struct emitter lights[3], halves[2];
     start_corner(&world);
@@ -437,8 +426,7 @@ static void test_split(void **state) {
 }
 
 /* Lights that give nothing take no rays from the one that does. */
-static void test_dark_lights(void **state) {
-    (void)state;
+TEST(dark_lights) {
     struct world world;
     struct emitter lights[3], many[20];
     start_corner(&world);
@@ -459,8 +447,7 @@ static void test_dark_lights(void **state) {
 
 /* In a sphere of albedo 1/2 what one bounce gives is the flux alone, whatever shines from where:
  * rho Phi / (4 pi R^2) as irradiance. Light rays start from all of the light, and weights fit. */
-static void test_sizes(void **state) {
-    (void)state;
+TEST(sizes) {
     static const struct {
         const char *what;
         enum emitter_type type;
@@ -495,8 +482,7 @@ static void test_sizes(void **state) {
 }
 
 /* Where nothing but the direct light of a lamp has noise, that is the estimate. */
-static void test_direct_noise(void **state) {
-    (void)state;
+TEST(direct_noise) {
     struct world world;
     struct image reference, quick;
     start_corner(&world);
@@ -520,22 +506,4 @@ static void test_direct_noise(void **state) {
     world_free(&world);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_meet),
-        cmocka_unit_test(test_deal_counts),
-        cmocka_unit_test(test_deal_runs),
-        cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_names_with_signs),
-        cmocka_unit_test(test_camera_text),
-        cmocka_unit_test(test_text_refusals),
-        cmocka_unit_test(test_emitters_text),
-        cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_sum),
-        cmocka_unit_test(test_split),
-        cmocka_unit_test(test_dark_lights),
-        cmocka_unit_test(test_sizes),
-        cmocka_unit_test(test_direct_noise),
-    };
-    return cmocka_run_group_tests_name("emitters", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

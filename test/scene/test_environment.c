@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/image_file.h"
-#include "base/log.h"
 #include "base/unit.h"
 #include "reference/channels.h"
 #include "quality/picture.h"
@@ -62,8 +61,7 @@ static void check_texel(const struct environment *environment, vec3 direction, i
 
 /* Of 16 columns: -X at the left edge, +X in the middle, +Y at the top. Directions lie just right of
  * and below the corners of texels. */
-static void test_directions(void **state) {
-    (void)state;
+TEST(directions) {
     struct environment sky;
     check_ok("load", environment_load(&sky, write_numbered("sky.exr", 16, 8)));
     check_texel(&sky, (vec3){-1, -.01F, -.01F}, 0, 4);
@@ -87,8 +85,7 @@ static void test_directions(void **state) {
 }
 
 /* The way back, at any turn; and all texels together are the whole sphere. */
-static void test_texels(void **state) {
-    (void)state;
+TEST(texels) {
     struct environment sky;
     check_ok("load", environment_load(&sky, write_numbered("sky.exr", 64, 32)));
     double sum = 0;
@@ -109,8 +106,7 @@ static void test_texels(void **state) {
 }
 
 /* The numbers of a picture that is halved are means, and a row's is the middle by solid angle. */
-static void test_wide(void **state) {
-    (void)state;
+TEST(wide) {
     struct environment sky;
     if (!is_long_run())
         skip();
@@ -173,8 +169,7 @@ static const char *write_cube(const char *name, int side, int height, bool marke
 }
 
 /* The same as of a panorama whose texels have that light. */
-static void test_cube(void **state) {
-    (void)state;
+TEST(cube) {
     struct environment sky;
     double worst = 0, sums[2][3] = {{0}};
     check_ok("load", environment_load(&sky, write_cube("cube.exr", 48, 288, true)));
@@ -225,8 +220,7 @@ static void check_texel_replaced(float value, float expected, const char *note) 
     check_ok("not strict", read_rules_set(false, NULL));
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     remove(scratch("none.exr"));
     check_sky_refused(scratch("none.exr"), "");
     check_sky_refused(write_numbered("square.exr", 8, 8),
@@ -255,8 +249,7 @@ static void open_with(struct scene *scene, const struct gltf_parts *parts,
 }
 
 /* A name in the file, one in its place, and changes of it. */
-static void test_scenes(void **state) {
-    (void)state;
+TEST(scenes) {
     const struct gltf_parts named = {
         .asset = "{\"version\": \"2.0\", \"extras\": {\"environment\": \"sky.hdr\"}}"};
     const struct gltf_parts strong = {
@@ -290,8 +283,7 @@ static void check_scene_refused(const struct gltf_parts *parts, const struct env
     assert_non_null(strstr(error_get(), message));
 }
 
-static void test_scene_refusals(void **state) {
-    (void)state;
+TEST(scene_refusals) {
     static const char *const rows[][2] = {
         {"{\"environment\": \"../../sky.hdr\"}",
          "extras: environment: '../../sky.hdr' leads out of the folder "},
@@ -328,8 +320,7 @@ static void check_lights(const struct scene *scene, const char *text, int count,
     emitters_free(&again);
 }
 
-static void test_choice(void **state) {
-    (void)state;
+TEST(choice) {
     struct scene scene;
     struct geometry geometry;
     struct emitters emitters = {0};
@@ -351,8 +342,7 @@ static void test_choice(void **state) {
 /* --- pictures --------------------------------------------------------------------------------- */
 
 /* Looks past a quad at a sky of many texels: GL and rays see the same one in every pixel. */
-static void test_background(void **state) {
-    (void)state;
+TEST(background) {
     enum { SIZE = 48 };
     struct stage stage;
     struct image traced;
@@ -382,13 +372,4 @@ static void test_background(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_directions), cmocka_unit_test(test_wide),
-        cmocka_unit_test(test_texels),     cmocka_unit_test(test_refusals),
-        cmocka_unit_test(test_scenes),     cmocka_unit_test(test_scene_refusals),
-        cmocka_unit_test(test_cube),       cmocka_unit_test(test_choice),
-        cmocka_unit_test(test_background),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

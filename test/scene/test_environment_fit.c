@@ -64,8 +64,7 @@ static void add_energy(const struct environment_light *lights, int count, double
 enum { FITS = 2 };
 static const char *const fits[FITS] = {"rectangles", "even parts"};
 
-static void test_conservation(void **state) {
-    (void)state;
+TEST(conservation) {
     for (size_t s = 0; s < sizeof skies / sizeof *skies; s++)
         for (int fit = 0; fit < FITS; fit++)
             for (int wanted = ENVIRONMENT_LIGHTS_MIN; wanted < 100; wanted = 5 * wanted) {
@@ -117,8 +116,7 @@ static double lambert(const struct environment_light *light, const float normal[
 }
 
 /* pi L, whichever way a surface faces and however many lights there are: they part the sphere. */
-static void test_even_sky(void **state) {
-    (void)state;
+TEST(even_sky) {
     static const float normals[4][3] = {
         {0, 1, 0}, {.6F, .8F, 0}, {-.36F, .48F, -.8F}, {0, -.6F, .8F}};
     struct environment sky = make_sky(paint_even);
@@ -148,8 +146,7 @@ static void middle_of(const struct environment_light *light, float middle[3]) {
     vec3_unit(middle);
 }
 
-static void test_sun(void **state) {
-    (void)state;
+TEST(sun) {
     struct environment sky = make_sky(paint_sunny);
     for (int fit = 0; fit < FITS; fit++) {
         struct environment_light lights[ENVIRONMENT_LIGHTS_MAX];
@@ -167,8 +164,7 @@ static void test_sun(void **state) {
 
 /* A quarter of its width on, a map's lights are the same, turned; and so they are with a turn of 90
  * degrees. */
-static void test_turn(void **state) {
-    (void)state;
+TEST(turn) {
     struct environment sky = make_sky(paint_sunny), turned = make_sky(paint_sunny);
     for (int i = 0; i < WIDTH * HEIGHT; i++)
         glm_vec3_copy(sky.texels[i], turned.texels[i - i % WIDTH + (i + WIDTH * 3 / 4) % WIDTH]);
@@ -206,8 +202,7 @@ static void test_turn(void **state) {
 }
 
 /* A quarter of the sphere's face, seen face on. */
-static void test_vector(void **state) {
-    (void)state;
+TEST(vector) {
     struct environment sky = make_sky(paint_even);
     struct environment_light lights[ENVIRONMENT_LIGHTS_MAX];
     int count = environment_fit(lights, &sky, SKY_FIT_EVEN, 48);
@@ -226,11 +221,4 @@ static void test_vector(void **state) {
     free(sky.texels);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_conservation), cmocka_unit_test(test_even_sky),
-        cmocka_unit_test(test_sun),          cmocka_unit_test(test_turn),
-        cmocka_unit_test(test_vector),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

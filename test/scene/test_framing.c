@@ -114,8 +114,7 @@ static const char walk[] = "\"animations\": [{\"samplers\": [{\"input\": 3, \"ou
 
 /* A thing alone is seen from outside, all of it: a block on a slab; a millimetre far out; a figure
  * whose body is hollow, with walls that face its middle; one that walks, wherever it goes. */
-static void test_objects(void **state) {
-    (void)state;
+TEST(objects) {
     static const struct {
         const char *name, *nodes, *more;
     } rows[] = {
@@ -143,8 +142,7 @@ static void test_objects(void **state) {
 
 /* A room is seen from within: of walls without thickness; with walls that have an outside; with a
  * cupboard in its very middle. */
-static void test_rooms(void **state) {
-    (void)state;
+TEST(rooms) {
     static const struct {
         const char *name, *nodes;
     } rows[] = {
@@ -169,8 +167,7 @@ static void test_rooms(void **state) {
 
 /* Lights stand where the file's camera sees what they light, even from below, and whatever size its
  * node has. */
-static void test_camera_of_file(void **state) {
-    (void)state;
+TEST(camera_of_file) {
     struct stage stage;
     open_cubes(&stage, "camera.glb",
                "[" BOX(0, 1, 0, 0.5, 1, 0.5) "," BOX(
@@ -195,10 +192,5 @@ static void test_camera_of_file(void **state) {
 
 int main(void) {
     log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_objects),
-        cmocka_unit_test(test_rooms),
-        cmocka_unit_test(test_camera_of_file),
-    };
-    return cmocka_run_group_tests_name("framing", tests, open_group_context, close_group_context);
+    return run_file(__FILE__, open_group_context, close_group_context);
 }

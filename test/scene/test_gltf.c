@@ -3,7 +3,6 @@
 #include "gltf_parts.h"
 
 #include "base/file/image_file.h"
-#include "base/log.h"
 #include "base/memory.h"
 #include "scene/material.h"
 #include "scene/mesh/geometry.h"
@@ -28,8 +27,7 @@ static void check_values(const char *what, const float *value, int n, const doub
         check_near(what, value[c], expected[c], tolerance);
 }
 
-static void test_quad(void **state) {
-    (void)state;
+TEST(quad) {
     struct scene scene = load("quad.glb", (struct gltf_parts){0});
     const struct primitive *quad = first_primitive(&scene);
     assert_int_equal(quad->index_count, 6);
@@ -45,8 +43,7 @@ static void test_quad(void **state) {
 }
 
 /* Colours of every component type; the first has all components 1/2 or as near as the type goes. */
-static void test_component_types(void **state) {
-    (void)state;
+TEST(component_types) {
     static const struct {
         int type;
         bool normalized;
@@ -85,8 +82,7 @@ static void test_component_types(void **state) {
     }
 }
 
-static void test_index_types(void **state) {
-    (void)state;
+TEST(index_types) {
     static const unsigned char bytes[] = {0, 1, 2, 0, 0, 0, 0, 0};
     static const uint16_t shorts[] = {0, 1, 2};
     static const uint32_t words[] = {0, 1, 2};
@@ -117,8 +113,7 @@ static void check_triangle(const struct primitive *primitive, int triangle, cons
                      quad[corners[i]], 0);
 }
 
-static void test_strip_and_fan(void **state) {
-    (void)state;
+TEST(strip_and_fan) {
     struct scene scene =
         load("strip.glb", (struct gltf_parts){.meshes = "[{\"primitives\": [{\"attributes\":"
                                                         " {\"POSITION\": 0}, \"mode\": 5}]}]"});
@@ -135,8 +130,7 @@ static void test_strip_and_fan(void **state) {
 }
 
 /* Lines beside triangles are left out; a mesh of lines alone is empty. */
-static void test_lines_are_ignored(void **state) {
-    (void)state;
+TEST(lines_are_ignored) {
     struct scene scene =
         load("lines.glb",
              (struct gltf_parts){
@@ -147,8 +141,7 @@ static void test_lines_are_ignored(void **state) {
     scene_free(&scene);
 }
 
-static void test_stride_and_sparse(void **state) {
-    (void)state;
+TEST(stride_and_sparse) {
     /* Normals with a stride of 16, of which the sparse part replaces the third. */
     struct {
         float normal[4][4];
@@ -181,8 +174,7 @@ static void test_stride_and_sparse(void **state) {
 }
 
 /* Zero and NaN normals, and triangles without area: all end in finite unit normals. */
-static void test_hopeless_normals(void **state) {
-    (void)state;
+TEST(hopeless_normals) {
     static const float normals[4][3] = {{0, 0, 0}, {NAN, 0, 0}, {0, INFINITY, 0}, {0, 1e-20F, 0}};
     static const struct gltf_parts parts[] = {
         {.accessors = PARTS_OWN_NORMALS,
@@ -219,8 +211,7 @@ static size_t make_png(unsigned char *bytes, size_t size) {
     return got;
 }
 
-static void test_texture(void **state) {
-    (void)state;
+TEST(texture) {
     static const float uvs[4][2] = {{0, 0}, {1, 0}, {1, 1}, {.25F, .5F}};
     unsigned char png[4096];
     make_png(png, sizeof png);
@@ -264,8 +255,7 @@ static void test_texture(void **state) {
 }
 
 /* The same picture in a buffer view, unaligned. */
-static void test_embedded_texture(void **state) {
-    (void)state;
+TEST(embedded_texture) {
     unsigned char extra[256] = {0};
     size_t size = make_png(extra + 33, sizeof extra - 33);
     char views[256];
@@ -293,8 +283,7 @@ static void test_embedded_texture(void **state) {
 }
 
 /* A red WebP of 8 x 8, which an extension names. */
-static void test_webp(void **state) {
-    (void)state;
+TEST(webp) {
     static const unsigned char webp[] = {
         0x52, 0x49, 0x46, 0x46, 0x44, 0,    0,    0,    0x57, 0x45, 0x42, 0x50, 0x56,
         0x50, 0x38, 0x20, 0x38, 0,    0,    0,    0x50, 2,    0,    0x9d, 1,    0x2a,
@@ -321,8 +310,7 @@ static void test_webp(void **state) {
 
 /* All that a material says. The first one's roughness lies where its colour does, its glow has a
  * mapping of its own; numbers are not colours, though they are the same picture. */
-static void test_materials(void **state) {
-    (void)state;
+TEST(materials) {
     unsigned char png[4096];
     make_png(png, sizeof png);
     struct scene scene = load(
@@ -388,8 +376,7 @@ static void test_materials(void **state) {
 }
 
 /* All that is dropped is said in one note, each thing once; and nothing of what is read. */
-static void test_lacks(void **state) {
-    (void)state;
+TEST(lacks) {
     unsigned char png[4096];
     make_png(png, sizeof png);
     hear_notes();
@@ -432,8 +419,7 @@ static void test_lacks(void **state) {
 /* The older model of materials: diffuse colour, reflectance, and glossiness; its second texture has
  * both. What is left out of it is white and smooth, and hardly any reflectance has none when
  * grazing, too. */
-static void test_specular_glossiness(void **state) {
-    (void)state;
+TEST(specular_glossiness) {
     unsigned char png[4096];
     make_png(png, sizeof png);
     struct scene scene = load(
@@ -467,8 +453,7 @@ static void test_specular_glossiness(void **state) {
 }
 
 /* A matrix and the TRS it is made of place the quad alike; children come after their parents. */
-static void test_nodes(void **state) {
-    (void)state;
+TEST(nodes) {
     /* 90 degrees about z, scaled by 2 along x, then moved. */
     struct scene scene = load(
         "nodes.glb",
@@ -496,8 +481,7 @@ static void test_nodes(void **state) {
 
 /* Three quads by instancing, below their node, with its child once: places, turns as
  * shorts, sizes. */
-static void test_instances(void **state) {
-    (void)state;
+TEST(instances) {
     struct {
         float places[3][3], sizes[3][3];
         int16_t turns[3][4];
@@ -536,8 +520,7 @@ static void test_instances(void **state) {
 }
 
 /* Deep chains are no recursion. */
-static void test_deep_chain(void **state) {
-    (void)state;
+TEST(deep_chain) {
     enum { DEPTH = 20000 };
     char *text = mem_alloc(DEPTH * 64, 1), *end = text;
     end += sprintf(end, "{\"asset\": {\"version\": \"2.0\"}, \"accessors\": [{\"componentType\":"
@@ -559,25 +542,4 @@ static void test_deep_chain(void **state) {
     free(text);
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_quad),
-        cmocka_unit_test(test_component_types),
-        cmocka_unit_test(test_index_types),
-        cmocka_unit_test(test_strip_and_fan),
-        cmocka_unit_test(test_lines_are_ignored),
-        cmocka_unit_test(test_stride_and_sparse),
-        cmocka_unit_test(test_hopeless_normals),
-        cmocka_unit_test(test_texture),
-        cmocka_unit_test(test_embedded_texture),
-        cmocka_unit_test(test_webp),
-        cmocka_unit_test(test_materials),
-        cmocka_unit_test(test_lacks),
-        cmocka_unit_test(test_specular_glossiness),
-        cmocka_unit_test(test_nodes),
-        cmocka_unit_test(test_instances),
-        cmocka_unit_test(test_deep_chain),
-    };
-    return cmocka_run_group_tests_name("gltf", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

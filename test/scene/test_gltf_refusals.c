@@ -5,7 +5,6 @@
 #include "hostile_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "base/memory.h"
 #include "scene/open.h"
 #include "scene/read_rules.h"
@@ -63,8 +62,7 @@ static void check_hostile(const struct hostile *files, size_t count) {
     }
 }
 
-static void test_hostile_files(void **state) {
-    (void)state;
+TEST(hostile_files) {
     write_bytes(scratch("../secret.bin"), "secret", 6);
     unlink(scratch("link.bin"));
     assert_int_equal(symlink("/etc/passwd", scratch("link.bin")), 0);
@@ -72,15 +70,13 @@ static void test_hostile_files(void **state) {
     check_hostile(hostile, sizeof hostile / sizeof *hostile);
 }
 
-static void test_hostile_numbers(void **state) {
-    (void)state;
+TEST(hostile_numbers) {
     write_bytes(scratch("secret-here.bin"), "secret", 6);
     check_hostile(hostile_numbers, sizeof hostile_numbers / sizeof *hostile_numbers);
 }
 
 /* A few bytes that claim to be a huge picture, which is replaced before memory is taken for it. */
-static void test_huge_picture(void **state) {
-    (void)state;
+TEST(huge_picture) {
     /* PNG: signature, IHDR of 900,000 x 900,000 RGB, an empty IDAT. */
     static const unsigned char png[] = {
         0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48,
@@ -121,8 +117,7 @@ static void set_word(size_t at, uint32_t word) {
 #define LENGTHS "wrong lengths in a GLB are ignored: "
 
 /* Lengths that differ from those of the file, which has all of its bytes or too few. */
-static void test_lengths(void **state) {
-    (void)state;
+TEST(lengths) {
     const struct gltf_parts quad = {0};
     size_t size = parts_glb(&quad, glb, sizeof glb), json_size = size - 28 - PARTS_BIN;
     const uint32_t wrong[] = {0,
@@ -159,8 +154,7 @@ static void test_lengths(void **state) {
     check_bytes_refused("BIN counts too few", size, "outside buffer 0 of 316 bytes");
 }
 
-static void test_containers(void **state) {
-    (void)state;
+TEST(containers) {
     const struct gltf_parts quad = {0};
     size_t size = parts_glb(&quad, glb, sizeof glb);
     size_t json_size = size - 28 - PARTS_BIN;
@@ -196,8 +190,7 @@ static void test_containers(void **state) {
                         "buffer view 0: its buffer 0 has no uri, and there is no BIN");
 }
 
-static void test_texts(void **state) {
-    (void)state;
+TEST(texts) {
     static const struct {
         const char *text, *message;
     } texts[] = {
@@ -243,8 +236,7 @@ static uint32_t next_random(uint64_t *x) {
 }
 
 /* Flips, overwrites or inserts digits in a good file: whatever comes out, loading it must end. */
-static void test_mutations(void **state) {
-    (void)state;
+TEST(mutations) {
     const struct gltf_parts parts = {
         .accessors = "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\":"
                      " 48," INDEX_TYPE "}, {\"bufferView\": 0, \"componentType\": 5121, \"count\":"
@@ -292,13 +284,4 @@ static void test_mutations(void **state) {
     assert_true(loaded > 0 && loaded < count);
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_hostile_files), cmocka_unit_test(test_hostile_numbers),
-        cmocka_unit_test(test_huge_picture),  cmocka_unit_test(test_lengths),
-        cmocka_unit_test(test_containers),    cmocka_unit_test(test_texts),
-        cmocka_unit_test(test_mutations),
-    };
-    return cmocka_run_group_tests_name("gltf refusals", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

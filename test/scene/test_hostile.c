@@ -250,8 +250,7 @@ static void write_case(const struct hostile *hostile, const char *path, size_t *
     free(text);
 }
 
-static void test_cost(void **state) {
-    (void)state;
+TEST(cost) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const struct hostile *hostile = &cases[i];
         if (!is_tried_here(i, 2))
@@ -307,8 +306,7 @@ static void check_stranger(const char *path, double least_mib) {
 }
 
 /* The files that fuzzing begins with, or those of the folder MANYLIGHT_STRANGERS. */
-static void test_strangers(void **state) {
-    (void)state;
+TEST(strangers) {
     const char *strangers = getenv("MANYLIGHT_STRANGERS");
     const char *folder = strangers ? strangers : "test/fuzz/seeds/scene";
     char command[1024];
@@ -328,10 +326,4 @@ static void test_strangers(void **state) {
     free(entries);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_cost),
-        cmocka_unit_test(test_strangers),
-    };
-    return cmocka_run_group_tests_name("hostile", tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -106,8 +106,7 @@ static void check_alike(const struct panel *panels, int count, bool double_sided
 }
 
 /* Both windings, both sides, several colours, and more than may be lights. */
-static void test_apart(void **state) {
-    (void)state;
+TEST(apart) {
     struct panel panels[PANELS_MAX];
     for (int i = 0; i < PANELS_MAX; i++)
         panels[i] = (struct panel){.4F * (float)i, (float)(i % 3), .3F, .2F, i % 4 == 1, i % 4};
@@ -132,8 +131,7 @@ static void check_joined(const char *what, const struct panel *panels, int count
 
 /* What touches is one lamp: a strip with vertices of its own for each panel, though rounded, and
  * panels at a corner. */
-static void test_touching(void **state) {
-    (void)state;
+TEST(touching) {
     static const struct panel strip[] = {{0, 0, 1, 1, false, 0},
                                          {1, 0, 1, 1, false, 0},
                                          {2.0000002F, 0, 1, 1, false, 0}},
@@ -176,8 +174,7 @@ static void make_solid_lamp(struct scene *scene, const float size[3], float top)
 }
 
 /* Each face of a box shines as it is, however thin the box. */
-static void test_box(void **state) {
-    (void)state;
+TEST(box) {
     static const float sizes[][3] = {{1, 1, 1}, {2, 1, .3F}, {.6F, .3F, .01F}};
     for (int i = 0; i < 3; i++) {
         struct scene scene;
@@ -201,8 +198,7 @@ static void test_box(void **state) {
 }
 
 /* A solid with other faces is one lamp of several rectangles. */
-static void test_no_box(void **state) {
-    (void)state;
+TEST(no_box) {
     struct scene scene;
     make_solid_lamp(&scene, (const float[]){1, 1, .2F}, .5F);
     assert_int_equal(scene.surface_count, 1);
@@ -211,8 +207,7 @@ static void test_no_box(void **state) {
 }
 
 /* Strips have triangles without area from one panel to the next: these join nothing. */
-static void test_bridge(void **state) {
-    (void)state;
+TEST(bridge) {
     static const struct panel panels[] = {{0, 0, 1, 1, false, 0}, {5, 0, 1, 1, false, 0}};
     struct scene scene;
     start_scene(&scene, 1, false);
@@ -226,10 +221,4 @@ static void test_bridge(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_apart),  cmocka_unit_test(test_touching), cmocka_unit_test(test_box),
-        cmocka_unit_test(test_no_box), cmocka_unit_test(test_bridge),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -83,8 +83,7 @@ static struct image draw(const struct stage *stage, const struct direct_method *
     return image;
 }
 
-static void test_rows(void **state) {
-    (void)state;
+TEST(rows) {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         const struct row *row = &rows[i];
         struct stage stage;
@@ -108,8 +107,7 @@ static void test_rows(void **state) {
 }
 
 /* A sky that is black, alone and beside a lamp, lights nothing and breaks nothing. */
-static void test_black_sky(void **state) {
-    (void)state;
+TEST(black_sky) {
     static float black[2][3];
     struct environment sky = {.width = 2, .height = 1, .texels = black, .strength = 1};
     struct stage stage;
@@ -126,10 +124,4 @@ static void test_black_sky(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_black_sky),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

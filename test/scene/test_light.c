@@ -101,26 +101,22 @@ static void check_technique(const char *technique, const char *more, bool cluste
     stage_free(&stage);
 }
 
-static void test_sphere_unshadowed(void **state) {
-    (void)state;
+TEST(sphere_unshadowed) {
     check_technique("unshadowed", "", false, .01, .01);
 }
 
-static void test_sphere_instant_radiosity(void **state) {
-    (void)state;
+TEST(sphere_instant_radiosity) {
     check_technique("instant-radiosity", "", false, .01, .01);
 }
 
-static void test_sphere_clustered(void **state) {
-    (void)state;
+TEST(sphere_clustered) {
     check_technique("clustered", "visibility=cssm visibility-block=0 caster-error=0", true, .01,
                     .03);
 }
 
 /* The plane that PCSS compares with leaves the sphere where a filter is as wide as the sphere: with
  * 16 or 64 VPLs a VAL spans a good part of it. */
-static void test_sphere_pcss(void **state) {
-    (void)state;
+TEST(sphere_pcss) {
     check_technique("clustered", "visibility=pcss caster-error=0", true, .02, .04);
     /* Simplified casters are chords of the sphere; they must not come before it. */
     check_technique("clustered", "visibility=pcss", true, .02, .04);
@@ -139,8 +135,7 @@ static double mean_with(const struct stage *stage, const char *clamp, int vpls) 
  * distance d has d^2 + A / pi in place of d^2. Here A = 4 pi / N; over the sphere the mean of
  * d^2 / (d^2 + 4 / N), with d^2 uniform over [0, 4], is 1 - ln(1 + N) / N. The near field gives
  * back what it takes, but for its noise. */
-static void test_sphere_clamps(void **state) {
-    (void)state;
+TEST(sphere_clamps) {
     struct stage stage;
     open_stage(&stage, "scenes/sphere.glb");
     for (int n = 64; n <= 1024; n *= 4) {
@@ -249,8 +244,7 @@ static void make_sun(struct emitter *light) {
     emitter_aim(light, (const float[]){.3f, -.4f, -1});
 }
 
-static void test_energy(void **state) {
-    (void)state;
+TEST(energy) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct emitter *light = stage.emitters.items;
@@ -270,8 +264,7 @@ static void test_energy(void **state) {
 }
 
 /* Of three lights of all types: each VPL stands for more where there are fewer. */
-static void test_energy_of_several(void **state) {
-    (void)state;
+TEST(energy_of_several) {
     struct stage stage;
     open_stage(&stage, "scenes/three-lights.glb");
     check_energy("reflected flux of two spots and a point", &stage);
@@ -282,12 +275,4 @@ static void test_energy_of_several(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sphere_unshadowed), cmocka_unit_test(test_sphere_instant_radiosity),
-        cmocka_unit_test(test_sphere_clustered),  cmocka_unit_test(test_sphere_pcss),
-        cmocka_unit_test(test_sphere_clamps),     cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_energy_of_several),
-    };
-    return cmocka_run_group_tests_name("light", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

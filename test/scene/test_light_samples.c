@@ -28,8 +28,7 @@ static struct emitter lamp(enum emitter_type type, float width, float height) {
 /* --- pieces ----------------------------------------------------------------------------------- */
 
 /* Wide ones fall into pieces that have what the whole has, around its middle; others stay. */
-static void test_pieces(void **state) {
-    (void)state;
+TEST(pieces) {
     struct emitter lights[] = {lamp(EMITTER_AREA, .8F, .5F), lamp(EMITTER_AREA, .2F, .2F),
                                lamp(EMITTER_POINT, .9F, 0), lamp(EMITTER_SPOT, .5F, 0),
                                lamp(EMITTER_DIRECTIONAL, .0093F, 0)};
@@ -57,8 +56,7 @@ static void test_pieces(void **state) {
 }
 
 /* There is no more room than for lights and views; places are then fewer. */
-static void test_room(void **state) {
-    (void)state;
+TEST(room) {
     struct emitter lights[LIGHTS_MAX];
     struct light_samples_desc desc = {.count = LIGHTS_MAX, .wide = .3F, .radius = 1};
     struct light_samples samples;
@@ -77,8 +75,7 @@ static void test_room(void **state) {
 }
 
 /* Each pass has as many places, others; those of many passes are even. */
-static void test_passes(void **state) {
-    (void)state;
+TEST(passes) {
     enum { PASSES = 256 };
     struct emitter lights[] = {lamp(EMITTER_AREA, .8F, .5F), lamp(EMITTER_AREA, .2F, .2F)};
     struct light_samples samples;
@@ -103,8 +100,7 @@ static void test_passes(void **state) {
 /* --- light ------------------------------------------------------------------------------------ */
 
 /* In a sphere of albedo 1/2 VPLs have half of the flux, whatever they start from. */
-static void test_flux(void **state) {
-    (void)state;
+TEST(flux) {
     const struct emitter lights[] = {lamp(EMITTER_AREA, 1, .8F), lamp(EMITTER_AREA, .9F, 0)};
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
         struct stage stage;
@@ -130,8 +126,7 @@ static void test_flux(void **state) {
 
 /* A lamp of half the room's width: from its middle alone, as without a size, shadows are hard in
  * what lights the room. */
-static void test_wide_lamp(void **state) {
-    (void)state;
+TEST(wide_lamp) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct emitter *spot = &stage.emitters.items[0];
@@ -152,11 +147,4 @@ static void test_wide_lamp(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_pieces),    cmocka_unit_test(test_room),
-        cmocka_unit_test(test_passes),    cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_wide_lamp),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -108,8 +108,7 @@ static float probability(const struct lights *lights, const struct place *at, in
 /* --- bounds ----------------------------------------------------------------------------------- */
 
 /* Of the falloff over all directions, with the cosine beyond the cone. */
-static void test_orientation(void **state) {
-    (void)state;
+TEST(orientation) {
     enum { STEPS = 20000 };
     const float cones[][2] = {{0, GLM_PI_2f}, {.5F, .3F}, {1.2F, GLM_PI_2f}, {2.5F, GLM_PI_2f}};
     for (int i = 0; i < 4; i++) {
@@ -128,8 +127,7 @@ static void test_orientation(void **state) {
 }
 
 /* A cone of two holds both and is no wider than needed; a dark light counts nothing. */
-static void test_merged_cones(void **state) {
-    (void)state;
+TEST(merged_cones) {
     random_state = 3;
     double outside = 0, spare = 0;
     for (int i = 0; i < 2000; i++) {
@@ -173,8 +171,7 @@ static double walk(const struct light_node *nodes, int node, const struct place 
 }
 
 /* They sum to 1 with that of no light; and each light that arrives has some. */
-static void test_sum(void **state) {
-    (void)state;
+TEST(sum) {
     enum { MOST = 1093 };
     for (int count = 1; count <= MOST; count = 3 * count + 1) {
         struct lights lights = make_lights(count, -1);
@@ -198,8 +195,7 @@ static void test_sum(void **state) {
 }
 
 /* Even numbers find each light as often as its probability says, and their mean is the sum. */
-static void test_samples(void **state) {
-    (void)state;
+TEST(samples) {
     enum { COUNT = 500, SAMPLES = 1 << 18 };
     struct lights lights = make_lights(COUNT, -1);
     for (int i = 0; i < 6; i++) {
@@ -226,8 +222,7 @@ static void test_samples(void **state) {
 }
 
 /* One point's irradiance is known, so that equal lights in one place have no noise at all. */
-static void test_equal_lights(void **state) {
-    (void)state;
+TEST(equal_lights) {
     enum { COUNT = 1000 };
     struct lights lights = {mem_alloc(COUNT, sizeof *lights.items), NULL, COUNT, {0}};
     struct place at = {{0, 0, 0}, {0, 1, 0}};
@@ -248,8 +243,7 @@ static void test_equal_lights(void **state) {
 }
 
 /* Another order, and dark lights between: each has the probability that it had. */
-static void test_order(void **state) {
-    (void)state;
+TEST(order) {
     enum { COUNT = 800 };
     struct lights lights = make_lights(COUNT, -1), turned = {.count = 2 * COUNT};
     turned.items = mem_alloc(2 * COUNT, sizeof *turned.items);
@@ -276,8 +270,7 @@ static void test_order(void **state) {
 }
 
 /* Behind the surface, out of range, and none at all. */
-static void test_no_light(void **state) {
-    (void)state;
+TEST(no_light) {
     struct light_tree none;
     float p, up[3] = {0, 1, 0}, above[3] = {0, 10, 0}, far[3] = {0, -200, 0};
     light_tree_init(&none, NULL, 0);
@@ -295,8 +288,7 @@ static void test_no_light(void **state) {
 }
 
 /* Many points: each is a leaf, and all are found. So is one a million times brighter. */
-static void test_many(void **state) {
-    (void)state;
+TEST(many) {
     enum { COUNT = 100000 };
     struct lights lights = make_lights(COUNT, 0);
     struct place at = {{1, 2, 3}, {0, 0, 0}};
@@ -314,8 +306,7 @@ static void test_many(void **state) {
 }
 
 /* A tree of moved lights samples them as they are; one of the same lights keeps its bits. */
-static void test_refit(void **state) {
-    (void)state;
+TEST(refit) {
     enum { COUNT = 400 };
     struct lights lights = make_lights(COUNT, -1);
     size_t bytes = (size_t)lights.tree.node_count * sizeof *lights.tree.nodes;
@@ -348,13 +339,4 @@ static void test_refit(void **state) {
     free_lights(&lights);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orientation),  cmocka_unit_test(test_merged_cones),
-        cmocka_unit_test(test_sum),          cmocka_unit_test(test_samples),
-        cmocka_unit_test(test_equal_lights), cmocka_unit_test(test_order),
-        cmocka_unit_test(test_no_light),     cmocka_unit_test(test_many),
-        cmocka_unit_test(test_refit),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -151,8 +151,7 @@ static void check_rows(const struct row *rows, size_t count) {
 #define TRANSFORM "\"extensions\": {\"KHR_texture_transform\": {"
 
 /* Half of the light, and where the glow lies its own. */
-static void test_emission(void **state) {
-    (void)state;
+TEST(emission) {
     static const struct row rows[] = {
         {"set 1", GLOW "\"index\": 1, \"texCoord\": 1}}", "R", {.5, 1.5, .5, .5}},
         {"set 2", GLOW "\"index\": 1, \"texCoord\": 2}}", "R", {.5, .5, 1.5, .5}},
@@ -189,8 +188,7 @@ static void test_emission(void **state) {
     "{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1], " base                   \
     " \"metallicRoughnessTexture\": {\"index\": 2, " more "}}}"
 
-static void test_metal(void **state) {
-    (void)state;
+TEST(metal) {
     static const struct row rows[] = {
         {"set 2",
          METAL("\"baseColorTexture\": {\"index\": 0},", "\"texCoord\": 2"),
@@ -212,8 +210,7 @@ static void test_metal(void **state) {
 }
 
 /* Along X of its own mapping. */
-static void test_normals(void **state) {
-    (void)state;
+TEST(normals) {
     static const struct row rows[] = {
         {"set 1",
          "{" BASE ", \"normalTexture\": {\"index\": 4, \"texCoord\": 1}}",
@@ -240,8 +237,7 @@ static void test_normals(void **state) {
 }
 
 /* Four textures, four mappings. Two quarters differ by the glow alone. */
-static void test_all(void **state) {
-    (void)state;
+TEST(all) {
     struct pictures pictures;
     make_pictures(
         write_square("{\"pbrMetallicRoughness\": {\"baseColorFactor\": [0.5, 0.5, 0.5, 1],"
@@ -265,8 +261,7 @@ static void test_all(void **state) {
 /* The diffuse part has the light that the lobe leaves. A lobe of roughness 1 and a reflectance of a
  * half reflects half of 1 - ln 2, .1534, straight up. .125 is what it reflects where it
  * is rough. */
-static void test_glossiness(void **state) {
-    (void)state;
+TEST(glossiness) {
     static const struct row rows[] = {
         {"texture by set 1",
          GLOSSINESS HALF ", \"specularGlossinessTexture\": {\"index\": 6, \"texCoord\": 1}}}}",
@@ -310,8 +305,7 @@ static void test_glossiness(void **state) {
 
 /* Of a texture of which a quarter is white, f0 and f90 are a quarter, or f0 alone is. Scenes do not
  * keep it. */
-static void test_means(void **state) {
-    (void)state;
+TEST(means) {
     static const struct {
         const char *material;
         double f0, f90;
@@ -338,8 +332,7 @@ static void test_means(void **state) {
 }
 
 /* Coordinates that the mesh lacks are zeros, and a note tells. */
-static void test_no_such_set(void **state) {
-    (void)state;
+TEST(no_such_set) {
     struct pictures pictures;
     hear_notes();
     make_pictures(write_square(GLOW "\"index\": 1, \"texCoord\": 5}}"), &pictures);
@@ -351,8 +344,7 @@ static void test_no_such_set(void **state) {
 
 /* Optimisers leave the number of a set that is gone in KHR_texture_transform: the texture's own one
  * counts. */
-static void test_set_left_over(void **state) {
-    (void)state;
+TEST(set_left_over) {
     static const struct row rows[] = {
         {"own set 1",
          GLOW "\"index\": 1, \"texCoord\": 1, " TRANSFORM "\"texCoord\": 7}}}}",
@@ -380,8 +372,7 @@ static void test_set_left_over(void **state) {
 #define UNLIT ", \"extensions\": {\"KHR_materials_unlit\": {}"
 
 /* The base colour alone, and no lamp is made of it. */
-static void test_unlit(void **state) {
-    (void)state;
+TEST(unlit) {
     static const struct row rows[] = {
         {"emission", "{" BASE UNLIT "}, \"emissiveFactor\": [1, 1, 1]}", "R", {.5, .5, .5, .5}},
         {"emissive texture",
@@ -414,8 +405,7 @@ static void test_unlit(void **state) {
 /* --- small lights of large triangles ---------------------------------------------------------- */
 
 /* One texel of 64 x 64 glows: it is found, and shows. */
-static void test_small_light(void **state) {
-    (void)state;
+TEST(small_light) {
     static unsigned char rgba[64 * 64][4];
     struct pictures pictures;
     const char *path = write_square(GLOW "\"index\": 1}}");
@@ -430,8 +420,7 @@ static void test_small_light(void **state) {
 /* --- large pictures --------------------------------------------------------------------------- */
 
 /* Higher than OpenGL has them: half white, half black, for the renderer and the path tracer. */
-static void test_high_picture(void **state) {
-    (void)state;
+TEST(high_picture) {
     enum { HEIGHT = 20000 };
     static unsigned char rgba[HEIGHT][4];
     struct pictures pictures;
@@ -450,8 +439,7 @@ static void test_high_picture(void **state) {
 
 /* Vertices have as many coordinates as the material that has most; another mapping is another
  * scene. */
-static void test_counts(void **state) {
-    (void)state;
+TEST(counts) {
     static const struct {
         const char *material;
         int mappings;
@@ -479,8 +467,7 @@ static void test_counts(void **state) {
 
 /* --- files that were reported ----------------------------------------------------------------- */
 
-static void test_cases(void **state) {
-    (void)state;
+TEST(cases) {
     static const struct {
         const char *file, *channel;
         double value;
@@ -524,8 +511,7 @@ static void check_albedo(const char *material, int quarter, const double expecte
     stage_free(&stage);
 }
 
-static void test_dark_albedo(void **state) {
-    (void)state;
+TEST(dark_albedo) {
     for (int texture = 7; texture <= 8; texture++)
         for (int quarter = 0; quarter <= 1; quarter++) {
             const unsigned char *code = texels[texture][quarter];
@@ -540,15 +526,4 @@ static void test_dark_albedo(void **state) {
                  (double[]){.002, .01, .5});
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_emission),      cmocka_unit_test(test_metal),
-        cmocka_unit_test(test_normals),       cmocka_unit_test(test_all),
-        cmocka_unit_test(test_glossiness),    cmocka_unit_test(test_means),
-        cmocka_unit_test(test_no_such_set),   cmocka_unit_test(test_small_light),
-        cmocka_unit_test(test_counts),        cmocka_unit_test(test_cases),
-        cmocka_unit_test(test_set_left_over), cmocka_unit_test(test_unlit),
-        cmocka_unit_test(test_high_picture),  cmocka_unit_test(test_dark_albedo),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -57,8 +57,7 @@ static void polygonise(struct marching_cubes *cubes, point_function value, int c
 
 /* --- tests ------------------------------------------------------------------------------------ */
 
-static void test_sphere(void **state) {
-    (void)state;
+TEST(sphere) {
     struct marching_cubes cubes;
     struct surface surface = {0};
     marching_cubes_init(&cubes);
@@ -77,8 +76,7 @@ static void test_sphere(void **state) {
     marching_cubes_free(&cubes);
 }
 
-static void test_torus(void **state) {
-    (void)state;
+TEST(torus) {
     struct marching_cubes cubes;
     struct surface surface = {0};
     marching_cubes_init(&cubes);
@@ -119,8 +117,7 @@ static void any_gradient(const void *context, const float point[3], float gradie
 }
 
 /* All that two cells can do to each other: the surface closes and no edge is used twice. */
-static void test_every_pattern_is_closed(void **state) {
-    (void)state;
+TEST(every_pattern_is_closed) {
     struct marching_cubes cubes;
     struct surface surface = {0};
     marching_cubes_init(&cubes);
@@ -142,8 +139,7 @@ static void test_every_pattern_is_closed(void **state) {
 }
 
 /* Animation reuses the memory: a large surface before must leave no trace in a small one. */
-static void test_memory_is_reused(void **state) {
-    (void)state;
+TEST(memory_is_reused) {
     struct marching_cubes cubes;
     struct surface fresh = {0}, reused = {0};
     marching_cubes_init(&cubes);
@@ -164,8 +160,7 @@ static void test_memory_is_reused(void **state) {
 }
 
 /* Metaballs stay closed and in their box while they move, and come back after a period. */
-static void test_metaballs(void **state) {
-    (void)state;
+TEST(metaballs) {
     struct metaballs balls = {9, {-1.0f, 0.0f, -2.0f}, {1.0f, 3.0f, 1.0f}, 0.6f, 0.1f, 4.0f};
     struct marching_cubes cubes;
     struct surface start = {0}, surface = {0};
@@ -195,13 +190,4 @@ static void test_metaballs(void **state) {
     marching_cubes_free(&cubes);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_torus),
-        cmocka_unit_test(test_every_pattern_is_closed),
-        cmocka_unit_test(test_memory_is_reused),
-        cmocka_unit_test(test_metaballs),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -61,8 +61,7 @@ static double distance_at(const struct image *image, const char *layer, int row,
 }
 
 /* However its picture lies, the dome is the same. */
-static void test_domes(void **state) {
-    (void)state;
+TEST(domes) {
     double worst = 0, worst_drawn = 0;
     for (int column = 0; column < COLUMNS; column++)
         for (int i = 0; i < 8; i++) {
@@ -103,8 +102,7 @@ static void check_wraps(const char *what, const struct image *image) {
     check_at_most(what, worst, .01);
 }
 
-static void test_wraps(void **state) {
-    (void)state;
+TEST(wraps) {
     check_wraps("drawn", &pictures.drawn);
     check_wraps("traced", &pictures.traced);
 }
@@ -126,8 +124,7 @@ static void check_alphas(const char *what, const struct image *image) {
     check_at_most(what, worst, .01);
 }
 
-static void test_alphas(void **state) {
-    (void)state;
+TEST(alphas) {
     check_alphas("drawn", &pictures.drawn);
     check_alphas("traced", &pictures.traced);
 }
@@ -147,8 +144,7 @@ static void check_lamps(const char *what, const struct image *image) {
     check_at_most(what, worst, .01);
 }
 
-static void test_lamps(void **state) {
-    (void)state;
+TEST(lamps) {
     check_lamps("drawn", &pictures.drawn);
     check_lamps("traced", &pictures.traced);
 }
@@ -198,8 +194,7 @@ static void take_textures_away(struct stage *stage) {
 }
 
 /* Metals and plastics from smooth to rough: by a texture as by factors, drawn as traced. */
-static void test_spheres(void **state) {
-    (void)state;
+TEST(spheres) {
     enum { SIDE = 112 }; /* the lamp is wider than a pixel in each ball: no lobe is widened */
     /* VPLs by importance move where a texture is a rounding off its factor. */
     static const char settings[] = "lights.importance=off";
@@ -275,8 +270,7 @@ static void look_through(struct stage *stage, const char *what, double *drawn, d
 
 /* What blends lets the light through below half, and hides it above, as what is opaque does;
  * single-sided surfaces hide it from either side. */
-static void test_door(void **state) {
-    (void)state;
+TEST(door) {
     struct stage stage;
     double drawn, traced, through, traced_through;
     open_stage(&stage, "scenes/door.glb");
@@ -343,8 +337,7 @@ static void find_mean(const unsigned char color[3], unsigned char mean[4]) {
 }
 
 /* MIP levels are means over what a mask keeps: the colours that it cuts out are in none. */
-static void test_hole_colors(void **state) {
-    (void)state;
+TEST(hole_colors) {
     unsigned char white[4], magenta[4];
     find_mean((const unsigned char[]){255, 255, 255}, white);
     find_mean((const unsigned char[]){255, 0, 255}, magenta);
@@ -353,12 +346,4 @@ static void test_hole_colors(void **state) {
     assert_memory_equal(white, magenta, sizeof white);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_domes),       cmocka_unit_test(test_wraps),
-        cmocka_unit_test(test_alphas),      cmocka_unit_test(test_lamps),
-        cmocka_unit_test(test_spheres),     cmocka_unit_test(test_door),
-        cmocka_unit_test(test_hole_colors),
-    };
-    return cmocka_run_group_tests(tests, make_pictures, free_pictures);
-}
+RUN_TESTS(make_pictures, free_pictures)

@@ -4,7 +4,6 @@
 #include "mended_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "base/memory.h"
 #include "scene/open.h"
 #include "scene/read_rules.h"
@@ -61,19 +60,16 @@ static void check_files(const struct mended *files, size_t count) {
     printf("    %d of %zu opened\n", opened, count);
 }
 
-static void test_mended(void **state) {
-    (void)state;
+TEST(mended) {
     check_files(mended, sizeof mended / sizeof *mended);
 }
 
-static void test_valid(void **state) {
-    (void)state;
+TEST(valid) {
     check_files(valid, sizeof valid / sizeof *valid);
 }
 
 /* What is mended is what it should have been. */
-static void test_values(void **state) {
-    (void)state;
+TEST(values) {
     struct scene scene;
     check_ok("share",
              load_parts(&scene, "v.glb",
@@ -160,8 +156,7 @@ static struct keys with_times(float a, float b, float c) {
     return keys;
 }
 
-static void test_clips(void **state) {
-    (void)state;
+TEST(clips) {
     struct keys keys = good_keys;
     check_clip("good", &keys, TURNS, SAMPLER, TURNED, "");
     keys = with_times(0, 1, 1);
@@ -218,8 +213,7 @@ static void check_texel(const char *what, const struct scene *scene, int texture
 }
 
 /* A colour becomes a checker; other textures change nothing, and none of them shines. */
-static void test_stand_ins(void **state) {
-    (void)state;
+TEST(stand_ins) {
     struct scene scene;
     write_bytes(scratch("broken.png"), "\x89PNG\r\n\x1a\nand no more", 19);
     const char *path = write_parts(
@@ -245,12 +239,4 @@ static void test_stand_ins(void **state) {
         fail_msg("'%s' does not name --strict", error_get());
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_mended),    cmocka_unit_test(test_valid),
-        cmocka_unit_test(test_values),    cmocka_unit_test(test_clips),
-        cmocka_unit_test(test_stand_ins),
-    };
-    return cmocka_run_group_tests_name("mended", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

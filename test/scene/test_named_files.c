@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/image_file.h"
-#include "base/log.h"
 #include "scene/open.h"
 #include "scene/read_rules.h"
 
@@ -125,8 +124,7 @@ static void make_folders(void) {
     link_to("/", "model/slash");
 }
 
-static void test_paths(void **state) {
-    (void)state;
+TEST(paths) {
     char uri[8192];
     make_folders();
     check_shown("../textures/x.png");
@@ -155,8 +153,7 @@ static void test_paths(void **state) {
     check_outside("slash/etc/passwd", NULL);
 }
 
-static void test_other_machines(void **state) {
-    (void)state;
+TEST(other_machines) {
     char uri[8192], hint[8192], real[4096];
     const char nowhere[] = "(--root DIR names another)";
     make_folders();
@@ -181,8 +178,7 @@ static void test_other_machines(void **state) {
 }
 
 /* A cache of a model hub: all files are links into a store two levels up. */
-static void test_hub(void **state) {
-    (void)state;
+TEST(hub) {
     static const char *const folders[] = {"hub", "hub/blobs", "hub/snapshots",
                                           "hub/snapshots/0a1b"};
     struct scene scene;
@@ -208,8 +204,7 @@ static void test_hub(void **state) {
     assert_true(good);
 }
 
-static void test_root(void **state) {
-    (void)state;
+TEST(root) {
     char root[4096];
     make_folders();
     check_ok("narrow", read_rules_set(false, scratch("model")));
@@ -232,8 +227,7 @@ static void test_root(void **state) {
 }
 
 /* What is no file is not waited for. */
-static void test_devices(void **state) {
-    (void)state;
+TEST(devices) {
     static const char *const names[] = {"pipe", "linked-zero", "a"};
     struct scene scene;
     make_folders();
@@ -286,8 +280,7 @@ static void check_data(const char *head, const char *extension,
     check_shown(uri);
 }
 
-static void test_data(void **state) {
-    (void)state;
+TEST(data) {
     check_data("data:image/png;base64,", "png", to_base64);
     check_data("data:image/webp;base64,", "webp", to_base64);
     check_data("data:image/jpg;base64,", "jpg", to_base64);
@@ -324,8 +317,7 @@ static void check_buffer(const char *head, int length, int extra,
     scene_free(&scene);
 }
 
-static void test_buffers(void **state) {
-    (void)state;
+TEST(buffers) {
     check_buffer("data:application/octet-stream;base64,", 60, 0, to_base64);
     check_buffer("data:application/gltf-buffer;charset=utf-8;base64,", 60, 0, to_base64);
     check_buffer("data:;base64,", 60, 0, to_base64);
@@ -350,8 +342,7 @@ static void test_buffers(void **state) {
 }
 
 /* Pointers of Git LFS are named, wherever a file is expected. */
-static void test_pointers(void **state) {
-    (void)state;
+TEST(pointers) {
     static const char pointer[] =
         "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 9\n";
     static const char *const parts[][3] = {
@@ -380,8 +371,7 @@ static int run(const char *arguments, const char *scene) {
     return run_program("%.2000s %.2000s", arguments, scene);
 }
 
-static void test_options(void **state) {
-    (void)state;
+TEST(options) {
     const char *none = write_textured("none.png");
     assert_int_equal(run("info", none), 0);
     expect_text("colours by a magenta checker: image 0: cannot open");
@@ -401,8 +391,7 @@ static void test_options(void **state) {
 }
 
 /* A scene without triangles is told, and not drawn. */
-static void test_empty_scenes(void **state) {
-    (void)state;
+TEST(empty_scenes) {
     const char *points = write_parts(
         "points.glb", &(struct gltf_parts){
                           .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
@@ -430,14 +419,4 @@ static void test_empty_scenes(void **state) {
     assert_int_equal(access("none.exr", F_OK), -1);
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_paths),   cmocka_unit_test(test_other_machines),
-        cmocka_unit_test(test_hub),     cmocka_unit_test(test_root),
-        cmocka_unit_test(test_devices), cmocka_unit_test(test_data),
-        cmocka_unit_test(test_buffers), cmocka_unit_test(test_pointers),
-        cmocka_unit_test(test_options), cmocka_unit_test(test_empty_scenes),
-    };
-    return cmocka_run_group_tests_name("named files", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

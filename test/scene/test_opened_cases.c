@@ -5,7 +5,6 @@
 
 #include "base/image.h"
 #include "base/file/image_file.h"
-#include "base/log.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -36,8 +35,7 @@ static void check_layer(const struct image *image, const char *layer, const floa
 }
 
 /* A plane of base colour .5 under a sun of pi lux. */
-static void test_planes(void **state) {
-    (void)state;
+TEST(planes) {
     static const char *const cases[] = {
         "bad-clip/equal-times.gltf",   "bad-clip/negative-time.gltf",
         "buffer-longer/bin.gltf",      "data-uri-type/buffer-charset.gltf",
@@ -59,8 +57,7 @@ static void test_planes(void **state) {
 }
 
 /* The colour of a picture. */
-static void test_pictures(void **state) {
-    (void)state;
+TEST(pictures) {
     static const char *const cases[] = {
         "data-uri-type/jpg.gltf",
         "data-uri-type/empty.gltf",
@@ -90,8 +87,7 @@ static void test_pictures(void **state) {
     "\"baseColorFactor\": [" rgb ", 1]}}"
 
 /* Of two surfaces at one depth the later material shows, in frames and references. */
-static void test_coplanar(void **state) {
-    (void)state;
+TEST(coplanar) {
     static const char *const commands[] = {"render --quality draft", "reference --spp 1"};
     const char *path = write_parts(
         "decal.glb",
@@ -109,8 +105,7 @@ static void test_coplanar(void **state) {
 }
 
 /* What is shown of a file, in one layer. */
-static void test_shown(void **state) {
-    (void)state;
+TEST(shown) {
     static const struct {
         const char *name, *options, *layer;
         float expected[3];
@@ -137,8 +132,7 @@ static void test_shown(void **state) {
     }
 }
 
-static void test_skies(void **state) {
-    (void)state;
+TEST(skies) {
     static const char *const skies[] = {"negative", "inf", "odd"};
     char plane[512], sky[512], options[1024];
     if (!find_case("sky-values/plane.gltf", plane))
@@ -159,8 +153,7 @@ static void test_skies(void **state) {
 }
 
 /* What info says of each, and its status. */
-static void test_messages(void **state) {
-    (void)state;
+TEST(messages) {
     static const struct {
         const char *name;
         int status;
@@ -185,12 +178,4 @@ static void test_messages(void **state) {
     }
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_planes), cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_shown),  cmocka_unit_test(test_coplanar),
-        cmocka_unit_test(test_skies),  cmocka_unit_test(test_messages),
-    };
-    return cmocka_run_group_tests_name("opened cases", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

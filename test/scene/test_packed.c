@@ -2,7 +2,6 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "scene/gltf/accessor.h"
 #include "scene/gltf/unpack.h"
 #include "scene/read_rules.h"
@@ -77,8 +76,7 @@ static void check_quad(const struct primitive *quad) {
                        (double)corners[triangles[i]][c], 1e-4);
 }
 
-static void test_meshopt(void **state) {
-    (void)state;
+TEST(meshopt) {
     struct packed_quad quad = pack_quad();
     struct scene scene;
     check_ok("load", load_quad(&scene, &quad, 4));
@@ -95,8 +93,7 @@ static void test_meshopt(void **state) {
     }
 }
 
-static void test_bad_meshopt(void **state) {
-    (void)state;
+TEST(bad_meshopt) {
     struct scene scene;
     struct packed_quad quad = pack_quad();
     check_refused(load_quad(&scene, &quad, 5),
@@ -126,8 +123,7 @@ static void check_filter(const char *what, enum packed_filter filter, size_t str
     assert_memory_equal(got, plain, COUNT * stride);
 }
 
-static void test_filters(void **state) {
-    (void)state;
+TEST(filters) {
     check_filter("as they are", FILTER_NONE, 12, NULL);
     check_filter("octahedral, bytes", FILTER_OCTAHEDRAL, 4, meshopt_decodeFilterOct);
     check_filter("octahedral, words", FILTER_OCTAHEDRAL, 8, meshopt_decodeFilterOct);
@@ -154,8 +150,7 @@ static const unsigned char words[] = {0xa1, 0xaf, 0x56, 0x01, 0x02, 0x00, 0, 0, 
                                       0,    0,    0,    0,    0,    0,    0, 0, 0, 0,
                                       0,    0,    0,    0,    0,    1,    0, 0, 0, 1};
 
-static void test_meshopt_v1(void **state) {
-    (void)state;
+TEST(meshopt_v1) {
     static const int steps[16] = {-1, -4, -3, 26, -91, 0, -6, 6, -4, -4, 5, -5, 1, -1, 0, 0};
     unsigned char got[64], value = 0;
     struct packed_view view = {
@@ -179,8 +174,7 @@ static void test_meshopt_v1(void **state) {
 }
 
 /* Cut, too long, or of a mode that there is not. */
-static void test_bad_meshopt_v1(void **state) {
-    (void)state;
+TEST(bad_meshopt_v1) {
     unsigned char bytes[sizeof corners_v1 + 1] = {0}, got[48];
     for (size_t size = 1; size <= sizeof bytes; size++) {
         struct packed_view view = {.bytes = bytes, .size = size, .count = 4, .stride = 12};
@@ -201,8 +195,7 @@ static void test_bad_meshopt_v1(void **state) {
 }
 
 /* R = Y + Co - Cg, G = Y + Cg, B = Y - Co - Cg. Bytes hold 8 bits, words hold 4. */
-static void test_colors(void **state) {
-    (void)state;
+TEST(colors) {
     unsigned char bytes[4] = {110, 80, (unsigned char)-10, 255};
     int16_t numbers[4] = {7, 3, -2, 13};
     unpack_meshopt_color(&(struct packed_view){.count = 1, .stride = 4}, bytes);
@@ -212,8 +205,7 @@ static void test_colors(void **state) {
 }
 
 /* A list of indices that are no triangles, of two bytes and of four. */
-static void test_sequence(void **state) {
-    (void)state;
+TEST(sequence) {
     static const unsigned expected[] = {3, 1, 4, 1, 5};
     unsigned char packed[64];
     uint16_t shorts[5];
@@ -230,8 +222,7 @@ static void test_sequence(void **state) {
 }
 
 /* Sizes that a mode or a filter does not have are refused before anything is unpacked. */
-static void test_sizes(void **state) {
-    (void)state;
+TEST(sizes) {
     static const struct {
         struct packed_view view;
         const char *message;
@@ -255,8 +246,7 @@ static void test_sizes(void **state) {
 }
 
 /* Room for what a file says it unpacks to counts against what the scene may take. */
-static void test_endless(void **state) {
-    (void)state;
+TEST(endless) {
     struct scene scene;
     bool loaded =
         load_parts(&scene, "endless.glb",
@@ -322,8 +312,7 @@ static void check_draco(const char *what, const unsigned char *bytes, size_t siz
     scene_free(&scene);
 }
 
-static void test_draco(void **state) {
-    (void)state;
+TEST(draco) {
     check_draco("edgebreaker", edgebreaker, sizeof edgebreaker);
     check_draco("sequential", sequential, sizeof sequential);
 }
@@ -339,8 +328,7 @@ static void test_draco(void **state) {
     } while (0)
 
 /* Points and triangles as each type of a glTF file. */
-static void test_draco_types(void **state) {
-    (void)state;
+TEST(draco_types) {
     struct packed_mesh *mesh = unpack_draco(edgebreaker, sizeof edgebreaker, 2);
     assert_non_null(mesh);
     CHECK_POINTS(int8_t, COMPONENT_BYTE);
@@ -364,8 +352,7 @@ static void test_draco_types(void **state) {
 }
 
 /* What the bytes before the mesh say. */
-static void test_draco_header(void **state) {
-    (void)state;
+TEST(draco_header) {
     unsigned char bytes[sizeof edgebreaker];
     static const struct {
         int at;
@@ -411,8 +398,7 @@ static void check_opens(const char *what, bool opened, struct scene *scene) {
 }
 
 /* What the data hold counts, whatever the accessors say; there need be no indices. */
-static void test_draco_and_file(void **state) {
-    (void)state;
+TEST(draco_and_file) {
     static const char accessors[] =
         "[" CORNERS ", {\"componentType\": 5121, \"count\": 6, \"type\": \"SCALAR\"}]";
     static const char fewer[] = "[{\"componentType\": 5126, \"count\": 3, \"type\": \"VEC3\"},"
@@ -449,8 +435,7 @@ static void test_draco_and_file(void **state) {
     scene_free(&scene);
 }
 
-static void test_bad_draco(void **state) {
-    (void)state;
+TEST(bad_draco) {
     struct scene scene;
     check_opens("too many indices", load_draco(&scene, edgebreaker, sizeof edgebreaker, 9), &scene);
     /* Metadata of no attribute and without entries: a flag and three zeros before the data. */
@@ -481,16 +466,4 @@ static void test_bad_draco(void **state) {
     assert_true(loaded > 0);
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_meshopt),      cmocka_unit_test(test_bad_meshopt),
-        cmocka_unit_test(test_endless),      cmocka_unit_test(test_draco),
-        cmocka_unit_test(test_bad_draco),    cmocka_unit_test(test_filters),
-        cmocka_unit_test(test_meshopt_v1),   cmocka_unit_test(test_bad_meshopt_v1),
-        cmocka_unit_test(test_colors),       cmocka_unit_test(test_sequence),
-        cmocka_unit_test(test_sizes),        cmocka_unit_test(test_draco_types),
-        cmocka_unit_test(test_draco_header), cmocka_unit_test(test_draco_and_file),
-    };
-    return cmocka_run_group_tests_name("packed", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

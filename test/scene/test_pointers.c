@@ -102,8 +102,7 @@ static double number_at(const struct stage *stage, const struct row *row) {
 #define SURFACE(field) offsetof(struct material, field)
 
 /* Half way between the keys; what leaves its bounds is clamped. */
-static void test_numbers(void **state) {
-    (void)state;
+TEST(numbers) {
     static const struct row rows[] = {
         {OF_LIGHT "intensity", SPOT, EMITTER(intensity), 1, {2, 6}, 4},
         {OF_LIGHT "intensity", SPOT, EMITTER(intensity), 1, {-4, 2}, 0},
@@ -145,8 +144,7 @@ static void test_numbers(void **state) {
 }
 
 /* The user's factor and the file's, which multiply, leave area lights and emission alone. */
-static void test_punctual_scale(void **state) {
-    (void)state;
+TEST(punctual_scale) {
     static const float values[] = {2, 6};
     struct stage stage;
     struct stage_desc desc = {.path = write_clip(TARGET(OF_LIGHT "intensity"), values, 1),
@@ -186,8 +184,7 @@ static void test_punctual_scale(void **state) {
     assert_non_null(strstr(error_get(), "no punctual light"));
 }
 
-static void test_nodes(void **state) {
-    (void)state;
+TEST(nodes) {
     static const float values[] = {0, 0, 0, 4, 0, 0};
     struct stage stage;
     float worlds[16][16];
@@ -212,8 +209,7 @@ static bool is_point(const struct geometry *geometry, int part) {
 }
 
 /* Shown, hidden and shown again with all below, light too; what a clip shows may begin hidden. */
-static void test_visibility(void **state) {
-    (void)state;
+TEST(visibility) {
     static const float values[] = {1, 0};
     struct stage stage;
     open_stage(&stage, write_clip(TARGET("/nodes/0" VISIBLE) "," TARGET(
@@ -235,8 +231,7 @@ static void test_visibility(void **state) {
 }
 
 /* What cannot be played is told by its name; what is not there is a bad channel. */
-static void test_notes(void **state) {
-    (void)state;
+TEST(notes) {
     static const float values[8] = {0};
     static const struct {
         const char *pointer, *note;
@@ -312,8 +307,7 @@ static void check_followed(const char *pointer, const float *values, int width,
     stage_free(&stage);
 }
 
-static void test_pictures(void **state) {
-    (void)state;
+TEST(pictures) {
     static const struct {
         const char *pointer;
         int width;
@@ -335,11 +329,4 @@ static void test_pictures(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_numbers), cmocka_unit_test(test_punctual_scale),
-        cmocka_unit_test(test_nodes),   cmocka_unit_test(test_visibility),
-        cmocka_unit_test(test_notes),   cmocka_unit_test(test_pictures),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

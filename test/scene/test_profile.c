@@ -112,8 +112,7 @@ static bool is_within(const struct made *file, const double d[3]) {
 /* --- closed forms ----------------------------------------------------------------------------- */
 
 /* Each direction has the function's intensity, the slide has it, too, and both have its flux. */
-static void test_files(void **state) {
-    (void)state;
+TEST(files) {
     enum { STEPS = 40000 };
     for (int f = 0; f < MADE; f++) {
         char *text = print_file(&made[f]);
@@ -190,8 +189,7 @@ static void write_profile(const char *name, int f) {
 
 /* A cosine is the Lambertian lamp of CIE 171's case 5.2; factors of the light, of the user and of
  * clips count. */
-static void test_cosine(void **state) {
-    (void)state;
+TEST(cosine) {
     struct text text = {0};
     text_print(&text, "TILT=NONE\n1 -1 10 91 1 1 2 0 0 0 1 1 9\n");
     for (int a = 0; a <= 90; a++)
@@ -246,8 +244,7 @@ static void test_cosine(void **state) {
 }
 
 /* A profile of one intensity is a point light, in all that lights do. */
-static void test_constant(void **state) {
-    (void)state;
+TEST(constant) {
     static const char *const draws[] = {
         "render %s --size 32x24 -o %s",
         "render %s --size 32x24 -o %s --technique implicit-visibility",
@@ -274,8 +271,7 @@ static void test_constant(void **state) {
 }
 
 /* A profile without symmetry, in a turned light, by shaders and by rays. */
-static void test_turned(void **state) {
-    (void)state;
+TEST(turned) {
     write_profile("whole.ies", WHOLE);
     write_profile("around.ies", 0);
     write_scene("whole.glb", "{\"EXT_lights_ies\": {\"light\": 1}}",
@@ -295,8 +291,7 @@ static void test_turned(void **state) {
 
 /* --- refusals --------------------------------------------------------------------------------- */
 
-static void test_broken_files(void **state) {
-    (void)state;
+TEST(broken_files) {
 #define IES(counts, rest) "TILT=NONE\n1 1 1 " counts " 2 0 0 0 1 1 1\n" rest
     static const char *const files[][2] = {
         {"", "EULUMDAT, as there is no line TILT=: line 1: the file ends"},
@@ -325,8 +320,7 @@ static void test_broken_files(void **state) {
     }
 }
 
-static void test_refusals(void **state) {
-    (void)state;
+TEST(refusals) {
     static const char ies[] = "{\"EXT_lights_ies\": {\"light\": 0}}";
     static const struct {
         const char *light, *lights, *says;
@@ -351,11 +345,4 @@ static void test_refusals(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_files),        cmocka_unit_test(test_cosine),
-        cmocka_unit_test(test_constant),     cmocka_unit_test(test_turned),
-        cmocka_unit_test(test_broken_files), cmocka_unit_test(test_refusals),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -45,8 +45,7 @@ static double at_middle(const struct image *image, const char *channel) {
     ", \"spot\": {\"innerConeAngle\": 0.5, \"outerConeAngle\": 0.7}}"
 
 /* By KHR_lights_punctual, 1 - (2 / range)^4 of the light arrives. */
-static void test_light(void **state) {
-    (void)state;
+TEST(light) {
     static const struct {
         const char *light, *more;
         double value;
@@ -75,8 +74,7 @@ static void test_light(void **state) {
 }
 
 /* All methods of direct light. */
-static void test_methods(void **state) {
-    (void)state;
+TEST(methods) {
     for (const struct direct_method *const *method = direct_methods; *method; method++) {
         struct stage stage;
         open_square(&stage, POINT("2.5"), "");
@@ -128,8 +126,7 @@ static void open_room(struct stage *stage, const char *range) {
 }
 
 /* Reflected light begins with what is left of it, in every technique. */
-static void test_reflected(void **state) {
-    (void)state;
+TEST(reflected) {
     struct stage stage;
     open_room(&stage, "1.2");
     struct image traced = trace_stage(&stage, SIZE, 64);
@@ -150,8 +147,7 @@ static void test_reflected(void **state) {
 }
 
 /* --light changes it. */
-static void test_text(void **state) {
-    (void)state;
+TEST(text) {
     struct stage stage;
     struct emitters emitters = {0};
     open_square(&stage, POINT("4"), "");
@@ -190,8 +186,7 @@ static void open_squares(struct stage *stage, const char *kind, const char *rang
 
 /* Depths at the middle, and at a corner, 0 where nothing is. Light is not cut: the near square's
  * shadow stays. */
-static void test_camera(void **state) {
-    (void)state;
+TEST(camera) {
     static const struct {
         const char *range;
         double middle, corner, direct;
@@ -230,8 +225,7 @@ static void keep_note(const struct log_sink *sink, enum log_kind kind, const cha
 }
 
 /* How much of the view lies beyond zfar is noted: the far square, none, or a part of it. */
-static void test_beyond(void **state) {
-    (void)state;
+TEST(beyond) {
     static const struct {
         const char *range, *note;
     } rows[] = {{"\"znear\": 0.1, \"zfar\": 4",
@@ -253,8 +247,7 @@ static void test_beyond(void **state) {
 }
 
 /* --camera changes it; what is cut is not there in the picture's edges either. */
-static void test_camera_text(void **state) {
-    (void)state;
+TEST(camera_text) {
     struct stage stage;
     char text[PLACING_TEXT_SIZE];
     open_squares(&stage, "perspective", "\"znear\": 0.1, \"zfar\": 100");
@@ -269,8 +262,7 @@ static void test_camera_text(void **state) {
 
 /* --- cases of the public reports -------------------------------------------------------------- */
 
-static void test_cases(void **state) {
-    (void)state;
+TEST(cases) {
     static const struct {
         const char *file, *channel;
         double value;
@@ -295,11 +287,5 @@ static void test_cases(void **state) {
 
 int main(void) {
     log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_light),     cmocka_unit_test(test_methods),
-        cmocka_unit_test(test_reflected), cmocka_unit_test(test_text),
-        cmocka_unit_test(test_camera),    cmocka_unit_test(test_camera_text),
-        cmocka_unit_test(test_beyond),    cmocka_unit_test(test_cases),
-    };
-    return cmocka_run_group_tests_name("range", tests, open_group_context, close_group_context);
+    return run_file(__FILE__, open_group_context, close_group_context);
 }

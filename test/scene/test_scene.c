@@ -4,7 +4,6 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "lights/view.h"
 #include "scene/camera.h"
 #include "scene/lights/brightness.h"
@@ -36,8 +35,7 @@ static void winding_normal(const struct geometry *geometry, uint32_t triangle, v
 }
 
 /* Whatever a node does to a flat mesh, its normals stay perpendicular and its front the front. */
-static void test_transformed_normals(void **state) {
-    (void)state;
+TEST(transformed_normals) {
     static const struct {
         const char *nodes;
         float front; /* the front's z */
@@ -73,8 +71,7 @@ static void test_transformed_normals(void **state) {
 }
 
 /* Two meshes with three materials, the first of them masked, and one primitive without any. */
-static void test_batches(void **state) {
-    (void)state;
+TEST(batches) {
     struct scene scene;
     struct geometry geometry;
     load(&scene, &geometry,
@@ -114,8 +111,7 @@ static void test_batches(void **state) {
 }
 
 /* Vertices that no triangle uses are not in the bounds. */
-static void test_bounds(void **state) {
-    (void)state;
+TEST(bounds) {
     static const float normals[12] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
     struct scene scene;
     struct geometry geometry;
@@ -157,8 +153,7 @@ static const char *const lit_nodes =
     " {\"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}},"
     " {\"name\": \"eye\", \"camera\": 0}, {\"camera\": 1, \"translation\": [0, 0, 7]}]";
 
-static void test_lights(void **state) {
-    (void)state;
+TEST(lights) {
     struct scene scene;
     struct geometry geometry;
     load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
@@ -203,8 +198,7 @@ static void test_lights(void **state) {
     unload(&scene, &geometry);
 }
 
-static void test_cameras(void **state) {
-    (void)state;
+TEST(cameras) {
     struct scene scene;
     struct geometry geometry;
     load(&scene, &geometry, &(struct gltf_parts){.nodes = lit_nodes, .more = three_lights});
@@ -233,8 +227,7 @@ static void test_cameras(void **state) {
 
 /* A file without camera and light: all of it is in the picture and in the light's cone, and its
  * centre gets an irradiance of pi. */
-static void test_framing(void **state) {
-    (void)state;
+TEST(framing) {
     struct scene scene;
     struct geometry geometry;
     load(&scene, &geometry,
@@ -279,8 +272,7 @@ static void check_brightness_note(const struct scene *scene, const struct geomet
 
 /* Suns and lamps in the units of photometry are told by how far to stop down; one of our own, and a
  * scene's, are not. */
-static void test_brightness(void **state) {
-    (void)state;
+TEST(brightness) {
     static const struct {
         const char *light;
         double stops;
@@ -313,8 +305,7 @@ static void test_brightness(void **state) {
 }
 
 /* What lies far out is moved back, triangles, camera and light. */
-static void test_far_out(void **state) {
-    (void)state;
+TEST(far_out) {
     struct scene scene;
     struct geometry geometry;
     load(&scene, &geometry,
@@ -330,8 +321,7 @@ static void test_far_out(void **state) {
 }
 
 /* And so is what moves there: the values of a clip, but not a cubic's tangents. */
-static void test_far_clip(void **state) {
-    (void)state;
+TEST(far_clip) {
     static const char *const kinds[] = {"LINEAR", "CUBICSPLINE"};
     static const float keys[2][20] = {
         {0, 1, 100000, 0, 0, 100001, 0, 0},
@@ -371,8 +361,7 @@ static void test_far_clip(void **state) {
 }
 
 /* A box of 4 x 2 x 10 m about the origin; its faces look inwards, or outwards. */
-static void test_room(void **state) {
-    (void)state;
+TEST(room) {
     static float corners[9][3];
     static uint32_t indices[36];
     static const int faces[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1},
@@ -405,8 +394,7 @@ static void test_room(void **state) {
     assert_false(room_around(&room, &box, (float[]){0, 0, 0}));
 }
 
-static void test_shared_scenes(void **state) {
-    (void)state;
+TEST(shared_scenes) {
     static const struct {
         const char *name;
         int triangles;
@@ -435,8 +423,7 @@ static uint32_t masked_indices(const struct geometry *geometry) {
 }
 
 /* What decides which programs draw is alike, and all else small. */
-static void test_stand_in(void **state) {
-    (void)state;
+TEST(stand_in) {
     static const char *const names[] = {"scenes/cornell-box.glb", "scenes/gloss.glb",
                                         "scenes/atrium.glb", "scenes/character.glb"};
     for (int i = 0; i < 4; i++) {
@@ -460,8 +447,7 @@ static void test_stand_in(void **state) {
 }
 
 /* The figures of ../shared/scenes/README.md. */
-static void test_shared_cornell_box(void **state) {
-    (void)state;
+TEST(shared_cornell_box) {
     if (!shared_path())
         skip();
     char path[256];
@@ -485,8 +471,7 @@ static void test_shared_cornell_box(void **state) {
 /* --- cameras and views ------------------------------------------------------------------------ */
 
 /* Where a point is in the picture; and any difference of two cameras. */
-static void test_projection(void **state) {
-    (void)state;
+TEST(projection) {
     struct scene scene;
     struct geometry geometry;
     struct camera camera, other;
@@ -525,23 +510,4 @@ static void test_projection(void **state) {
     unload(&scene, &geometry);
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_transformed_normals),
-        cmocka_unit_test(test_batches),
-        cmocka_unit_test(test_bounds),
-        cmocka_unit_test(test_lights),
-        cmocka_unit_test(test_cameras),
-        cmocka_unit_test(test_framing),
-        cmocka_unit_test(test_brightness),
-        cmocka_unit_test(test_far_out),
-        cmocka_unit_test(test_far_clip),
-        cmocka_unit_test(test_room),
-        cmocka_unit_test(test_stand_in),
-        cmocka_unit_test(test_projection),
-        cmocka_unit_test(test_shared_scenes),
-        cmocka_unit_test(test_shared_cornell_box),
-    };
-    return cmocka_run_group_tests_name("scene", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

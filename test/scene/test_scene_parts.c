@@ -3,7 +3,6 @@
 #include "gltf_parts.h"
 
 #include "base/error.h"
-#include "base/log.h"
 #include "lights/view.h"
 #include "scene/camera.h"
 #include "scene/hash.h"
@@ -25,8 +24,7 @@ static float red_at(const struct scene_texture *texture, float u, float v) {
 }
 
 /* Four texels of a row; beyond its ends each way of wrapping, by the nearest one and by two. */
-static void test_texture(void **state) {
-    (void)state;
+TEST(texture) {
     unsigned char rgba[16] = {[0] = 10, [4] = 20, [8] = 40, [12] = 80};
     struct scene_texture texture = {.bitmap = {4, 1, rgba}, .linear = true, .nearest = true};
     static const struct {
@@ -55,8 +53,7 @@ static void test_texture(void **state) {
 }
 
 /* Any part of a scene that is drawn has a share in the number that tells scenes apart. */
-static void test_hash(void **state) {
-    (void)state;
+TEST(hash) {
     struct scene scene;
     struct geometry geometry;
     struct camera camera;
@@ -95,8 +92,7 @@ static void test_hash(void **state) {
 }
 
 /* Nodes that are flat in one way or another still look somewhere, across what they have left. */
-static void test_flat_nodes(void **state) {
-    (void)state;
+TEST(flat_nodes) {
     static const float worlds[][16] = {
         {0},
         {[8] = 0, [9] = 0, [10] = 2},
@@ -118,8 +114,7 @@ static void test_flat_nodes(void **state) {
 }
 
 /* Lights are told apart by any part, and no more than there is room for shine at once. */
-static void test_layouts(void **state) {
-    (void)state;
+TEST(layouts) {
     enum { MANY = 200 };
     static struct emitter lights[MANY];
     struct emitters one = {.items = lights, .count = 1}, two = {.items = lights, .count = 2},
@@ -148,8 +143,7 @@ static void test_layouts(void **state) {
 }
 
 /* What is diffuse: no metal, rough all over, and reflecting as usual or not at all. */
-static void test_matt(void **state) {
-    (void)state;
+TEST(matt) {
     const struct material usual = {.roughness = 1,
                                    .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
                                    .specular_f90 = 1,
@@ -174,12 +168,4 @@ static void test_matt(void **state) {
     assert_true(material_is_diffuse(&other)); /* it has no specular part, however smooth it is */
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_texture),    cmocka_unit_test(test_hash),
-        cmocka_unit_test(test_flat_nodes), cmocka_unit_test(test_layouts),
-        cmocka_unit_test(test_matt),
-    };
-    return cmocka_run_group_tests_name("scene parts", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

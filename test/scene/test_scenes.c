@@ -188,8 +188,7 @@ static void scene_path(const char *name, char *path, size_t size) {
     snprintf(path, size, "%s/%s.glb", scratch("scenes"), name);
 }
 
-static void test_every_scene(void **state) {
-    (void)state;
+TEST(every_scene) {
     char output[1024], path[512];
     assert_int_equal(run_tool(scratch("scenes"), "", output, sizeof output), 0);
     for (int i = 0; i < SCENE_COUNT; i++) {
@@ -199,8 +198,7 @@ static void test_every_scene(void **state) {
 }
 
 /* The bytes are the same in another folder, and a second run leaves the files alone. */
-static void test_the_same_bytes(void **state) {
-    (void)state;
+TEST(the_same_bytes) {
     char output[1024], command[1024];
     const char *again = scratch("scenes-again");
     assert_int_equal(run_tool(again, "cornell-box sphere metaballs", output, sizeof output), 0);
@@ -218,8 +216,7 @@ static void test_the_same_bytes(void **state) {
     assert_string_equal(output, "");
 }
 
-static void test_tool_refuses(void **state) {
-    (void)state;
+TEST(tool_refuses) {
     char output[1024];
     assert_int_equal(run_tool(scratch("scenes"), "no-such-scene", output, sizeof output), 1);
     assert_non_null(strstr(output, "no-such-scene"));
@@ -235,8 +232,7 @@ static void test_tool_refuses(void **state) {
 }
 
 /* The closed form of the sphere holds to the same degree as its area does. */
-static void test_sphere_is_round(void **state) {
-    (void)state;
+TEST(sphere_is_round) {
     char output[1024], path[512];
     assert_int_equal(run_tool(scratch("scenes"), "sphere", output, sizeof output), 0);
     scene_path("sphere", path, sizeof path);
@@ -256,12 +252,4 @@ static void test_sphere_is_round(void **state) {
     scene_free(&scene);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_every_scene),
-        cmocka_unit_test(test_the_same_bytes),
-        cmocka_unit_test(test_tool_refuses),
-        cmocka_unit_test(test_sphere_is_round),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -37,26 +37,16 @@ static void feed_folder(void (*fuzz)(const uint8_t *, size_t), const char *folde
     assert_true(fed > 0);
 }
 
-static void test_scenes(void **state) {
-    (void)state;
+TEST(scenes) {
     feed_folder(fuzz_scene, "test/fuzz/seeds/scene");
 }
 
-static void test_pictures(void **state) {
-    (void)state;
+TEST(pictures) {
     feed_folder(fuzz_picture, "test/fuzz/seeds/picture");
 }
 
-static void test_texts(void **state) {
-    (void)state;
+TEST(texts) {
     feed_folder(fuzz_text, "test/fuzz/seeds/text");
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_scenes),
-        cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_texts),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -2,7 +2,6 @@
  * scene and variant. */
 #include "gltf_parts.h"
 
-#include "base/log.h"
 #include "scene/camera.h"
 #include "scene/lights/emitter.h"
 #include "scene/open.h"
@@ -48,8 +47,7 @@ static void check_list(const char *nodes, const char *list, double z, int noted)
     close_parts(&opened);
 }
 
-static void test_lists(void **state) {
-    (void)state;
+TEST(lists) {
     struct opened opened;
     check_list(FAMILY, "0", 8, -1);
     check_list(FAMILY, "1", 1, 1); /* the parent is not in the scene */
@@ -79,8 +77,7 @@ static void check_visible(const char *nodes, unsigned quads) {
     close_parts(&opened);
 }
 
-static void test_hidden(void **state) {
-    (void)state;
+TEST(hidden) {
     check_visible("[{\"mesh\": 0, " HIDDEN "}, " LIFTED "]", 1);
     check_visible("[{\"mesh\": 0, " VISIBLE("\"visible\": true") "}]", 1);
     check_visible("[{\"mesh\": 0, " VISIBLE("") "}]", 1);
@@ -94,8 +91,7 @@ static void test_hidden(void **state) {
 }
 
 /* A lamp, an emissive quad and a camera: only the camera stays. */
-static void test_hidden_lights(void **state) {
-    (void)state;
+TEST(hidden_lights) {
     static const char *const flags[] = {"true", "false"};
     for (int hidden = 0; hidden < 2; hidden++) {
         struct opened opened;
@@ -149,8 +145,7 @@ static void check_choice(const char *scene, const char *variant, unsigned quads,
     close_parts(&opened);
 }
 
-static void test_choice(void **state) {
-    (void)state;
+TEST(choice) {
     struct opened opened;
     check_choice(NULL, NULL, 1, 5, "plain");
     check_choice("", "", 1, 5, "plain");
@@ -184,8 +179,7 @@ static void check_name(const char *name, const char *expected, const char *note)
 
 /* Latin-1, GBK, cut and overlong characters, and halves of escaped pairs, which Python writes for a
  * bad byte. */
-static void test_names(void **state) {
-    (void)state;
+TEST(names) {
     check_name("B\xC3\xBCro \\u00fc \\ud83d\\ude00 \\\\ud800", "Büro ü \xF0\x9F\x98\x80 \\ud800",
                "");
     check_name("B\xFCro", "B" BAD "ro", READ_AS);
@@ -197,8 +191,7 @@ static void test_names(void **state) {
 }
 
 /* A file whose name is not UTF-8 is found. */
-static void test_file_names(void **state) {
-    (void)state;
+TEST(file_names) {
     static const char *const uris[] = {"B\xFCro.bin", "B\\udcfcro.bin", "B%FCro.bin"};
     unsigned char bin[PARTS_BIN];
     parts_bin(&(struct gltf_parts){0}, bin);
@@ -212,12 +205,4 @@ static void test_file_names(void **state) {
     }
 }
 
-int main(void) {
-    log_set_level(LOG_QUIET);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_lists),         cmocka_unit_test(test_hidden),
-        cmocka_unit_test(test_hidden_lights), cmocka_unit_test(test_choice),
-        cmocka_unit_test(test_names),         cmocka_unit_test(test_file_names),
-    };
-    return cmocka_run_group_tests_name("shown", tests, NULL, NULL);
-}
+RUN_TESTS(be_quiet, NULL)

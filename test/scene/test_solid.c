@@ -69,8 +69,7 @@ static int count_within(struct shape *shape, const float eye[3], uint32_t first,
 }
 
 /* A box is solid from without; from within it is a room. */
-static void test_box(void **state) {
-    (void)state;
+TEST(box) {
     struct shape box = {0};
     add_box(&box, origin, unit, 0);
     assert_int_equal(count_within(&box, away, 0, 12), 12);
@@ -78,8 +77,7 @@ static void test_box(void **state) {
 }
 
 /* One that stands open on a floor, whose front closes it; not where it hangs above the floor. */
-static void test_open_below(void **state) {
-    (void)state;
+TEST(open_below) {
     const float above[3] = {0, 2.2F, 0};
     struct shape standing = {0}, hanging = {0};
     add_box(&standing, unit, unit, TOP);
@@ -92,8 +90,7 @@ static void test_open_below(void **state) {
 }
 
 /* Beside a room of fronts a sheet hides nothing. */
-static void test_sheet(void **state) {
-    (void)state;
+TEST(sheet) {
     const float wide[3] = {8, 8, 8};
     struct shape room = {0};
     add_box(&room, origin, wide, 0);
@@ -157,18 +154,9 @@ static void check_frame(const char *path, double least_share) {
     stage_free(&stage);
 }
 
-static void test_frame(void **state) {
-    (void)state;
+TEST(frame) {
     check_frame("scenes/cornell-animal.glb", .9);
     check_frame("scenes/cornell-box.glb", .3);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_box),
-        cmocka_unit_test(test_open_below),
-        cmocka_unit_test(test_sheet),
-        cmocka_unit_test(test_frame),
-    };
-    return cmocka_run_group_tests_name("solid", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -6,6 +6,7 @@
 #include "base/file/output_file.h"
 #include "base/log.h"
 
+#include <assert.h>
 #include <dirent.h>
 #include <errno.h>
 #include <math.h>
@@ -15,6 +16,41 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+/* The tests of all files that a program links, in no order. */
+static struct added {
+    const char *file;
+    int line;
+    struct CMUnitTest test;
+} added[1024];
+static int added_count;
+
+void add_test(const char *file, int line, const struct CMUnitTest *test) {
+    assert(added_count < (int)(sizeof added / sizeof *added));
+    added[added_count++] = (struct added){file, line, *test};
+}
+
+static int by_line(const void *a, const void *b) {
+    return ((const struct added *)a)->line - ((const struct added *)b)->line;
+}
+
+int be_quiet(void **state) {
+    (void)state;
+    log_set_level(LOG_QUIET);
+    return 0;
+}
+
+int run_file(const char *file, CMFixtureFunction setup, CMFixtureFunction teardown) {
+    struct CMUnitTest tests[64];
+    int count = 0;
+    qsort(added, added_count, sizeof *added, by_line);
+    for (int i = 0; i < added_count; i++)
+        if (strcmp(added[i].file, file) == 0) {
+            assert(count < (int)(sizeof tests / sizeof *tests));
+            tests[count++] = added[i].test;
+        }
+    return _cmocka_run_group_tests(file, tests, count, setup, teardown);
+}
 
 void check_near(const char *what, double value, double expected, double tolerance) {
     printf("    %-48s %.6g, expected %.6g within %.3g\n", what, value, expected, tolerance);

@@ -9,6 +9,40 @@
 #include <setjmp.h>
 #include <cmocka.h>
 
+/* Whether `make test-long` runs, which tries all rows of each test; `make test` tries a few of each
+ * kind. */
+bool is_long_run(void);
+
+/* Defines a test, TEST(name) { ... }, which RUN_TESTS runs after the tests above it. */
+#define TEST(name) TEST_WITH(name, NULL, NULL)
+
+/* The same between a set-up and a tear-down of its own. */
+#define TEST_WITH(name, setup, teardown) ADD_TEST(true, name, setup, teardown)
+
+/* Defines a test of the long run alone. */
+#define LONG_TEST(name) ADD_TEST(is_long_run(), name, NULL, NULL)
+
+#define ADD_TEST(is_run, name, setup, teardown)                                                    \
+    static void test_##name(void **state);                                                         \
+    __attribute__((constructor)) static void add_test_##name(void) {                               \
+        const struct CMUnitTest test = {"test_" #name, test_##name, setup, teardown, NULL};        \
+        if (is_run)                                                                                \
+            add_test(__FILE__, __LINE__, &test);                                                   \
+    }                                                                                              \
+    static void test_##name(__attribute__((unused)) void **state)
+
+/* Stands at the end of a file: the program runs the file's tests between set-up and tear-down. */
+#define RUN_TESTS(setup, teardown)                                                                 \
+    int main(void) {                                                                               \
+        return run_file(__FILE__, setup, teardown);                                                \
+    }
+
+/* A set-up: the program's notes are not printed. */
+int be_quiet(void **state);
+
+void add_test(const char *file, int line, const struct CMUnitTest *test);
+int run_file(const char *file, CMFixtureFunction setup, CMFixtureFunction teardown);
+
 /* Fails with both values when |value - expected| > tolerance; prints them either way. */
 void check_near(const char *what, double value, double expected, double tolerance);
 
@@ -25,17 +59,8 @@ void check_vector(const char *what, const float value[3], double x, double y, do
 /* Fails where it was done, or the error message has not that text; prints the message. */
 void check_refused(bool done, const char *message);
 
-/* Whether `make test-long` runs, which tries all rows of each test; `make test` tries a few of each
- * kind. */
-bool is_long_run(void);
-
 /* Whether this run tries the row of that index: one in step of them, or all. */
 bool is_tried_here(size_t index, size_t step);
-
-/* Runs these tests, in a short run the first few alone. */
-#define run_some_tests(tests, few, setup, teardown)                                                \
-    _cmocka_run_group_tests(                                                                       \
-        #tests, tests, is_long_run() ? sizeof(tests) / sizeof(tests)[0] : (few), setup, teardown)
 
 /* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
 int run_command(const char *command, char *output, size_t output_size);

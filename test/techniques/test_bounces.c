@@ -44,8 +44,7 @@ static void check_furnace(const struct stage *stage, const char *technique, int 
     }
 }
 
-static void test_furnace(void **state) {
-    (void)state;
+TEST(furnace) {
     struct stage stage;
     open_stage(&stage, "scenes/sphere.glb");
     check_furnace(&stage, "unshadowed", 1024, "", .005);
@@ -133,8 +132,7 @@ static void read_fluxes(const struct stage *stage, int bounces, double *first, d
 
 /* Each bounce has at most the greatest albedo of the one before; a wall that reflects no red sends
  * none on. */
-static void test_energy(void **state) {
-    (void)state;
+TEST(energy) {
     struct stage stage;
     double first, later, last, sum = 0, most = .725; /* the white walls, red */
     int black;
@@ -158,8 +156,7 @@ static void test_energy(void **state) {
 
 /* Inside a sphere that reflects half of it each later bounce has half of the flux of the one
  * before, to the last. */
-static void test_flux(void **state) {
-    (void)state;
+TEST(flux) {
     struct stage stage;
     int black;
     open_stage(&stage, "scenes/sphere.glb");
@@ -194,8 +191,7 @@ static void add_eighths(const struct vpl *vpls, int count, double squares[2], do
 /* VPLs have the light of more paths than those that left them, so that parts of a sphere have more
  * even light than numbers of VPLs. However few VPLs there are, what is too far from all of them is
  * given back. */
-static void test_shared(void **state) {
-    (void)state;
+TEST(shared) {
     enum { SETS = 6 };
     static const int counts[] = {256, 512, 4096};
     double lights[3] = {0};
@@ -310,15 +306,13 @@ static void check_shared(const char *board) {
 
 /* Light is shared along a plane that is seen: what a white board has does not come to the dark
  * floor beside it, which is lower, or hidden by a wall. */
-static void test_shared_along_planes(void **state) {
-    (void)state;
+TEST(shared_along_planes) {
     check_shared(HIGH_BOARD);
     check_shared(BOARD_BEHIND_WALL);
 }
 
 /* What paths take for a triangle's colour, on both of its sides. */
-static void test_albedos(void **state) {
-    (void)state;
+TEST(albedos) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     uint32_t count = stage.geometry.index_count / 3;
@@ -361,8 +355,7 @@ static bool camera_sees(const struct rays *rays, const struct view *view, const 
 }
 
 /* Paths count for what patches keep whose light goes to what the camera sees, and no others. */
-static void test_seen(void **state) {
-    (void)state;
+TEST(seen) {
     struct stage stage;
     struct rays rays;
     struct renderer renderer;
@@ -458,8 +451,7 @@ static void read_powers(struct stage *stage, const char *settings, struct powers
 
 /* Starts have the light of the first bounce, none more than twice an even share, and no VPL a large
  * share of later light. */
-static void test_starts(void **state) {
-    (void)state;
+TEST(starts) {
     static const char *const paths[] = {"scenes/hall.glb", "scenes/door.glb", "scenes/window.glb"};
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
         struct stage stage;
@@ -483,8 +475,7 @@ static void test_starts(void **state) {
 
 /* One bounce is what it was whatever paths there would be; and a frame of several depends on its
  * own time alone. */
-static void test_frames(void **state) {
-    (void)state;
+TEST(frames) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     struct image one = render_stage(&stage, "clustered", "", 48);
@@ -515,8 +506,7 @@ static void test_frames(void **state) {
 /* --- the reference ---------------------------------------------------------------------------- */
 
 /* In the box two bounces lack a sixth of the light of eight, and one two fifths. */
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     struct stage stage;
     struct image reference;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -535,13 +525,4 @@ static void test_reference(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_energy),
-        cmocka_unit_test(test_frames),  cmocka_unit_test(test_flux),
-        cmocka_unit_test(test_shared),  cmocka_unit_test(test_shared_along_planes),
-        cmocka_unit_test(test_albedos), cmocka_unit_test(test_seen),
-        cmocka_unit_test(test_starts),  cmocka_unit_test(test_reference),
-    };
-    return cmocka_run_group_tests_name("bounces", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

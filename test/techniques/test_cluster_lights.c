@@ -91,8 +91,7 @@ static double quarter(double x, double y) {
            (2 * GLM_PI);
 }
 
-static void test_squares(void **state) {
-    (void)state;
+TEST(squares) {
     struct form_case cases[4];
     double factors[4];
     /* Half a side over the height: 1, 1/2, 1/8, 1/100; the light shines down, we look up. */
@@ -136,8 +135,7 @@ static struct form_case turned(const struct form_case *c) {
 
 /* Aslant, through the horizon, from behind, far: against sums; where the rectangle is cut in two;
  * and turned. */
-static void test_any(void **state) {
-    (void)state;
+TEST(any) {
     struct form_case cases[16];
     double factors[16];
     vec3 right = {.1f, .8f, .1f}, up = {.6f, -.1f, .2f}, across;
@@ -250,8 +248,7 @@ static double summed_flux(const struct vpl *vpls, int count, int channel) {
     return sum;
 }
 
-static void test_sides(void **state) {
-    (void)state;
+TEST(sides) {
     static struct maker maker;
     struct vpl *vpls = mem_alloc(POINTS, sizeof *vpls);
     open_maker(&maker, POINTS, &(struct cluster_desc){.val_count = 1, .iterations = 2});
@@ -296,8 +293,7 @@ static void make_twice(const struct vpl *vpls, bool turned, struct vpl lights[LI
 }
 
 /* No flux is lost, and the order of the points counts for nothing. */
-static void test_sums(void **state) {
-    (void)state;
+TEST(sums) {
     struct vpl *vpls = mem_alloc(POINTS, sizeof *vpls), lights[LIGHTS], turned[LIGHTS];
     scatter_points(vpls);
     make_twice(vpls, false, lights);
@@ -317,8 +313,7 @@ static void test_sums(void **state) {
 }
 
 /* As many lights as points: each is its point, on its patch. */
-static void test_one_each(void **state) {
-    (void)state;
+TEST(one_each) {
     enum { COUNT = 256 };
     static struct maker maker;
     struct vpl *vpls = mem_alloc(POINTS, sizeof *vpls);
@@ -363,16 +358,14 @@ static void check_falls(const char *scene, double of_128) {
     stage_free(&stage);
 }
 
-static void test_falls(void **state) {
-    (void)state;
+TEST(falls) {
     check_falls("scenes/cornell-box.glb", .04);
     check_falls("scenes/cornell-animal.glb", .06);
     check_falls("scenes/metaballs.glb", .06);
 }
 
 /* As many lights as VPLs, as disks: each is its VPL, and so is the picture. */
-static void test_all_lights(void **state) {
-    (void)state;
+TEST(all_lights) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     struct image all = render_stage(&stage, "unshadowed", EVERY_VPL " vpls=64 clamp=disk", 48);
@@ -449,8 +442,7 @@ static double even_count(const struct published *p) {
 }
 
 /* Table 1 of [Prutkin 2012] has 75 of 256 clusters in use in its box. */
-static void test_published(void **state) {
-    (void)state;
+TEST(published) {
     static struct published paper, even;
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -472,12 +464,4 @@ static void test_published(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_squares),    cmocka_unit_test(test_any),
-        cmocka_unit_test(test_sides),      cmocka_unit_test(test_sums),
-        cmocka_unit_test(test_one_each),   cmocka_unit_test(test_falls),
-        cmocka_unit_test(test_all_lights), cmocka_unit_test(test_published),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -43,8 +43,7 @@ static void add_up(const struct table *table, double sum[3]) {
 
 /* The table's lamp gives its elements what its light has: 6.4 W/sr of red. Dimmed or coloured it
  * gives them that. */
-static void test_emission(void **state) {
-    (void)state;
+TEST(emission) {
     struct table table;
     double sum[3];
     open_table(&table);
@@ -66,8 +65,7 @@ static void test_emission(void **state) {
 }
 
 /* Rays to lights pass through holes of alpha masks. */
-static void test_masks(void **state) {
-    (void)state;
+TEST(masks) {
     struct stage stage;
     struct bvh casters, panes = {0};
     int holes = 0, hits = 0;
@@ -97,10 +95,4 @@ static void test_masks(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_emission),
-        cmocka_unit_test(test_masks),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

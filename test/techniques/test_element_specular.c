@@ -44,8 +44,7 @@ static void add_white_sky(struct stage *stage) {
 }
 
 /* Under a white sky a ball shows its albedo. */
-static void test_ball(void **state) {
-    (void)state;
+TEST(ball) {
     struct stage stage;
     double worst = 0, sum = 0, expected = 0;
     open_ball(&stage, 1, true);
@@ -95,8 +94,7 @@ static double seen_within(float roughness, const char *settings, const char *lay
 
 /* A light of 1 W/sr in the middle of a closed sphere: all of it sends rho / pi, and reflects the
  * albedo times that. */
-static void test_sphere(void **state) {
-    (void)state;
+TEST(sphere) {
     static const float roughnesses[] = {1, .5F};
     for (int i = 0; i < 2; i++) {
         double albedo = i == 0 ? albedo_of_rough(1) : albedo_of_half_rough, even;
@@ -109,8 +107,7 @@ static void test_sphere(void **state) {
 }
 
 /* Points are no surface that links lead to: no light of theirs comes through bins. */
-static void test_points(void **state) {
-    (void)state;
+TEST(points) {
     double even;
     assert_true(seen_within(.5F, direct_settings, "direct.specular.R", &even) == 0);
 }
@@ -142,8 +139,7 @@ static struct image trace_direct(const struct stage *stage, int width, int heigh
 /* The lamp in the balls, beside the path tracer. Few elements lie under each highlight: 1000 of the
  * room err by 3 % in the mean, and twice as much at pixels as 4000. The direct method shows 7 %
  * less than the tracer, so it is no reference. All other light stays as it is. */
-static void test_lamp(void **state) {
-    (void)state;
+TEST(lamp) {
     static const char *const settings[] = {
         "elements=1000 radiosity.lamps=bins radiosity.sky=bins radiosity.bins=24",
         "elements=1000 radiosity.lamps=bins radiosity.sky=bins radiosity.bins=24 "
@@ -178,8 +174,7 @@ static void test_lamp(void **state) {
 }
 
 /* No layer counts light twice: all of them make up the picture. */
-static void test_layers(void **state) {
-    (void)state;
+TEST(layers) {
     static const char *const settings[] = {
         "radiosity.lamps=bins radiosity.sky=bins radiosity.specular=direct",
         "radiosity.specular=indirect", "radiosity.specular=indirect bounces=3 samples=8",
@@ -216,8 +211,7 @@ static void test_layers(void **state) {
 }
 
 /* One renderer that follows other settings and sizes shows what new ones show. */
-static void test_changes(void **state) {
-    (void)state;
+TEST(changes) {
     static const struct {
         const char *settings;
         int size;
@@ -252,8 +246,7 @@ static GLenum APIENTRY fail_once(void) {
 
 /* A smaller size that finds no GPU memory, at each allocation in turn, leaves the picture as it
  * was. */
-static void test_out_of_memory(void **state) {
-    (void)state;
+TEST(out_of_memory) {
     struct stage stage;
     struct renderer renderer = {0};
     int failures = 0;
@@ -281,8 +274,7 @@ static void test_out_of_memory(void **state) {
 }
 
 /* Shaders read no further in a storage than GPUs say. */
-static void test_too_many_links(void **state) {
-    (void)state;
+TEST(too_many_links) {
     struct stage stage;
     struct renderer renderer = {0};
     GLint64 most = 0;
@@ -302,8 +294,7 @@ static void test_too_many_links(void **state) {
 }
 
 /* Lamps and skies by rays do not come through bins. */
-static void test_refusal(void **state) {
-    (void)state;
+TEST(refusal) {
     struct settings settings;
     const struct technique *technique = technique_find("implicit-visibility");
     renderer_settings_init(&settings);
@@ -315,13 +306,4 @@ static void test_refusal(void **state) {
     check_ok("both by bins", technique_check(technique, &settings));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_ball),          cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_points),        cmocka_unit_test(test_lamp),
-        cmocka_unit_test(test_changes),       cmocka_unit_test(test_refusal),
-        cmocka_unit_test(test_out_of_memory), cmocka_unit_test(test_too_many_links),
-        cmocka_unit_test(test_layers),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -58,16 +58,14 @@ static void check_points(const char *path, bool black, bool double_sided) {
     stage_free(&stage);
 }
 
-static void test_points(void **state) {
-    (void)state;
+TEST(points) {
     check_points("scenes/cornell-box.glb", true, false);
     check_points("scenes/cornell-box.glb", false, true);
     check_points("scenes/metaballs.glb", false, false);
 }
 
 /* Points of the quad stand for its area, and for none of holes. */
-static void test_quad(void **state) {
-    (void)state;
+TEST(quad) {
     enum { POINTS = 64 };
     static const struct {
         const char *materials;
@@ -138,8 +136,7 @@ static void check_form_factors(const struct stage *stage, int count) {
     surface_points_free(&points);
 }
 
-static void test_form_factors(void **state) {
-    (void)state;
+TEST(form_factors) {
     struct stage stage;
     open_stage(&stage, "scenes/sphere.glb");
     check_form_factors(&stage, 1024);
@@ -149,8 +146,7 @@ static void test_form_factors(void **state) {
 
 /* A plain of two triangles, of ten thousand times the area, has no more than a fifth of
  * the points. */
-static void test_plain(void **state) {
-    (void)state;
+TEST(plain) {
     struct stage stage;
     struct surface_points points;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -211,8 +207,7 @@ static float *read_depths(const struct depth_maps *maps) {
     return depths;
 }
 
-static void test_solid_angle(void **state) {
-    (void)state;
+TEST(solid_angle) {
     enum { VPLS = 16, POINTS = 256, SIZE = 256 };
     struct stage stage;
     struct renderer renderer;
@@ -356,8 +351,7 @@ static void check_nearer(struct filling *filling) {
     check_near("nearest of all", nearest, .3, .01);
 }
 
-static void test_filling(void **state) {
-    (void)state;
+TEST(filling) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -386,8 +380,7 @@ static double error_against(const struct image *reference, const struct stage *s
 
 /* With more points and texels they become the maps of triangles; with few they are better than
  * none. */
-static void test_converges(void **state) {
-    (void)state;
+TEST(converges) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
 #define PLAIN "vpls=64 interleave=1 "
@@ -411,8 +404,7 @@ static void test_converges(void **state) {
 }
 
 /* Nothing is hidden from anything inside a sphere. */
-static void test_sphere(void **state) {
-    (void)state;
+TEST(sphere) {
     struct stage stage;
     open_stage(&stage, "scenes/sphere.glb");
     struct image reference = render_stage(&stage, "unshadowed", "clamp=none", 64);
@@ -423,8 +415,7 @@ static void test_sphere(void **state) {
 }
 
 /* Points of metaballs are dealt anew, and yet a frame depends on its own time alone. */
-static void test_frames(void **state) {
-    (void)state;
+TEST(frames) {
     struct stage stage;
     struct renderer renderer;
     struct image again;
@@ -445,13 +436,4 @@ static void test_frames(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_points),       cmocka_unit_test(test_quad),
-        cmocka_unit_test(test_form_factors), cmocka_unit_test(test_plain),
-        cmocka_unit_test(test_solid_angle),  cmocka_unit_test(test_filling),
-        cmocka_unit_test(test_converges),    cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_frames),
-    };
-    return cmocka_run_group_tests_name("imperfect", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

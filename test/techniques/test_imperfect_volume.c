@@ -45,8 +45,7 @@ static double check_plane(float angle, const char *settings) {
     return spread.rmse;
 }
 
-static void test_plane(void **state) {
-    (void)state;
+TEST(plane) {
     check_at_most("RMSE of a plane", check_plane(0, "order=2"), .03);
     check_at_most("RMSE of a plane", check_plane(0, "order=3"), .03);
     check_at_most("RMSE of a tilted plane", check_plane(.5F, "order=2"), .03);
@@ -89,8 +88,7 @@ static double check_corner(float angle, const char *settings) {
     return spread.rmse;
 }
 
-static void test_corner(void **state) {
-    (void)state;
+TEST(corner) {
     check_at_most("RMSE of a corner", check_corner(0, "order=2"), .05);
     check_at_most("RMSE of a corner", check_corner(0, "order=3"), .05);
     check_at_most("RMSE of a turned corner", check_corner(.5F, "order=2"), .05);
@@ -121,18 +119,10 @@ static double check_bowl(double height, const char *settings) {
     return spread.rmse;
 }
 
-static void test_bowl(void **state) {
-    (void)state;
+TEST(bowl) {
     check_at_most("RMSE of a hemisphere", check_bowl(0, "order=2 ao-distance=9"), .08);
     check_at_most("RMSE of a hemisphere", check_bowl(0, "order=3 ao-distance=9"), .08);
     check_at_most("RMSE of a shallow bowl", check_bowl(-.5, "order=3 ao-distance=9"), .08);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_plane),
-        cmocka_unit_test(test_corner),
-        cmocka_unit_test(test_bowl),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

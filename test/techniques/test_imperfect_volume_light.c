@@ -33,8 +33,7 @@ static void ask(const struct question *question, float answer[4]) {
 /* A hole of half angle a over the normal lets in sin^2 a; order 2 knows (1 - cos a) / 2 + sin^2 a /
  * 2 of it, and order 3 adds 5/16 cos a sin^2 a. A sky above a plane tilted by b gives (1 + cos b) /
  * 2, and a slope v of the light 1 + 2/3 v.n, at any order; all over pi. */
-static void test_harmonics(void **state) {
-    (void)state;
+TEST(harmonics) {
     float answer[4];
     for (int degrees = 30; degrees <= 60; degrees += 15) {
         double a = degrees * GLM_PI / 180, c = cos(a), s2 = sin(a) * sin(a);
@@ -97,8 +96,7 @@ static double sigma_of(double share) {
 }
 
 /* Of random points each voxel of a plane stays empty with probability e^-k. */
-static void test_random_occupancy(void **state) {
-    (void)state;
+TEST(random_occupancy) {
     static const struct {
         int squares, points; /* of each triangle */
     } cases[] = {{4, 25}, {4, 100}, {8, 50}, {8, 100}};
@@ -115,8 +113,7 @@ static void test_random_occupancy(void **state) {
 }
 
 /* Points by area are even: they leave fewer voxels empty. */
-static void test_occupancy(void **state) {
-    (void)state;
+TEST(occupancy) {
     static const double means[] = {1, 3};
     for (size_t i = 0; i < sizeof means / sizeof *means; i++) {
         char settings[64];
@@ -147,8 +144,7 @@ static double area_of(const struct geometry *geometry) {
 }
 
 /* Points reflect the light that VPLs carry. */
-static void test_flux(void **state) {
-    (void)state;
+TEST(flux) {
     struct stage stage;
     struct lit lit;
     double flux = 0;
@@ -171,8 +167,7 @@ static void test_flux(void **state) {
 }
 
 /* Each bounce has at most the greatest albedo of the one before. */
-static void test_bounces(void **state) {
-    (void)state;
+TEST(bounces) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     double before = 0, own_before = 0;
@@ -206,8 +201,7 @@ static double furnace_error(const struct stage *stage, const char *size, int bou
     return fabs(mean / exact - 1);
 }
 
-static void test_furnace(void **state) {
-    (void)state;
+TEST(furnace) {
     struct stage stage;
     open_stage(&stage, "scenes/sphere.glb");
     for (int bounces = 1; bounces <= 4; bounces++)
@@ -230,8 +224,7 @@ static bool same_atlas(const struct texture *a, const struct texture *b) {
 }
 
 /* The light that lies in the volume depends on no camera. */
-static void test_camera(void **state) {
-    (void)state;
+TEST(camera) {
     struct stage stage;
     struct lit a, b;
     open_stage(&stage, "scenes/cornell-box.glb");
@@ -247,8 +240,7 @@ static void test_camera(void **state) {
 }
 
 /* The order in which points are drawn changes nothing but rounding. */
-static void test_permutation(void **state) {
-    (void)state;
+TEST(permutation) {
     struct stage stage;
     struct lit lit;
     int count;
@@ -279,8 +271,7 @@ static void test_permutation(void **state) {
 }
 
 /* A light twice as strong gives twice the light. */
-static void test_linear(void **state) {
-    (void)state;
+TEST(linear) {
     struct stage stage;
     open_stage(&stage, "scenes/three-lights.glb");
     struct image once = render_stage(&stage, "imperfect-volume", "volume.size=32", 48);
@@ -333,8 +324,7 @@ static double corner_difference(float shift) {
 }
 
 /* 27 neighbours have other rays, so that three voxels are the same again. */
-static void test_shift(void **state) {
-    (void)state;
+TEST(shift) {
     check_at_most("RMS difference, three voxels on", corner_difference(3 * .0625F), 1e-3);
     check_at_most("a voxel on", corner_difference(.0625F), .01);
     check_at_most("a third of a voxel on", corner_difference(.0625F / 3), .03);
@@ -345,8 +335,7 @@ static void test_shift(void **state) {
 /* The top of a cube of 1 m, of albedo 1/2, under a light of 1 W/sr at 2.5 m: albedo times
  * irradiance, and nothing beside the cube. Places of a voxel differ by less than 1 % of
  * the light. */
-static void test_voxels(void **state) {
-    (void)state;
+TEST(voxels) {
     struct stage stage;
     struct renderer renderer;
     struct image image;
@@ -410,8 +399,7 @@ static double leak(double wall) {
     return dark / lit;
 }
 
-static void test_leaks(void **state) {
-    (void)state;
+TEST(leaks) {
     check_at_most("through a wall of half a voxel", leak(.5), .02);
     check_at_most("of a voxel", leak(1), .02);
     check_at_most("of two voxels", leak(2), .02);
@@ -431,8 +419,7 @@ static bool opens(const struct stage *stage, const char *settings) {
 
 /* What counts is the box that the volume holds: a thin plate of 400 voxels takes less than a cube
  * of 280, and the main part of a plain is a cube. */
-static void test_memory(void **state) {
-    (void)state;
+TEST(memory) {
     struct stage plate, cube, plain;
     struct shape *shape = new_shape(), *other = new_shape();
     add_rectangle(shape, at(-2, 0, 2), at(4, 0, 0), at(0, 0, -4));
@@ -449,8 +436,7 @@ static void test_memory(void **state) {
 }
 
 /* A line has no points to make voxels of, and a single triangle has. */
-static void test_few_triangles(void **state) {
-    (void)state;
+TEST(few_triangles) {
     struct stage stage;
     struct shape *line = new_shape(), *triangle = new_shape();
     add_rectangle(line, at(0, 0, 0), at(1, 0, 0), at(1, 0, 0));
@@ -466,15 +452,4 @@ static void test_few_triangles(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_harmonics),   cmocka_unit_test(test_random_occupancy),
-        cmocka_unit_test(test_occupancy),   cmocka_unit_test(test_memory),
-        cmocka_unit_test(test_flux),        cmocka_unit_test(test_bounces),
-        cmocka_unit_test(test_furnace),     cmocka_unit_test(test_camera),
-        cmocka_unit_test(test_permutation), cmocka_unit_test(test_linear),
-        cmocka_unit_test(test_shift),       cmocka_unit_test(test_voxels),
-        cmocka_unit_test(test_leaks),       cmocka_unit_test(test_few_triangles),
-    };
-    return cmocka_run_group_tests(tests, open_group_shaders, close_group_shaders);
-}
+RUN_TESTS(open_group_shaders, close_group_shaders)

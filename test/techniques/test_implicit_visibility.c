@@ -76,8 +76,7 @@ static double triangles_area(const struct geometry *geometry) {
 }
 
 /* Coarse and fine meshes, of one side and of two. */
-static void test_areas(void **state) {
-    (void)state;
+TEST(areas) {
     for (int two_sided = 0; two_sided < 2; two_sided++) {
         struct radiosity radiosity;
         struct shape *shape = sphere();
@@ -136,8 +135,7 @@ static double check_sphere(const struct links_desc *desc, int most, bool with_pl
 
 /* E = pi L in a closed sphere, and whatever stands in it. As published a tenth of the light leaks
  * away. */
-static void test_sphere(void **state) {
-    (void)state;
+TEST(sphere) {
     for (int side = 4; side <= 12; side += 4)
         check_at_most("leak", 1 - check_sphere(&(struct links_desc){.side = side}, 1500, false),
                       .01);
@@ -177,8 +175,7 @@ static struct pair_links links_of(int side, int most, bool pairs) {
 }
 
 /* Pairs of nodes that are refined and pushed end with nearly the links of leaves that walk alone */
-static void test_pairs(void **state) {
-    (void)state;
+TEST(pairs) {
     for (int side = 8; side <= 16; side += 4) {
         struct pair_links pairs = links_of(side, 1500, true), alone = links_of(side, 1500, false);
         check_near("E by pairs", pairs.mean / alone.mean, 1, .03);
@@ -214,15 +211,13 @@ static double squares_factor(int side, int most) {
     return sum / area;
 }
 
-static void test_squares(void **state) {
-    (void)state;
+TEST(squares) {
     check_near("form factor", squares_factor(12, 800), .19982, .012);
     check_near("form factor", squares_factor(24, 3000), .19982, .005);
 }
 
 /* All bins of a convex body are open. */
-static void test_convex(void **state) {
-    (void)state;
+TEST(convex) {
     struct radiosity radiosity;
     float sky[6 * 8 * 8][3];
     struct shape *shape = sphere();
@@ -259,8 +254,7 @@ static void check_bounds(const struct radiosity *radiosity) {
 
 /* A light in the middle of a sphere: E_d = I / R^2, and all bounces together add E_d rho / (1 -
  * rho). */
-static void test_furnace(void **state) {
-    (void)state;
+TEST(furnace) {
     struct radiosity radiosity;
     struct bvh casters, panes = {0};
     struct emitter light = emitter_new(EMITTER_POINT);
@@ -296,8 +290,7 @@ static void test_furnace(void **state) {
 }
 
 /* The picture of the sphere shows what its elements have: one bounce, over pi. */
-static void test_picture(void **state) {
-    (void)state;
+TEST(picture) {
     struct stage stage;
     double least = INFINITY, most = 0;
     open_shape(&stage, sphere(), .5, false, at(0, 0, 0));
@@ -323,8 +316,7 @@ static float half_shines(const struct element *element) {
 }
 
 /* Lamps shine by their own lists of links as by all links, and no other link is in the lists. */
-static void test_lamps(void **state) {
-    (void)state;
+TEST(lamps) {
     struct radiosity radiosity;
     double worst = 0, lists = 0, all = 0;
     open_radiosity(&radiosity, sphere(), .5, 1000, &(struct links_desc){.side = 8}, false);
@@ -394,8 +386,7 @@ static double *room_light(int threads, struct shape *shape, int *count, double *
     return light;
 }
 
-static void test_order(void **state) {
-    (void)state;
+TEST(order) {
     int counts[3];
     double means[3];
     double *alone = room_light(1, room(false), &counts[0], &means[0]);
@@ -433,8 +424,7 @@ static struct shape *box(int parts) {
 }
 
 /* Four parts of a triangle are as much surface as the whole. */
-static void test_cut(void **state) {
-    (void)state;
+TEST(cut) {
     int counts[2];
     double means[2];
     for (int i = 0; i < 2; i++)
@@ -447,8 +437,7 @@ static void test_cut(void **state) {
 /* --- what must not change the picture --------------------------------------------------------- */
 
 /* A frame is the same whatever pose its renderer began in. */
-static void test_start(void **state) {
-    (void)state;
+TEST(start) {
     struct stage stage;
     struct image layers[2];
     for (int i = 0; i < 2; i++) {
@@ -490,8 +479,7 @@ static void open_corner(struct stage *stage) {
 }
 
 /* A sun that a user adds is no part of a sky that does not shine. */
-static void test_sun(void **state) {
-    (void)state;
+TEST(sun) {
     static const char *const settings[] = {"elements=500 radiosity.sky=rays",
                                            "elements=500 radiosity.sky=bins"};
     struct stage stage;
@@ -512,8 +500,7 @@ static void test_sun(void **state) {
 }
 
 /* A sky that turns in place. */
-static void test_turned_sky(void **state) {
-    (void)state;
+TEST(turned_sky) {
     struct stage stage;
     struct renderer renderer = {0};
     open_corner(&stage);
@@ -538,8 +525,7 @@ static void test_turned_sky(void **state) {
 /* --- limits ----------------------------------------------------------------------------------- */
 
 /* Links that no machine has room for end with an error that says so. */
-static void test_memory(void **state) {
-    (void)state;
+TEST(memory) {
     struct links links;
     assert_false(links_init(&links, &(struct links_desc){.side = 32}, INT32_MAX / 16));
     printf("  %s\n", error_get());
@@ -548,8 +534,7 @@ static void test_memory(void **state) {
 }
 
 /* A box that nearly reaches the eye covers bins up to the face's edge. */
-static void test_near_window(void **state) {
-    (void)state;
+TEST(near_window) {
     struct bins bins;
     struct bins_window window;
     bins_init(&bins, 8);
@@ -562,16 +547,4 @@ static void test_near_window(void **state) {
     bins_free(&bins);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_areas),   cmocka_unit_test(test_sphere),
-        cmocka_unit_test(test_squares), cmocka_unit_test(test_convex),
-        cmocka_unit_test(test_furnace), cmocka_unit_test(test_picture),
-        cmocka_unit_test(test_order),   cmocka_unit_test(test_start),
-        cmocka_unit_test(test_sun),     cmocka_unit_test(test_turned_sky),
-        cmocka_unit_test(test_memory),  cmocka_unit_test(test_near_window),
-        cmocka_unit_test(test_pairs),   cmocka_unit_test(test_lamps),
-        cmocka_unit_test(test_cut),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

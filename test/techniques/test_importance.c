@@ -86,8 +86,7 @@ static double spread_of(const struct stage *stage, const char *settings) {
     return metres;
 }
 
-static void test_places(void **state) {
-    (void)state;
+TEST(places) {
     struct stage stage;
     open_stage(&stage, "scenes/atrium.glb");
     double alike = spread_of(&stage, "path=maps vpls=1024 bounces=2 importance=off"),
@@ -107,8 +106,7 @@ static bool same_frames(const struct stage *stage, const char *a, const char *b)
 }
 
 /* One bounce is what it was; where rays tell all that arrives nobody asks where VALs lie. */
-static void test_one_bounce(void **state) {
-    (void)state;
+TEST(one_bounce) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     assert_true(same_frames(&stage, "", "importance=off"));
@@ -120,8 +118,7 @@ static void test_one_bounce(void **state) {
 
 /* Lights that are kept while the camera moves are no others' than those of a frame that begins
  * there. */
-static void test_kept_lights(void **state) {
-    (void)state;
+TEST(kept_lights) {
     struct stage stage;
     struct renderer renderer;
     struct image again;
@@ -142,11 +139,4 @@ static void test_kept_lights(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_places),
-        cmocka_unit_test(test_one_bounce),
-        cmocka_unit_test(test_kept_lights),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

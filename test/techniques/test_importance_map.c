@@ -36,8 +36,7 @@ static double mean_density(const float *densities, int width, int light, double 
 
 /* All fractions add up to one, and no place is left out: a quarter of the lights, a quarter of the
  * cells. */
-static void test_densities(void **state) {
-    (void)state;
+TEST(densities) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/courtyard.glb");
@@ -112,8 +111,7 @@ static struct sets measure_sets(const struct stage *stage, const char *importanc
 }
 
 /* Under a sky most VPLs by flux lie on roofs and outer walls. */
-static void test_sky(void **state) {
-    (void)state;
+TEST(sky) {
     struct stage stage;
     check_ok("stage", stage_init(&stage, &(struct stage_desc){.path = "scenes/atrium.glb",
                                                               .light = "sky",
@@ -136,8 +134,7 @@ static bool same(const struct stage *stage, const char *technique, const char *a
 }
 
 /* By itself where light starts from several samples, and something tests visibility. */
-static void test_auto(void **state) {
-    (void)state;
+TEST(auto) {
     struct stage box, courtyard;
     open_stage(&box, "scenes/cornell-box.glb");
     open_stage(&courtyard, "scenes/courtyard.glb");
@@ -164,8 +161,7 @@ static void check_followed(const char *what, struct renderer *renderer,
 
 /* The hall's lamp stands outdoors: an eleventh of its light falls where the camera sees any of it.
  * Indoors all of it does, and a renderer whose lamp moves there chooses anew. */
-static void test_next_door(void **state) {
-    (void)state;
+TEST(next_door) {
     const float down[] = {0, -1, 0};
     struct stage hall;
     struct renderer renderer;
@@ -186,8 +182,7 @@ static void test_next_door(void **state) {
 }
 
 /* More than a row of a texture holds. */
-static void test_many(void **state) {
-    (void)state;
+TEST(many) {
     struct stage hall;
     struct renderer renderer;
     open_stage(&hall, "scenes/hall.glb");
@@ -200,8 +195,7 @@ static void test_many(void **state) {
 
 /* Lights that are kept while the camera moves are no others than those of a frame that begins
  * there. */
-static void test_kept(void **state) {
-    (void)state;
+TEST(kept) {
     struct stage stage;
     struct renderer renderer;
     open_stage(&stage, "scenes/courtyard.glb");
@@ -214,10 +208,4 @@ static void test_kept(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_densities), cmocka_unit_test(test_sky),  cmocka_unit_test(test_auto),
-        cmocka_unit_test(test_next_door), cmocka_unit_test(test_many), cmocka_unit_test(test_kept),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

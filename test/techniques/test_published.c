@@ -25,8 +25,7 @@ static double error_of(struct measure_desc desc, const char *settings,
 /* Whatever its terms, maps and clusters leave out, wrong shadows are to cost less than none; as
  * much where nothing is hidden, as in the sphere. Both take 16 VPLs a pixel, which the paper fixes.
  * (What a door hides is all there is: test_stability.) */
-static void test_loses_to_no_visibility_nowhere(void **state) {
-    (void)state;
+TEST(loses_to_no_visibility_nowhere) {
     static const char *const scenes[] = {"cornell-box",  "cornell-animal", "metaballs", "atrium",
                                          "three-lights", "moving-spot",    "table",     "creatures",
                                          "character",    "sphere"};
@@ -52,8 +51,7 @@ static void test_loses_to_no_visibility_nowhere(void **state) {
 }
 
 /* No length is absolute: what maps resolve grows with what they see. */
-static void test_ten_times_as_large(void **state) {
-    (void)state;
+TEST(ten_times_as_large) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     const char *settings = "path=paper vpls=256 map-size=128";
@@ -67,10 +65,4 @@ static void test_ten_times_as_large(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_loses_to_no_visibility_nowhere),
-        cmocka_unit_test(test_ten_times_as_large),
-    };
-    return cmocka_run_group_tests_name("published", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

@@ -88,8 +88,7 @@ static double error_of_choice(const struct sample *sample, uint32_t seed, double
 
 /* Over many choices the rows' mean is their sum, and their mean squared error what the clusters
  * tell. */
-static void test_expectation(void **state) {
-    (void)state;
+TEST(expectation) {
     enum { CHOICES = 20000 };
     static struct sample sample;
     double sums[ROWS][3] = {{0}}, errors = 0, squares = 0, worst = 0;
@@ -115,8 +114,7 @@ static void test_expectation(void **state) {
 
 /* Black lights are never chosen, and those that no row sees are in the end; weights are what
  * clusters hold. */
-static void test_choice(void **state) {
-    (void)state;
+TEST(choice) {
     static struct sample sample;
     struct column chosen[LIGHTS];
     int times[LIGHTS] = {0};
@@ -138,8 +136,7 @@ static void test_choice(void **state) {
 
 /* As many clusters as there are lights, or directions of columns, leave no error; more
  * leave less. */
-static void test_clusters(void **state) {
-    (void)state;
+TEST(clusters) {
     static struct sample sample;
     struct column chosen[LIGHTS];
     double before = INFINITY;
@@ -191,8 +188,7 @@ static void compare_rows(const float (*matrix)[4], int vpls, const struct image 
 }
 
 /* All rows are the picture: what a row has of a VPL is what the gather takes. */
-static void test_rows(void **state) {
-    (void)state;
+TEST(rows) {
     enum { SIZE = 16, VPLS = 64 };
     struct stage stage;
     struct renderer renderer;
@@ -242,8 +238,7 @@ static void test_rows(void **state) {
 #define PLAIN "vpls=64 interleave=1 near-samples=16 map-size=128 "
 
 /* As many columns as VPLs are all of them, whatever the rows; of two bounces, too. */
-static void test_all_columns(void **state) {
-    (void)state;
+TEST(all_columns) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     static const char *const more[] = {"", "bounces=2 paths=256"};
@@ -261,8 +256,7 @@ static void test_all_columns(void **state) {
 }
 
 /* The mean over choices is the picture of all VPLs; and the more columns, the less each is off. */
-static void test_mean(void **state) {
-    (void)state;
+TEST(mean) {
     enum { CHOICES = 12 };
     struct stage stage;
     double sum = 0, squares = 0, errors[2] = {0};
@@ -291,8 +285,7 @@ static void test_mean(void **state) {
 }
 
 /* In a diffuse box chosen VPLs are as good as as many plain ones: all of them do alike. */
-static void test_against_plain(void **state) {
-    (void)state;
+TEST(against_plain) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct image plain =
@@ -319,13 +312,4 @@ static void test_against_plain(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_expectation),   cmocka_unit_test(test_choice),
-        cmocka_unit_test(test_clusters),      cmocka_unit_test(test_rows),
-        cmocka_unit_test(test_all_columns),   cmocka_unit_test(test_mean),
-        cmocka_unit_test(test_against_plain),
-    };
-    return cmocka_run_group_tests_name("row-column", tests, open_group_context,
-                                       close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

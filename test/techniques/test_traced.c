@@ -121,8 +121,7 @@ static void check_scene(const char *path, const double *times, int count) {
     stage_free(&stage);
 }
 
-static void test_rays(void **state) {
-    (void)state;
+TEST(rays) {
     static const double times[] = {0, 1.5, 3};
     check_scene("scenes/cornell-animal.glb", times, 1);
     check_scene("scenes/atrium.glb", times, 1);
@@ -156,8 +155,7 @@ static struct pair pair_through(const struct rays *rays, const struct stage *sta
 }
 
 /* As holes are for Embree, but for their rims, which are a part wide. */
-static void test_masks(void **state) {
-    (void)state;
+TEST(masks) {
     struct stage stage;
     struct rays rays;
     const struct caster_bvh *tree;
@@ -252,8 +250,7 @@ static void check_frame(const char *path, int size, int vpl_count) {
     stage_free(&bench.stage);
 }
 
-static void test_frame(void **state) {
-    (void)state;
+TEST(frame) {
     check_frame("scenes/cornell-animal.glb", 32, 64);
     check_frame("scenes/door.glb", 32, 64);
     check_frame("scenes/atrium.glb", 16, 1024); /* llvmpipe has an end to a shader's loops */
@@ -277,8 +274,7 @@ static double block_difference(const struct image *a, const struct image *b) {
 
 /* Of the same VPLs: where two of twelve ask for all, the mean is that of all that ask, in shadows
  * of coloured light too, and it is not the same picture. */
-static void test_together(void **state) {
-    (void)state;
+TEST(together) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     struct image each = render_stage(&stage, "clustered",
@@ -305,8 +301,7 @@ static void check_same(const struct stage *stage, const char *a, const char *b) 
 }
 
 /* The default is a frame by rays, unless something that maps alone read is set. */
-static void test_default(void **state) {
-    (void)state;
+TEST(default) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-box.glb");
     check_same(&stage, "", "trace=on vpls=512 adaptive=3 adaptive-factor=1");
@@ -316,11 +311,4 @@ static void test_default(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_default),  cmocka_unit_test(test_rays),
-        cmocka_unit_test(test_masks),    cmocka_unit_test(test_frame),
-        cmocka_unit_test(test_together),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

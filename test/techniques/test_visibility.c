@@ -44,8 +44,7 @@ static double error_of(int vals, const char *more) {
 }
 
 /* The error falls with the number of VALs, and is small beside that of no visibility at all. */
-static void test_convergence(void **state) {
-    (void)state;
+TEST(convergence) {
     double none = relative_rmse(&unshadowed, &reference, "indirect");
     printf("    unshadowed: relative RMSE %.4f\n", none);
     double m2 = error_of(2, "visibility-block=0"), m8 = error_of(8, "visibility-block=0"),
@@ -60,16 +59,14 @@ static void test_convergence(void **state) {
 
 /* A VAL per VPL, of all casters and looked up as hard as the reference is: what is left is the
  * maps' bias. */
-static void test_val_per_vpl(void **state) {
-    (void)state;
+TEST(val_per_vpl) {
     /* A map per VPL asks for its casters' planes, where a VAL's asks for the middles of texels. */
     check_at_most("M = N, hard", error_of(256, "visibility=hard visibility-block=0 caster-error=0"),
                   .015);
 }
 
 /* A ray asks for each VPL's own place where a hard lookup knows the centre of its VAL. */
-static void test_rays(void **state) {
-    (void)state;
+TEST(rays) {
     double ray = error_of(4, "visibility=ray visibility-block=0"),
            hard = error_of(4, "visibility=hard visibility-block=0");
     check_at_most("rays over hard lookups, M = 4", ray / hard, .75);
@@ -93,16 +90,14 @@ static double error_of_map_rays(const char *scene, int size) {
  * as far as other lookups they err .0064. Arches beside a wall that shines lie in the shadow of
  * casters that its middle sees, and get its light: with casters as deep there as on long ways they
  * err .271. */
-static void test_map_rays(void **state) {
-    (void)state;
+TEST(map_rays) {
     check_at_most("rays through maps over rays through triangles, a character",
                   error_of_map_rays("scenes/character.glb", SIZE / 2), .006);
     check_at_most("the atrium", error_of_map_rays("scenes/atrium.glb", 60), .265);
 }
 
 /* Soft shadows hide that there are few of them: fewer bands than hard ones [Dong 2009 §7]. */
-static void test_banding(void **state) {
-    (void)state;
+TEST(banding) {
     const char *settings = "vpls=256 vals=8 interleave=1 visibility-block=0 visibility=%s";
     struct image exact = render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1", SIZE);
     double gradients[2];
@@ -119,8 +114,7 @@ static void test_banding(void **state) {
 
 /* Beside the wall that shines nothing is between: the other wall, within a texel of a map, is no
  * caster. */
-static void test_corner(void **state) {
-    (void)state;
+TEST(corner) {
     enum { WIDE = 400 };
     enum { LEFT = 84, RIGHT = 100, TOP = 95, BOTTOM = 150 }; /* of the wall at the back */
     struct image seen =
@@ -144,8 +138,7 @@ static void test_corner(void **state) {
 /* Smaller blocks come nearer to a lookup a pixel and VPL. At 200 pixels a block of 8 is as wide as
  * one of 32 at 800. Blocks of 3 are as good as none: what is left are clusters, and which of listed
  * lights ask. */
-static void test_blocks(void **state) {
-    (void)state;
+TEST(blocks) {
     double wide = error_of(30, "visibility=pcss visibility-block=8"),
            narrow = error_of(30, "visibility=pcss visibility-block=3"),
            none = error_of(30, "visibility=pcss visibility-block=0");
@@ -158,8 +151,7 @@ static void test_blocks(void **state) {
 #define CSSM "visibility=cssm visibility-block=0 "
 
 /* Four terms are worth their memory; more are no loss. */
-static void test_terms(void **state) {
-    (void)state;
+TEST(terms) {
     double k1 = error_of(30, CSSM "terms=1"), k4 = error_of(30, CSSM),
            k8 = error_of(30, CSSM "terms=8");
     check_at_most("K = 4 over K = 1", k4 / k1, .6);
@@ -203,8 +195,7 @@ static double flat_error(const struct stage *flat, const struct image *exact, co
 }
 
 /* One VAL. The exact penumbra is as wide as the light; a hard map of the centre has none. */
-static void test_flat_blocker(void **state) {
-    (void)state;
+TEST(flat_blocker) {
     struct stage flat;
     struct scene scene;
     check_ok("scene", load_parts(&scene, "blocker.glb", &blocker_parts));
@@ -284,8 +275,7 @@ static double light_of_leaning(const struct leaning *lit) {
 
 /* What a triangle is turned away from lights it nowhere, whatever its normals say: paths find it
  * dark, too. */
-static void test_facet(void **state) {
-    (void)state;
+TEST(facet) {
 #define DIFFUSE "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]"
 #define METAL "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 1, \"roughnessFactor\": 0.5}}]"
     static const struct leaning rows[][2] = {
@@ -309,13 +299,4 @@ static void test_facet(void **state) {
 #undef METAL
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_convergence),  cmocka_unit_test(test_val_per_vpl),
-        cmocka_unit_test(test_rays),         cmocka_unit_test(test_map_rays),
-        cmocka_unit_test(test_banding),      cmocka_unit_test(test_corner),
-        cmocka_unit_test(test_blocks),       cmocka_unit_test(test_terms),
-        cmocka_unit_test(test_flat_blocker), cmocka_unit_test(test_facet),
-    };
-    return cmocka_run_group_tests_name("visibility", tests, open_reference, close_reference);
-}
+RUN_TESTS(open_reference, close_reference)

@@ -6,8 +6,7 @@
 
 /* A room of 4 m keeps its light on a plain of 222 m: voxels that held the plain would be as wide as
  * the room. */
-static void test_plain(void **state) {
-    (void)state;
+TEST(plain) {
     struct stage stage;
     open_stage(&stage, "scenes/failures/plain.glb");
     struct image volume = render_stage(&stage, "imperfect-volume", "", 48);
@@ -46,8 +45,7 @@ static double light_on_plain(float plain, const char *technique) {
     return mean;
 }
 
-static void test_floor_of_plain(void **state) {
-    (void)state;
+TEST(floor_of_plain) {
     double small = light_on_plain(1, "imperfect-volume");
     double wide = light_on_plain(200, "imperfect-volume");
     check_near("light on a floor of 200 m over that on one of 1 m", wide / small, 1, .1);
@@ -80,8 +78,7 @@ static void slide(struct stage *stage, const char *name, bool others, float far)
 }
 
 /* It keeps its light as it moves; a renderer that begins late has the same box. */
-static void test_moving_room(void **state) {
-    (void)state;
+TEST(moving_room) {
     struct stage stage;
     struct renderer renderer;
     struct image after;
@@ -106,8 +103,7 @@ static void test_moving_room(void **state) {
 }
 
 /* Another part of a huge floor is in the box as the floor moves. */
-static void test_moving_floor(void **state) {
-    (void)state;
+TEST(moving_floor) {
     struct stage stage;
     struct renderer renderer;
     struct image before, after;
@@ -132,8 +128,7 @@ static void test_moving_floor(void **state) {
 
 /* Of a triangle far larger than the box: the area is that of the box's section, and places lie
  * evenly in it. */
-static void test_boxed_triangle(void **state) {
-    (void)state;
+TEST(boxed_triangle) {
     enum { SIDE = 64 };
     const struct box box = {{-1, -1, 2}, {3, 1, 5}};
     float corners[3][3] = {{-900, .25F, -700}, {800, .25F, -600}, {50, .25F, 900}}; /* metres */
@@ -156,8 +151,7 @@ static void test_boxed_triangle(void **state) {
 }
 
 /* A triangle that the box holds is whole, and one beside it has no part. */
-static void test_whole_triangle(void **state) {
-    (void)state;
+TEST(whole_triangle) {
     const struct box box = {{-1, -1, -1}, {1, 1, 1}};
     float corners[6][3] = {{-.5F, 0, 0}, {.5F, 0, 0}, {0, .5F, 0}, {2, 2, 0}, {0, 4, 0}, {4, 0, 4}};
     const uint32_t inside[3] = {0, 1, 2}, outside[3] = {3, 4, 5};
@@ -171,11 +165,4 @@ static void test_whole_triangle(void **state) {
     assert_false(boxed_spread(weight, &box, &geometry, outside, .3, .7));
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_boxed_triangle), cmocka_unit_test(test_whole_triangle),
-        cmocka_unit_test(test_plain),          cmocka_unit_test(test_floor_of_plain),
-        cmocka_unit_test(test_moving_room),    cmocka_unit_test(test_moving_floor),
-    };
-    return cmocka_run_group_tests(tests, open_group_shaders, close_group_shaders);
-}
+RUN_TESTS(open_group_shaders, close_group_shaders)

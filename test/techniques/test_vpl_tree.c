@@ -92,8 +92,7 @@ static bool holds(const struct light_node *node, const struct vpl *vpl) {
 }
 
 /* Each lit VPL is a leaf once, all that are above it hold it, and fluxes add up. */
-static void test_tree(void **state) {
-    (void)state;
+TEST(tree) {
     struct bench *bench = open_bench();
     int seen[VPLS] = {0}, lit = 0, leaves = 0, outside = 0, unequal = 0, order = 0;
     for (int i = 0; i < VPLS; i++)
@@ -138,8 +137,7 @@ static double mean_width(const struct bench *bench, int level) {
     return sum / count;
 }
 
-static void test_order(void **state) {
-    (void)state;
+TEST(order) {
     struct bench *bench = open_bench();
     check_at_most("width of sixteenths over all", mean_width(bench, 16) / mean_width(bench, 1), .5);
     check_at_most("of pairs", mean_width(bench, LEAVES / 2) / mean_width(bench, 1), .12);
@@ -147,8 +145,7 @@ static void test_order(void **state) {
 }
 
 /* A VPL of the node, and over the sets about as often as its share of the flux. */
-static void test_representatives(void **state) {
-    (void)state;
+TEST(representatives) {
     struct bench *bench = open_bench();
     int foreign = 0, parents[VPLS];
     double apart = 0;
@@ -230,8 +227,7 @@ static void ask(int clamp, const struct question *questions, float *answers) {
 }
 
 /* GLSL's bound is C's, which test_lightcuts.c holds against a million terms. */
-static void test_same_bounds(void **state) {
-    (void)state;
+TEST(same_bounds) {
     static const struct {
         const char *name;
         int clamp;
@@ -279,8 +275,7 @@ static vec3s place_in(const struct light_extent *extent, vec2s number) {
 
 /* No patch of at least the node's area sends more from a place of its box to one of the receiver's.
  * From a single place near by a patch of that area sends as much. */
-static void test_patch_bounds(void **state) {
-    (void)state;
+TEST(patch_bounds) {
     static struct question questions[QUESTIONS];
     static float answers[QUESTIONS];
     double most = 0, apart = 0;
@@ -444,8 +439,7 @@ static double check_cuts(struct bench *bench, int nodes, float tolerance, double
     return rmse;
 }
 
-static void test_cuts(void **state) {
-    (void)state;
+TEST(cuts) {
     struct bench *bench = open_bench();
     double taken, few, last = check_cuts(bench, 4, 0, &taken);
     for (int nodes = 16; nodes <= CUT_NODES_MAX; nodes *= 4) {
@@ -461,8 +455,7 @@ static void test_cuts(void **state) {
 /* --- pictures --------------------------------------------------------------------------------- */
 
 /* A cut of all leaves is the sum of all VPLs. */
-static void test_all_leaves(void **state) {
-    (void)state;
+TEST(all_leaves) {
     struct stage stage;
     open_stage(&stage, "scenes/cornell-animal.glb");
     static const char *const plain = "vpls=64 vals=8 map.size=64 interleave=1 blur.radius=0 "
@@ -480,15 +473,4 @@ static void test_all_leaves(void **state) {
     stage_free(&stage);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_tree),
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_representatives),
-        cmocka_unit_test(test_same_bounds),
-        cmocka_unit_test(test_patch_bounds),
-        cmocka_unit_test(test_cuts),
-        cmocka_unit_test(test_all_leaves),
-    };
-    return cmocka_run_group_tests_name("vpl_tree", tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)

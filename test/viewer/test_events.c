@@ -39,8 +39,7 @@ static void check_turns(const char *text, const char *expected) {
     events_free(&events);
 }
 
-static void test_turns(void **state) {
-    (void)state;
+TEST(turns) {
     check_turns("", "");
     check_turns("kata", "2 ");
     check_turns("kataKakbtbKb", "2 3 1 ");     /* ab */
@@ -55,8 +54,7 @@ static void test_turns(void **state) {
 }
 
 /* Where the mouse has come to, and how far the wheel went. */
-static void test_merged(void **state) {
-    (void)state;
+TEST(merged) {
     struct events events = events_of("mambs0s0s0");
     assert_int_equal(events.count, 2);
     assert_true(events.items[0].x == 'b');
@@ -65,8 +63,7 @@ static void test_merged(void **state) {
 }
 
 /* However many come in a slow frame, none is lost, and no turn takes more than it has room for. */
-static void test_many(void **state) {
-    (void)state;
+TEST(many) {
     struct events events = {0};
     for (int i = 0; i < 1000; i++)
         events_add(&events, &(struct event){.kind = EVENT_TEXT, .code = i});
@@ -80,11 +77,4 @@ static void test_many(void **state) {
     events_free(&events);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_turns),
-        cmocka_unit_test(test_merged),
-        cmocka_unit_test(test_many),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -23,8 +23,7 @@ static void end_frame(double pixels) {
 }
 
 /* In the order in which they run, whichever came first. */
-static void test_order(void **state) {
-    (void)state;
+TEST(order) {
     static const char *const expected[] = {"frame", "frame/gbuffer", "frame/antialias",
                                            "frame/composite", "frame/last"};
     memset(&pace, 0, sizeof pace);
@@ -49,8 +48,7 @@ static void test_order(void **state) {
 }
 
 /* The history is as long as it is: the oldest frames go. */
-static void test_history(void **state) {
-    (void)state;
+TEST(history) {
     memset(&pace, 0, sizeof pace);
     for (int i = 0; i < PACE_HISTORY + 10; i++) {
         add("frame", 0, i);
@@ -72,8 +70,7 @@ static void test_history(void **state) {
 }
 
 /* A line a frame, with a column for each pass. */
-static void test_csv(void **state) {
-    (void)state;
+TEST(csv) {
     char *text = NULL;
     size_t size;
     memset(&pace, 0, sizeof pace);
@@ -92,11 +89,4 @@ static void test_csv(void **state) {
     free(text);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_order),
-        cmocka_unit_test(test_history),
-        cmocka_unit_test(test_csv),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
-}
+RUN_TESTS(NULL, NULL)

@@ -112,14 +112,12 @@ static void check_hidden(const char *technique, const char *settings) {
     assert_true(same);
 }
 
-static void test_hidden(void **state) {
-    (void)state;
+TEST(hidden) {
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         check_hidden(cases[i].technique, cases[i].settings);
 }
 
-static void test_shown(void **state) {
-    (void)state;
+TEST(shown) {
     static const char *const rows[][3] = {
         {"lookup.terms", "clustered", CHEAP "visibility=cssm"},
         {"gather.near-samples", "clustered", CHEAP},
@@ -164,16 +162,14 @@ static void check_labels(const struct settings *settings) {
     assert_true(all > 40); /* the loop has met the settings */
 }
 
-static void test_labels(void **state) {
-    (void)state;
+TEST(labels) {
     struct settings settings;
     renderer_settings_init(&settings);
     check_labels(&settings);
 }
 
 /* What rows need are settings and values that there are. */
-static void test_needs(void **state) {
-    (void)state;
+TEST(needs) {
     struct settings settings;
     int count = 0;
     renderer_settings_init(&settings);
@@ -208,8 +204,4 @@ static int close_all(void **state) {
     return close_group_context(state);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_labels), cmocka_unit_test(test_needs),
-                                       cmocka_unit_test(test_hidden), cmocka_unit_test(test_shown)};
-    return cmocka_run_group_tests(tests, open_all, close_all);
-}
+RUN_TESTS(open_all, close_all)

@@ -22,8 +22,7 @@ static int count_on_screen(const struct bitmap *expected) {
     return different;
 }
 
-static void test_first_picture(void **state) {
-    (void)state;
+TEST(first_picture) {
     start_viewer(SCENE, "");
     check_same("the window's picture", SCENE);
     /* And so it is on the screen, where no overlay lies. */
@@ -41,8 +40,7 @@ static void test_first_picture(void **state) {
     bitmap_free(&expected);
 }
 
-static void test_wipe(void **state) {
-    (void)state;
+TEST(wipe) {
     need_viewer();
     xdo("key c");
     sync_viewer();
@@ -67,8 +65,7 @@ static void test_wipe(void **state) {
 }
 
 /* Esc closes the help and asks once before it ends all; the exposure goes by keys. */
-static void test_keys(void **state) {
-    (void)state;
+TEST(keys) {
     need_viewer();
     xdo("key " F1 " key Escape key Escape");
     sync_viewer();
@@ -80,8 +77,7 @@ static void test_keys(void **state) {
     check_same("exposure 0", SCENE);
 }
 
-static void test_panel(void **state) {
-    (void)state;
+TEST(panel) {
     need_viewer();
     int x, y;
     find_place("virtual lights", &x, &y);
@@ -103,8 +99,7 @@ static void test_panel(void **state) {
 }
 
 /* A budget that nothing meets takes the least of all settings but those that are given. */
-static void test_frame_budget(void **state) {
-    (void)state;
+TEST(frame_budget) {
     char value[64];
     start_viewer(SCENE, CHEAP " --budget .001ms");
     need_viewer();
@@ -118,8 +113,7 @@ static void test_frame_budget(void **state) {
 
 /* A preset sets all but how the picture is exposed; a number beside its slider is typed after a
  * click. */
-static void test_presets(void **state) {
-    (void)state;
+TEST(presets) {
 #define DRAFT                                                                                      \
     SCENE " --set path=draft --set rsm-size=512 --set vals=12 --set map-size=128 "                 \
           "--set shadow-size=2048 --set interleave=8 --set exposure=.5 "
@@ -157,8 +151,7 @@ static void read_camera(char *text, size_t size) {
     remove(path);
 }
 
-static void test_orbit(void **state) {
-    (void)state;
+TEST(orbit) {
     need_viewer();
     struct bitmap before = screenshot();
     xdo("mousemove 60 300 mousedown 1 mousemove 90 310 mousemove 100 315 mouseup 1 click 4");
@@ -178,8 +171,7 @@ static void test_orbit(void **state) {
 }
 
 /* By the path typed into the panel. */
-static void test_open(void **state) {
-    (void)state;
+TEST(open) {
     need_viewer();
     open_by_panel("scenes/no-such-file.glb"); /* an error, and the window lives on */
     open_by_panel("scenes/sphere.glb");
@@ -188,8 +180,7 @@ static void test_open(void **state) {
 }
 
 /* At rest it goes on to the mean of some passes; another picture begins with a frame. */
-static void test_passes(void **state) {
-    (void)state;
+TEST(passes) {
     need_viewer();
     end_viewer();
     start_viewer(SCENE, "--passes 3");
@@ -201,14 +192,12 @@ static void test_passes(void **state) {
     check_same("three passes of another scene", "scenes/sphere.glb --passes 3");
 }
 
-static void test_end(void **state) {
-    (void)state;
+TEST(end) {
     need_viewer();
     end_viewer();
 }
 
-static void test_script(void **state) {
-    (void)state;
+TEST(script) {
     if (!stage.server)
         skip();
     char path[700];
@@ -228,14 +217,4 @@ static void test_script(void **state) {
                      1);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_first_picture), cmocka_unit_test(test_wipe),
-        cmocka_unit_test(test_keys),          cmocka_unit_test(test_panel),
-        cmocka_unit_test(test_orbit),         cmocka_unit_test(test_open),
-        cmocka_unit_test(test_passes),        cmocka_unit_test(test_end),
-        cmocka_unit_test(test_script),        cmocka_unit_test(test_frame_budget),
-        cmocka_unit_test(test_presets),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

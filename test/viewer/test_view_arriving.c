@@ -35,8 +35,7 @@ static int count_values(const struct texture *texture) {
     return count;
 }
 
-static void test_coarse_picture(void **state) {
-    (void)state;
+TEST(coarse_picture) {
     char text[600] = "";
     bool was_read = false, was_compiled = false;
     begin();
@@ -64,8 +63,7 @@ static void test_coarse_picture(void **state) {
 }
 
 /* Esc lets a scene go that is read or waits for its shaders; the one before stays. */
-static void test_stop(void **state) {
-    (void)state;
+TEST(stop) {
     if (!viewer.has_scene)
         skip();
     viewer_open(&viewer, "scenes/gloss.glb");
@@ -90,8 +88,7 @@ static void test_stop(void **state) {
 }
 
 /* A sky that waits for its shaders is let go at once, and freed when none are being compiled. */
-static void test_stop_sky(void **state) {
-    (void)state;
+TEST(stop_sky) {
     if (!viewer.has_scene)
         skip();
     assert_true(viewer_open_sky(&viewer, "scenes/overcast.hdr"));
@@ -112,8 +109,7 @@ static void test_stop_sky(void **state) {
 
 /* The coarse picture is of the command line's time and clips: the light and the triangles are where
  * they are then. */
-static void test_coarse_picture_of_time(void **state) {
-    (void)state;
+TEST(coarse_picture_of_time) {
     const double time = 1.5;
     struct scene scene;
     struct geometry geometry;
@@ -169,8 +165,7 @@ static bool refuse(void **state, const struct direct_desc *desc) {
 
 /* A scene that was read and that no renderer can be made for: the window tells why, shows what was
  * there before and no coarse picture, and the command line's options were that scene's. */
-static void test_fails_after_reading(void **state) {
-    (void)state;
+TEST(fails_after_reading) {
     if (!viewer.has_scene)
         skip();
     struct direct_method refused = *direct_find("hard");
@@ -199,8 +194,7 @@ static void test_fails_after_reading(void **state) {
 }
 
 /* The window ends while a scene arrives. */
-static void test_end(void **state) {
-    (void)state;
+TEST(end) {
     if (!viewer.has_scene)
         skip();
     viewer_open(&viewer, "scenes/gloss.glb");
@@ -208,14 +202,4 @@ static void test_end(void **state) {
     viewer_end(&viewer);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_coarse_picture),
-        cmocka_unit_test(test_stop),
-        cmocka_unit_test(test_stop_sky),
-        cmocka_unit_test(test_coarse_picture_of_time),
-        cmocka_unit_test(test_fails_after_reading),
-        cmocka_unit_test(test_end),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

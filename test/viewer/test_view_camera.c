@@ -31,8 +31,7 @@ static void check_place(const char *what, const struct orbit *orbit, const float
     assert_true(hypotf(at[0] - before[0], at[1] - before[1]) < 1e-4F);
 }
 
-static void test_orbit(void **state) {
-    (void)state;
+TEST(orbit) {
     struct camera camera = {.eye = {1, 2, 9}, .fov_y = 1};
     camera_look(&camera, camera.eye, (float[]){-.1F, -.2F, -1}, (float[]){0, 1, 0});
     const float center[3] = {0, 0, 0}, point[3] = {.7F, .5F, 2};
@@ -84,8 +83,7 @@ static void ray_of(const struct camera *camera, vec3 origin, vec3 direction) {
                direction);
 }
 
-static void test_zoom(void **state) {
-    (void)state;
+TEST(zoom) {
     start_viewer(BOX, "");
     struct camera before = saved_camera();
     xdo("mousemove %d %d click 4 click 4 click 4", MOUSE_X, MOUSE_Y);
@@ -100,8 +98,7 @@ static void test_zoom(void **state) {
 }
 
 /* The rays through the mouse's place, before and after, meet. */
-static void test_circle(void **state) {
-    (void)state;
+TEST(circle) {
     need_viewer();
     vec3 o1, d1, o2, d2, between, across;
     struct camera before = saved_camera();
@@ -118,8 +115,7 @@ static void test_circle(void **state) {
     assert_true(turned > 5 && apart < .02F);
 }
 
-static void test_views(void **state) {
-    (void)state;
+TEST(views) {
     need_viewer();
     struct camera kept = saved_camera();
     xdo("mousemove %d %d key ctrl+3 key r", WIDTH / 2, HEIGHT / 2);
@@ -138,8 +134,7 @@ static void test_views(void **state) {
 
 /* F frames the block that the mouse is on, from the same side; Shift and the wheel change
  * the lens. */
-static void test_frame(void **state) {
-    (void)state;
+TEST(frame) {
     need_viewer();
     xdo("key r");
     struct camera home = saved_camera();
@@ -158,8 +153,7 @@ static void test_frame(void **state) {
 
 /* --- time ------------------------------------------------------------------------------------- */
 
-static void test_steps(void **state) {
-    (void)state;
+TEST(steps) {
     if (!stage.server)
         skip();
     start_viewer(MOVING, "");
@@ -171,10 +165,4 @@ static void test_steps(void **state) {
     end_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_orbit), cmocka_unit_test(test_zoom),  cmocka_unit_test(test_circle),
-        cmocka_unit_test(test_views), cmocka_unit_test(test_frame), cmocka_unit_test(test_steps),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

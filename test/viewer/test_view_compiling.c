@@ -41,8 +41,7 @@ static void choose(const char *technique) {
     viewer_touch(&viewer);
 }
 
-static void test_compiling(void **state) {
-    (void)state;
+TEST(compiling) {
     begin_viewer(&(struct viewer_desc){.width = 100, .height = 90});
     viewer_open(&viewer, "scenes/cornell-box.glb");
     struct waiting first = wait_for_shaders("the first picture", false);
@@ -65,7 +64,4 @@ static void test_compiling(void **state) {
     finish_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_compiling)};
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

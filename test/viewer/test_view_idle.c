@@ -17,8 +17,7 @@ static void check_idle(const char *what) {
     assert_true(share <= .02);
 }
 
-static void test_idle(void **state) {
-    (void)state;
+TEST(idle) {
     start_viewer(BOX, "");
     sync_viewer();
     xdo("mousemove %d %d sleep 9", WIDTH / 2, HEIGHT / 2); /* messages go */
@@ -44,8 +43,7 @@ static bool saw(const char *text) {
     return false;
 }
 
-static void test_sign(void **state) {
-    (void)state;
+TEST(sign) {
     need_viewer();
     press("technique");
     int x, y;
@@ -59,10 +57,4 @@ static void test_sign(void **state) {
     end_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_idle),
-        cmocka_unit_test(test_sign),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

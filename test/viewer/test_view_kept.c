@@ -40,8 +40,7 @@ static int count_states(void) {
 
 /* A scene that nobody changed is not kept. Ctrl S saves, and moves nothing however long it
  * is held. */
-static void test_save_key(void **state) {
-    (void)state;
+TEST(save_key) {
     char first[600], second[600];
     open_box();
     read_camera(first);
@@ -54,8 +53,7 @@ static void test_save_key(void **state) {
     assert_int_equal(count_states(), 0);
 }
 
-static void test_as_it_was_left(void **state) {
-    (void)state;
+TEST(as_it_was_left) {
     char left[600], again[600];
     open_box();
     assert_false(is_on_screen("Afresh"));
@@ -78,8 +76,7 @@ static void test_as_it_was_left(void **state) {
 }
 
 /* Options that say how it is to look are meant. */
-static void test_options_win(void **state) {
-    (void)state;
+TEST(options_win) {
     open_box();
     xdo("keydown w sleep .3 keyup w");
     sync_viewer();
@@ -93,8 +90,7 @@ static void test_options_win(void **state) {
 }
 
 /* Measured at rest, and then with a caret: a twentieth of a core for some 100 thousand pixels. */
-static void test_caret(void **state) {
-    (void)state;
+TEST(caret) {
     start_viewer("scenes/cornell-box.glb", "");
     press("open");
     rest_mouse();
@@ -108,12 +104,4 @@ static void test_caret(void **state) {
     end_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_save_key),
-        cmocka_unit_test(test_as_it_was_left),
-        cmocka_unit_test(test_options_win),
-        cmocka_unit_test(test_caret),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -26,8 +26,7 @@ static int count_draws(double seconds) {
 
 /* The window falls asleep 1.5 s after the last event, but not while a key comes again and again: a
  * field's key would stop. This key types nothing, as text would wake the window, too. */
-static void test_held_key(void **state) {
-    (void)state;
+TEST(held_key) {
     begin("scenes/cornell-box.glb");
     turn_until(window_time() > viewer.host.newest_message + 9); /* messages go */
     count_draws(3);
@@ -47,8 +46,7 @@ static void test_held_key(void **state) {
 }
 
 /* The first Esc of all comes in the window's first two seconds, and quits nothing. */
-static void test_early_escape(void **state) {
-    (void)state;
+TEST(early_escape) {
     begin_viewer(&(struct viewer_desc){.width = 96, .height = 96});
     xdo("mousemove 40 40 key Escape");
     turn_until(viewer.done || is_message_told("Esc once more quits", UI_NORMAL));
@@ -57,10 +55,4 @@ static void test_early_escape(void **state) {
     finish_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_held_key),
-        cmocka_unit_test(test_early_escape),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -269,8 +269,7 @@ static int keep_library(struct dl_phdr_info *library, size_t size, void *context
 }
 
 /* A driver that the user interface cannot use: what was begun of it ends well. */
-static void test_no_interface(void **state) {
-    (void)state;
+TEST(no_interface) {
     if (!stage.server)
         skip();
     struct window *window =
@@ -297,8 +296,7 @@ static void check_rest(void) {
     assert_int_equal(viewer.shown.frame_count, before);
 }
 
-static void test_kept(void **state) {
-    (void)state;
+TEST(kept) {
     if (!stage.server)
         skip();
     struct viewer_desc desc = {.width = 100, .height = 90, .debug = true};
@@ -347,8 +345,7 @@ static int open_all(const char *folder) {
 
 /* The files of strangers that fuzzing begins with, or those of the folder MANYLIGHT_STRANGERS; a
  * scene that is whole is shown after them. */
-static void test_strangers(void **state) {
-    (void)state;
+TEST(strangers) {
     const char *folder = getenv("MANYLIGHT_STRANGERS");
     if (!stage.server)
         skip();
@@ -367,10 +364,7 @@ static void test_strangers(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_no_interface),
-                                       cmocka_unit_test(test_kept),
-                                       cmocka_unit_test(test_strangers)};
     if (argc > 1)
         rounds = atoi(argv[1]);
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+    return run_file(__FILE__, open_view_stage, close_view_stage);
 }

@@ -30,8 +30,7 @@ static void check_picture(const char *what, const char *lights) {
     check_same(what, arguments);
 }
 
-static void test_add(void **state) {
-    (void)state;
+TEST(add) {
     char text[600];
     start_viewer(BOX, "");
     check_picture("the scene's light", "0");
@@ -66,8 +65,7 @@ static void find_handle(const struct emitter *light, float at[2]) {
     at[1] = edge[1] * HEIGHT + 26 * along[1] / length;
 }
 
-static void test_size(void **state) {
-    (void)state;
+LONG_TEST(size) {
     char text[600];
     float at[2];
     need_viewer();
@@ -89,8 +87,7 @@ static void test_size(void **state) {
 
 /* The chosen light's watts, and its colour, of which the green is what lies in the row's middle:
  * its power stays. */
-static void test_power_and_color(void **state) {
-    (void)state;
+LONG_TEST(power_and_color) {
     char text[600];
     need_viewer();
     press("Light");
@@ -109,8 +106,7 @@ static void test_power_and_color(void **state) {
 }
 
 /* The type of the chosen light, which is the one that was added; its power stays. */
-static void test_type(void **state) {
-    (void)state;
+TEST(type) {
     char text[600];
     need_viewer();
     struct emitters before = saved_lights(text, sizeof text);
@@ -129,8 +125,7 @@ static void test_type(void **state) {
     emitters_free(&after);
 }
 
-static void test_cone(void **state) {
-    (void)state;
+LONG_TEST(cone) {
     char text[600];
     need_viewer();
     press("Light");
@@ -151,8 +146,7 @@ static void test_cone(void **state) {
 }
 
 /* Where the chosen light's light ends; undone, and there again. */
-static void test_range(void **state) {
-    (void)state;
+LONG_TEST(range) {
     char text[600], ranged[600];
     need_viewer();
     press("Light");
@@ -181,8 +175,7 @@ static void test_range(void **state) {
     emitters_free(&lights);
 }
 
-static void test_remove(void **state) {
-    (void)state;
+TEST(remove) {
     char text[600];
     need_viewer();
     press("Light");
@@ -197,18 +190,4 @@ static void test_remove(void **state) {
     end_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_add),
-        cmocka_unit_test(test_size),
-        cmocka_unit_test(test_power_and_color),
-        cmocka_unit_test(test_type),
-        cmocka_unit_test(test_cone),
-        cmocka_unit_test(test_range),
-        cmocka_unit_test(test_remove),
-    };
-    const struct CMUnitTest few[] = {cmocka_unit_test(test_add), cmocka_unit_test(test_type),
-                                     cmocka_unit_test(test_remove)};
-    return is_long_run() ? cmocka_run_group_tests(tests, open_view_stage, close_view_stage)
-                         : cmocka_run_group_tests(few, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -63,8 +63,7 @@ static void begin(void) {
 }
 
 /* Left of the wipe, each pixel is a square of four. */
-static void test_enlarged(void **state) {
-    (void)state;
+TEST(enlarged) {
     begin();
     struct bitmap left = render_small("--technique unshadowed"), screen = read_screen();
     int wrong = 0;
@@ -89,8 +88,7 @@ static void test_enlarged(void **state) {
     xdo("key z");
 }
 
-static void test_layouts(void **state) {
-    (void)state;
+TEST(layouts) {
     need_viewer();
     struct bitmap left = render_small("--technique unshadowed"), right = render_small("");
     xdo("key v");
@@ -136,8 +134,7 @@ static void check_values(const char *name, const char *path, int x, int y) {
     image_free(&image);
 }
 
-static void test_inspector(void **state) {
-    (void)state;
+TEST(inspector) {
     char reference[700], own[700], command[1600], text[200];
     need_viewer();
     xdo("key i mousemove %d %d", WIDTH / 4 + 1, HEIGHT / 2 + 201);
@@ -165,8 +162,7 @@ static void test_inspector(void **state) {
 }
 
 /* Moved, the picture is not the reference's any more, and is told so; back again it is. */
-static void test_view(void **state) {
-    (void)state;
+TEST(view) {
     char text[200];
     need_viewer();
     press("Compare"); /* folded, it has no button of that name */
@@ -194,8 +190,7 @@ static void open_surface(void) {
 }
 
 /* What was clicked on stays the same place, however often it is looked at from elsewhere. */
-static void test_pick(void **state) {
-    (void)state;
+TEST(pick) {
     char first[200], text[200];
     if (!stage.server)
         skip();
@@ -217,8 +212,7 @@ static void test_pick(void **state) {
 }
 
 /* Where no surface is there is no normal. */
-static void test_normals(void **state) {
-    (void)state;
+TEST(normals) {
     if (!stage.server)
         skip();
     start_viewer(BOX, "");
@@ -239,8 +233,7 @@ static void test_normals(void **state) {
 }
 
 /* Four VALs' shadows have their numbers and colours, and what their own colours stand for. */
-static void test_sheet(void **state) {
-    (void)state;
+TEST(sheet) {
     int x, y, wrong = 0;
     if (!stage.server)
         skip();
@@ -269,12 +262,4 @@ static void test_sheet(void **state) {
     end_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_enlarged),  cmocka_unit_test(test_layouts),
-        cmocka_unit_test(test_inspector), cmocka_unit_test(test_view),
-        cmocka_unit_test(test_pick),      cmocka_unit_test(test_normals),
-        cmocka_unit_test(test_sheet),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -38,8 +38,7 @@ static void copy(const char *from, const char *name) {
 
 /* A file that another program writes anew is shown, from where the user stood; one that cannot be
  * read leaves the scene, and is not tried for ever. */
-static void test_changed_file(void **state) {
-    (void)state;
+TEST(changed_file) {
     char before[600];
     copy(BOX, "changed.glb");
     start_viewer(SPHERE, "--verbose");
@@ -63,8 +62,7 @@ static void test_changed_file(void **state) {
 
 /* --- what cannot be opened -------------------------------------------------------------------- */
 
-static void test_broken_keeps_scene(void **state) {
-    (void)state;
+TEST(broken_keeps_scene) {
     assert_int_equal(shell("mkdir -p %s/sub", stage.folder), 0);
     start_viewer(SPHERE, "");
     write_in_stage("broken.glb", "glTF and then nothing");
@@ -76,8 +74,7 @@ static void test_broken_keeps_scene(void **state) {
 }
 
 /* A file that is not there, a folder and a broken file: the start page, and the reason on stderr */
-static void test_start_page(void **state) {
-    (void)state;
+TEST(start_page) {
     static const char *const names[] = {"nosuch.glb", "sub", "broken.glb"};
     char arguments[64];
     for (int i = 0; i < 3; i++) {
@@ -97,33 +94,11 @@ static void test_start_page(void **state) {
     assert_int_equal(shell("test $(grep -c nosuch.glb %s) = 1", in_stage("script.log")), 0);
 }
 
-/* --- a slide ---------------------------------------------------------------------------------- */
-
-/* Scenes with a slide and without, one after the other. */
-static void test_slide_and_none(void **state) {
-    (void)state;
-    if (shell("python3 test/apps/add_slide.py %s %s", BOX, in_stage("slide.glb")) != 0) {
-        printf("    skipped: no python3\n");
-        skip();
-    }
-    start_viewer(BOX, "");
-    for (int i = 0; i < 2; i++) {
-        drop(in_stage("slide.glb"));
-        wait_for_scene("slide.glb");
-        check_same("a scene with a slide", in_stage("slide.glb"));
-        drop(BOX);
-        wait_for_scene("cornell-box.glb");
-        check_same("and one without", BOX);
-    }
-    end_viewer();
-}
-
 /* --- a sky ------------------------------------------------------------------------------------ */
 
 #define SKY "--environment scenes/overcast.hdr"
 
-static void test_sky_dropped(void **state) {
-    (void)state;
+TEST(sky_dropped) {
     start_viewer("scenes/three-lights.glb", "");
     drop("scenes/overcast.hdr");
     check_same("a sky that was dropped", "scenes/three-lights.glb " SKY);
@@ -133,8 +108,7 @@ static void test_sky_dropped(void **state) {
     check_same("and again", "scenes/three-lights.glb " SKY);
 }
 
-static void test_sky_turned(void **state) {
-    (void)state;
+TEST(sky_turned) {
     need_viewer();
     press("Light");
     type_into("turn, \xc2\xb0", "90");
@@ -186,8 +160,7 @@ static void empty_sky_field(void) {
 
 /* Lights that stand in for missing ones go, as they do with --environment, and come again when the
  * sky is removed; the copied line says it all. */
-static void test_sky_of_unlit_scene(void **state) {
-    (void)state;
+TEST(sky_of_unlit_scene) {
     need_viewer();
     char unlit[700], under_sky[800], command[3000];
     snprintf(unlit, sizeof unlit, "%s", write_unlit());
@@ -218,8 +191,7 @@ static void test_sky_of_unlit_scene(void **state) {
 }
 
 /* The casters of its renderer are those of time 0, as offscreen. */
-static void test_sky_of_moving_scene(void **state) {
-    (void)state;
+TEST(sky_of_moving_scene) {
     start_viewer("scenes/metaballs.glb", "--time 1.5");
     check_same("without a sky", "scenes/metaballs.glb --time 1.5");
     drop("scenes/overcast.hdr");
@@ -253,8 +225,7 @@ static void check_sky(const char *name, bool is_sky) {
 }
 
 /* A picture is a reference where it has layers or depth, or is no panorama; else it is a sky. */
-static void test_pictures(void **state) {
-    (void)state;
+TEST(pictures) {
     static const struct {
         const char *name, *channels;
         int width, height;
@@ -276,13 +247,24 @@ static void test_pictures(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_changed_file),        cmocka_unit_test(test_broken_keeps_scene),
-        cmocka_unit_test(test_start_page),          cmocka_unit_test(test_sky_dropped),
-        cmocka_unit_test(test_sky_turned),          cmocka_unit_test(test_sky_of_unlit_scene),
-        cmocka_unit_test(test_sky_of_moving_scene), cmocka_unit_test(test_pictures),
-        cmocka_unit_test(test_slide_and_none),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
+/* --- a slide ---------------------------------------------------------------------------------- */
+
+/* Scenes with a slide and without, one after the other. */
+TEST(slide_and_none) {
+    if (shell("python3 test/apps/add_slide.py %s %s", BOX, in_stage("slide.glb")) != 0) {
+        printf("    skipped: no python3\n");
+        skip();
+    }
+    start_viewer(BOX, "");
+    for (int i = 0; i < 2; i++) {
+        drop(in_stage("slide.glb"));
+        wait_for_scene("slide.glb");
+        check_same("a scene with a slide", in_stage("slide.glb"));
+        drop(BOX);
+        wait_for_scene("cornell-box.glb");
+        check_same("and one without", BOX);
+    }
+    end_viewer();
 }
+
+RUN_TESTS(open_view_stage, close_view_stage)

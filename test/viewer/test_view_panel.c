@@ -36,8 +36,7 @@ static bool is_told(const char *start, char *text, size_t size) {
 
 /* The section is folded and two sections below the fold: the click opens it and leaves what is
  * under the mouse. */
-static void test_click(void **state) {
-    (void)state;
+TEST(click) {
     char text[200] = "";
     begin("");
     assert_false(is_told("position, m ", text, sizeof text));
@@ -63,8 +62,7 @@ static void test_click(void **state) {
 }
 
 /* In a window of 400 pixels the chart's place is below the edge until it is asked for. */
-static void test_chart_comes_into_view(void **state) {
-    (void)state;
+TEST(chart_comes_into_view) {
     begin("--size 100x400");
     press("Quality");
     press("Chart speed and accuracy");
@@ -78,8 +76,7 @@ static void test_chart_comes_into_view(void **state) {
     end_viewer();
 }
 
-static void test_keyboard(void **state) {
-    (void)state;
+TEST(keyboard) {
     char value[64], text[64];
     begin("");
     xdo("key Tab"); /* the first heading */
@@ -111,8 +108,7 @@ static void test_keyboard(void **state) {
     end_viewer();
 }
 
-static void test_two_clicks_type(void **state) {
-    (void)state;
+TEST(two_clicks_type) {
     char value[64];
     int x, y;
     begin("");
@@ -131,8 +127,7 @@ static void test_two_clicks_type(void **state) {
 }
 
 /* By a chord that no window manager takes. */
-static void test_enlarge(void **state) {
-    (void)state;
+TEST(enlarge) {
     char text[64] = "";
     need_viewer();
     xdo("mousemove %d %d keydown ctrl keydown shift click --repeat 4 4 keyup shift keyup ctrl",
@@ -147,8 +142,7 @@ static void test_enlarge(void **state) {
     end_viewer();
 }
 
-static void test_filter(void **state) {
-    (void)state;
+TEST(filter) {
     begin("");
     press("Scene");
     press("Reference");
@@ -167,8 +161,7 @@ static void test_filter(void **state) {
 }
 
 /* Compare unfolds while one compares, and has the ways to lie. */
-static void test_compare_unfolds(void **state) {
-    (void)state;
+TEST(compare_unfolds) {
     begin("");
     press("Scene");
     press("Quality");
@@ -183,8 +176,7 @@ static void test_compare_unfolds(void **state) {
 }
 
 /* The method of direct light is a row, and the command line has it. */
-static void test_direct(void **state) {
-    (void)state;
+TEST(direct) {
     char value[64];
     begin("");
     press("Scene");
@@ -202,12 +194,4 @@ static void test_direct(void **state) {
     end_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_click),           cmocka_unit_test(test_chart_comes_into_view),
-        cmocka_unit_test(test_keyboard),        cmocka_unit_test(test_two_clicks_type),
-        cmocka_unit_test(test_enlarge),         cmocka_unit_test(test_filter),
-        cmocka_unit_test(test_compare_unfolds), cmocka_unit_test(test_direct),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

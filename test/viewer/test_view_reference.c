@@ -20,8 +20,7 @@ static void begin(void) {
 }
 
 /* Against many samples of another seed. */
-static void test_trace(void **state) {
-    (void)state;
+TEST(trace) {
     begin();
     viewer_trace(&viewer);
     turn_until(viewer.tracing.samples >= 8 || !viewer_is_tracing(&viewer));
@@ -61,8 +60,7 @@ static double error_by_hand(const struct image *test, const struct image *refere
 }
 
 /* The error that is shown, by hand. */
-static void test_error(void **state) {
-    (void)state;
+TEST(error) {
     if (!stage.server)
         skip();
     turn_until(!viewer_is_tracing(&viewer) || viewer.tracing.samples >= 32);
@@ -81,8 +79,7 @@ static void test_error(void **state) {
 
 /* Measured while the window goes on; its value stays when another map is drawn, and comes back with
  * the picture. */
-static void test_flip(void **state) {
-    (void)state;
+TEST(flip) {
     struct compare *compare = &viewer.shown.compare;
     struct image frame = {0}, shown;
     const int flip = (int)(metric_find("ldr-flip") - metrics);
@@ -120,8 +117,7 @@ static void test_flip(void **state) {
 }
 
 /* Another view ends the tracing; taken back, it is the traced one again. */
-static void test_other_view(void **state) {
-    (void)state;
+TEST(other_view) {
     if (!stage.server)
         skip();
     rest();
@@ -139,8 +135,7 @@ static void test_other_view(void **state) {
     assert_true(viewer.tracing.has_error);
 }
 
-static void test_chart(void **state) {
-    (void)state;
+TEST(chart) {
     if (!stage.server)
         skip();
     viewer_chart(&viewer);
@@ -164,8 +159,7 @@ static void test_chart(void **state) {
 }
 
 /* What a click on a dot makes is what the dot measured, bit for bit. */
-static void test_take(void **state) {
-    (void)state;
+TEST(take) {
     if (!stage.server)
         skip();
     struct image frame = {0}, indirect;
@@ -178,8 +172,7 @@ static void test_take(void **state) {
 }
 
 /* In the midst of all of it. */
-static void test_end(void **state) {
-    (void)state;
+TEST(end) {
     if (!stage.server)
         skip();
     viewer_forget_reference(&viewer);
@@ -190,12 +183,4 @@ static void test_end(void **state) {
     finish_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_trace), cmocka_unit_test(test_error),
-        cmocka_unit_test(test_flip),  cmocka_unit_test(test_other_view),
-        cmocka_unit_test(test_chart), cmocka_unit_test(test_take),
-        cmocka_unit_test(test_end),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -35,8 +35,7 @@ static void begin(const char *scene) {
 }
 
 /* The window gets another size, and is filled: minutes of tracing stay. */
-static void test_reference_is_kept(void **state) {
-    (void)state;
+TEST(reference_is_kept) {
     begin("scenes/cornell-box.glb");
     viewer_trace(&viewer);
     turn_until(viewer.tracing.samples >= 4 || !viewer_is_tracing(&viewer));
@@ -62,8 +61,7 @@ static void test_reference_is_kept(void **state) {
 
 /* Of layer indirect both numbers are one; of all light it is the same light's noise over a larger
  * mean. */
-static void test_one_error(void **state) {
-    (void)state;
+TEST(one_error) {
     double error, with_noise;
     if (!stage.server)
         skip();
@@ -102,8 +100,7 @@ static enum name_state refuse_name(void *user, int number) {
 }
 
 /* Numbers have as many digits as they need. */
-static void test_free_number(void **state) {
-    (void)state;
+TEST(free_number) {
     int taken[] = {0, 9999, FREE_NUMBER_MOST};
     assert_int_equal(free_number(state_of, &taken[0]), 1);
     assert_int_equal(free_number(state_of, &taken[1]), 10000);
@@ -131,8 +128,7 @@ static long size_of(const char *name) {
 }
 
 /* The ten thousandth picture overwrites none. */
-static void test_no_picture_is_overwritten(void **state) {
-    (void)state;
+TEST(no_picture_is_overwritten) {
     char here[512];
     if (!stage.server)
         skip();
@@ -154,8 +150,7 @@ static void test_no_picture_is_overwritten(void **state) {
     assert_int_equal(shell("rm -r %s", in_stage("full")), 0);
 }
 
-static void test_reference_is_saved(void **state) {
-    (void)state;
+TEST(reference_is_saved) {
     struct image saved = {0};
     char here[512];
     if (!stage.server)
@@ -190,8 +185,7 @@ static bool refuse(void **state, const struct direct_desc *desc) {
 }
 
 /* A method of direct light that cannot be made is told, and the wish goes back to the one before */
-static void test_refused_direct(void **state) {
-    (void)state;
+TEST(refused_direct) {
     begin("scenes/cornell-box.glb");
     struct direct_method refused = *direct_find("hard");
     refused.init = refuse;
@@ -218,8 +212,7 @@ static void test_refused_direct(void **state) {
 /* --- time ------------------------------------------------------------------------------------- */
 
 /* The timeline has its own room, below the picture; the window has grown by it. */
-static void test_timeline(void **state) {
-    (void)state;
+TEST(timeline) {
     begin("scenes/moving-spot.glb");
     const struct rectangle *area = &viewer.shown.area, *picture = &viewer.shown.picture;
     turn_until(viewer.host.input->height > 96);
@@ -245,8 +238,7 @@ static void open_scene(const char *scene) {
 
 /* Settings go from scene to scene, but afresh a scene has none of them; nor has it the others'
  * files. */
-static void test_second_scene(void **state) {
-    (void)state;
+TEST(second_scene) {
     begin("scenes/cornell-box.glb");
     check_ok("settings", settings_assign(&viewer.wish.settings, "vpls=32"));
     viewer.wish.passes = 4;
@@ -271,8 +263,7 @@ static void test_second_scene(void **state) {
     finish_viewer();
 }
 
-static void test_settings_name_no_clip(void **state) {
-    (void)state;
+TEST(settings_name_no_clip) {
     char path[700];
     begin("scenes/gloss.glb");
     snprintf(path, sizeof path, "%s/old.settings", stage.folder);
@@ -285,8 +276,7 @@ static void test_settings_name_no_clip(void **state) {
 }
 
 /* All but the sky is as it was left, and its file keeps the sky. */
-static void test_sky_is_gone(void **state) {
-    (void)state;
+TEST(sky_is_gone) {
     char sky[700];
     begin("scenes/sphere.glb");
     snprintf(sky, sizeof sky, "%s/gone.hdr", stage.folder);
@@ -314,8 +304,7 @@ static void test_sky_is_gone(void **state) {
 
 /* Of another version's settings all is kept but what is unknown here, and its file stays until
  * something changes. */
-static void test_unknown_lines(void **state) {
-    (void)state;
+TEST(unknown_lines) {
     begin("scenes/sphere.glb");
     check_ok("camera", viewer_place_camera(&viewer, "eye=0,1,5 forward=0,0,-1"));
     rest();
@@ -338,8 +327,7 @@ static void test_unknown_lines(void **state) {
 }
 
 /* An option means the scene that it came with, and no other. */
-static void test_options_mean_first_scene(void **state) {
-    (void)state;
+TEST(options_mean_first_scene) {
     told_passes = 2;
     begin("scenes/cornell-box.glb"); /* it was left otherwise */
     printf("    %d passes, restored %d\n", viewer.wish.passes, viewer.kept.was_restored);
@@ -353,8 +341,7 @@ static void test_options_mean_first_scene(void **state) {
 
 /* --- without a window ------------------------------------------------------------------------- */
 
-static void test_words(void **state) {
-    (void)state;
+TEST(words) {
     static const char *const pairs[][2] = {{"path=fast", "path=normal"},
                                            {"path=traced", "path=high"}};
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
@@ -375,8 +362,7 @@ static void test_words(void **state) {
 }
 
 /* A fiftieth of the picture stays below white; a hundredth may not be. */
-static void test_exposure(void **state) {
-    (void)state;
+TEST(exposure) {
     static const char *const names[] = {"R", "G", "B"};
     for (int bright = 1; bright <= 4; bright += 3) {
         struct image image = {0};
@@ -395,22 +381,4 @@ static void test_exposure(void **state) {
     }
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_words),
-        cmocka_unit_test(test_exposure),
-        cmocka_unit_test(test_reference_is_kept),
-        cmocka_unit_test(test_one_error),
-        cmocka_unit_test(test_free_number),
-        cmocka_unit_test(test_no_picture_is_overwritten),
-        cmocka_unit_test(test_reference_is_saved),
-        cmocka_unit_test(test_refused_direct),
-        cmocka_unit_test(test_timeline),
-        cmocka_unit_test(test_second_scene),
-        cmocka_unit_test(test_settings_name_no_clip),
-        cmocka_unit_test(test_sky_is_gone),
-        cmocka_unit_test(test_unknown_lines),
-        cmocka_unit_test(test_options_mean_first_scene),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -33,8 +33,7 @@ static int count_colors(int x, int y) {
 }
 
 /* Of the pictures the first that are on screen are made within half a minute. */
-static void test_gallery(void **state) {
-    (void)state;
+TEST(gallery) {
     start_empty_viewer(SIZE CHEAP_LIGHTS);
     int x, y, colors = 0;
     find_place("atrium", &x, &y);
@@ -52,8 +51,7 @@ static void test_gallery(void **state) {
 }
 
 /* It is neither of exposure 0 nor clamped, and its command line says so and makes the same. */
-static void test_exposure(void **state) {
-    (void)state;
+TEST(exposure) {
     need_viewer();
     press("Settings");
     press("Copy command line");
@@ -79,8 +77,7 @@ static void test_exposure(void **state) {
 }
 
 /* Behind the door that is shut at 0 s nothing is seen but what leaks past it. */
-static void test_darkness(void **state) {
-    (void)state;
+TEST(darkness) {
     need_viewer();
     char path[700], command[2000];
     snprintf(path, sizeof path, "%s/scenes/door.glb", stage.here);
@@ -100,8 +97,7 @@ static void test_darkness(void **state) {
 
 /* The letters of a name are drawn, where a font has them: two names of one letter each look
  * different. */
-static void test_letters(void **state) {
-    (void)state;
+TEST(letters) {
     if (shell("cd /usr/share/fonts && test -n \"$(ls */*/NotoSansCJK-Regular.ttc "
               "*/*/wqy-microhei.ttc */*/DroidSansFallbackFull.ttf 2>/dev/null)\"") != 0)
         skip();
@@ -136,8 +132,7 @@ static void test_letters(void **state) {
 }
 
 /* The desktop's own, where there is one. */
-static void test_desktop_dialog(void **state) {
-    (void)state;
+TEST(desktop_dialog) {
     if (!stage.server)
         skip();
     char path[8000];
@@ -156,8 +151,7 @@ static void test_desktop_dialog(void **state) {
 }
 
 /* What was saved is there again, at twice the size of widgets. */
-static void test_options(void **state) {
-    (void)state;
+TEST(options) {
     if (!stage.server)
         skip();
     char path[700];
@@ -200,8 +194,7 @@ static void expect_field(const char *name, const char *words) {
 }
 
 /* The panel's fields have what the command line gave; a scene's materials are listed. */
-static void test_fields(void **state) {
-    (void)state;
+TEST(fields) {
     if (!stage.server)
         skip();
     char path[700], arguments[800];
@@ -223,8 +216,7 @@ static void test_fields(void **state) {
 }
 
 /* A window of its own: an icon, and a least size; the picture alone until F2. */
-static void test_window(void **state) {
-    (void)state;
+TEST(window) {
     if (!stage.server)
         skip();
     char output[64];
@@ -245,12 +237,4 @@ static void test_window(void **state) {
     end_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_gallery),        cmocka_unit_test(test_exposure),
-        cmocka_unit_test(test_darkness),       cmocka_unit_test(test_letters),
-        cmocka_unit_test(test_desktop_dialog), cmocka_unit_test(test_options),
-        cmocka_unit_test(test_fields),         cmocka_unit_test(test_window),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -23,8 +23,7 @@ static void check_apart(const char *what, const char *one, const char *other) {
     bitmaps_free(&a, &b);
 }
 
-static void test_play(void **state) {
-    (void)state;
+TEST(play) {
     start_viewer(MOVING, "--time 1.5");
     check_same("at a time", MOVING " --time 1.5");
     xdo("key space sleep 2 key space");
@@ -38,8 +37,7 @@ static void test_play(void **state) {
     check_apart("and what moved", arguments, MOVING " --time 1.5");
 }
 
-static void test_layers(void **state) {
-    (void)state;
+TEST(layers) {
     need_viewer();
     char time[64], arguments[200];
     read_setting("time", time, sizeof time);
@@ -52,8 +50,7 @@ static void test_layers(void **state) {
 }
 
 /* Settings that were saved come back, in a viewer that has others. */
-static void test_load(void **state) {
-    (void)state;
+TEST(load) {
     need_viewer();
     write_in_stage("manylight.settings", "layer = indirect\ntime = 2.25\ntechnique = unshadowed\n"
                                          "light = 0 position=0.5,3,0.5\nvpls = 64\nvals = 4\n"
@@ -68,8 +65,7 @@ static void test_load(void **state) {
                                           "--light '0 position=0.5,3,0.5' --set exposure=1");
 }
 
-static void test_drop(void **state) {
-    (void)state;
+TEST(drop) {
     need_viewer();
     drop("scenes/sphere.glb");
     wait_for_scene("sphere.glb");
@@ -82,8 +78,7 @@ static void test_drop(void **state) {
 }
 
 /* Times of the passes, for a spreadsheet. */
-static void test_times(void **state) {
-    (void)state;
+TEST(times) {
     need_viewer();
     char output[4000];
     press_in_settings("Save times");
@@ -97,8 +92,7 @@ static void test_times(void **state) {
 }
 
 /* The command line that was copied renders the very same picture: another camera, light, layer. */
-static void test_copy(void **state) {
-    (void)state;
+TEST(copy) {
     need_viewer();
     xdo("mousemove 60 300 mousedown 1 mousemove 90 310 mousemove 100 315 mouseup 1");
     press_in_settings("Copy command line");
@@ -116,15 +110,13 @@ static void test_copy(void **state) {
     bitmaps_free(&expected, &got);
 }
 
-static void test_end(void **state) {
-    (void)state;
+TEST(end) {
     need_viewer();
     end_viewer();
 }
 
 /* Left the technique, right what was rendered before, read from its EXR and toned alike. */
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     if (!stage.server)
         skip();
     char path[700], arguments[800];
@@ -154,11 +146,4 @@ static void test_reference(void **state) {
     end_viewer();
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_play), cmocka_unit_test(test_layers),    cmocka_unit_test(test_load),
-        cmocka_unit_test(test_drop), cmocka_unit_test(test_times),     cmocka_unit_test(test_copy),
-        cmocka_unit_test(test_end),  cmocka_unit_test(test_reference),
-    };
-    return cmocka_run_group_tests(tests, open_view_stage, close_view_stage);
-}
+RUN_TESTS(open_view_stage, close_view_stage)

@@ -54,8 +54,7 @@ static void click_on(const char *name) {
     click_count++;
 }
 
-static void test_start(void **state) {
-    (void)state;
+TEST(start) {
     char arguments[64];
     snprintf(arguments, sizeof arguments, "--size %dx%d", width, HEIGHT);
     start_empty_viewer(arguments);
@@ -69,8 +68,7 @@ static void test_start(void **state) {
     keep();
 }
 
-static void test_reference(void **state) {
-    (void)state;
+TEST(reference) {
     need_viewer();
     click_on("Chart speed and accuracy");
     wait_for("Take the cheapest below 5 %");
@@ -81,16 +79,14 @@ static void test_reference(void **state) {
     keep();
 }
 
-static void test_cheapest(void **state) {
-    (void)state;
+TEST(cheapest) {
     need_viewer();
     click_on("Take the cheapest below 5 %");
     keep();
 }
 
 /* The picture by the script that was saved is the one left of the wipe. */
-static void test_save(void **state) {
-    (void)state;
+TEST(save) {
     need_viewer();
     click_on("Settings");
     click_on("Save command line");
@@ -149,13 +145,7 @@ static int close_walk(void **state) {
 }
 
 int main(int argc, char **argv) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_start),
-        cmocka_unit_test(test_reference),
-        cmocka_unit_test(test_cheapest),
-        cmocka_unit_test(test_save),
-    };
     sheet_path = argc > 1 ? argv[1] : NULL;
     width = sheet_path ? SHEET_WIDTH : WIDTH;
-    return cmocka_run_group_tests(tests, open_view_stage, close_walk);
+    return run_file(__FILE__, open_view_stage, close_walk);
 }
