@@ -2,9 +2,6 @@
 #include "atrium/pieces.h"
 #include "shapes/shapes.h"
 
-#include <cglm/cglm.h>
-#include <stddef.h>
-
 #define COUNT(table) ((int)(sizeof(table) / sizeof(table)[0]))
 
 /* A box of half widths x and z between two heights. */

@@ -2,8 +2,6 @@
 #include "moving/figure.h"
 #include "scenes.h"
 
-#include <stddef.h>
-
 #define COUNT(table) ((int)(sizeof(table) / sizeof(table)[0]))
 
 /* A four-legged grazer. Legs of one diagonal go together. */

@@ -1,4 +1,3 @@
-#include "passes/gather/gather.h"
 #include "shared/gather.h"
 #include "techniques/many_lights.h"
 

@@ -1,8 +1,6 @@
 #include "fuzz/fuzz.h"
 
 #include "base/memory.h"
-#include "renderer/renderer.h"
-#include "scene/open.h"
 #include "scene/placing.h"
 #include "viewer/scene/session.h"
 

@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "base/file/file.h"
 #include "base/file/image_file.h"
-#include "scene/open.h"
 #include "scene/read_rules.h"
 
 #include <stdlib.h>

@@ -3,8 +3,6 @@
 #include "command_support.h"
 #include "gltf_parts.h"
 
-#include "base/error.h"
-#include "base/file/image_file.h"
 #include "base/text.h"
 #include "scene/lights/emitter.h"
 #include "scene/lights/profile.h"

@@ -6,7 +6,6 @@
 #include "support.h"
 
 #include "base/memory.h"
-#include "reference/channels.h"
 #include "reference/path_tracer.h"
 #include "scene/material.h"
 

@@ -1,6 +1,5 @@
 #include "passes/gather/blur.h"
 
-#include "gl/framebuffer.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 #include "passes/frame.h"

@@ -8,7 +8,6 @@
 #include "passes/frame.h"
 #include "shared/bindings.h"
 
-#include <math.h>
 #include <stdlib.h>
 
 bool geometry_pass_init(struct geometry_pass *pass, const struct geometry_desc *desc) {

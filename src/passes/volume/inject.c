@@ -7,8 +7,6 @@
 #include "passes/targets.h"
 #include "passes/volumes.h"
 
-#include <stdlib.h>
-
 static bool init_program(GLuint *program, const char *vertex, const struct volume *volume,
                          bool slides) {
     bool lit = volume->desc.channels == VOLUME_RADIANCE;
