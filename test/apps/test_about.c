@@ -95,7 +95,7 @@ TEST(pixels) {
     enum { WIDTH = 40, HEIGHT = 30 };
     struct camera camera = {.fov_y = .9F, .near = .1F};
     struct file_bytes file;
-    struct image image;
+    OWNED(image) image;
     float to_camera[16], to_ndc[16];
     double worst_ndc = 0, worst_depth = 0;
     int count = 0;
@@ -131,7 +131,6 @@ TEST(pixels) {
     check_at_most("error of depth, m", worst_depth, 1e-5);
     check_at_most("error of a pixel's place, of the picture", worst_ndc, 1e-5);
     free(file.data);
-    image_free(&image);
 }
 
 /* Against the projection of the viewer, of perspective and orthographic cameras; near and far are

@@ -219,7 +219,7 @@ TEST(files) {
                *pfm = scratch("files.pfm"), *hdr = scratch("files.hdr");
     expect_box(0, "-q -o %s -o %s -o %s -o %s -o %s", exr, png, jpeg, pfm, hdr);
     assert_string_equal(output, "");
-    struct image layers = read_picture(exr), display = read_picture(png),
+    OWNED(image) layers = read_picture(exr), display = read_picture(png),
                  lossy = read_picture(jpeg), plain = read_picture(pfm), rgbe = read_picture(hdr);
     assert_int_equal(layers.channel_count, 17);
     check_layers(&layers);
@@ -239,7 +239,6 @@ TEST(files) {
     check_at_most("JPEG less PNG, mean", lossy_sum, .03);
     check_at_most("PFM less EXR's half floats, relative", worst_plain, 1e-3);
     check_near("mean of HDR over that of EXR", mean_of(&rgbe) / mean_of(&layers), 1, .01);
-    images_free(&layers, &display, &lossy, &plain, &rgbe);
 }
 
 TEST(exposure) {
@@ -248,11 +247,10 @@ TEST(exposure) {
     expect_box(0, "-o %s", plain);
     expect_box(0, "--set exposure=3 -o %s", bright);
     expect_box(0, "--set exposure=-30 -o %s", dark_png);
-    struct image a = read_picture(plain), b = read_picture(bright), c = read_picture(dark_png);
+    OWNED(image) a = read_picture(plain), b = read_picture(bright), c = read_picture(dark_png);
     assert_true(same_pixels(&a, &b)); /* radiance is radiance */
     for (int i = 0; i < 40 * 30; i++)
         assert_true(at(&c, "R", i % 40, i / 40) == 0);
-    images_free(&a, &b, &c);
 }
 
 TEST(stats) {
@@ -332,9 +330,8 @@ TEST(shader_folder) {
         skip();
     expect_box(0, "-o %s", embedded);
     expect_box(0, "--glsl glsl -o %s", folder);
-    struct image a = read_picture(embedded), b = read_picture(folder);
+    OWNED(image) a = read_picture(embedded), b = read_picture(folder);
     assert_true(same_pixels(&a, &b));
-    images_free(&a, &b);
 }
 
 /* --- outputs as layers ------------------------------------------------------------------------ */
@@ -343,7 +340,7 @@ TEST(aov) {
     const char *with = scratch("with.exr"), *without = scratch("without.exr");
     expect_box(0, "--aov vpl,visibility,gathered,val,vpl,irradiance -o %s", with);
     expect_box(0, "-o %s", without);
-    struct image a = read_picture(with), b = read_picture(without);
+    OWNED(image) a = read_picture(with), b = read_picture(without);
     assert_int_equal(a.channel_count, b.channel_count + 13);
     for (int i = 0; i < 40 * 30; i++) {
         int x = i % 40, y = i / 40;
@@ -355,7 +352,6 @@ TEST(aov) {
         assert_true(at(&a, "R", x, y) == at(&b, "R", x, y));
         assert_true(at(&a, "indirect.R", x, y) == at(&b, "indirect.R", x, y));
     }
-    images_free(&a, &b);
 }
 
 static struct image append_layers(const struct stage *stage, const char *technique,
@@ -371,30 +367,25 @@ static struct image append_layers(const struct stage *stage, const char *techniq
 
 /* Without interleaving and blur what is gathered is the indirect layer. */
 TEST(gathered) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/cornell-box.glb");
-    struct image image = append_layers(&stage, "unshadowed", "vpls=256 interleave=4 blur-radius=0",
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
+    OWNED(image) image = append_layers(&stage, "unshadowed", "vpls=256 interleave=4 blur-radius=0",
                                        "gathered", &renderer);
     double worst = 0;
     for (int i = 0; i < 64 * 64; i++)
         worst = fmax(worst, fabs((double)at(&image, "gathered.G", i % 64, i / 64) -
                                  (double)at(&image, "indirect.G", i % 64, i / 64)));
     check_at_most("gathered less indirect, worst pixel", worst, 0);
-    image_free(&image);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* With a VAL for each VPL the share is the clustered light over the unshadowed. */
 TEST(visibility_share) {
     const char *settings = "vpls=64 vals=64 interleave=1 clamp=disk visibility=hard "
                            "visibility-block=0 map-size=128";
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/cornell-box.glb");
-    struct image image = append_layers(&stage, "clustered", settings, "visibility", &renderer);
-    struct image open = render_stage(&stage, "unshadowed", settings, 64);
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
+    OWNED(image) image = append_layers(&stage, "clustered", settings, "visibility", &renderer);
+    OWNED(image) open = render_stage(&stage, "unshadowed", settings, 64);
     double sum = 0, difference = 0;
     for (int i = 0; i < 64 * 64; i++) {
         double most = 0, arrives = 0;
@@ -410,17 +401,13 @@ TEST(visibility_share) {
     }
     /* VPLs have an area, VALs of one VPL none: next to a VPL the weights differ. */
     check_at_most("share less light over unshadowed light, mean", difference / sum, .02);
-    images_free(&image, &open);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* Area lights of clusters have a layer of their own: no more of them than there are, and nearly all
  * their light. */
 TEST(light_layer) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct image image =
         append_layers(&stage, "cluster-lights", "vpls=1024 area-lights=64 vals=8 map-size=32",
                       "light,vpl", &renderer);
@@ -439,15 +426,12 @@ TEST(light_layer) {
     assert_true(lights > 8 && lights <= 64 && vpls > 64);
     check_near("light that is seen", of_lights, of_vpls, .2 * of_vpls);
     image_free(&image);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* No more flux in the picture than there is, and those VPLs that the camera sees. */
 TEST(vpl_layer) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct image image =
         append_layers(&stage, "clustered", "vpls=1024 vals=8 map-size=32", "vpl", &renderer);
     struct vpl *vpls = read_vpls(&renderer);
@@ -460,8 +444,6 @@ TEST(vpl_layer) {
     assert_true(seen <= all * 1.001 && seen > .1 * all);
     free(vpls);
     image_free(&image);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -33,23 +33,21 @@ static void render(const char *scene, const char *extension, const char *more) {
 /* The row in the middle of the picture, colours and alpha as they are stored. */
 static void read_row(const char *name, unsigned char row[SIDE][4]) {
     struct file_bytes bytes;
-    struct bitmap bitmap;
+    OWNED(bitmap) bitmap;
     check_ok(name, file_read(&bytes, scratch(name)));
     check_ok(name, bitmap_decode(&bitmap, bytes.data, bytes.size));
     assert_true(bitmap.width == SIDE && bitmap.height == SIDE);
     memcpy(row, bitmap.rgba + (size_t)SIDE * SIDE / 2 * 4, (size_t)SIDE * 4);
     free(bytes.data);
-    bitmap_free(&bitmap);
 }
 
 /* Of back.exr. */
 static void read_pixel(int x, float rgba[4]) {
-    struct image image;
+    OWNED(image) image;
     check_ok("back.exr", image_read(&image, scratch("back.exr")));
     for (int c = 0; c < 4; c++)
         rgba[c] =
             image_at(&image, x, SIDE / 2)[image_find_channel(&image, (const char[]){"RGBA"[c], 0})];
-    image_free(&image);
 }
 
 static float edge_coverage(void) {
@@ -79,12 +77,11 @@ static int make_scenes(void **state) {
     write_parts("square.glb", &parts);
     parts.materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]";
     write_parts("white.glb", &parts);
-    struct image sky;
+    OWNED(image) sky;
     image_init(&sky, 2, 1, "R G B");
     for (int i = 0; i < 6; i++)
         sky.pixels[i] = .5F;
     bool ok = image_write(&sky, scratch("sky.exr"));
-    image_free(&sky);
     return ok ? 0 : -1;
 }
 

@@ -25,14 +25,13 @@ static void make_folder(void) {
 
 /* Two pictures to compare. */
 static void write_pictures(void) {
-    struct image image;
+    OWNED(image) image;
     image_init(&image, 64, 64, "R G B");
     for (int i = 0; i < 2; i++) {
         check_ok("picture", image_write(&image, scratch(i ? "b.exr" : "a.exr")));
         for (int k = 0; k < 64 * 64 * 3; k++)
             image.pixels[k] = (float)(k * 7919 % 101) / 100;
     }
-    image_free(&image);
 }
 
 /* Runs `BINARY ARGUMENTS` behind a shell's preamble; @ is the scratch folder. */

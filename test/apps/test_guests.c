@@ -30,7 +30,7 @@ TEST(render) {
         "--set level=.5 --stats --gl-debug",
         path);
     assert_null(strstr(output, "VPLs"));
-    struct image image;
+    OWNED(image) image;
     check_ok("read", image_read(&image, path));
     int alpha = image_find_channel(&image, "A"),
         indirect = image_find_channel(&image, "indirect.R"),
@@ -48,7 +48,6 @@ TEST(render) {
     printf("    indirect %g everywhere, direct at most %g\n", (double)level, (double)nearest);
     assert_true(level > 0);
     check_near("a surface that faces the lamp, times pi", (double)nearest * 3.14159265, 1, .02);
-    image_free(&image);
 }
 
 TEST(lists) {
@@ -96,10 +95,9 @@ TEST(view) {
     int status = run_command(command, output, sizeof output);
     if (status != 0)
         fail_msg("view: status %d:\n%s", status, output);
-    struct image image;
+    OWNED(image) image;
     check_ok("screenshot", image_read(&image, picture));
     assert_true(image.width == 120 && image.height == 100);
-    image_free(&image);
 }
 
 TEST(compare) {

@@ -237,10 +237,9 @@ TEST_WITH(views, open_group_context, close_group_context) {
 }
 
 TEST_WITH(any_start, open_group_context, close_group_context) {
-    struct stage stage;
     struct renderer renderer;
     struct image image[2];
-    open_stage(&stage, scene_path);
+    OWNED(stage) stage = open_stage(scene_path);
     float cell = stage.scene.metaballs[0].cell;
     stage.scene.metaballs[0].cell = .5f;
     pose_stage(&stage);
@@ -261,14 +260,12 @@ TEST_WITH(any_start, open_group_context, close_group_context) {
     renderer_free(&renderer);
     assert_true(same_pixels(&image[0], &image[1]));
     images_free(&image[0], &image[1]);
-    stage_free(&stage);
 }
 
 /* After one period of the metaballs all room has been made: nothing grows any more. */
 TEST_WITH(memory, open_group_context, close_group_context) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, scene_path);
+    OWNED(stage) stage = open_stage(scene_path);
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
     open_renderer(&renderer, &desc);
     size_t bytes = 0;
@@ -284,17 +281,15 @@ TEST_WITH(memory, open_group_context, close_group_context) {
     }
     assert_int_equal(gpu_memory_object_count(), objects);
     printf("    %zu bytes in %d objects\n", bytes, objects);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* VALs in use while a spot walks from the wall to the ceiling [Dong 2009, Fig. 8]. */
 static int least_vals(const char *start) {
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage;
+    OWNED(renderer) renderer;
     char settings[128];
     snprintf(settings, sizeof settings, "%s vpls=256 vals=13 iterations=5 start=%s", small, start);
-    open_stage(&stage, "scenes/moving-spot.glb");
+    stage = open_stage("scenes/moving-spot.glb");
     struct renderer_desc desc = desc_of(&stage, "clustered", settings, 16, 16);
     open_renderer(&renderer, &desc);
     int least = 13;
@@ -312,8 +307,6 @@ static int least_vals(const char *start) {
         free(vpls);
     }
     printf("    start=%s: at least %d of 13 VALs in use\n", start, least);
-    renderer_free(&renderer);
-    stage_free(&stage);
     return least;
 }
 

@@ -88,18 +88,17 @@ TEST(granted) {
 }
 
 TEST(layers) {
-    struct image image;
+    OWNED(image) image;
     image_init(&image, 2, 1, "R G B Z indirect.R indirect.G indirect.B");
     int channels[3];
     assert_true(image_find_layer(&image, "indirect", channels));
     assert_int_equal(channels[0], 4);
     assert_false(image_find_layer(&image, "albedo", channels));
     assert_string_equal(error_get(), "no layer 'albedo' (there is: beauty, Z, indirect)");
-    image_free(&image);
 }
 
 TEST(added_channels) {
-    struct image image;
+    OWNED(image) image;
     image_init(&image, 2, 2, "R Z");
     for (int i = 0; i < 8; i++)
         image.pixels[i] = (float)i;
@@ -108,11 +107,10 @@ TEST(added_channels) {
     assert_int_equal(image_find_channel(&image, "val.G"), 3);
     const float last[4] = {6, 7, 0, 0};
     assert_memory_equal(image_at(&image, 1, 1), last, sizeof last);
-    image_free(&image);
 }
 
 TEST(exr_round_trip) {
-    struct image written, read;
+    OWNED(image) written, read;
     image_init(&written, 3, 2, "R G B Z val.id");
     for (int i = 0; i < 3 * 2 * 5; i++)
         written.pixels[i] = (float)i / 4;
@@ -128,7 +126,6 @@ TEST(exr_round_trip) {
                 check_near(written.names[c], image_at(&read, x, y)[there],
                            image_at(&written, x, y)[c], 0);
             }
-    images_free(&written, &read);
 }
 
 /* Names of other programs: each channel keeps its own name, whole, and its own values. */
@@ -165,7 +162,7 @@ TEST(foreign_names) {
 
 /* Layers are told apart by their whole names. */
 TEST(long_layers) {
-    struct image image;
+    OWNED(image) image;
     int channels[3];
     image_init(&image, 1, 1,
                LONG "1.R " LONG "1.G " LONG "1.B " LONG "2.R " LONG "2.G " LONG "2.B");
@@ -174,7 +171,6 @@ TEST(long_layers) {
     assert_false(image_find_layer(&image, LONG "3", channels));
     printf("    %s\n", error_get());
     assert_non_null(strstr(error_get(), LONG "3' (there is: " LONG "1, " LONG "2)"));
-    image_free(&image);
 }
 
 TEST(png_round_trip) {
@@ -196,7 +192,7 @@ TEST(png_round_trip) {
 }
 
 TEST(file_refusals) {
-    struct image image;
+    OWNED(image) image;
     bool is_float;
     assert_false(image_read(&image, "no/such/file.exr"));
     printf("    %s\n", error_get());
@@ -208,7 +204,6 @@ TEST(file_refusals) {
     assert_false(image_write(&image, "no/such/folder/x.exr"));
     printf("    %s\n", error_get());
     assert_non_null(strstr(error_get(), "no/such/folder/x.exr: "));
-    image_free(&image);
 }
 
 /* Files of no format, pictures that a format has no room for, what is cut, and passes that a file

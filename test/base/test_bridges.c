@@ -118,7 +118,7 @@ static void check_same_window(const struct image_window *a, const struct image_w
 }
 
 static void check_same_image(const char *path, const char *layer) {
-    struct image ours, theirs;
+    OWNED(image) ours, theirs;
     int ours_at[3], theirs_at[3];
     const struct image_plugin *plugin = image_plugin_get();
     check_ok(path, layer ? image_read_layer(&ours, path, layer, ours_at) : image_read(&ours, path));
@@ -136,12 +136,11 @@ static void check_same_image(const char *path, const char *layer) {
         (size_t)ours.width * (size_t)ours.height * (size_t)ours.channel_count * sizeof(float);
     if (memcmp(ours.pixels, theirs.pixels, size) != 0)
         fail_msg("%s: the bridges read different pixels", path);
-    images_free(&ours, &theirs);
 }
 
 static void check_same_texture(const char *path) {
     struct file_bytes file;
-    struct bitmap ours, theirs;
+    OWNED(bitmap) ours, theirs;
     uint64_t our_memory, their_memory;
     const struct image_plugin *plugin = image_plugin_get();
     check_ok(path, file_read(&file, path));
@@ -153,7 +152,6 @@ static void check_same_texture(const char *path) {
     assert_true(ours.width == theirs.width && ours.height == theirs.height);
     if (memcmp(ours.rgba, theirs.rgba, (size_t)ours.width * (size_t)ours.height * 4) != 0)
         fail_msg("%s: the bridges decode different texels", path);
-    bitmaps_free(&ours, &theirs);
     free(file.data);
 }
 
@@ -170,7 +168,7 @@ static struct image make_image(const char *channels) {
 
 TEST(floats) {
     static const char *const files[] = {"floats.exr", "floats.pfm", "floats.hdr"};
-    struct image image = make_image("R G B A Z direct.R direct.G direct.B normal.X");
+    OWNED(image) image = make_image("R G B A Z direct.R direct.G direct.B normal.X");
     need_all_formats();
     for (size_t i = 0; i < sizeof files / sizeof *files; i++) {
         check_ok(files[i], image_write(&image, scratch(files[i])));
@@ -179,7 +177,6 @@ TEST(floats) {
     }
     check_same_image(scratch("floats.exr"), "direct");
     check_same_image(scratch("floats.exr"), "Z");
-    image_free(&image);
 }
 
 /* Runs of bytes, the longest row that may have them, and a row that may not. */
@@ -187,7 +184,7 @@ TEST(radiance_runs) {
     static const int widths[] = {7, 8, 300, 32767};
     need_all_formats();
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
-        struct image image;
+        OWNED(image) image;
         image_init(&image, widths[i], 2, "R G B");
         for (int x = 0; x < 3 * 2 * widths[i]; x++)
             image.pixels[x] =
@@ -201,7 +198,6 @@ TEST(radiance_runs) {
         assert_int_equal(ours.size, theirs.size);
         assert_memory_equal(ours.data, theirs.data, ours.size);
         mem_free(ours.data, theirs.data);
-        image_free(&image);
     }
 }
 

@@ -120,7 +120,7 @@ static uint32_t bits_of(float value) {
 }
 
 static void check_values(const struct exr *exr, const char *name, const float *expected) {
-    struct image image;
+    OWNED(image) image;
     bool encoded;
     check_ok(name, layer_read(&image, write_exr(name, exr), "", &encoded));
     assert_false(encoded);
@@ -129,7 +129,6 @@ static void check_values(const struct exr *exr, const char *name, const float *e
                (double)expected[i]);
         assert_true(image.pixels[i] == expected[i]);
     }
-    image_free(&image);
 }
 
 /* The largest, the smallest normal and subnormal halves, and floats beyond them; where a window
@@ -178,7 +177,7 @@ TEST(order) {
         "albedo.R", "albedo.G", "albedo.B", "direct.R", "direct.specular.R",
         "normal.X", "normal.Y", "normal.Z"};
     enum { COUNT = sizeof expected / sizeof *expected };
-    struct image written, read;
+    OWNED(image) written, read;
     image_init(&written, 3, 20, names);
     for (int i = 0; i < 3 * 20 * COUNT; i++)
         written.pixels[i] = (float)(i % 509) / 4;
@@ -196,14 +195,13 @@ TEST(order) {
     }
     assert_string_equal(read.passes, "0..3,7");
     check_near("weight", read.weight, 5, 0);
-    images_free(&written, &read);
 }
 
 /* What we write ourselves: half while that holds every value, else 32 bits. */
 TEST(bright) {
     static const float values[2][3] = {{65504, -65504, 1}, {65520, 1e6F, 3e38F}};
     for (int k = 0; k < 2; k++) {
-        struct image image, again;
+        OWNED(image) image, again;
         image_init(&image, 1, 1, "R G B");
         memcpy(image.pixels, values[k], sizeof values[k]);
         check_ok("written", image_write(&image, scratch("bright.exr")));
@@ -212,7 +210,6 @@ TEST(bright) {
             printf("    %g is %g\n", (double)values[k][c], (double)again.pixels[c]);
             assert_true(again.pixels[c] == values[k][c]);
         }
-        images_free(&image, &again);
     }
 }
 

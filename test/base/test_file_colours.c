@@ -60,7 +60,7 @@ static void check_even(const struct image *image, const double rgb[3], double to
 TEST(radiance) {
     for (size_t i = 0; i < sizeof radiances / sizeof *radiances; i++) {
         const char *path = scratch("radiance.hdr");
-        struct image image;
+        OWNED(image) image;
         int size[2];
         write_radiance(path, &radiances[i]);
         check_ok(radiances[i].name, image_read(&image, path) && image_size(path, size));
@@ -68,7 +68,6 @@ TEST(radiance) {
         /* 1/64 in XYZ, whose mantissas are seven bits here, is up to 3 % of red */
         check_even(&image, radiances[i].rgb,
                    radiances[i].pixel == (const char *)WHITE ? .01 : 1e-6);
-        image_free(&image);
     }
 }
 
@@ -83,7 +82,7 @@ TEST(radiance_refusals) {
 /* Mantissas are rounded: no error beyond half of their last bit, and none on average. The largest
  * floats stay large. */
 TEST(rounding) {
-    struct image image, read;
+    OWNED(image) image, read;
     double most = 0, sum = 0;
     image_init(&image, 64, 64, "R G B");
     for (int i = 0; i < 64 * 64 * 3; i++)
@@ -103,7 +102,6 @@ TEST(rounding) {
     }
     check_at_most("largest error, steps", most, 1); /* half, and whole where 255.5 becomes 256 */
     check_near("mean error, steps", sum / (64 * 64 * 3 - 6), 0, .01);
-    images_free(&image, &read);
 }
 
 /* --- EXR -------------------------------------------------------------------------------------- */
@@ -115,7 +113,7 @@ static const float ap1_of_bt709[3][3] = {
 
 /* Colours and normals of (1, .2, .05) in AP1, and in a unit. */
 static void write_exr(const char *path, const float *primaries, float unit) {
-    struct image image;
+    OWNED(image) image;
     image_init(&image, WIDTH, HEIGHT, "R G B normal.R normal.G normal.B x.R x.G x.B");
     for (int i = 0; i < WIDTH * HEIGHT * 9; i++) {
         const float *row = ap1_of_bt709[i % 3];
@@ -126,7 +124,6 @@ static void write_exr(const char *path, const float *primaries, float unit) {
     if (unit > 0)
         image_add_numbers(&image, "whiteLuminance", IMAGE_NUMBER, &unit);
     check_ok(path, image_write(&image, path));
-    image_free(&image);
 }
 
 static void check_exr(const char *note, const float *primaries, float unit, const double rgb[3]) {

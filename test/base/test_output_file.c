@@ -48,8 +48,8 @@ static void limit_files(rlim_t size) {
 static bool write_noise(const char *path, unsigned seed) {
     bool is_float, ok;
     check_ok("format", image_format_is_float(path, &is_float));
-    struct image image;
-    struct bitmap bitmap = {SIDE, SIDE, mem_alloc(SIDE * SIDE, 4)};
+    OWNED(image) image;
+    OWNED(bitmap) bitmap = {SIDE, SIDE, mem_alloc(SIDE * SIDE, 4)};
     image_init(&image, SIDE, SIDE, "R G B");
     for (int i = 0; i < SIDE * SIDE * 4; i++) {
         seed = seed * 1664525U + 1013904223U;
@@ -58,8 +58,6 @@ static bool write_noise(const char *path, unsigned seed) {
             image.pixels[i] = (float)(seed >> 24) / 64;
     }
     ok = is_float ? image_write(&image, path) : bitmap_write(&bitmap, path);
-    bitmap_free(&bitmap);
-    image_free(&image);
     return ok;
 }
 

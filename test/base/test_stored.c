@@ -146,13 +146,12 @@ static const unsigned char rgba[8] = {200, 100, 50, 128, 10, 20, 30, 0},
                            grey_alpha[4] = {200, 128, 10, 0};
 
 static void check_stored(const char *path, const float expected[6]) {
-    struct image layer;
+    OWNED(image) layer;
     bool encoded;
     check_ok(path, layer_read(&layer, path, "", &encoded));
     assert_true(layer.width == 2 && layer.height == 1);
     for (int i = 0; i < 6; i++)
         check_near(path, (double)layer.pixels[i], (double)expected[i], 1e-6);
-    image_free(&layer);
 }
 
 static void check_encoded(const char *path, bool grey) {
@@ -240,7 +239,7 @@ TEST(palette) {
         {0x1D00, 0x8000, 0xFF00},     {32767, 32768, 32769}};
     const unsigned map_at = 16, tags_at = map_at + 6 * ENTRIES;
     struct bytes file = {.size = 0};
-    struct image image;
+    OWNED(image) image;
     put(&file, "II*\0", 4);
     put_number(&file, tags_at, 4, false);
     for (unsigned i = 0; i < WIDTH; i += 2) /* two pixels of 4 bits a byte */
@@ -267,21 +266,19 @@ TEST(palette) {
             check_near("colour in 8 bits", value, map[x][c] / 257 / 255., 1e-6);
             assert_true(value <= exact + 1e-6 && value > exact - 1 / 255.);
         }
-    image_free(&image);
 }
 
 /* Ours keep every value where the format has room for it, alpha 0 or not. */
 TEST(written) {
     static const char *const names[] = {"own.exr", "own.tif"};
     for (int i = 0; i < (knows_format("tif") ? 2 : 1); i++) {
-        struct image image, again;
+        OWNED(image) image, again;
         image_init(&image, 2, 1, "R G B A");
         memcpy(image.pixels, (const float[8]){1, .5F, .25F, .5F, 8, 4, 2, 0}, 8 * sizeof(float));
         check_ok(names[i], image_write(&image, scratch(names[i])));
         check_ok(names[i], image_read(&again, scratch(names[i])));
         assert_int_equal(again.channel_count, 4);
         assert_memory_equal(image.pixels, again.pixels, 8 * sizeof(float));
-        images_free(&image, &again);
     }
 }
 
@@ -291,7 +288,7 @@ TEST(written) {
 enum { WIDE = 3, HIGH = 2 };
 
 static void check_upright(const char *path, double scale) {
-    struct image layer;
+    OWNED(image) layer;
     bool encoded;
     check_ok(path, layer_read(&layer, path, "", &encoded));
     assert_true(layer.width == WIDE && layer.height == HIGH);
@@ -302,7 +299,6 @@ static void check_upright(const char *path, double scale) {
                 value = (double)srgb_encode((float)value);
             check_near(path, value, (1 + x + WIDE * y) * scale, 1e-6);
         }
-    image_free(&layer);
 }
 
 /* The upright picture's value that is stored at (column, row) by TIFF's orientation. */

@@ -222,9 +222,8 @@ TEST(pieces) {
 TEST(vpl_flux) {
     const struct emitter lights[] = {face(.5F, .25F), face(.3F, 0), lamp(EMITTER_POINT, 2, .2F, 0)};
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
-        struct stage stage;
-        struct renderer renderer;
-        open_stage(&stage, "scenes/sphere.glb");
+        OWNED(stage) stage = open_stage("scenes/sphere.glb");
+        OWNED(renderer) renderer;
         stage.emitters.items[0] = lights[i];
         glm_vec3_copy((vec3){.1F, .2F, -.1F}, stage.emitters.items[0].position);
         struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 16, 16);
@@ -236,8 +235,6 @@ TEST(vpl_flux) {
         double expected = .5 * emitter_flux(&stage.emitters.items[0], 1);
         check_near("flux of all VPLs", sum, expected, .01 * expected);
         free(vpls);
-        renderer_free(&renderer);
-        stage_free(&stage);
     }
 }
 
@@ -266,7 +263,7 @@ static void check_size(const struct emitter *light, enum emitter_shape shape, do
 
 /* The greatest scale of the node counts, both ways; -Z is the front. */
 TEST(extension) {
-    struct scene scene;
+    OWNED(scene) scene;
     struct emitter light;
     open_parts(
         &scene,
@@ -292,11 +289,10 @@ TEST(extension) {
     check_near("nits", (double)light.intensity[0], 1000 * GLM_PI / 4, 1e-3);
     emitter_place(&light, &scene, 2, 0);
     assert_int_equal(light.type, EMITTER_POINT);
-    scene_free(&scene);
 }
 
 TEST(extras) {
-    struct scene scene;
+    OWNED(scene) scene;
     struct emitter light;
     open_parts(&scene,
                &(struct gltf_parts){
@@ -333,12 +329,11 @@ TEST(extras) {
         emitter_place(&light, &scene, n, 0);
         check_size(&light, expected[n].shape, expected[n].width, expected[n].height);
     }
-    scene_free(&scene);
 }
 
 /* The quad of 1 x 1 in the xy plane, from 0 to 1. */
 TEST(emissive_quad) {
-    struct scene scene;
+    OWNED(scene) scene;
     struct emitter front, back;
     open_parts(&scene, &(struct gltf_parts){
                            .materials = "[{\"name\": \"glow\", \"emissiveFactor\": [1, 0.5, 0],"
@@ -356,7 +351,6 @@ TEST(emissive_quad) {
     check_place("back", back.direction, 0, 0, 1);
     check_place("place", front.position, 1, 1.5, 0);
     assert_true(front.position[2] < 0 && back.position[2] > 0);
-    scene_free(&scene);
 }
 
 /* --- shapes ----------------------------------------------------------------------------------- */

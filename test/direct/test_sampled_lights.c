@@ -15,7 +15,7 @@ static const char *const settings = "vpls=512 shadow-size=256 rsm-size=64";
 
 /* Stages of one room; its first light is a spot. */
 static void open_room(struct stage *stage) {
-    open_stage(stage, "scenes/cornell-box.glb");
+    *stage = open_stage("scenes/cornell-box.glb");
 }
 
 static struct image render_with(const struct stage *stage, struct emitter *lights, int count,
@@ -57,45 +57,41 @@ TEST(maps) {
                 {"rectangles", EMITTER_AREA, {.1F, .05F}, .15},
                 {"disks", EMITTER_AREA, {.1F, 0}, .15},
                 {"spheres", EMITTER_POINT, {.02F, 0}, .15}};
-    struct stage stage;
+    OWNED(stage) stage;
     open_room(&stage);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct emitter lights[LIGHTS];
         const float size[2] = {rows[i].size[0] * stage.geometry.radius,
                                rows[i].size[1] * stage.geometry.radius};
         spread_lights(&stage, lights, LIGHTS, rows[i].type, size);
-        struct image maps = render_with(&stage, lights, LIGHTS, "imperfect-volume");
-        struct image sampled = render_with(&stage, lights, LIGHTS, "unshadowed");
+        OWNED(image) maps = render_with(&stage, lights, LIGHTS, "imperfect-volume");
+        OWNED(image) sampled = render_with(&stage, lights, LIGHTS, "unshadowed");
         printf("%s\n", rows[i].what);
         check_near("direct light, mean",
                    layer_mean(&sampled, "direct") / layer_mean(&maps, "direct"), 1, .01);
         check_at_most("direct light, relative RMSE", relative_rmse(&sampled, &maps, "direct"),
                       rows[i].rmse);
-        images_free(&maps, &sampled);
     }
-    stage_free(&stage);
 }
 
 /* --- paths ------------------------------------------------------------------------------------ */
 
 TEST(reference) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct emitter lights[LIGHTS];
     open_room(&stage);
     spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
     emitters_free(&stage.emitters);
     struct emitters own = {.items = lights, .count = LIGHTS};
     stage.emitters = emitters_copy(&own);
-    struct image traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced);
-    struct image frame = render_with(&stage, lights, LIGHTS, "clustered");
+    OWNED(image) traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced);
+    OWNED(image) frame = render_with(&stage, lights, LIGHTS, "clustered");
     check_near("direct light, mean",
                layer_mean(&frame, "direct") / layer_mean(&reference, "direct"), 1, .01);
     check_near("indirect light, mean",
                layer_mean(&frame, "indirect") / layer_mean(&reference, "indirect"), 1, .03);
     check_at_most("indirect light, relative RMSE", relative_rmse(&frame, &reference, "indirect"),
                   .15);
-    images_free(&traced, &reference, &frame);
-    stage_free(&stage);
 }
 
 /* The mean of passes; one pass is the frame. */
@@ -122,7 +118,6 @@ TEST(panels) {
         "[{\"mesh\": 1, \"scale\": [9, 9, 1], \"translation\": [-4.5, -4.5, 0]}, "
         "{\"camera\": 0, \"translation\": [0, 0, 6]}";
     const char *path;
-    struct stage stage;
     for (int i = 0; i < PANELS; i++)
         sprintf(nodes + strlen(nodes),
                 ", {\"mesh\": 0, \"rotation\": [1, 0, 0, 0], \"scale\": [%f, 0.2, 1],"
@@ -139,52 +134,46 @@ TEST(panels) {
                       " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
                       " \"indices\": 1, \"material\": 1}]}]",
             .nodes = nodes});
-    open_stage(&stage, path);
-    struct image traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced),
+    OWNED(stage) stage = open_stage(path);
+    OWNED(image) traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced),
                  frame = render_stage(&stage, "clustered", settings, SIZE);
     check_near("direct light, mean",
                layer_mean(&frame, "direct") / layer_mean(&reference, "direct"), 1, .01);
-    images_free(&traced, &reference, &frame);
-    stage_free(&stage);
 }
 
 /* Passes have other samples, and their mean errs less. */
 TEST(passes) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct emitter lights[LIGHTS];
     double errors[2];
     open_room(&stage);
     spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
     for (int i = 0; i < 2; i++) {
         int passes = i == 0 ? 1 : 8;
-        struct image maps = render_passes(&stage, lights, "imperfect-volume", passes),
+        OWNED(image) maps = render_passes(&stage, lights, "imperfect-volume", passes),
                      sampled = render_passes(&stage, lights, "unshadowed", passes);
         errors[i] = relative_rmse(&sampled, &maps, "direct");
-        images_free(&maps, &sampled);
     }
     check_at_most("error of eight passes over that of one", errors[1] / errors[0], .7);
-    stage_free(&stage);
 }
 
 /* --- relations -------------------------------------------------------------------------------- */
 
 TEST(order) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct emitter lights[LIGHTS], reversed[LIGHTS];
     open_room(&stage);
     spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
     for (int i = 0; i < LIGHTS; i++)
         reversed[i] = lights[LIGHTS - 1 - i];
-    struct image a = render_with(&stage, lights, LIGHTS, "unshadowed"),
+    OWNED(image) a = render_with(&stage, lights, LIGHTS, "unshadowed"),
                  b = render_with(&stage, reversed, LIGHTS, "unshadowed");
     check_near("direct light, mean", layer_mean(&a, "direct") / layer_mean(&b, "direct"), 1, .002);
-    images_free(&a, &b);
-    stage_free(&stage);
 }
 
 /* One light among dark ones, and one that outshines all others, have maps. */
 TEST(one_strong) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct emitter lights[LIGHTS];
     open_room(&stage);
     for (int faint = 0; faint < 2; faint++) {
@@ -193,14 +182,12 @@ TEST(one_strong) {
         for (int i = 1; i < LIGHTS; i++)
             for (int c = 0; c < 3; c++)
                 lights[i].intensity[c] *= faint ? 1e-6F : 0;
-        struct image alone = render_with(&stage, lights, 1, "clustered"),
+        OWNED(image) alone = render_with(&stage, lights, 1, "clustered"),
                      among = render_with(&stage, lights, LIGHTS, "clustered");
         check_at_most("direct light, relative RMSE", relative_rmse(&among, &alone, "direct"), 1e-5);
         check_at_most("indirect light, relative RMSE", relative_rmse(&among, &alone, "indirect"),
                       faint ? .1 : 1e-5);
-        images_free(&alone, &among);
     }
-    stage_free(&stage);
 }
 
 /* Lights within a solid cost samples, and give no light. */
@@ -226,9 +213,8 @@ TEST(inside_solid) {
 
 /* A ball that emits is its triangles; a change of what stands in for it is refused. */
 TEST(ball) {
-    struct stage stage;
     struct emitters changed = {0};
-    open_stage(&stage, "scenes/failures/ball-lamp.glb");
+    OWNED(stage) stage = open_stage("scenes/failures/ball-lamp.glb");
     struct image traced = trace_stage(&stage, SIZE, 64), reference = common_layers(&traced);
     struct image image = render_stage(&stage, "clustered", "", SIZE);
     check_near("direct light over the reference's",
@@ -239,46 +225,40 @@ TEST(ball) {
     assert_false(emitters_from_text(&changed, &stage.scene, "0 size=2,2", 0));
     assert_non_null(strstr(error_get(), "light: 0 stands in"));
     images_free(&traced, &reference, &image);
-    stage_free(&stage);
 }
 
 /* Lights outside a closed room light nothing in it. */
 TEST(behind_walls) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct emitter lights[LIGHTS];
     open_room(&stage);
     spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
     for (int i = 0; i < LIGHTS; i++) /* the room is open in front */
         lights[i].position[2] = stage.geometry.bounds_min[2] - .1F * stage.geometry.radius;
-    struct image image = render_with(&stage, lights, LIGHTS, "clustered");
+    OWNED(image) image = render_with(&stage, lights, LIGHTS, "clustered");
     check_at_most("direct light, mean", layer_mean(&image, "direct"), 0);
     check_at_most("indirect light, mean", layer_mean(&image, "indirect"), 0);
-    image_free(&image);
-    stage_free(&stage);
 }
 
 /* Glossy surfaces: what is mirrored is not reflected diffusely, and highlights keep their light. */
 TEST(gloss) {
-    struct stage stage;
     struct emitter lights[LIGHTS];
-    open_stage(&stage, "scenes/gloss.glb");
+    OWNED(stage) stage = open_stage("scenes/gloss.glb");
     spread_lights(&stage, lights, LIGHTS, EMITTER_POINT, (float[]){0, 0});
-    struct image maps = render_with(&stage, lights, LIGHTS, "imperfect-volume"),
+    OWNED(image) maps = render_with(&stage, lights, LIGHTS, "imperfect-volume"),
                  sampled = render_with(&stage, lights, LIGHTS, "unshadowed");
     check_near("direct light, mean", layer_mean(&sampled, "direct") / layer_mean(&maps, "direct"),
                1, .01);
     check_near("highlights, mean",
                layer_mean(&sampled, "direct.specular") / layer_mean(&maps, "direct.specular"), 1,
                .05);
-    images_free(&maps, &sampled);
-    stage_free(&stage);
 }
 
 /* Lights come and go: sampled lights, and parts that only frames with them have. A size tells the
  * direct method. */
 TEST(follow) {
-    struct stage stage;
-    struct renderer renderer = {0};
+    OWNED(stage) stage;
+    OWNED(renderer) renderer = {0};
     struct emitter lights[LIGHTS];
     open_room(&stage);
     spread_lights(&stage, lights, LIGHTS, EMITTER_AREA, (float[]){.1F * stage.geometry.radius, 0});
@@ -289,13 +269,10 @@ TEST(follow) {
         else
             desc.emitters = (struct emitters){.items = lights, .count = i == 1 ? 2 : LIGHTS};
         desc.width = i == 2 ? SIZE / 2 : SIZE;
-        struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+        OWNED(image) followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
         assert_true(same_pixels(&followed, &fresh));
         lights[i].position[0] *= .5F;
-        images_free(&followed, &fresh);
     }
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -34,8 +34,7 @@ static void darken(struct emitter *light) {
 
 /* Each view has a layer of its kind's maps, and those of a light follow each other. */
 TEST(layout) {
-    struct stage stage;
-    open_stage(&stage, three_lights);
+    OWNED(stage) stage = open_stage(three_lights);
     struct emitter lights[6];
     static const int kinds[6] = {2, 0, 2, 1, 2, 0}; /* points 2, spots 0 and 1 */
     static struct light_block block;
@@ -59,14 +58,12 @@ TEST(layout) {
     }
     assert_int_equal(light_map_size(LIGHT_MAP_SINGLE, 511), 511);
     assert_int_equal(light_map_size(LIGHT_MAP_FACE, 511), 256);
-    stage_free(&stage);
 }
 
 /* A light that gives nothing beside another changes no bit: neither where its maps take room, nor
  * which VPLs the other has. */
 TEST(dark_lights) {
-    struct stage stage;
-    open_stage(&stage, three_lights);
+    OWNED(stage) stage = open_stage(three_lights);
     static const struct {
         const char *what, *technique;
         int order[3];
@@ -81,15 +78,13 @@ TEST(dark_lights) {
             if (k > 0)
                 darken(&lights[k]);
         }
-        struct image one = render_with(&stage, lights, 1, rows[i].technique, settings);
-        struct image among = render_with(&stage, lights, 3, rows[i].technique, settings);
+        OWNED(image) one = render_with(&stage, lights, 1, rows[i].technique, settings);
+        OWNED(image) among = render_with(&stage, lights, 3, rows[i].technique, settings);
         bool same = same_pixels(&one, &among);
         printf("    %-30s %s\n", rows[i].what, same ? "the same bits" : "other bits");
         assert_true(same);
         assert_true(layer_mean(&one, "indirect") > 0);
-        images_free(&one, &among);
     }
-    stage_free(&stage);
 }
 
 /* --- sums ------------------------------------------------------------------------------------- */
@@ -124,10 +119,9 @@ static struct image *add_up(struct image *parts, int count) {
 /* Without visibility the sum over VPLs is linear; each light has about a third of them in the sum,
  * and all of them alone. */
 TEST(sum) {
-    struct stage stage;
     struct image parts[3];
     const char *settings = "vpls=8192 interleave=1 near-samples=256 shadow-size=1024";
-    open_stage(&stage, three_lights);
+    OWNED(stage) stage = open_stage(three_lights);
     struct emitter *lights = stage.emitters.items;
     struct image whole = render_with(&stage, lights, 3, "unshadowed", settings);
     for (int i = 0; i < 3; i++)
@@ -143,28 +137,24 @@ TEST(sum) {
     image_free(&whole);
     for (int i = 0; i < 3; i++)
         image_free(&parts[i]);
-    stage_free(&stage);
 }
 
 /* A light in two halves at one place is the one; the halves' VPLs lie between each other. */
 TEST(split) {
-    struct stage stage;
     const char *settings = "vpls=4096 interleave=1 near-samples=256 shadow-size=512";
-    open_stage(&stage, three_lights);
+    OWNED(stage) stage = open_stage(three_lights);
     for (int i = 0; i < 3; i += 2) {
         struct emitter whole = stage.emitters.items[i], halves[2] = {whole, whole};
         for (int c = 0; c < 3; c++)
             halves[0].intensity[c] = halves[1].intensity[c] = whole.intensity[c] / 2;
-        struct image one = render_with(&stage, &whole, 1, "unshadowed", settings);
-        struct image two = render_with(&stage, halves, 2, "unshadowed", settings);
+        OWNED(image) one = render_with(&stage, &whole, 1, "unshadowed", settings);
+        OWNED(image) two = render_with(&stage, halves, 2, "unshadowed", settings);
         check_at_most("direct light, worst difference", worst_difference(&two, &one, 1, "direct"),
                       1e-6);
         double mean = layer_mean(&one, "indirect");
         check_near("indirect light, mean", layer_mean(&two, "indirect"), mean, .003 * mean);
         check_at_most("indirect light, relative RMSE", relative_rmse(&two, &one, "indirect"), .04);
-        images_free(&one, &two);
     }
-    stage_free(&stage);
 }
 
 /* --- reference -------------------------------------------------------------------------------- */
@@ -172,9 +162,8 @@ TEST(split) {
 /* Against the path tracer, by the pixels' centres: both have all three lights. In so small a
  * picture the Cornell box under one spot is 17 and 9 % off. */
 TEST(reference) {
-    struct stage stage;
-    open_stage(&stage, three_lights);
-    struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
+    OWNED(stage) stage = open_stage(three_lights);
+    OWNED(image) reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
     static const struct {
         const char *technique, *settings;
         double direct, mean, indirect;
@@ -199,17 +188,14 @@ TEST(reference) {
                       relative_rmse(&image, &reference, "indirect"), rows[i].indirect);
         image_free(&image);
     }
-    image_free(&reference);
-    stage_free(&stage);
 }
 
 /* --- too many --------------------------------------------------------------------------------- */
 
 TEST(too_many) {
-    struct stage stage;
     struct renderer renderer;
     struct emitter lights[LIGHTS_MAX + 1];
-    open_stage(&stage, three_lights);
+    OWNED(stage) stage = open_stage(three_lights);
     struct renderer_desc desc =
         desc_of(&stage, "imperfect-volume", "rsm-size=16 shadow-size=16", 8, 8);
     for (int i = 0; i <= LIGHTS_MAX; i++)
@@ -233,7 +219,6 @@ TEST(too_many) {
     renderer_render(&renderer);
     renderer_free(&renderer);
     assert_int_equal(gpu_memory_total(), 0);
-    stage_free(&stage);
 }
 
 /* --- as many points as there may be ----------------------------------------------------------- */
@@ -265,8 +250,7 @@ static void check_points(const struct stage *stage, const struct technique *tech
 }
 
 TEST(points) {
-    struct stage stage;
-    open_stage(&stage, three_lights);
+    OWNED(stage) stage = open_stage(three_lights);
     for (const struct technique *const *technique = techniques; *technique; technique++)
         check_points(&stage, *technique, direct_methods[0],
                      is_long_run() ? "vpls=1024 rsm-size=64 shadow-size=256"
@@ -279,7 +263,6 @@ TEST(points) {
                      is_long_run() ? "vpls=1024 rsm-size=64 shadow-size=256"
                                    : "vpls=256 rsm-size=64 shadow-size=256");
     }
-    stage_free(&stage);
 }
 
 /* Maps of many views are smaller. */
@@ -291,17 +274,15 @@ TEST(map_share) {
 
 TEST(case) {
     char path[512];
-    struct stage stage;
     if (!shared_path())
         return;
     snprintf(path, sizeof path, "%s/cases/lights-43/points.gltf", shared_path());
     if (!file_can_be_read(path))
         return;
-    open_stage(&stage, path);
-    struct image image = render_stage(&stage, "clustered", "shadow-size=128 rsm-size=64", SIZE);
+    struct stage stage = open_stage(path);
+    OWNED(image) image = render_stage(&stage, "clustered", "shadow-size=128 rsm-size=64", SIZE);
     int red = image_find_channel(&image, "direct.R");
     check_near("43 points", (double)image_at(&image, SIZE / 2, SIZE / 2)[red], 1, .005);
-    image_free(&image);
     stage_free(&stage);
 }
 

@@ -42,7 +42,7 @@ static void open_quads(struct stage *stage, const char *camera, const char *node
                                         .more = "\"cameras\": [{\"type\": \"perspective\","
                                                 " \"perspective\": {\"yfov\": 0.9,"
                                                 " \"znear\": 0.01}}],"});
-    open_stage(stage, path);
+    *stage = open_stage(path);
     set_sky(stage, SKY_WIDTH, SKY_HEIGHT, paint_even);
 }
 
@@ -100,7 +100,7 @@ static const char *const settings_tried[] = {"", "sky.lights=6", "fit=rectangles
                                              "sky.shadow-rays=2"};
 
 TEST(floor) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_quads(&stage, "\"translation\": [0, 0, 2]",
                "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
     for (size_t i = 0; i < sizeof settings_tried / sizeof *settings_tried; i++) {
@@ -110,12 +110,11 @@ TEST(floor) {
         check_at_most("worst error on an open floor",
                       measure_shares(&stage, settings_tried[i], all_of_it).worst, 2e-3);
     }
-    stage_free(&stage);
 }
 
 /* A cube, of which the camera sees three sides: none hides another's sky. */
 TEST(convex_body) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_quads(
         &stage,
         "\"matrix\": [0.70710678, 0, -0.70710678, 0, -0.40824829, 0.81649658, -0.40824829, 0,"
@@ -134,7 +133,6 @@ TEST(convex_body) {
         printf("    %-48s %g\n", "worst", shares.worst);
         check_at_most("RMS error on a cube", shares.rms, .02);
     }
-    stage_free(&stage);
 }
 
 /* At x from the foot of a wall of height 1, but far from its ends. */
@@ -144,7 +142,7 @@ static double beside_wall(const float place[3]) {
 }
 
 TEST(wall) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_quads(&stage, "\"translation\": [1.2, 0, 2]",
                "{\"mesh\": 0, \"scale\": [3, 16, 1], \"translation\": [0, -8, 0]},"
                "{\"mesh\": 0, \"rotation\": [0, 0.70710678, 0, 0.70710678], \"scale\": [1, 16, 1],"
@@ -159,7 +157,6 @@ TEST(wall) {
         check_at_most("RMS error beside a wall", shares.rms, rows[i].bound);
         printf("    %-48s %g\n", "worst", shares.worst);
     }
-    stage_free(&stage);
 }
 
 /* --- a furnace: a sky of 1 by kind of material, roughness and angle --------------------------- */
@@ -196,9 +193,8 @@ static void open_roof(struct stage *stage, int rows) {
     snprintf(all[0], sizeof all[0], "[%s]", materials);
     snprintf(all[1], sizeof all[1], "[%s]", meshes);
     snprintf(all[2], sizeof all[2], "[%s]", nodes);
-    open_stage(stage, write_parts("roof.glb", &(struct gltf_parts){.materials = all[0],
-                                                                   .meshes = all[1],
-                                                                   .nodes = all[2]}));
+    *stage = open_stage(write_parts(
+        "roof.glb", &(struct gltf_parts){.materials = all[0], .meshes = all[1], .nodes = all[2]}));
     stage->camera = (struct camera){.eye = {ANGLES / 2.F, ANGLES / 2.F, 1},
                                     .right = {1, 0, 0},
                                     .up = {0, 1, 0},
@@ -215,7 +211,7 @@ TEST(furnace) {
         float metalness, f0;
     } kinds[] = {{"dielectric", 0, .04F}, {"specular-glossiness", 0, .3F}, {"metal", 1, .04F}};
     int rows = is_long_run() ? 5 : 2;
-    struct stage stage;
+    OWNED(stage) stage;
     open_roof(&stage, rows);
     for (int k = 0; k < 3; k++) {
         double most = 0, farthest = 0;
@@ -226,7 +222,7 @@ TEST(furnace) {
             material->specular_glossiness = k == 1;
             glm_vec3_broadcast(kinds[k].f0, material->specular_f0);
         }
-        struct image got = render_stage(&stage, "unshadowed", "", CELL * ANGLES);
+        OWNED(image) got = render_stage(&stage, "unshadowed", "", CELL * ANGLES);
         int red = image_find_channel(&got, "R");
         for (int i = 0; i < rows * ANGLES; i++) {
             int row = i / ANGLES, x = CELL * (i % ANGLES) + CELL / 2;
@@ -240,9 +236,7 @@ TEST(furnace) {
         printf("  %s\n", kinds[k].name);
         check_at_most("most", most, 1.005);
         check_at_most("farthest from what it reflects", farthest, .01);
-        image_free(&got);
     }
-    stage_free(&stage);
 }
 
 /* --- a closed room, 1 m wide and high, its walls two triangles thin --------------------------- */
@@ -303,8 +297,8 @@ TEST(room) {
 
 /* In progressive passes too: other directions in each, the same light on average. */
 static void check_passes(const struct stage *stage, const struct image *reference) {
-    struct image got;
-    struct renderer renderer;
+    OWNED(image) got;
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(stage, "clustered", "", SIZE, SIZE);
     int passes = is_long_run() ? 16 : 4;
     desc.progressive = true;
@@ -315,18 +309,15 @@ static void check_passes(const struct stage *stage, const struct image *referenc
     double mean = layer_mean(reference, "indirect");
     check_near("indirect light of passes, mean", layer_mean(&got, "indirect"), mean, .08 * mean);
     check_at_most("its relative RMSE", relative_rmse(&got, reference, "indirect"), .2);
-    renderer_free(&renderer);
-    image_free(&got);
 }
 
 /* Below the table it is too dark: what the map shows is taken to be as deep as keeps courtyards
  * dark. */
 TEST(day) {
-    struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
+    OWNED(stage) stage = open_stage("scenes/table.glb");
     set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_day);
-    struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
-    struct image got = render_stage(&stage, "clustered", "", SIZE);
+    OWNED(image) reference = trace_stage(&stage, SIZE, is_long_run() ? 256 : 64);
+    OWNED(image) got = render_stage(&stage, "clustered", "", SIZE);
     double mean = layer_mean(&reference, "direct");
     check_near("direct light, mean", layer_mean(&got, "direct"), mean, .06 * mean);
     check_at_most("direct light, relative RMSE", relative_rmse(&got, &reference, "direct"), .12);
@@ -334,8 +325,6 @@ TEST(day) {
     check_near("indirect light, mean", layer_mean(&got, "indirect"), mean, .12 * mean);
     check_at_most("indirect light, relative RMSE", relative_rmse(&got, &reference, "indirect"), .3);
     check_passes(&stage, &reference);
-    images_free(&reference, &got);
-    stage_free(&stage);
 }
 
 /* A sky of one bright texel is a sun: the direct light of a directional light of L times its solid
@@ -348,39 +337,35 @@ static void paint_texel(const float direction[3], float radiance[3]) {
 }
 
 TEST(texel) {
-    struct stage stage;
     struct emitter sun = {.type = EMITTER_DIRECTIONAL, .number = -1};
     float towards[3];
-    open_stage(&stage, "scenes/table.glb");
+    OWNED(stage) stage = open_stage("scenes/table.glb");
     set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_texel);
     const struct environment *sky = stage.scene.environment;
     double solid_angle = environment_solid_angle(sky, TEXEL_ROW);
     environment_direction(sky, TEXEL_COLUMN + .5, TEXEL_ROW + .5, towards);
-    struct image got = render_stage(&stage, "unshadowed", "", SIZE);
+    OWNED(image) got = render_stage(&stage, "unshadowed", "", SIZE);
     int samples = is_long_run() ? 64 : 16;
-    struct image reference = trace_stage(&stage, SIZE, samples);
+    OWNED(image) reference = trace_stage(&stage, SIZE, samples);
     glm_vec3_negate(towards);
     emitter_aim(&sun, towards);
     glm_vec3_broadcast((float)(TEXEL_RADIANCE * solid_angle), sun.intensity);
     sun.size[0] = (float)(2 * sqrt(solid_angle / GLM_PI));
     struct emitters scene_own = stage.emitters;
     stage.emitters = (struct emitters){.items = &sun, .count = 1};
-    struct image traced = trace_stage(&stage, SIZE, samples);
+    OWNED(image) traced = trace_stage(&stage, SIZE, samples);
     stage.emitters = scene_own;
     double mean = layer_mean(&traced, "direct");
     printf("    %g sr, %g W/m2\n", solid_angle, (double)sun.intensity[0]);
     check_near("rays, beside those of a sun", layer_mean(&reference, "direct"), mean, .01 * mean);
     check_near("mean, beside a sun", layer_mean(&got, "direct"), mean, .02 * mean);
-    images_free(&got, &reference, &traced);
-    stage_free(&stage);
 }
 
 /* Below a roof between walls, by the scene's own sky. */
 TEST(courtyard) {
-    struct stage stage;
-    open_stage(&stage, "scenes/courtyard.glb");
-    struct image reference = trace_stage(&stage, SIZE, 64);
-    struct image got = render_stage(&stage, "clustered", "", SIZE);
+    OWNED(stage) stage = open_stage("scenes/courtyard.glb");
+    OWNED(image) reference = trace_stage(&stage, SIZE, 64);
+    OWNED(image) got = render_stage(&stage, "clustered", "", SIZE);
     double mean = layer_mean(&reference, "direct");
     check_near("direct light, mean", layer_mean(&got, "direct"), mean, .08 * mean);
     double error = relative_rmse(&got, &reference, "direct");
@@ -390,18 +375,15 @@ TEST(courtyard) {
     /* .35 where pixels of detail show the one direction of the sky that they are dealt. */
     check_at_most("indirect light, relative RMSE", relative_rmse(&got, &reference, "indirect"), .2);
     /* Pixels ask for each of many lights, too, though it has little. */
-    struct image many = render_stage(&stage, "clustered", "sky.lights=240", SIZE);
+    OWNED(image) many = render_stage(&stage, "clustered", "sky.lights=240", SIZE);
     check_at_most("with 240 lights", relative_rmse(&many, &reference, "direct"), error);
-    images_free(&reference, &got, &many);
-    stage_free(&stage);
 }
 
 /* --- beside other lights ---------------------------------------------------------------------- */
 
 TEST(sum) {
     const char *settings = is_long_run() ? "" : "shadow-size=512 rsm-size=64 vpls=64";
-    struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
+    OWNED(stage) stage = open_stage("scenes/table.glb");
     set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_day);
     for (const struct direct_method *const *method = direct_methods; *method; method++) {
         if (!is_tried_here((size_t)(method - direct_methods), 3))
@@ -428,7 +410,6 @@ TEST(sum) {
         for (int i = 0; i < 3; i++)
             image_free(&layers[i]);
     }
-    stage_free(&stage);
 }
 
 /* A black sky lights nothing, and all else is as without. */
@@ -438,18 +419,15 @@ static void paint_black(const float direction[3], float radiance[3]) {
 }
 
 TEST(black) {
-    struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
-    struct image without = render_stage(&stage, "clustered", "", SIZE);
+    OWNED(stage) stage = open_stage("scenes/table.glb");
+    OWNED(image) without = render_stage(&stage, "clustered", "", SIZE);
     set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_black);
-    struct image dark = render_stage(&stage, "clustered", "", SIZE);
+    OWNED(image) dark = render_stage(&stage, "clustered", "", SIZE);
     check_finite("black sky alone", &dark);
     check_near("its light", layer_mean(&dark, "direct") + layer_mean(&dark, "indirect"), 0, 0);
     stage.emitters.count = 1;
-    struct image with = render_stage(&stage, "clustered", "", SIZE);
+    OWNED(image) with = render_stage(&stage, "clustered", "", SIZE);
     assert_true(same_pixels(&without, &with));
-    images_free(&without, &dark, &with);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

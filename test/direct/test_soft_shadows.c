@@ -70,7 +70,7 @@ static void open_stand(struct stage *stage, const struct stand *stand, double he
         light_height, stand->high[0] - stand->low[0], stand->high[1] - stand->low[1], stand->low[0],
         stand->low[1], height);
     const char *path = write_parts("stand.glb", &(struct gltf_parts){.nodes = nodes, .more = more});
-    open_stage(stage, path);
+    *stage = open_stage(path);
 }
 
 static struct image render_method(const struct stage *stage, const char *method,
@@ -198,18 +198,15 @@ static void open_cover(struct stage *stage, double plate) {
         " \"perspective\": {\"yfov\": 1, \"znear\": 0.001}}], \"extensions\":"
         " {\"EXT_lights_area\": {\"lights\": [" RECTANGLE("0.3", "1") "]}},";
     const char *path = write_parts("cover.glb", &(struct gltf_parts){.nodes = nodes, .more = more});
-    open_stage(stage, path);
+    *stage = open_stage(path);
 }
 
 static double light_below(double plate, const char *settings) {
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage;
+    OWNED(renderer) renderer;
     open_cover(&stage, plate);
-    struct image layers = render_method(&stage, "cssm", settings, &renderer);
+    OWNED(image) layers = render_method(&stage, "cssm", settings, &renderer);
     double mean = layer_mean(&layers, "direct");
-    renderer_free(&renderer);
-    image_free(&layers);
-    stage_free(&stage);
     return mean;
 }
 
@@ -287,9 +284,8 @@ TEST(table) {
         double least, most;
     } methods[] = {{"hard", .08, .3}, {"pcss", 0, .03}, {"samples", 0, .02},
                    {"vssm", 0, .03},  {"msm", 0, .03},  {"cssm", 0, .2}};
-    struct stage stage;
-    struct image reference;
-    open_stage(&stage, "scenes/table.glb");
+    OWNED(stage) stage = open_stage("scenes/table.glb");
+    OWNED(image) reference;
     check_ok("reference",
              picture_trace_paths(&stage,
                                  &(struct path_tracer_desc){
@@ -300,8 +296,6 @@ TEST(table) {
         check_at_most(methods[i].method, error, methods[i].most);
         check_at_most("which is no less than", methods[i].least, error);
     }
-    image_free(&reference);
-    stage_free(&stage);
 }
 
 /* --- other lights ----------------------------------------------------------------------------- */
@@ -319,8 +313,7 @@ TEST(types) {
         {"sphere", EMITTER_POINT, {.4F, 0}, {0, -1, 0}, .12, {.06, .07, .06, .12}},
         {"disk of spots", EMITTER_SPOT, {.4F, 0}, {0, -1, 0}, .12, {.09, .09, .1, .16}},
         {"sun", EMITTER_DIRECTIONAL, {.15F, 0}, {.3F, -1, .2F}, .12, {.08, .11, .1, .17}}};
-    struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
+    OWNED(stage) stage = open_stage("scenes/table.glb");
     struct emitter *light = &stage.emitters.items[0];
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
         enum { METHODS = 6 };
@@ -346,17 +339,15 @@ TEST(types) {
         for (int m = 0; m < METHODS; m++)
             image_free(&layers[m]);
     }
-    stage_free(&stage);
 }
 
 /* --- extremes --------------------------------------------------------------------------------- */
 
 static struct image render_lights(struct stage *stage, const char *light, const char *method) {
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     check_ok(light, emitters_from_text(&stage->emitters, &stage->scene, light, 0));
     struct image layers =
         render_method(stage, method, "samples.points=4 shadow-size=256 vpls=64 vals=4", &renderer);
-    renderer_free(&renderer);
     return layers;
 }
 
@@ -369,16 +360,14 @@ TEST(extremes) {
                                          "position=0,1,-2", "position=0,1,-1.9999 direction=0,0,-1",
                                          "direction=0,1,0"};
     static const char *const methods[] = {"hard", "pcss", "samples", "vssm", "msm", "cssm"};
-    struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
+    OWNED(stage) stage = open_stage("scenes/table.glb");
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
         struct image reference;
         for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
             if (!is_tried_here(i + m, 2))
                 continue;
-            struct image layers = render_lights(&stage, lights[i], methods[m]);
+            OWNED(image) layers = render_lights(&stage, lights[i], methods[m]);
             check_finite(lights[i], &layers);
-            image_free(&layers);
         }
         check_ok("reference",
                  picture_trace_paths(&stage,
@@ -388,7 +377,6 @@ TEST(extremes) {
         check_finite(lights[i], &reference);
         image_free(&reference);
     }
-    stage_free(&stage);
 }
 
 static const char *const soft_methods[] = {"pcss", "vssm", "msm", "cssm"};
@@ -413,18 +401,17 @@ static struct image render_soft(const struct stage *stage, const char *method) {
  * halves is the one. */
 TEST(limits) {
     static const double halves_most[SOFT_METHODS] = {.06, .06, .06, .2};
-    struct stage stage;
     struct emitter halves[2];
-    open_stage(&stage, "scenes/table.glb");
+    OWNED(stage) stage = open_stage("scenes/table.glb");
     check_ok("point", emitters_from_text(&stage.emitters, &stage.scene, "size=0,0", 0));
-    struct image hard = render_soft(&stage, "hard"),
+    OWNED(image) hard = render_soft(&stage, "hard"),
                  fine = render_with(&stage, "hard", "shadow-size=4096");
     for (int m = 0; m < SOFT_METHODS; m++) {
         bool rays = strcmp(soft_methods[m], "pcss") == 0;
         check_ok("small", emitters_from_text(&stage.emitters, &stage.scene, "size=1e-5,1e-5", 0));
-        struct image small = render_soft(&stage, soft_methods[m]);
+        OWNED(image) small = render_soft(&stage, soft_methods[m]);
         check_ok("whole", emitters_from_text(&stage.emitters, &stage.scene, "size=0.8,0.4", 0));
-        struct image whole = render_soft(&stage, soft_methods[m]);
+        OWNED(image) whole = render_soft(&stage, soft_methods[m]);
         for (int i = 0; i < 2; i++) {
             halves[i] = stage.emitters.items[0];
             halves[i].size[0] /= 2;
@@ -433,62 +420,52 @@ TEST(limits) {
         }
         struct emitters before = stage.emitters;
         stage.emitters = (struct emitters){.items = halves, .count = 2};
-        struct image sum = render_soft(&stage, soft_methods[m]);
+        OWNED(image) sum = render_soft(&stage, soft_methods[m]);
         stage.emitters = before;
         printf("  %s\n", soft_methods[m]);
         check_at_most("small light beside a hard shadow",
                       relative_rmse(&small, rays ? &fine : &hard, "direct"), .1);
         check_at_most("halves beside the whole", relative_rmse(&sum, &whole, "direct"),
                       halves_most[m]);
-        images_free(&small, &whole, &sum);
     }
-    images_free(&hard, &fine);
-    stage_free(&stage);
 }
 
 /* Neither units nor axes mean anything: a table a thousand times as large, or turned. World-aligned
  * faces come back to themselves after a quarter turn; a light's own map turns with it. */
 TEST(scale_and_turns) {
     for (int m = 0; m < SOFT_METHODS; m++) {
-        struct stage stage;
-        open_stage(&stage, "scenes/table.glb");
-        struct image plain = render_soft(&stage, soft_methods[m]);
+        OWNED(stage) stage = open_stage("scenes/table.glb");
+        OWNED(image) plain = render_soft(&stage, soft_methods[m]);
         turn_stage(&stage, 90);
-        struct image quarter = render_soft(&stage, soft_methods[m]);
+        OWNED(image) quarter = render_soft(&stage, soft_methods[m]);
         turn_stage(&stage, -60);
-        struct image third = render_soft(&stage, soft_methods[m]);
+        OWNED(image) third = render_soft(&stage, soft_methods[m]);
         stage_free(&stage);
-        open_stage(&stage, "scenes/table.glb");
+        stage = open_stage("scenes/table.glb");
         scale_scene(&stage.scene, 1000);
         pose_stage(&stage);
-        struct image large = render_soft(&stage, soft_methods[m]);
+        OWNED(image) large = render_soft(&stage, soft_methods[m]);
         printf("  %s\n", soft_methods[m]);
         check_at_most("turned by 90 degrees", relative_rmse(&quarter, &plain, "direct"), .003);
         check_at_most("turned by 30 degrees", relative_rmse(&third, &plain, "direct"), .06);
         check_at_most("a thousand times as large", relative_rmse(&large, &plain, "direct"), .003);
-        images_free(&plain, &quarter, &third, &large);
-        stage_free(&stage);
     }
 }
 
 /* A plate behind the floor, and one beyond the light, hide nothing. */
 TEST(idle_casters) {
     static const char *const methods[] = {"hard", "pcss", "vssm", "msm", "cssm"};
-    struct stage below, beyond;
+    OWNED(stage) below, beyond;
     open_stand(&below, &stands[0], below_floor);
     open_stand(&beyond, &stands[0], beyond_light);
-    struct image lit = render_soft(&beyond, "hard");
+    OWNED(image) lit = render_soft(&beyond, "hard");
     for (size_t m = 0; m < sizeof methods / sizeof *methods; m++) {
-        struct image under = render_soft(&below, methods[m]),
+        OWNED(image) under = render_soft(&below, methods[m]),
                      above = render_soft(&beyond, methods[m]);
         printf("  %s\n", methods[m]);
         check_at_most("a plate behind the floor", relative_rmse(&under, &lit, "direct"), 1e-5);
         check_at_most("one beyond the light", relative_rmse(&above, &lit, "direct"), 1e-5);
-        images_free(&under, &above);
     }
-    image_free(&lit);
-    stage_free(&below);
-    stage_free(&beyond);
 }
 
 /* In an empty room nothing hides a light in the ceiling (CIE 171:2006, 5.3). */
@@ -496,21 +473,19 @@ TEST(empty_room) {
     static const char *const methods[] = {"pcss", "vssm", "msm", "cssm", "samples"};
     static const char *const lights[] = {
         "+area position=2,3,-2 direction=0,-1,0 size=1,1 intensity=10,10,10"};
-    struct stage stage;
-    open_stage(
-        &stage,
-        write_parts("room.glb",
-                    &(struct gltf_parts){
-                        .nodes =
-                            "[{\"mesh\": 0, \"scale\": [4, 3, 1], \"translation\": [0, 0, -4]},"
-                            " {\"mesh\": 0, \"scale\": [4, 3, 1], \"translation\": [4, 0, 0],"
-                            " \"rotation\": [0, 1, 0, 0]}, {\"mesh\": 0, \"scale\": [4, 3, 1],"
-                            " \"rotation\": [0, 0.70710678, 0, 0.70710678]}, {\"mesh\": 0,"
-                            " \"scale\": [4, 3, 1], \"translation\": [4, 0, -4], \"rotation\":"
-                            " [0, -0.70710678, 0, 0.70710678]}, {\"mesh\": 0, \"scale\": [4, 4, 1],"
-                            " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}, {\"mesh\": 0,"
-                            " \"scale\": [4, 4, 1], \"translation\": [0, 3, -4], \"rotation\":"
-                            " [0.70710678, 0, 0, 0.70710678]}]"}));
+    OWNED(stage) stage;
+    stage = open_stage(write_parts(
+        "room.glb",
+        &(struct gltf_parts){
+            .nodes = "[{\"mesh\": 0, \"scale\": [4, 3, 1], \"translation\": [0, 0, -4]},"
+                     " {\"mesh\": 0, \"scale\": [4, 3, 1], \"translation\": [4, 0, 0],"
+                     " \"rotation\": [0, 1, 0, 0]}, {\"mesh\": 0, \"scale\": [4, 3, 1],"
+                     " \"rotation\": [0, 0.70710678, 0, 0.70710678]}, {\"mesh\": 0,"
+                     " \"scale\": [4, 3, 1], \"translation\": [4, 0, -4], \"rotation\":"
+                     " [0, -0.70710678, 0, 0.70710678]}, {\"mesh\": 0, \"scale\": [4, 4, 1],"
+                     " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}, {\"mesh\": 0,"
+                     " \"scale\": [4, 4, 1], \"translation\": [0, 3, -4], \"rotation\":"
+                     " [0.70710678, 0, 0, 0.70710678]}]"}));
     check_ok("camera", camera_from_text(&stage.camera, &stage.scene,
                                         "eye=2.1,1.4,-0.2 forward=0,0,-1 fov=2", 0, NULL));
     for (size_t l = 0; l < sizeof lights / sizeof *lights; l++) {
@@ -521,7 +496,6 @@ TEST(empty_room) {
             if (is_tried_here(l + m, 2))
                 check_at_most(methods[m], share_error(&stage, methods[m], "", NULL), .01);
     }
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -67,15 +67,14 @@ static int differing(const void *a, const void *b, size_t size) {
 }
 
 static void check_picture(const struct picture *picture) {
-    struct stage stage;
     char path[128];
     snprintf(path, sizeof path, "scenes/%s.glb", picture->scene);
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     struct renderer_desc desc =
         desc_of(&stage, picture->technique, picture->settings, picture->width, picture->height);
     struct bitmap shown[2];
-    struct image drawn = render(&desc, SCREEN_FRAGMENT, &shown[0]);
-    struct image dispatched = render(&desc, SCREEN_COMPUTE, &shown[1]);
+    OWNED(image) drawn = render(&desc, SCREEN_FRAGMENT, &shown[0]);
+    OWNED(image) dispatched = render(&desc, SCREEN_COMPUTE, &shown[1]);
     size_t pixels = (size_t)picture->width * (size_t)picture->height;
     int count = differing(drawn.pixels, dispatched.pixels,
                           pixels * (size_t)drawn.channel_count * sizeof(float)),
@@ -86,9 +85,7 @@ static void check_picture(const struct picture *picture) {
     /* Other drivers may compile the two to other sums. */
     if (gl.software)
         assert_true(same_pixels(&drawn, &dispatched) && of_display == 0);
-    images_free(&drawn, &dispatched);
     bitmaps_free(&shown[0], &shown[1]);
-    stage_free(&stage);
 }
 
 TEST(pictures) {

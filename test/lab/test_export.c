@@ -115,7 +115,7 @@ static double share_of_same(const struct environment *sky, const struct image *i
 }
 
 TEST(environment_lies_right) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct image image;
     float angle = 0, scale = 0;
     const struct stage_desc desc = {.path = "scenes/courtyard.glb",
@@ -131,7 +131,6 @@ TEST(environment_lies_right) {
     image_free(&image);
     printf("    Mitsuba: %.3f of the directions\n", share);
     assert_true(share > .99);
-    stage_free(&stage);
 }
 
 /* --- what formats lack ------------------------------------------------------------------------ */

@@ -124,8 +124,7 @@ static void check_other_file(const struct measure_desc *desc, const char *first,
 
 /* What a reference shows, and nothing else, has a part in its name. */
 TEST(reference_names) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct measure_desc desc = measure_default(&stage, 16, 16);
     char *first = reference_path(&(struct reference_desc){REFERENCE_PATH, "cache", .02}, &desc);
     check_other_file(&desc, first, "the same", false);
@@ -151,18 +150,16 @@ TEST(reference_names) {
     stage.emitters.items[0].intensity[0] += 1;
     check_other_file(&desc, first, "the light", true);
     free(first);
-    stage_free(&stage);
 }
 
 /* Diffuse materials are asked of the reference and of the tracer beside a technique, too: neither
  * then has reflections, and the tracer errs by its noise alone. */
 TEST(matt_reference) {
-    struct stage stage;
     struct image references[2];
     struct results results = {0};
     struct reference_desc reference = {REFERENCE_PATH, scratch("references"), .1};
     int channels[3];
-    open_stage(&stage, "scenes/gloss.glb");
+    OWNED(stage) stage = open_stage("scenes/gloss.glb");
     struct measure_desc desc = measure_default(&stage, 24, 24);
     check_ok("full", reference_get(&reference, &desc, &references[0]));
     check_ok("materials", measure_assign(&desc, "materials=diffuse"));
@@ -174,15 +171,13 @@ TEST(matt_reference) {
                results_value(&results, results.subject_count - 1, "relative-bias", NULL), 0, 3);
     results_free(&results);
     images_free(&references[0], &references[1]);
-    stage_free(&stage);
 }
 
 /* The reference that was just made is the one that is there the next time, bit for bit. */
 TEST(same_reference) {
-    struct stage stage;
     struct image references[2];
     struct reference_desc reference = {REFERENCE_PATH, scratch("fresh-references"), .5};
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct measure_desc desc = measure_default(&stage, 16, 16);
     char *path = reference_path(&reference, &desc);
     remove(path);
@@ -194,16 +189,14 @@ TEST(same_reference) {
     for (int i = 0; i < 2; i++)
         image_free(&references[i]);
     free(path);
-    stage_free(&stage);
 }
 
 /* --- virtual lights --------------------------------------------------------------------------- */
 
 TEST_WITH(lights, open_group_context, close_group_context) {
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct lights lights;
-    open_stage(&stage, "scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
     open_renderer(&renderer, &desc);
     check_ok("lights", lights_read(&lights, &renderer));
@@ -217,8 +210,6 @@ TEST_WITH(lights, open_group_context, close_group_context) {
         counted += (double)lights.centers[i][3];
     check_near("VPLs of all VALs", counted, lights.lit, 0);
     lights_free(&lights);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- a technique of its own kind -------------------------------------------------------------- */
@@ -231,10 +222,9 @@ static struct contribution nothing(const void *state) {
 /* Without VPLs, VALs and anything gathered: what needs them says so. */
 TEST_WITH(without_vpls, open_group_context, close_group_context) {
     struct technique voxels = {.name = "voxels", .contribution = nothing};
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct lights lights;
-    open_stage(&stage, "scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, 16, 16);
     open_renderer(&renderer, &desc);
     const struct technique *own = renderer.technique;
@@ -243,8 +233,6 @@ TEST_WITH(without_vpls, open_group_context, close_group_context) {
     lights_free(&lights);
     check_refused(aov_check(&renderer, "vpl"), "'voxels' has no layer 'vpl' to add (there are ao");
     renderer.technique = own;
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- the baseline ----------------------------------------------------------------------------- */
@@ -261,9 +249,8 @@ static void add_subject(struct results *results, struct measure_desc *desc, int 
 /* Of its scene and size alone: the baseline needs 16 ms for an error of 2, and errs by a FLIP of .5
  * at the most. */
 TEST_WITH(baseline, open_group_context, close_group_context) {
-    struct stage stage;
     struct results results = {0};
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct measure_desc desc = measure_default(&stage, 16, 16), baseline = desc;
     baseline.technique = NULL;
     add_subject(&results, &baseline, 8, 1, 2, .6);
@@ -277,7 +264,6 @@ TEST_WITH(baseline, open_group_context, close_group_context) {
     baseline_add_ratios(&results);
     assert_null(results_find(&results, 4, "baseline-at-rmse", NULL));
     results_free(&results);
-    stage_free(&stage);
 }
 
 /* --- clips ------------------------------------------------------------------------------------ */
@@ -303,9 +289,8 @@ static double value_of(const struct results *results, const char *variant, const
 
 /* The reference does not flicker against itself; what is interleaved and blurred does. */
 TEST_WITH(flicker, open_group_context, close_group_context) {
-    struct stage stage;
     struct results results = {0};
-    open_stage(&stage, "scenes/moving-spot.glb");
+    OWNED(stage) stage = open_stage("scenes/moving-spot.glb");
     struct measure_desc r = measure_default(&stage, 16, 16), fast = r;
     struct measure_list subjects = {0};
     check_ok("R", variant_apply(&r, reference_vpls));
@@ -335,7 +320,6 @@ TEST_WITH(flicker, open_group_context, close_group_context) {
                     value_of(&results, "memory", when[i], "resident-memory"));
     free(subjects.items);
     results_free(&results);
-    stage_free(&stage);
 }
 
 /* The reference and two tests, of which one is left empty, above their differences. */

@@ -28,7 +28,7 @@ struct open_box {
 static int open_box(void **state) {
     static struct open_box box;
     box.context = open_context(CONTEXT_AUTO);
-    open_stage(&box.stage, "scenes/cornell-box.glb");
+    box.stage = open_stage("scenes/cornell-box.glb");
     box.measure = measure_default(&box.stage, SIDE / 2, SIDE / 2);
     *state = &box;
     return 0;
@@ -75,7 +75,7 @@ TEST(places) {
 /* Some of the pixels are those of the whole picture, within the noise of both. */
 TEST(some_pixels) {
     enum { EVERY = 4, SAMPLES = 64 };
-    struct image all = trace(*state, 1, SAMPLES), some = trace(*state, EVERY, SAMPLES);
+    OWNED(image) all = trace(*state, 1, SAMPLES), some = trace(*state, EVERY, SAMPLES);
     int layer[3];
     assert_int_equal(some.width, SIDE / EVERY);
     assert_true(image_find_layer(&all, "indirect", layer));
@@ -93,7 +93,6 @@ TEST(some_pixels) {
     double values = 3.0 * some.width * some.height;
     check_at_most("some pixels, relative RMSE", sqrt(difference / values) / (sum / values),
                   2 * (reference_noise(&all) + reference_noise(&some)));
-    images_free(&all, &some);
 }
 
 /* Of all pixels, slivers at silhouettes as far as they are covered. */
@@ -113,8 +112,8 @@ TEST(estimate) {
     struct open_box *box = *state;
     struct measure_desc measure = box->measure;
     struct estimate estimate;
-    struct renderer renderer;
-    struct image picture, reference;
+    OWNED(renderer) renderer;
+    OWNED(image) picture, reference;
     measure.width = measure.height = 2 * SIDE; /* of which a quarter of the pixels is traced */
     double error, first;
     check_ok("estimate", estimate_init(&estimate, &measure, "indirect"));
@@ -132,20 +131,17 @@ TEST(estimate) {
     double all = error_of(&picture, &reference);
     check_near("of a quarter of the pixels", error, all, .15 * all);
     check_near("by few paths", first, error, .1 * error);
-    images_free(&picture, &reference);
-    renderer_free(&renderer);
     estimate_free(&estimate);
 }
 
 /* At silhouettes against nothing, the more samples a reference has, the more slivers it knows. The
  * estimate depends on neither. */
 TEST(slivers) {
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage = open_stage("scenes/failures/room.glb");
+    OWNED(renderer) renderer;
     struct estimate estimate;
     struct image picture, references[2];
     double estimated, errors[2];
-    open_stage(&stage, "scenes/failures/room.glb");
     struct measure_desc measure = measure_default(&stage, SIDE / 2, SIDE / 2);
     check_ok("renderer", measure_start(&renderer, &measure));
     renderer_render(&renderer);
@@ -170,8 +166,6 @@ TEST(slivers) {
         image_free(&references[i]);
     image_free(&picture);
     estimate_free(&estimate);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 static struct quality_found find(const struct open_box *box, const char *text, double error,
@@ -271,8 +265,7 @@ TEST(ladder) {
 /* Where light comes from a bright corner, another technique is cheaper; it is taken unless one is
  * named. */
 TEST(techniques) {
-    struct stage stage;
-    open_stage(&stage, "scenes/failures/corner.glb");
+    OWNED(stage) stage = open_stage("scenes/failures/corner.glb");
     struct measure_desc measure = measure_default(&stage, SIDE, SIDE);
     for (int any = is_long_run() ? 0 : 1; any < 2; any++) {
         struct quality_found found;
@@ -285,7 +278,6 @@ TEST(techniques) {
                             any ? "cluster-lights" : technique_default->name);
         assert_true(!any || found.reached);
     }
-    stage_free(&stage);
 }
 
 /* What is given wins, and a preset that is given is the only one. */

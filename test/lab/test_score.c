@@ -166,7 +166,7 @@ TEST(size_layer_and_names) {
 }
 
 TEST(missing_layer) {
-    struct image beauty;
+    OWNED(image) beauty;
     image_init(&beauty, WIDTH, HEIGHT, "R G B");
     for (int i = 0; i < WIDTH * HEIGHT; i++)
         memcpy(beauty.pixels + 3 * i, frame.pixels + frame.channel_count * i, 3 * sizeof(float));
@@ -174,7 +174,6 @@ TEST(missing_layer) {
     expect(1, "% score @/entry @/references");
     expect_text("fault: missing-layer: ");
     assert_int_equal(count_text(output, "fault: "), 1);
-    image_free(&beauty);
 }
 
 /* The table does not mix with JSON on standard output. */

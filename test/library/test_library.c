@@ -183,8 +183,8 @@ TEST(scene_from_arrays) {
     struct manylight_material materials[PARTS_MAX] = {{0}};
     struct manylight_camera camera = {.size = sizeof camera};
     struct manylight_light light = {.size = sizeof light, .type = MANYLIGHT_SPOT};
-    struct scene scene;
-    struct geometry geometry;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry;
     struct emitter emitter;
     check_ok("open", scene_open(&scene, &geometry, BOX, NULL));
     emitter_place(&emitter, &scene, 0, 0);
@@ -216,8 +216,6 @@ TEST(scene_from_arrays) {
     manylight_scene_free(file);
     manylight_scene_free(arrays);
     manylight_device_free(device);
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 /* --- threads ---------------------------------------------------------------------------------- */

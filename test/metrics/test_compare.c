@@ -224,7 +224,7 @@ TEST(files_that_do_not_compare) {
     expect_command(1, "compare", arguments);
     expect_text("manylight compare: cannot read /dev/zero: not a file"); /* and without an end */
 
-    struct image image;
+    OWNED(image) image;
     const char *path = scratch("compare-odd.exr");
     snprintf(arguments, sizeof arguments, "%s %s", path, reference_exr);
     for (int narrow = 0; narrow < 2; narrow++) {
@@ -241,7 +241,6 @@ TEST(files_that_do_not_compare) {
     check_ok("write", image_write(&image, path));
     expect_command(1, "compare", arguments);
     expect_text("compare-odd.exr: B is nan at pixel 5,3");
-    image_free(&image);
 }
 
 TEST(shared_references) {

@@ -34,7 +34,7 @@ TEST(heat_map) {
                                .values = values,
                                .top = 2,
                                .is_signed = is_signed};
-        struct bitmap picture;
+        OWNED(bitmap) picture;
         heat_map_draw(&map, &picture);
         assert_int_equal(picture.width, WIDTH);
         for (int x = 20; x < WIDTH; x += 20) {
@@ -43,7 +43,6 @@ TEST(heat_map) {
                        lightness_at(&picture, x, 0) - lightness_at(&picture, x - 20, 0), rise, .5);
         }
         check_near("zero", lightness_at(&picture, is_signed ? 200 : 0, 0), is_signed ? 97 : 0, 1);
-        bitmap_free(&picture);
     }
 }
 
@@ -57,7 +56,7 @@ TEST(heat_map_scale) {
     check_near("top of a single error", (double)heat_map_fit_top((const float[]){0, -.1f}, 2), .1,
                1e-6);
     struct heat_map map = {.title = "x", .width = 2, .height = 1, .values = values, .top = 1};
-    struct bitmap picture;
+    OWNED(bitmap) picture;
     heat_map_draw(&map, &picture);
     assert_int_equal(picture.width, 256); /* enlarged, so that the scale has room */
     map = (struct heat_map){.title = "x", .width = 1, .height = 900, .values = values, .top = 1};
@@ -65,7 +64,6 @@ TEST(heat_map_scale) {
     heat_map_draw(&map, &picture);
     assert_int_equal(picture.width, 256); /* beside black */
     assert_true(picture.height > 900 && picture.height < 1000);
-    bitmap_free(&picture);
 }
 
 /* The rectangle of what is not black: left, top, right, bottom, the last two behind it. */
@@ -91,7 +89,7 @@ static void check_box(const char *what, const int box[4], int left, int top, int
 /* Letters of 5 dots, one dot apart; a z fills its five rows from the third on, and is cut at
  * borders. */
 TEST(label) {
-    struct bitmap picture = {30, 20, calloc(30 * 20, 4)};
+    OWNED(bitmap) picture = {30, 20, calloc(30 * 20, 4)};
     int box[4];
     assert_int_equal(label_width("zz", 1), 12);
     assert_int_equal(label_width("z", 3), 18);
@@ -106,14 +104,13 @@ TEST(label) {
     label_draw(&picture, -4, 8, 2, "z");
     find_drawn(&picture, 0, box);
     check_box("a letter at the other", box, 0, 12, 6, 18);
-    bitmap_free(&picture);
 }
 
 /* Each value fills a square; below lie the bar, its numbers and the title. */
 TEST(heat_map_layout) {
     static const float values[6] = {1, .5f, .25f, .5f, .75f, .5f};
     struct heat_map map = {.title = "z", .width = 3, .height = 2, .values = values, .top = 1};
-    struct bitmap picture;
+    OWNED(bitmap) picture;
     unsigned char expected[3];
     int box[4], zoom = 85;
     heat_map_draw(&map, &picture);
@@ -130,7 +127,6 @@ TEST(heat_map_layout) {
     assert_memory_equal(picture.rgba + 4 * ((2 * zoom + 8) * 256 + 256 - 19), expected, 3);
     find_drawn(&picture, 2 * zoom + 23, box);
     check_box("title", box, 18, 2 * zoom + 29, 23, 2 * zoom + 34);
-    bitmap_free(&picture);
 }
 
 /* Colours without a legend, as they lie on the picture; files as numbers, and none of no format. */

@@ -73,7 +73,7 @@ TEST(windows) {
         {{0, "B G R", {-2147483000, 0, 2, 2}, {2147483000, 0, 6, 4}, .base = 1}, NULL},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct image layer;
+        OWNED(image) layer;
         const char *path = exr_write("window.exr", &cases[i].part, 1);
         bool ok = read_layer(&layer, path, "");
         if (cases[i].note) {
@@ -82,7 +82,6 @@ TEST(windows) {
             expect_in(notes, cases[i].note);
             assert_int_equal(!*cases[i].note, !*notes);
         }
-        image_free(&layer);
     }
 }
 
@@ -139,7 +138,7 @@ struct name_case {
 };
 
 static void check_name(const struct name_case *c) {
-    struct image image;
+    OWNED(image) image;
     int channels[3];
     char text[200];
     image_init(&image, 1, 1, c->channels);
@@ -163,7 +162,6 @@ static void check_name(const struct name_case *c) {
     if (note)
         expect_in(note, c->note);
     free(note);
-    image_free(&image);
 }
 
 #define BLENDER                                                                                    \

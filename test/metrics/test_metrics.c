@@ -37,7 +37,7 @@ static void fill_random(struct image *image, int width, int height, uint32_t see
 }
 
 TEST(errors_by_hand) {
-    struct image test, reference;
+    OWNED(image) test, reference;
     image_init(&test, 2, 1, "R G B");
     image_init(&reference, 2, 1, "R G B");
     memcpy(reference.pixels, (const float[]){1, 1, 1, 2, 2, 2}, 6 * sizeof(float));
@@ -53,7 +53,6 @@ TEST(errors_by_hand) {
     check_near("bias", measure("bias", &test, &reference), -.5 / 6, 1e-6);
     check_near("bias, swapped", measure("bias", &reference, &test), .5 / 6, 1e-6);
     check_near("relative-bias", measure("relative-bias", &test, &reference), -.5 / 6 / 1.5, 1e-6);
-    images_free(&test, &reference);
 }
 
 static void fill(struct image *image, int width, int height, float value) {
@@ -63,7 +62,7 @@ static void fill(struct image *image, int width, int height, float value) {
 }
 
 TEST(gradient_by_hand) {
-    struct image test, reference;
+    OWNED(image) test, reference;
     fill(&reference, 3, 3, .5f);
     fill(&test, 3, 3, 2);
     check_near("gradient of an offset", measure("gradient", &test, &reference), 0, 0);
@@ -74,12 +73,11 @@ TEST(gradient_by_hand) {
         image_at(&test, 1, 1)[c] += 3;
     check_near("gradient of a spike", measure("gradient", &test, &reference), sqrt(4 * 9 / 9.) / .5,
                1e-6);
-    images_free(&test, &reference);
 }
 
 /* Of 200 pixels two are the worst 1 %. */
 TEST(worst_share_by_hand) {
-    struct image test, reference;
+    OWNED(image) test, reference;
     float map[200];
     fill(&reference, 20, 10, 1);
     fill(&test, 20, 10, 1.5f);
@@ -99,11 +97,10 @@ TEST(worst_share_by_hand) {
         image_at(&test, 9, 8)[c] = 1.5f;
     check_near("one spike", measure("worst-share", &test, &reference), 16.25 / (16 + 199 * .25),
                1e-6);
-    images_free(&test, &reference);
 }
 
 TEST(box_errors_by_hand) {
-    struct image test, reference;
+    OWNED(image) test, reference;
     fill(&reference, 32, 32, 2);
     fill(&test, 32, 32, 2);
     /* Noise of one sign here and the other there is gone, and so it is in any box of even size. */
@@ -129,11 +126,10 @@ TEST(box_errors_by_hand) {
         image_at(&test, 4, 4)[c] += 3;
     check_near("corner", measure("box4-rmse", &test, &reference), 3. / 5, 1e-6);
     check_near("one box for all", measure("box16-rmse", &test, &reference), 3. / 25, 1e-6);
-    images_free(&test, &reference);
 }
 
 TEST(psnr_by_hand) {
-    struct image test, reference;
+    OWNED(image) test, reference;
     fill(&reference, 2, 2, 0);
     fill(&test, 2, 2, srgb_decode(.5f));
     check_near("psnr", measure("psnr", &test, &reference), -10 * log10(.25), 1e-5);
@@ -144,11 +140,10 @@ TEST(psnr_by_hand) {
     image_free(&test);
     fill(&test, 2, 2, 7);
     assert_true(isinf(measure("psnr", &test, &reference)));
-    images_free(&test, &reference);
 }
 
 TEST(equal_and_black_pictures) {
-    struct image random, black;
+    OWNED(image) random, black;
     fill_random(&random, 33, 21, 1);
     fill(&black, 33, 21, 0);
     for (int i = 0; i < METRIC_COUNT; i++) {
@@ -158,11 +153,10 @@ TEST(equal_and_black_pictures) {
         check_near(metrics[i].name, measure(metrics[i].name, &black, &black), 0, 0);
     }
     assert_true(isinf(measure("relative-rmse", &random, &black)));
-    images_free(&random, &black);
 }
 
 TEST(symmetry_and_growth) {
-    struct image reference, noisy;
+    OWNED(image) reference, noisy;
     fill_random(&reference, 48, 32, 2);
     fill_random(&noisy, 48, 32, 3);
     static const char *const symmetric[] = {"rmse", "mae", "smape", "psnr", "ldr-flip"};
@@ -185,12 +179,11 @@ TEST(symmetry_and_growth) {
             last[i] = worse;
         }
     }
-    images_free(&reference, &noisy);
 }
 
 TEST(threads_agree) {
     enum { WIDTH = 57, HEIGHT = 101 };
-    struct image test, reference;
+    OWNED(image) test, reference;
     static float alone[WIDTH * HEIGHT], together[WIDTH * HEIGHT];
     fill_random(&test, WIDTH, HEIGHT, 5);
     fill_random(&reference, WIDTH, HEIGHT, 6);
@@ -205,7 +198,6 @@ TEST(threads_agree) {
             assert_memory_equal(alone, together, sizeof alone);
         }
     }
-    images_free(&test, &reference);
 }
 
 TEST(colour_spaces) {
@@ -230,7 +222,7 @@ TEST(colour_spaces) {
 }
 
 TEST(flip_against_definition) {
-    struct image test, reference;
+    OWNED(image) test, reference;
     fill_random(&test, 23, 37, 7);
     fill_random(&reference, 23, 37, 8);
     for (int i = 0; i < 23 * 20 * 3; i++)
@@ -249,7 +241,6 @@ TEST(flip_against_definition) {
                                     flip_direct(&test, &reference, (double)resolutions[i], x, y)));
         check_at_most("LDR-FLIP against its definition", largest, 2e-5);
     }
-    images_free(&test, &reference);
 }
 
 /* Pictures of 64 by 48 whose FLIP is known from other implementations. */
@@ -322,11 +313,10 @@ TEST(flip_vectors) {
         {"ramps of ten stops", "hdr-flip", bright_ramps, .124895},
     };
     for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++) {
-        struct image test, reference;
+        OWNED(image) test, reference;
         draw(vectors[i].pattern, &test, &reference);
         check_near(vectors[i].name, measure(vectors[i].metric, &test, &reference), vectors[i].mean,
                    1e-4);
-        images_free(&test, &reference);
     }
 }
 
@@ -336,7 +326,7 @@ static double aces(double x) {
 }
 
 TEST(hdr_flip_exposures) {
-    struct image test, reference;
+    OWNED(image) test, reference;
     draw(bright_ramps, &test, &reference);
     struct exposure_range range = hdr_flip_exposures(&reference);
     const double median = .01 * exp2(10 * 32 / 63.);
@@ -358,13 +348,12 @@ TEST(hdr_flip_exposures) {
     memset(reference.pixels, 0, 64 * 48 * 3 * sizeof(float));
     assert_int_equal(hdr_flip_exposures(&reference).count, 2);
     check_at_most("light where all is black", .5, measure("hdr-flip", &test, &reference));
-    images_free(&test, &reference);
 }
 
 /* One exposure is LDR-FLIP of the curve's pictures; of several each pixel has the most. */
 TEST(given_exposures) {
     enum { PIXELS = 64 * 48 };
-    struct image test, reference;
+    OWNED(image) test, reference;
     float maps[3][PIXELS], curve[PIXELS];
     struct comparison comparison = {&test, &reference, DEFAULT_PIXELS_PER_DEGREE, {-1, -1, 1}, 0};
     draw(bright_ramps, &test, &reference);
@@ -386,7 +375,6 @@ TEST(given_exposures) {
     }
     check_at_most("of the curve's pictures", off, 1e-4);
     check_at_most("exposures differ", .05, differ);
-    images_free(&test, &reference);
 }
 
 TEST(quantile) {
@@ -397,10 +385,9 @@ TEST(quantile) {
 }
 
 static void refuse_layer(const struct image *picture, const char *layer, const char *message) {
-    struct image refused;
+    OWNED(image) refused;
     assert_false(layer_extract(&refused, picture, layer));
     assert_string_equal(error_get(), message);
-    image_free(&refused);
 }
 
 TEST(layer_refusals) {
@@ -421,7 +408,7 @@ TEST(encoded_layer) {
     struct bitmap bitmap = {.width = 1, .height = 1, .rgba = pixels};
     const char *path = scratch("encoded.png");
     check_ok("write", bitmap_write(&bitmap, path));
-    struct image layer;
+    OWNED(image) layer;
     bool encoded;
     check_ok("read", layer_read(&layer, path, "beauty", &encoded));
     assert_true(encoded);
@@ -433,7 +420,6 @@ TEST(encoded_layer) {
     check_ok("read", layer_read(&layer, path, "", &encoded));
     assert_false(encoded);
     check_near("as it was", (double)layer.pixels[0], 0.502886, 1e-3);
-    image_free(&layer);
 }
 
 /* Where a falling curve comes to a height. */

@@ -23,7 +23,7 @@ struct adaptive_bench {
 
 static void open_bench(struct adaptive_bench *bench, const char *scene, const char *settings,
                        float share) {
-    open_stage(&bench->stage, scene);
+    bench->stage = open_stage(scene);
     struct renderer_desc desc = desc_of(&bench->stage, "unshadowed", settings, SIZE, SIZE);
     open_renderer(&bench->renderer, &desc);
     check_ok("adaptive",
@@ -339,8 +339,7 @@ TEST(times_of_large_pictures) {
         int size;
         bool same;
     } rows[] = {{400, false}, {800, true}};
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-animal.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     for (int i = 0; i < 2; i++) {
         struct image four =
             render_stage(&stage, "unshadowed", "vpls=256 adaptive-factor=4", rows[i].size);
@@ -354,7 +353,6 @@ TEST(times_of_large_pictures) {
         assert_int_equal(same, rows[i].same);
         images_free(&four, &five);
     }
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

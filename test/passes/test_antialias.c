@@ -102,8 +102,7 @@ static double coverage_error(const struct stage *stage, const char *settings) {
  * it crosses aslant by .22. Of the patterns of 4, 8, 12 and 16 samples the worst slope is off by
  * .128, .100, .086 and .069; a tenth is for where these edges happen to fall. */
 TEST(coverage) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     for (int axis = 0; axis < 3; axis++) { /* rolled, so that edges are at all slopes and places */
         float *right = stage.camera.right, *up = stage.camera.up;
         for (int c = 0; c < 3; c++) {
@@ -120,13 +119,12 @@ TEST(coverage) {
         check_at_most("coverage by 12 samples", coverage_error(&stage, "samples=12"), .095);
         check_at_most("coverage by 16 samples", coverage_error(&stage, "samples=16"), .085);
     }
-    stage_free(&stage);
 }
 
 /* Pixels that the outline covers from the side by so much of their width, and those of them that
  * see nothing. */
 static void count_slivers(struct renderer *renderer, int *slivers, int *missed) {
-    struct image image;
+    OWNED(image) image;
     renderer_render(renderer);
     check_ok("layers", renderer_read_layers(renderer, &image));
     struct polygon outline = front_outline(renderer);
@@ -142,17 +140,15 @@ static void count_slivers(struct renderer *renderer, int *slivers, int *missed) 
             ++*slivers;
             *missed += image_at(&image, x, y)[channel] == 0;
         }
-    image_free(&image);
 }
 
 /* A layer of light tells of a sliver what it tells of a whole pixel: none of a hundredth of a
  * pixel's width is black. */
 TEST(slivers) {
     enum { ZOOMS = 32 };
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     int slivers = 0, missed = 0;
-    open_stage(&stage, "scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=64 samples=12", SIZE, SIZE);
     open_renderer(&renderer, &desc);
     for (int i = 0; i < ZOOMS; i++) {
@@ -163,8 +159,6 @@ TEST(slivers) {
     printf("    of %d slivers %d are not seen\n", slivers, missed);
     assert_true(slivers > 32);
     assert_int_equal(missed, 0);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- the layers at edges ---------------------------------------------------------------------- */
@@ -213,18 +207,15 @@ static void check_layer(const struct image *center, const struct image *edges,
 /* Bounds of the error that is left, of the albedo and of the picture, whose shadows have
  * edges too. */
 static void check_layers(const char *path, double albedo, double beauty) {
-    struct stage stage;
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     printf("  %s\n", path);
-    struct image fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
-    struct image reference = shrink(&fine);
-    struct image center = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE);
-    struct image edges = render_stage(&stage, "unshadowed", SMOOTH "samples=8", SIZE);
+    OWNED(image) fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
+    OWNED(image) reference = shrink(&fine);
+    OWNED(image) center = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE);
+    OWNED(image) edges = render_stage(&stage, "unshadowed", SMOOTH "samples=8", SIZE);
     check_layer(&center, &edges, &reference, "albedo", albedo);
     check_layer(&center, &edges, &reference, "beauty", beauty);
     check_at_most("R - albedo (direct + indirect)", worst_of_sum(&edges), 1e-4);
-    images_free(&fine, &reference, &center, &edges);
-    stage_free(&stage);
 }
 
 TEST(layers) {
@@ -241,20 +232,17 @@ TEST(layers) {
 
 /* Things thinner than a pixel are lit as they are, not as what lies beside or behind them. */
 TEST(edge_samples) {
-    struct stage stage;
-    open_stage(&stage, "scenes/atrium.glb");
-    struct image fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
-    struct image reference = shrink(&fine);
-    struct image without = render_stage(&stage, "unshadowed", DETAIL "edge-samples=off", SIZE);
-    struct image with = render_stage(&stage, "unshadowed", DETAIL, SIZE);
+    OWNED(stage) stage = open_stage("scenes/atrium.glb");
+    OWNED(image) fine = render_stage(&stage, "unshadowed", SMOOTH "samples=1", SIZE * FINER);
+    OWNED(image) reference = shrink(&fine);
+    OWNED(image) without = render_stage(&stage, "unshadowed", DETAIL "edge-samples=off", SIZE);
+    OWNED(image) with = render_stage(&stage, "unshadowed", DETAIL, SIZE);
     double before = relative_rmse(&without, &reference, "indirect"),
            after = relative_rmse(&with, &reference, "indirect");
     printf("    error of indirect light %.4f without edge samples, %.4f with them\n", before,
            after);
     check_at_most("their ratio", after / before, .9);
     check_at_most("R - albedo (direct + indirect)", worst_of_sum(&with), 1e-4);
-    images_free(&fine, &reference, &without, &with);
-    stage_free(&stage);
 }
 
 /* As few layers as can be: no other number of samples that a driver has in one gives fewer, or as

@@ -23,7 +23,7 @@ struct blur_bench {
 static void open_blur(struct blur_bench *bench, const struct blur_desc *desc, int interleave) {
     bench->width = desc->width;
     bench->height = desc->height;
-    open_stage(&bench->stage, "scenes/cornell-box.glb");
+    bench->stage = open_stage("scenes/cornell-box.glb");
     struct renderer_desc renderer_desc =
         desc_of(&bench->stage, "unshadowed", "vpls=1 interleave=1", desc->width, desc->height);
     open_renderer(&bench->renderer, &renderer_desc);

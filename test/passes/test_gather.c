@@ -36,7 +36,7 @@ static void end_frame(struct bench *bench) {
 }
 
 static void open_bench(struct bench *bench, const char *scene) {
-    open_stage(&bench->stage, scene);
+    bench->stage = open_stage(scene);
     open_rays(&bench->rays, &bench->stage);
 }
 
@@ -332,9 +332,8 @@ TEST(slots) {
 
 /* The near field's samples are a pattern's: pixels without interleaving take them all. */
 TEST(near_samples) {
-    struct stage stage;
-    open_stage(&stage, cornell_box);
-    struct image by_default = render_stage(&stage, "unshadowed", "vpls=64 interleave=1", 24);
+    OWNED(stage) stage = open_stage(cornell_box);
+    OWNED(image) by_default = render_stage(&stage, "unshadowed", "vpls=64 interleave=1", 24);
     struct image all =
         render_stage(&stage, "unshadowed", "vpls=64 interleave=1 near-samples=1024", 24);
     struct image few =
@@ -342,8 +341,7 @@ TEST(near_samples) {
     size_t size = (size_t)24 * 24 * (size_t)all.channel_count * sizeof *all.pixels;
     assert_memory_equal(by_default.pixels, all.pixels, size);
     assert_memory_not_equal(few.pixels, all.pixels, size);
-    images_free(&by_default, &all, &few);
-    stage_free(&stage);
+    images_free(&all, &few);
 }
 
 /* Beside an edge between two lit planes, `away` texels from it in the light's view: what a sample
@@ -429,13 +427,10 @@ TEST(near_places) {
 /* A lamp above a table looks into five faces of a cube: what lies beyond an edge of the face that a
  * receiver is in, another face has, and its texels' solid angles. */
 TEST(near_faces) {
-    struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
-    struct image drawn = render_stage(&stage, "clustered", "samples=1", 64);
-    struct image reference = trace_stage(&stage, 64, 64);
+    OWNED(stage) stage = open_stage("scenes/table.glb");
+    OWNED(image) drawn = render_stage(&stage, "clustered", "samples=1", 64);
+    OWNED(image) reference = trace_stage(&stage, 64, 64);
     check_at_most("relative RMSE", relative_rmse(&drawn, &reference, "indirect"), .16);
-    images_free(&drawn, &reference);
-    stage_free(&stage);
 }
 
 /* Of the light that would be there the part that is: behind a sheet that divides the room, in whose
@@ -457,7 +452,7 @@ static double brightest_from(const struct stage *stage, int texels) {
     char settings[128];
     snprintf(settings, sizeof settings,
              "vpls=64 interleave=1 samples=1 near-samples=256 facets=on rsm-size=%d", texels);
-    struct image frame = render_stage(stage, "unshadowed", settings, 128);
+    OWNED(image) frame = render_stage(stage, "unshadowed", settings, 128);
     int channel = image_find_channel(&frame, "indirect.G");
     double sum = 0, most = 0;
     for (int i = 0; i < 128 * 128; i++) {
@@ -465,7 +460,6 @@ static double brightest_from(const struct stage *stage, int texels) {
         sum += light;
         most = fmax(most, light);
     }
-    image_free(&frame);
     return most * 128 * 128 / sum;
 }
 
@@ -477,11 +471,10 @@ TEST(near_facets) {
         .camera = "0 eye=.31,1.2,.9 forward=-.3,-1,-.9 fov=1.1",
         .light = "0 position=.3,1.2,.9 direction=-.3,-1,-.9 cone=.85,.8",
     };
-    struct stage stage;
+    OWNED(stage) stage;
     check_ok(desc.path, stage_init(&stage, &desc));
     check_at_most("brightest pixel, 32 texels a side over 1024",
                   brightest_from(&stage, 32) / brightest_from(&stage, 1024), 4);
-    stage_free(&stage);
 }
 
 TEST(near_occlusion) {

@@ -55,7 +55,7 @@ static double spread(const struct frame_of_vals *frame) {
 }
 
 static void open_vals(struct frame_of_vals *frame, const char *scene, const char *settings) {
-    open_stage(&frame->stage, scene);
+    frame->stage = open_stage(scene);
     char by_maps[256];
     snprintf(by_maps, sizeof by_maps, "path=maps %s", settings);
     struct renderer_desc desc = desc_of(&frame->stage, "clustered", by_maps, 32, 32);

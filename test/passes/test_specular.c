@@ -330,13 +330,12 @@ static struct image trace(const struct stage *stage, int size) {
 
 TEST(picture) {
     enum { SIZE = 96 };
-    struct stage stage;
-    open_stage(&stage, "scenes/gloss.glb");
-    struct image reference = trace(&stage, SIZE);
-    struct image rays = render_stage(&stage, "clustered", "", SIZE);
-    struct image balls = render_stage(&stage, "clustered", "gather.specular=sphere", SIZE);
-    struct image points = render_stage(&stage, "clustered", "gather.specular=point", SIZE);
-    struct image diffuse = render_stage(&stage, "clustered", "materials=diffuse", SIZE);
+    OWNED(stage) stage = open_stage("scenes/gloss.glb");
+    OWNED(image) reference = trace(&stage, SIZE);
+    OWNED(image) rays = render_stage(&stage, "clustered", "", SIZE);
+    OWNED(image) balls = render_stage(&stage, "clustered", "gather.specular=sphere", SIZE);
+    OWNED(image) points = render_stage(&stage, "clustered", "gather.specular=point", SIZE);
+    OWNED(image) diffuse = render_stage(&stage, "clustered", "materials=diffuse", SIZE);
     check_near("albedo", layer_mean(&balls, "albedo"), layer_mean(&reference, "albedo"), 1e-3);
     check_at_most("direct", relative_mae(&balls, &reference, "direct"), .1);
     check_at_most("direct.specular", relative_mae(&balls, &reference, "direct.specular"), .2);
@@ -352,8 +351,6 @@ TEST(picture) {
     check_at_most("rays over balls", of_rays / of_balls, .7);
     check_near("mean of rays over the reference's", brightness, 1, .1);
     assert_int_equal(image_find_channel(&diffuse, "specular.R"), -1);
-    images_free(&reference, &rays, &balls, &points, &diffuse);
-    stage_free(&stage);
 }
 
 /* How far pixels of the layer differ from the mean of the two beside them, over the layer's mean */
@@ -376,17 +373,14 @@ static double unevenness(const struct image *image, const char *layer) {
 /* A wall that is a mirror, and sees light of later bounces alone, does not show the pattern by
  * which pixels share their VPLs. */
 TEST(mirror_of_bounces) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct material *wall = &stage.scene.materials[2];
     wall->metalness = 1;
     wall->roughness = 0;
     pose_stage(&stage);
-    struct image many = render_stage(&stage, "clustered", "bounces=4", 96);
+    OWNED(image) many = render_stage(&stage, "clustered", "bounces=4", 96);
     /* 1.2 where the pattern is not blurred. */
     check_at_most("unevenness", unevenness(&many, "indirect.specular"), .2);
-    image_free(&many);
-    stage_free(&stage);
 }
 
 /* --- a mirror --------------------------------------------------------------------------------- */
@@ -394,21 +388,19 @@ TEST(mirror_of_bounces) {
 /* A wall of material 0 and a mirror of material 1, both quads, by their nodes. */
 static void open_mirror(struct stage *stage, const char *nodes, const struct camera *camera,
                         const float sun[3]) {
-    open_stage(
-        stage,
-        write_parts(
-            "mirror.glb",
-            &(struct gltf_parts){
-                .materials = "[{\"doubleSided\": true, \"pbrMetallicRoughness\": {"
-                             "\"baseColorFactor\": [0.6, 0.3, 0.1, 1], \"metallicFactor\": 0},"
-                             " \"extensions\": {\"KHR_materials_specular\": {"
-                             "\"specularFactor\": 0}}},"
-                             " {\"doubleSided\": true, \"pbrMetallicRoughness\": {"
-                             "\"metallicFactor\": 1, \"roughnessFactor\": 0}}]",
-                .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
-                          " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\":"
-                          " 0}, \"indices\": 1, \"material\": 1}]}]",
-                .nodes = nodes}));
+    *stage = open_stage(write_parts(
+        "mirror.glb",
+        &(struct gltf_parts){
+            .materials = "[{\"doubleSided\": true, \"pbrMetallicRoughness\": {"
+                         "\"baseColorFactor\": [0.6, 0.3, 0.1, 1], \"metallicFactor\": 0},"
+                         " \"extensions\": {\"KHR_materials_specular\": {"
+                         "\"specularFactor\": 0}}},"
+                         " {\"doubleSided\": true, \"pbrMetallicRoughness\": {"
+                         "\"metallicFactor\": 1, \"roughnessFactor\": 0}}]",
+            .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
+                      " \"material\": 0}]}, {\"primitives\": [{\"attributes\": {\"POSITION\":"
+                      " 0}, \"indices\": 1, \"material\": 1}]}]",
+            .nodes = nodes}));
     stage->camera = *camera;
     emitters_free(&stage->emitters);
     stage->emitters = (struct emitters){.items = mem_alloc(1, sizeof(struct emitter)), .count = 1};
@@ -422,7 +414,7 @@ static void open_mirror(struct stage *stage, const char *nodes, const struct cam
 static void check_mirror(const struct stage *stage, double cosine) {
     static const double albedo[3] = {.6, .3, .1};
     enum { SIZE = 48 };
-    struct image drawn = render_stage(stage, "clustered", "", SIZE);
+    OWNED(image) drawn = render_stage(stage, "clustered", "", SIZE);
     int wall = image_find_channel(&drawn, "albedo.R"), channels[3], pixels = 0;
     double least = 1e9, most = 0;
     check_ok("layer", image_find_layer(&drawn, "indirect.specular", channels));
@@ -440,11 +432,10 @@ static void check_mirror(const struct stage *stage, double cosine) {
     assert_true(pixels > SIZE * SIZE / 8);
     check_near("darkest over the wall", least, 1, .03);
     check_near("brightest over the wall", most, 1, .03);
-    image_free(&drawn);
 }
 
 TEST(mirror) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct camera camera = {.eye = {.5F, .5F, 1},
                             .right = {1, 0, 0},
                             .up = {0, 1, 0},
@@ -465,7 +456,6 @@ TEST(mirror) {
                 " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}]",
                 &camera, (float[]){0, 0, -1});
     check_mirror(&stage, 1);
-    stage_free(&stage);
 }
 
 /* The same light as one spot, which has a map, and as so many that none has. */
@@ -477,12 +467,11 @@ static void check_floor(const struct stage *stage, const struct image *reference
         glm_vec3_scale(lights[i].intensity, 1 / (float)spots, lights[i].intensity);
     }
     own.emitters = (struct emitters){.items = lights, .count = spots};
-    struct image drawn = render_stage(&own, "clustered", "", reference->width);
+    OWNED(image) drawn = render_stage(&own, "clustered", "", reference->width);
     printf("    %d spots, ", spots);
     check_near("indirect over the reference's",
                layer_mean(&drawn, "indirect") / layer_mean(reference, "indirect"), 1, .03);
     check_at_most("error", relative_rmse(&drawn, reference, "indirect"), .1);
-    image_free(&drawn);
 }
 
 /* A floor of rough metal throws a spot's light onto the wall ahead. */
@@ -493,7 +482,7 @@ TEST(metal_floor) {
                                   .up = {0, 1, 0},
                                   .forward = {0, 0, -1},
                                   .fov_y = .7F};
-    struct stage stage;
+    OWNED(stage) stage;
     open_mirror(&stage,
                 "[{\"mesh\": 0, \"translation\": [-4, 0, -1], \"scale\": [9, 9, 1]},"
                 " {\"mesh\": 1, \"translation\": [-4, 0, 5], \"scale\": [9, 6, 1],"
@@ -508,13 +497,11 @@ TEST(metal_floor) {
     for (int i = 0; i < 3; i++) {
         enum { SIZE = 48 };
         stage.scene.materials[1].roughness = of_floor[i];
-        struct image reference = trace(&stage, SIZE);
+        OWNED(image) reference = trace(&stage, SIZE);
         printf("    roughness %.2f:\n", (double)of_floor[i]);
         check_floor(&stage, &reference, 1);
         check_floor(&stage, &reference, 20);
-        image_free(&reference);
     }
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -47,19 +47,17 @@ static void check_floor(const char *what, struct world *world, float x, float di
 }
 
 TEST(plane) {
-    struct world world;
+    OWNED(world) world;
     start_floor(&world);
     world_finish(&world);
-    struct image image = look(&world, 0, .1F, 5);
+    OWNED(image) image = look(&world, 0, .1F, 5);
     check_near("plane", mean_of(&image, AO), 1, 0);
     check_near("its noise", rms_of(&image, AO_ERROR, 0), 0, 0);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* 1 - (acos u - u sqrt(1 - u^2)) / pi of a wall at u D: 1/2 at its foot, 1 from D on. */
 TEST(wall) {
-    struct world world;
+    OWNED(world) world;
     start_floor(&world);
     add_rectangle(&world, 0, at(0, 0, 10), at(0, 0, -20), at(0, 10, 0));
     for (int i = 0; i <= 4; i++) {
@@ -67,19 +65,17 @@ TEST(wall) {
         check_floor("wall", &world, (float)(u * distance), (float)distance,
                     1 - (acos(u) - u * sqrt(1 - u * u)) / GLM_PI);
     }
-    world_free(&world);
 }
 
 /* (H / D)^2 under a ceiling at H: the farther a ray counts, the less is open; 1 where it counts to
  * H. */
 TEST(ceiling) {
-    struct world world;
+    OWNED(world) world;
     start_floor(&world);
     add_rectangle(&world, 0, at(-10, .5F, -10), at(20, 0, 0), at(0, 0, 20));
     check_floor("ceiling at H < D", &world, 0, .625F, .64);
     check_floor("ceiling at H < D", &world, 0, 1, .25);
     check_floor("ceiling at H > D", &world, 0, .49F, 1);
-    world_free(&world);
 }
 
 /* Rings of a surface of revolution about y, from profile points (radius, height); normals towards
@@ -105,7 +101,7 @@ static void add_turned(struct world *world, const vec2s *profile, int count, flo
 
 /* r^2 / (r^2 + h^2) in the middle of the floor of a round hole. */
 TEST(hole) {
-    struct world world;
+    OWNED(world) world;
     start_floor(&world);
     add_turned(&world, (vec2s[]){{{.5F, 1}}, {{.5F, 0}}}, 2, NAN);
     check_floor("hole of r = 1/2, h = 1", &world, 0, 5, .2);
@@ -113,7 +109,6 @@ TEST(hole) {
     start_floor(&world);
     add_turned(&world, (vec2s[]){{{.5F, .5F}}, {{.5F, 0}}}, 2, NAN);
     check_floor("hole of r = h", &world, 0, 5, .5);
-    world_free(&world);
 }
 
 /* A bowl that is the share f of its sphere, lit and looked into from its open top. */
@@ -136,21 +131,19 @@ TEST(bowl) {
     static const double shares[] = {.25, .5, .75};
     for (int i = 0; i < 3; i++)
         for (int far = 0; far < 2; far++) {
-            struct world world;
+            OWNED(world) world;
             start_bowl(&world, shares[i]);
-            struct image image = look(&world, far ? .6F : .01F, 0, 4);
+            OWNED(image) image = look(&world, far ? .6F : .01F, 0, 4);
             printf("  %g of a sphere, %s\n", shares[i], far ? "up its side" : "at its bottom");
             check_open("bowl", &image, 1 - shares[i]);
-            image_free(&image);
-            world_free(&world);
         }
 }
 
 /* In a hemisphere all pixels have the same value: their distance from it is what their standard
  * errors tell. */
 TEST(noise) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     start_bowl(&world, .5);
     look_down(&world, -.5F, -.5F, 1, 0);
     struct path_tracer_desc desc = describe(&world, 32, 32);
@@ -164,8 +157,6 @@ TEST(noise) {
     desc.noise = reached.noise / 3;
     check_at_most("noise until which it traces", render(&desc, &image).noise, desc.noise);
     check_at_most("error", rms_of(&image, AO, .5), 1.2 * .5 * desc.noise);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* Holes of alpha masks are no ceiling. */
@@ -173,7 +164,7 @@ TEST(alpha_mask) {
     static unsigned char texel[4] = {255, 255, 255, 0};
     struct scene_texture texture = {.bitmap = {1, 1, texel}, .nearest = true};
     for (int solid = 0; solid < 2; solid++) {
-        struct world world;
+        OWNED(world) world;
         start_floor(&world);
         texel[3] = solid ? 255 : 0;
         world.scene.textures = &texture;
@@ -181,14 +172,13 @@ TEST(alpha_mask) {
         world.materials[1].alpha_mask = true;
         add_rectangle(&world, 1, at(-10, .5F, -10), at(20, 0, 0), at(0, 0, 20));
         check_floor(solid ? "solid" : "hole", &world, 0, 1, solid ? .25 : 1);
-        world_free(&world);
     }
 }
 
 /* The mean is over samples that show a surface: no dark seam, and 0 beside it. */
 TEST(background) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     start_floor(&world);
     world_finish(&world);
     look_down(&world, 9, 0, 2.125F, 1); /* the floor ends within a pixel */
@@ -200,14 +190,12 @@ TEST(background) {
         printf("  coverage %g\n", coverage);
         check_near("open", (double)image_at(&image, x, 4)[AO], coverage > 0, 0);
     }
-    image_free(&image);
-    world_free(&world);
 }
 
 /* The layer does not depend on threads, and the other layers not on it; specular ones come before
  * it. */
 TEST(same_bits) {
-    struct world world;
+    OWNED(world) world;
     struct image images[4];
     start_floor(&world);
     world.materials[1].roughness = .3F;
@@ -240,7 +228,6 @@ TEST(same_bits) {
                mean_of(&images[1], count + AO_OPEN), 0);
     for (int i = 0; i < 4; i++)
         image_free(&images[i]);
-    world_free(&world);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -16,7 +16,7 @@ static void make_sheet(struct world *world) {
 
 static double beauty_of(struct world *world, const struct path_tracer_desc *look) {
     struct path_tracer_desc desc = describe(world, 4, 1024);
-    struct image image;
+    OWNED(image) image;
     desc.smooth = true;
     desc.emitters = look->emitters;
     desc.hides_sky = look->hides_sky;
@@ -24,7 +24,6 @@ static double beauty_of(struct world *world, const struct path_tracer_desc *look
     check_finite(&image);
     double beauty = mean_of_layer(&image, "");
     check_near("specular light over beauty", mean_of_layer(&image, "specular"), beauty, 1e-4);
-    image_free(&image);
     return beauty;
 }
 
@@ -32,7 +31,7 @@ static double beauty_of(struct world *world, const struct path_tracer_desc *look
 TEST(open) {
     static const float expected[] = {1, .04F};
     for (int absorbs = 0; absorbs < 2; absorbs++) {
-        struct world world;
+        OWNED(world) world;
         world_init(&world);
         make_glass(&world.materials[MATERIAL_SMOOTH], 1.5F);
         for (int c = 0; c < 3; c++)
@@ -41,13 +40,12 @@ TEST(open) {
         struct path_tracer_desc look = {.emitters = {.sky = &sky}};
         check_near(absorbs ? "black glass" : "clear glass", beauty_of(&world, &look),
                    (double)expected[absorbs], .002);
-        world_free(&world);
     }
 }
 
 /* A sky that is hidden behind surfaces still lights them. */
 TEST(hidden_sky) {
-    struct world world;
+    OWNED(world) world;
     world_init(&world);
     make_mirror(&world.materials[MATERIAL_SMOOTH], .7F);
     make_sheet(&world);
@@ -55,13 +53,12 @@ TEST(hidden_sky) {
         struct path_tracer_desc look = {.emitters = {.sky = &sky}, .hides_sky = hides};
         check_near("a mirror under a sky", beauty_of(&world, &look), .7, 1e-4);
     }
-    world_free(&world);
 }
 
 /* Glass that shines is seen in a mirror, before a sky. */
 TEST(glow) {
     enum { LAMP = 1 };
-    struct world world;
+    OWNED(world) world;
     struct emissive_surface surface = {.end = 6, .lamp = LAMP};
     struct geometry_part part = {.first_index = 6, .index_count = 6};
     world_init(&world);
@@ -83,7 +80,6 @@ TEST(glow) {
     struct path_tracer_desc look = {.emitters = {.items = &world.light, .count = 1, .sky = &sky}};
     check_near("glass of 2 before a sky of 1, in a mirror", beauty_of(&world, &look), .7 * (2 + 1),
                1e-4);
-    world_free(&world);
 }
 
 RUN_TESTS(NULL, NULL)

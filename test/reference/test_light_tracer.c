@@ -61,7 +61,7 @@ static double crossing(const struct smooth_ray *ray) {
 TEST(ball) {
     static const float asides[] = {.1F, .25F, .5F};
     for (size_t i = 0; i < sizeof asides / sizeof *asides; i++) {
-        struct world world;
+        OWNED(world) world;
         world_init(&world);
         make_glass(&world.materials[MATERIAL_SMOOTH], 1.5F);
         add_ball(&world, MATERIAL_SMOOTH, 96, at(0, 0, 0), 1);
@@ -72,7 +72,6 @@ TEST(ball) {
         check_near("from the middle", -crossing(&ray), aside / sin(bends), .02);
         if (i == 0)
             check_near("behind the ball", -crossing(&ray) - 1, .5, .02);
-        world_free(&world);
     }
 }
 
@@ -97,8 +96,8 @@ static void add_tube(struct world *world, int material, float height) {
 /* A sun at 45 degrees into a mirror tube without a lid: the caustic's cusp lies half a radius from
  * the middle. */
 TEST(cusp) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     enum { SIZE = 64 };
     world_init(&world);
     make_mirror(&world.materials[MATERIAL_SMOOTH], 1);
@@ -122,8 +121,6 @@ TEST(cusp) {
     }
     check_near("the cusp's place", 2 * (best + .5) / SIZE - 1, .5, 1.5 * 2 / SIZE);
     check_balance(&result.balance);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* --- exact answers ---------------------------------------------------------------------------- */
@@ -131,8 +128,8 @@ TEST(cusp) {
 /* A floor beside an upright mirror: the light comes from behind the mirror, too. */
 TEST(mirror) {
     enum { STEPS = 100 };
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     double expected = 0;
     world_init(&world);
     make_mirror(&world.materials[MATERIAL_SMOOTH], .8F);
@@ -152,14 +149,12 @@ TEST(mirror) {
     check_near("irradiance over that of the mirrored light",
                GLM_PI * mean_of_layer(&image, "caustic") / expected, 1, .005);
     check_balance(&result.balance);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* A slab of glass between a light and the floor, seen below it. */
 TEST(slab) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     world_init(&world);
     make_glass(&world.materials[MATERIAL_SMOOTH], 1.5F);
     add_floor(&world, 2);
@@ -176,15 +171,13 @@ TEST(slab) {
     trace(&world, NULL, &(struct look){.size = 4, .samples = 4, .paths = 300000}, &image);
     /* And what is reflected twice within. */
     check_near("of a sun", GLM_PI * mean_of_layer(&image, "caustic"), .9216 / (1 - .0016), .006);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* A mirror that reflects all sends all light to the floor that lies below, and all of that
  * is seen. */
 TEST(energy) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     world_init(&world);
     make_glass(&world.materials[MATERIAL_SMOOTH], 1.7F);
     world.materials[MATERIAL_SMOOTH].absorption[1] = 2;
@@ -208,8 +201,6 @@ TEST(energy) {
     check_near("emitted over the light's flux",
                result.balance.emitted / emitter_flux(&world.light, 1), 1, 2e-3);
     check_near("landed over that of rays to the ball", result.balance.landed / aimed, 1, .01);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* --- without glass ---------------------------------------------------------------------------- */
@@ -245,8 +236,8 @@ TEST(straight) {
                 {"sun", EMITTER_DIRECTIONAL, false, false},
                 {"area", EMITTER_AREA, false, false}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         world_init(&world);
         add_floor(&world, 2);
         finish(&world, 1.8F);
@@ -276,8 +267,6 @@ TEST(straight) {
                    mean_of_layer(&image, "volume") / mean_of_layer(&image, "airlight"), 1, .004);
         check_near("lands over direct light",
                    reflected(&image, "caustic") / reflected(&image, "direct"), 1, .004);
-        image_free(&image);
-        world_free(&world);
     }
 }
 
@@ -299,8 +288,8 @@ TEST(index_one) {
     struct material glass;
     make_glass(&glass, 1);
     for (int thin = 0; thin < 2; thin++) {
-        struct world world;
-        struct image with, without;
+        OWNED(world) world;
+        OWNED(image) with, without;
         struct look look = {.size = 32, .samples = 64, .paths = 1500000, .medium = fog};
         glass.thin_walled = thin;
         make_roof(&world, &glass);
@@ -319,15 +308,13 @@ TEST(index_one) {
                    1, .01);
         check_near("beauty over beauty without",
                    mean_of_layer(&with, "") / mean_of_layer(&without, ""), 1, .01);
-        images_free(&with, &without);
-        world_free(&world);
     }
 }
 
 /* However far away the lamp is, rays go to all of the glass. */
 TEST(far) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     struct material glass;
     make_glass(&glass, 1);
     make_roof(&world, &glass);
@@ -335,8 +322,6 @@ TEST(far) {
     place_light(&world, EMITTER_POINT, at(0, 2e4F, 0), at(0, -1, 0), 4e8F);
     trace(&world, NULL, &(struct look){.size = 8, .samples = 4, .paths = 100000}, &image);
     check_near("irradiance", GLM_PI * mean_of_layer(&image, "caustic"), 1, .005);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* Nor does it hide anything from the camera above it. */
@@ -345,8 +330,8 @@ TEST(window) {
     make_glass(&glass, 1);
     double beauty[2];
     for (int with = 0; with < 2; with++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         make_roof(&world, with ? &glass : NULL);
         look_down(&world, -.6F, -.6F, 1.2F, 1.5F);
         place_light(&world, EMITTER_POINT, at(.1F, .8F, 0), at(0, -1, 0), 1);
@@ -354,8 +339,6 @@ TEST(window) {
               &(struct look){.size = 16, .samples = 64, .paths = 20000, .medium = fog}, &image);
         beauty[with] = mean_of_layer(&image, "");
         printf("    specular light %g\n", with ? mean_of_layer(&image, "specular") : 0);
-        image_free(&image);
-        world_free(&world);
     }
     check_near("seen through over seen", beauty[1] / beauty[0], 1, .005);
 }
@@ -365,8 +348,8 @@ TEST(seen_through) {
     float texels[2][3] = {{1, 1, 1}, {1, 1, 1}};
     struct environment sky = {.width = 2, .height = 1, .texels = texels, .strength = 1};
     for (int kind = 0; kind < 3; kind++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         world_init(&world);
         make_glass(&world.materials[MATERIAL_SMOOTH], kind ? 1.5F : 1);
         if (kind == 2)
@@ -383,8 +366,6 @@ TEST(seen_through) {
                    1 - (kind == 2 ? .3 : 0) * alpha, 1e-3);
         check_near("its specular light", mean_of_layer(&image, "specular"),
                    (kind == 2 ? .7 : 1) * alpha, 1e-3);
-        image_free(&image);
-        world_free(&world);
     }
 }
 
@@ -401,7 +382,7 @@ static void make_bright(struct world *world) {
 }
 
 TEST(relations) {
-    struct world world;
+    OWNED(world) world;
     struct image one, again, halves, more;
     make_bright(&world);
     struct look look = {.size = 16, .samples = 1, .paths = 60000, .threads = 1};
@@ -428,15 +409,14 @@ TEST(relations) {
     check_near("four times the rays over one", mean_of_layer(&more, "caustic") / mean, 1, .02);
     check_near("noise over twice the noise", few.noise / many.noise / 2, 1, .35);
     images_free(&one, &halves, &more);
-    world_free(&world);
 }
 
 /* A beam that a window lets through, seen from the front and from behind. */
 TEST(sides) {
     double volumes[2];
     for (int side = 0; side < 2; side++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         float turn = side ? -1 : 1;
         world_init(&world);
         make_glass(&world.materials[MATERIAL_SMOOTH], 1);
@@ -454,8 +434,6 @@ TEST(sides) {
         trace(&world, NULL, &(struct look){.size = 8, .samples = 1, .paths = 30000, .medium = thin},
               &image);
         volumes[side] = mean_of_layer(&image, "volume");
-        image_free(&image);
-        world_free(&world);
     }
     /* Irradiance 1 along the view's path through a beam .4 wide, and twice the radius of the medium
      * on its way. */
@@ -466,8 +444,8 @@ TEST(sides) {
 
 /* The error that is told is that between two seeds. */
 TEST(noise) {
-    struct world world;
-    struct image image, other;
+    OWNED(world) world;
+    OWNED(image) image, other;
     double square = 0, told = 0;
     make_bright(&world);
     struct look look = {.size = 32, .samples = 1, .paths = 60000};
@@ -482,8 +460,6 @@ TEST(noise) {
         told += pow((double)a[error], 2) + pow((double)b[error], 2);
     }
     check_near("difference over errors", sqrt(square / told), 1, .25);
-    images_free(&image, &other);
-    world_free(&world);
 }
 
 /* --- what is hard ----------------------------------------------------------------------------- */
@@ -529,8 +505,8 @@ TEST(hard) {
                                         "absorption of 1e6",   "a light inside glass",
                                         "a box inside glass"};
     for (int hard = 0; hard < HARD_COUNT; hard++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         make_hard(&world, (enum hard)hard);
         printf("    %s\n", names[hard]);
         struct light_tracer_result result =
@@ -543,23 +519,19 @@ TEST(hard) {
         if (hard == HARD_LIGHT_INSIDE)
             assert_true(mean_of_layer(&image, "caustic") > .01 &&
                         mean_of_layer(&image, "direct") == 0);
-        image_free(&image);
-        world_free(&world);
     }
 }
 
 /* Nothing is traced where there is nothing to bend light. */
 TEST(no_glass) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     world_in_sphere(&world);
     struct light_tracer_result result =
         trace(&world, NULL, &(struct look){.size = 8, .samples = 1, .paths = 1000}, &image);
     assert_false(result.has_smooth);
     check_near("caustic", mean_of_layer(&image, "caustic"), 0, 0);
     check_near("direct light", mean_of_layer(&image, "direct"), 1, 1e-3);
-    image_free(&image);
-    world_free(&world);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -70,9 +70,9 @@ static struct emitter next_light(int i) {
 
 /* Dark lights make many of few. */
 static void compare_with_dark(bool metal, bool medium) {
-    struct world world;
+    OWNED(world) world;
     struct emitter lights[COUNT + DARK];
-    struct image few, many;
+    OWNED(image) few, many;
     random_state = 11;
     for (int i = 0; i < COUNT + DARK; i++) {
         lights[i] = next_light(i);
@@ -88,9 +88,6 @@ static void compare_with_dark(bool metal, bool medium) {
     struct path_tracer_progress reached = render(&desc, &many);
     check_at_most("no noise told", reached.noise == 0, 0);
     check_means(&few, &many);
-    image_free(&few);
-    image_free(&many);
-    world_free(&world);
 }
 
 TEST(metal) {
@@ -104,9 +101,9 @@ TEST(medium) {
 /* Equal lights in one place are one, and their direct light has no noise at all. */
 TEST(one_place) {
     enum { LIGHTS = 200 };
-    struct world world;
+    OWNED(world) world;
     struct emitter lights[LIGHTS];
-    struct image image;
+    OWNED(image) image;
     world_in_sphere(&world);
     for (int i = 0; i < LIGHTS; i++) {
         lights[i] = world.light;
@@ -116,15 +113,13 @@ TEST(one_place) {
     render(&desc, &image);
     check_at_most("spread of direct", spread_about(&image, CHANNEL_DIRECT, 1), 3e-3);
     check_near("indirect", mean_of(&image, CHANNEL_INDIRECT), .5, 2.5e-3);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* A rectangle cut into tiles, and a wide sun into layers, over metal: found by rays, too. */
 static void compare_parts(struct emitter whole, int across) {
-    struct world world;
+    OWNED(world) world;
     struct emitter lights[400];
-    struct image one, many;
+    OWNED(image) one, many;
     int count = across * across;
     start_corner(&world, true);
     for (int i = 0; i < count; i++) {
@@ -144,9 +139,6 @@ static void compare_parts(struct emitter whole, int across) {
     desc = describe_lights(&world, lights, count);
     render(&desc, &many);
     check_means(&one, &many);
-    image_free(&one);
-    image_free(&many);
-    world_free(&world);
 }
 
 TEST(parts) {

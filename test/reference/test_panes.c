@@ -45,10 +45,9 @@ static void start(struct world *world, const struct material *pane, int panes) {
 }
 
 static struct material plain(void) {
-    struct world world;
+    OWNED(world) world;
     world_init(&world);
     struct material material = world.materials[0];
-    world_free(&world);
     return material;
 }
 
@@ -137,8 +136,8 @@ TEST(blended) {
 TEST(seen) {
     static const float alphas[] = {.3F, .5F, .8F};
     for (size_t i = 0; i < sizeof alphas / sizeof *alphas; i++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         struct material pane = plain();
         double a = alphas[i], own = .9;
         blend(&pane, alphas[i]);
@@ -148,8 +147,6 @@ TEST(seen) {
         render(&desc, &image);
         check_near("green", mean_of(&image, CHANNEL_BEAUTY + 1), a * own + (1 - a) * (1 - a) / 2,
                    .004);
-        image_free(&image);
-        world_free(&world);
     }
 }
 
@@ -157,8 +154,8 @@ TEST(seen) {
 TEST(bounce) {
     double seen[3];
     for (int kind = 0; kind < 3; kind++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         struct material pane = plain();
         if (kind == 1)
             make_glass(&pane, 1);
@@ -179,8 +176,6 @@ TEST(bounce) {
         desc.bounces = 1;
         render(&desc, &image);
         seen[kind] = mean_of(&image, CHANNEL_INDIRECT);
-        image_free(&image);
-        world_free(&world);
     }
     check_near("glass of index 1 lets all pass", seen[1] / seen[0], 1, .02);
     check_near("black of alpha .6 lets .4 pass", seen[2] / seen[0], .4, .012);

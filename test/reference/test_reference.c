@@ -29,8 +29,8 @@ static double floor_direct(const struct world *world, double x, double z) {
 }
 
 TEST(light_on_floor) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     world_init(&world);
     add_rectangle(&world, 0, (vec3s){{-5, 0, 5}}, (vec3s){{10, 0, 0}}, (vec3s){{0, 0, -10}});
     world_finish(&world);
@@ -62,14 +62,12 @@ TEST(light_on_floor) {
     struct path_tracer_desc desc = describe(&world, 8, 4);
     render(&desc, &image);
     check_near("directional light", mean_of(&image, CHANNEL_DIRECT), 3 * sqrt(0.5) / GLM_PI, 1e-6);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* Every pair of points of a sphere has the geometry term 1 / (4 R^2): each bounce is the
  * albedo times the one before, in every pixel. */
 TEST(sphere) {
-    struct world world;
+    OWNED(world) world;
     struct image image;
     world_in_sphere(&world);
     /* The facets' centres lie (pi / 64)^2 / 8 = 3e-4 nearer than the vertices, and light falls off
@@ -91,7 +89,6 @@ TEST(sphere) {
         check_at_most("noise", reached.noise, 0.005);
         image_free(&image);
     }
-    world_free(&world);
 }
 
 /* Irradiance over pi at a point from a polygon of radiance 1, all of it above the horizon:
@@ -140,7 +137,7 @@ static void check_one_bounce(struct world *world, const char *what,
 }
 
 TEST(rectangles) {
-    struct world world;
+    OWNED(world) world;
     world_init(&world);
     add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
     add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0, 0, -1}}, (vec3s){{0, 1, 0}});
@@ -157,7 +154,6 @@ TEST(rectangles) {
     look_down(&world, 0, 0, 1, 3);
     place_light(&world, EMITTER_DIRECTIONAL, glms_vec3_zero(), (vec3s){{0, 1, 0}}, 1);
     check_one_bounce(&world, "parallel rectangles", floor_from_lid);
-    world_free(&world);
 }
 
 RUN_TESTS(NULL, NULL)

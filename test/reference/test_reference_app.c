@@ -70,7 +70,7 @@ TEST(light_paths) {
              "scenes/gem.glb -o %s --size 16x12 --spp 4 --light-paths 20000", path);
     assert_int_equal(reference(arguments, output, sizeof output), 0);
     assert_non_null(strstr(output, "20000 light paths"));
-    struct image image;
+    OWNED(image) image;
     check_ok("read", image_read(&image, path));
     static const char *const layers[] = {"caustic", "standard_error.caustic", "volume",
                                          "standard_error.volume", "airlight"};
@@ -79,7 +79,6 @@ TEST(light_paths) {
         assert_true(image_find_layer(&image, layers[i], channels));
         assert_true(image_mean(&image, channels) > 0);
     }
-    image_free(&image);
 }
 
 /* Scene file to picture file: 0.5 direct, 0.25 bounced radiance in every pixel. */
@@ -90,7 +89,7 @@ TEST(sphere_file) {
              path);
     assert_int_equal(reference(arguments, output, sizeof output), 0);
     assert_string_equal(output, "");
-    struct image image;
+    OWNED(image) image;
     check_ok("read", image_read(&image, path));
     assert_true(image.width == 16 && image.height == 12);
     static const struct {
@@ -109,7 +108,6 @@ TEST(sphere_file) {
     }
     assert_true(image_find_channel(&image, "Z") >= 0);
     assert_true(image_find_channel(&image, "normal.X") >= 0);
-    image_free(&image);
 }
 
 /* The sphere's diameter is 2 m: nothing is open from 2 m on, and all but (D / 2)^2 within D. */
@@ -121,7 +119,7 @@ TEST(ao_file) {
     const char *path = scratch("reference-ao.exr");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char arguments[700], output[4096];
-        struct image image;
+        OWNED(image) image;
         int channels[3];
         snprintf(arguments, sizeof arguments,
                  "scenes/sphere.glb -o %s --size 16x12 --spp 64 --bounces 0 -q --ao %s", path,
@@ -130,7 +128,6 @@ TEST(ao_file) {
         check_ok("read", image_read(&image, path) && image_find_layer(&image, "ao", channels));
         check_near("open", image_mean(&image, channels), cases[i].open, .003);
         assert_true(image_find_channel(&image, "standard_error.ao.Y") >= 0);
-        image_free(&image);
     }
 }
 
@@ -184,7 +181,7 @@ static void compare_with_given(const char *name) {
              shared_path(), name, path, SIZE, SIZE);
     assert_int_equal(reference(arguments, output, sizeof output), 0);
     snprintf(given_path, sizeof given_path, "%s/reference/%s.exr", shared_path(), name);
-    struct image test, given;
+    OWNED(image) test, given;
     check_ok("read", image_read(&test, path));
     check_ok("read", image_read(&given, given_path));
     static const struct {
@@ -197,7 +194,6 @@ static void compare_with_given(const char *name) {
         check_near("relative bias", difference.relative_bias, 0, 1e-3);
         check_at_most("relative RMSE", difference.relative_rmse, cases[i].rmse);
     }
-    images_free(&test, &given);
 }
 
 TEST(given_box) {

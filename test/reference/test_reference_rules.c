@@ -46,11 +46,10 @@ TEST(back_of_single_sided) {
     struct world world;
     start_floor(&world);
     add_half_cover(&world, 1, false);
-    struct image image = render_floor(&world, 0, 4);
+    OWNED(image) image = render_floor(&world, 0, 4);
     check_near("the camera looks through the back", left_pixel(&image)[CHANNEL_DEPTH], 3, 1e-5);
     check_near("which casts a shadow", left_pixel(&image)[CHANNEL_DIRECT], 0, 0);
     check_near("beside it is light", right_pixel(&image)[CHANNEL_DIRECT], 1, 1e-6);
-    image_free(&image);
 }
 
 TEST(back_of_double_sided) {
@@ -59,13 +58,12 @@ TEST(back_of_double_sided) {
     world.materials[1].double_sided = true;
     world.materials[1].base_color[0] = 0.25f;
     add_half_cover(&world, 1, false);
-    struct image image = render_floor(&world, 0, 4);
+    OWNED(image) image = render_floor(&world, 0, 4);
     check_near("the camera sees the back", left_pixel(&image)[CHANNEL_DEPTH], 2, 1e-5);
     check_near("lit like a front", left_pixel(&image)[CHANNEL_DIRECT], 1, 1e-6);
     check_near("with its normal towards us", left_pixel(&image)[CHANNEL_NORMAL + 1], 1, 1e-6);
     check_near("and its albedo", left_pixel(&image)[CHANNEL_ALBEDO], 0.25, 1e-6);
     check_near("beauty", left_pixel(&image)[CHANNEL_BEAUTY], 0.25, 1e-6);
-    image_free(&image);
 }
 
 /* Light bounces off the floor beside the cover to the cover's under side and down again: none of it
@@ -79,9 +77,8 @@ TEST(bounce_off_a_back) {
         add_half_cover(&world, 1, kind < 2);
         /* From below the cover, so that it hides nothing. */
         world.camera.eye[1] = 0.5f;
-        struct image image = render_floor(&world, 2, 256);
+        OWNED(image) image = render_floor(&world, 2, 256);
         under[kind] = left_pixel(&image)[CHANNEL_INDIRECT];
-        image_free(&image);
     }
     check_near("two bounces under a black back", under[0], 0, 0);
     assert_true(under[1] > 0.01);
@@ -105,7 +102,7 @@ TEST(alpha_mask) {
     start_floor(&world);
     set_mask(&world, &texture);
     add_rectangle(&world, 1, (vec3s){{0, 1, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
-    struct image image = render_floor(&world, 0, 4);
+    OWNED(image) image = render_floor(&world, 0, 4);
     /* uv (0, 0) is at the lower left of the picture and texel (0, 0) lies there. */
     const float *solid = image_at(&image, 1, 6), *hole = image_at(&image, 6, 6);
     check_near("solid texel", solid[CHANNEL_DEPTH], 2, 1e-5);
@@ -124,12 +121,11 @@ TEST(alpha_mask) {
     image = render_floor(&world, 0, 4);
     check_near("shadow of the solid", image_at(&image, 1, 6)[CHANNEL_DIRECT], 0, 0);
     check_near("light under the hole", image_at(&image, 6, 6)[CHANNEL_DIRECT], 1, 1e-6);
-    image_free(&image);
 }
 
 /* Four rays at once see what each sees alone, holes too. */
 TEST(packets) {
-    struct world world;
+    OWNED(world) world;
     struct scene_texture texture;
     struct hit_table table;
     struct ray_scene rays;
@@ -164,12 +160,11 @@ TEST(packets) {
     assert_true(seen > asked / 4 && seen < asked * 3 / 4);
     ray_scene_free(&rays);
     hit_table_free(&table);
-    world_free(&world);
 }
 
 /* Where a pixel shows two surfaces, and where it is partly empty. */
 TEST(albedo_weighting) {
-    struct world world;
+    OWNED(world) world;
     world_init(&world);
     world.materials[1].base_color[0] = 0.1f;
     add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0.5f, 0, 0}}, (vec3s){{0, 0, -0.75f}});
@@ -177,7 +172,7 @@ TEST(albedo_weighting) {
     look_down(&world, 0, 0, 1, 3);
     place_light(&world, EMITTER_POINT, (vec3s){{0.2f, 2, 0.5f}}, down, 5);
     world_finish(&world);
-    struct image image;
+    OWNED(image) image;
     struct path_tracer_desc desc = describe(&world, 1, 4096);
     desc.bounces = 1;
     render(&desc, &image);
@@ -186,8 +181,6 @@ TEST(albedo_weighting) {
     check_near("mean albedo", pixel[CHANNEL_ALBEDO], 0.75 * 0.3, 1e-3);
     check_near("beauty = albedo x (direct + indirect)", pixel[CHANNEL_BEAUTY],
                pixel[CHANNEL_ALBEDO] * (pixel[CHANNEL_DIRECT] + pixel[CHANNEL_INDIRECT]), 1e-5);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* An open box in which all parts of the tracer work. */
@@ -203,8 +196,8 @@ static void make_corner(struct world *world) {
 }
 
 TEST(threads_and_seeds) {
-    struct world world;
-    struct image one, three, other;
+    OWNED(world) world;
+    OWNED(image) one, three, other;
     make_corner(&world);
     struct path_tracer_desc desc = describe(&world, 32, 32);
     desc.bounces = 2;
@@ -234,13 +227,11 @@ TEST(threads_and_seeds) {
             errors += pow(
                 image_at(&one, (int)pixel % 32, (int)pixel / 32)[CHANNEL_STANDARD_ERROR + c], 2);
     check_near("RMS of the standard errors", sqrt(errors / values) / mean, noise, 1e-4 * noise);
-    images_free(&one, &three, &other);
-    world_free(&world);
 }
 
 /* Counts that are no multiple of the streams, and a single path. */
 TEST(few_samples) {
-    struct world world;
+    OWNED(world) world;
     struct image image;
     make_corner(&world);
     struct path_tracer_desc desc = describe(&world, 64, 64);
@@ -261,7 +252,6 @@ TEST(few_samples) {
             check_at_most("noise of some", 0.01, reached.noise);
         image_free(&image);
     }
-    world_free(&world);
 }
 
 static bool count_calls(void *user, const struct path_tracer_progress *progress) {
@@ -271,7 +261,7 @@ static bool count_calls(void *user, const struct path_tracer_progress *progress)
 }
 
 TEST(noise_and_cancel) {
-    struct world world;
+    OWNED(world) world;
     struct image image, coarse;
     make_corner(&world);
     struct path_tracer_desc desc = describe(&world, 16, 0);
@@ -293,7 +283,6 @@ TEST(noise_and_cancel) {
     assert_false(path_tracer_render(&desc, &image, NULL));
     assert_string_equal(error_get(), "cancelled");
     assert_null(image.pixels);
-    world_free(&world);
 }
 
 /* The first 256 points of a pair are a (0,2)-net: one in each elementary interval. Over many seeds

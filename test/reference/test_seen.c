@@ -35,14 +35,12 @@ static struct image look(struct world *world, const struct emitters *emitters, f
 }
 
 static void check_share(const char *what, struct emitter light, float x, double expected) {
-    struct world world;
+    OWNED(world) world;
     make_edge(&world);
-    struct image image = look(&world, &(struct emitters){.items = &light, .count = 1}, x, 256);
+    OWNED(image) image = look(&world, &(struct emitters){.items = &light, .count = 1}, x, 256);
     printf("  %s, x = %g\n", what, (double)x);
     for (int c = 0; c < 3; c++)
         check_near("visibility", mean_of(&image, CHANNEL_VISIBILITY + c), expected, 2e-3);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* A square's share is clamp(1/2 + x), a disk's 1/2 + (s sqrt(1 - s^2) + asin s) / pi, s = 2 x. */
@@ -69,60 +67,52 @@ static double spread_of(const struct image *image, int channel, double value) {
 /* How far the pixels' shares are off the closed form is what their standard errors tell; of direct
  * light likewise. */
 TEST(noise) {
-    struct world world;
+    OWNED(world) world;
     struct emitter light = lamp_above(1, 1);
     make_edge(&world);
-    struct image image = look(&world, &(struct emitters){.items = &light, .count = 1}, .1F, 32);
+    OWNED(image) image = look(&world, &(struct emitters){.items = &light, .count = 1}, .1F, 32);
     double off = spread_of(&image, CHANNEL_VISIBILITY, .6);
     double estimated = spread_of(&image, CHANNEL_VISIBILITY_ERROR, 0);
     check_near("estimated error over error, visibility", estimated / off, 1, .25);
     off = spread_of(&image, CHANNEL_DIRECT, mean_of(&image, CHANNEL_DIRECT));
     estimated = spread_of(&image, CHANNEL_DIRECT_ERROR, 0);
     check_near("direct light", estimated / off, 1, .25);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* Under the middle of the square, whatever hides it, E / L = .752275. */
 TEST(unshadowed) {
-    struct world world;
+    OWNED(world) world;
     struct emitter light = lamp_above(1, 1);
     make_edge(&world);
-    struct image image = look(&world, &(struct emitters){.items = &light, .count = 1}, 0, 256);
+    OWNED(image) image = look(&world, &(struct emitters){.items = &light, .count = 1}, 0, 256);
     check_near("unshadowed", GLM_PI * mean_of(&image, CHANNEL_UNSHADOWED), .752275, 1e-4);
     check_near("direct", GLM_PI * mean_of(&image, CHANNEL_DIRECT), .752275 / 2, 1e-3);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* A red light that is hidden and a green one that is not: each colour tells of its own; blue, of
  * both. */
 TEST(two) {
-    struct world world;
+    OWNED(world) world;
     struct emitter lights[2] = {{.type = EMITTER_POINT, .position = {-1, 1, 0}},
                                 {.type = EMITTER_POINT, .position = {1, 1, 0}}};
     make_edge(&world);
     lights[0].intensity[0] = lights[1].intensity[1] = 1;
     lights[0].intensity[2] = 1, lights[1].intensity[2] = 3;
-    struct image image = look(&world, &(struct emitters){.items = lights, .count = 2}, 0, 4);
+    OWNED(image) image = look(&world, &(struct emitters){.items = lights, .count = 2}, 0, 4);
     check_near("red", mean_of(&image, CHANNEL_VISIBILITY), 0, 0);
     check_near("green", mean_of(&image, CHANNEL_VISIBILITY + 1), 1, 0);
     check_near("blue", mean_of(&image, CHANNEL_VISIBILITY + 2), .75, 1e-3);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* Of an even sky, half a plane at a height leaves half above its edge: of what could be seen. */
 TEST(sky) {
-    struct world world;
+    OWNED(world) world;
     float texel[2][3] = {{1, 1, 1}, {1, 1, 1}};
     struct environment sky = {.width = 2, .height = 1, .texels = texel, .strength = 1};
     make_edge(&world);
-    struct image image = look(&world, &(struct emitters){.sky = &sky}, 0, 1024);
+    OWNED(image) image = look(&world, &(struct emitters){.sky = &sky}, 0, 1024);
     check_near("unshadowed", mean_of(&image, CHANNEL_UNSHADOWED), 1, 5e-3);
     check_near("visibility", mean_of(&image, CHANNEL_VISIBILITY), .5, 5e-3);
-    image_free(&image);
-    world_free(&world);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -44,8 +44,8 @@ TEST(sky_of_one) {
     float texels[2][3] = {{1, 1, 1}, {1, 1, 1}};
     struct environment sky = {.width = 2, .height = 1, .texels = texels, .strength = 1};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         make_floor(&world, rows[i].roughness);
         look_tilted(&world, rows[i].cosine);
         struct path_tracer_desc desc = describe(&world, 8, 64);
@@ -57,8 +57,6 @@ TEST(sky_of_one) {
                    rows[i].albedo, 3e-3);
         check_near("all", mean_of(&image, CHANNEL_BEAUTY),
                    mean_of(&image, CHANNEL_PATH_TRACER_END + SPECULAR_ALL), 1e-6);
-        image_free(&image);
-        world_free(&world);
     }
 }
 
@@ -89,23 +87,21 @@ static void place_lamp(struct world *world, enum emitter_shape shape) {
 TEST(lamps_in_mirror) {
     static const char *const names[] = {"", "rectangle", "disk", "sphere", "sun"};
     for (int shape = EMITTER_IS_RECTANGLE; shape <= EMITTER_IS_CAP; shape++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         make_floor(&world, 0);
         place_lamp(&world, (enum emitter_shape)shape);
         struct path_tracer_desc desc = describe(&world, 8, 64);
         render(&desc, &image);
         check_near(names[shape], mean_of(&image, CHANNEL_PATH_TRACER_END + SPECULAR_DIRECT), 2,
                    .01);
-        image_free(&image);
-        world_free(&world);
     }
 }
 
 /* A light without a size: the BRDF itself. */
 TEST(point_light) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     make_floor(&world, .4F);
     place_light(&world, EMITTER_POINT, at(1.5F, 2, 0), at(0, -1, 0), 3);
     world.camera.y_extent = 1e-4F;
@@ -119,8 +115,6 @@ TEST(point_light) {
         6.25;
     check_near("specular", mean_of(&image, CHANNEL_PATH_TRACER_END + SPECULAR_DIRECT), expected,
                1e-3 * expected);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* --- normal maps ------------------------------------------------------------------------------ */
@@ -143,7 +137,7 @@ TEST(normal_map) {
     unsigned char texel[4] = {218, 166, 218, 255}; /* .71, .30, .71 */
     struct scene_texture texture = {.bitmap = {.width = 1, .height = 1, .rgba = texel},
                                     .linear = true};
-    struct world world;
+    OWNED(world) world;
     struct hit_table table;
     world_init(&world);
     world.scene.textures = &texture;
@@ -163,7 +157,6 @@ TEST(normal_map) {
     table.materials = MATERIALS_DIFFUSE;
     check_direction("unread", normal_seen(&world, &table, at(0, 1, 0)), at(0, 1, 0));
     hit_table_free(&table);
-    world_free(&world);
 }
 
 /* --- beside a plain path tracer --------------------------------------------------------------- */
@@ -282,7 +275,7 @@ static double mean_of_half(const struct image *image, int side, int channel) {
 
 static void check_beside(const char *what, struct path_tracer_desc *desc) {
     static const char *const sides[] = {"left", "right"};
-    struct image image;
+    OWNED(image) image;
     desc->bounces = 3;
     struct halves expected = follow_rays(desc, 400000);
     render(desc, &image);
@@ -293,31 +286,28 @@ static void check_beside(const char *what, struct path_tracer_desc *desc) {
             check_near("mean", mean_of_half(&image, side, CHANNEL_BEAUTY + c), mean,
                        3.5 * error + 2e-3 * mean);
         }
-    image_free(&image);
 }
 
 TEST(under_sky) {
     float texels[SKY_WIDTH * SKY_HEIGHT][3];
     struct environment sky = {
         .width = SKY_WIDTH, .height = SKY_HEIGHT, .texels = texels, .strength = 1};
-    struct world world;
+    OWNED(world) world;
     paint_sky(texels);
     make_corner(&world);
     struct path_tracer_desc desc = describe(&world, 16, 256);
     desc.emitters = (struct emitters){.sky = &sky};
     check_beside("sky", &desc);
-    world_free(&world);
 }
 
 TEST(under_lamp) {
-    struct world world;
+    OWNED(world) world;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
     world.light.position[0] = world.light.position[2] = 1.5F;
     world.light.position[1] = 3;
     struct path_tracer_desc desc = describe(&world, 16, 256);
     check_beside("lamp", &desc);
-    world_free(&world);
 }
 
 /* --- noise, and the other setting ------------------------------------------------------------- */
@@ -326,12 +316,12 @@ TEST(under_lamp) {
 TEST(noise) {
     enum { SEEDS = 24, SIZE = 12 };
     double estimated = 0, spread = 0, sums[SIZE * SIZE] = {0}, squares[SIZE * SIZE] = {0};
-    struct world world;
+    OWNED(world) world;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
     for (uint32_t seed = 0; seed < SEEDS; seed++) {
         struct path_tracer_desc desc = describe(&world, SIZE, 16);
-        struct image image;
+        OWNED(image) image;
         desc.bounces = 2;
         desc.seed = seed;
         render(&desc, &image);
@@ -341,18 +331,16 @@ TEST(noise) {
             sums[i] += (double)specular[SPECULAR_ALL];
             squares[i] += pow((double)specular[SPECULAR_ALL], 2);
         }
-        image_free(&image);
     }
     for (int i = 0; i < SIZE * SIZE; i++)
         spread += (squares[i] - sums[i] * sums[i] / SEEDS) / (SEEDS - 1);
     check_near("estimated over seen variance", estimated / spread, 1, .25);
-    world_free(&world);
 }
 
 /* The other setting shows specular scenes as diffuse ones of the same colours, bit for bit. */
 TEST(diffuse) {
-    struct world world;
-    struct image specular, diffuse;
+    OWNED(world) world;
+    OWNED(image) specular, diffuse;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
     struct path_tracer_desc desc = describe(&world, 16, 4);
@@ -368,14 +356,12 @@ TEST(diffuse) {
     assert_int_equal(specular.channel_count, diffuse.channel_count);
     assert_memory_equal(specular.pixels, diffuse.pixels,
                         sizeof(float) * 16 * 16 * (size_t)diffuse.channel_count);
-    images_free(&specular, &diffuse);
-    world_free(&world);
 }
 
 /* The eye sees its colour, and light nothing. */
 TEST(unlit) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     make_corner(&world);
     place_lamp(&world, EMITTER_IS_RECTANGLE);
     for (int m = 0; m < MAX_MATERIALS; m++)
@@ -386,8 +372,6 @@ TEST(unlit) {
     check_near("beauty", image_at(&image, 1, 5)[CHANNEL_BEAUTY], .8, 1e-6);
     check_near("emitted", image_at(&image, 1, 5)[CHANNEL_EMITTED], .8, 1e-6);
     check_near("albedo", image_at(&image, 1, 5)[CHANNEL_ALBEDO], 0, 0);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* --- rounding --------------------------------------------------------------------------------- */
@@ -405,7 +389,7 @@ static vec3s place_on_horizon(vec3s normal) {
 
 /* A light vertex there sends nothing: a facet of a gem had a pixel that was not a number. */
 TEST(light_on_horizon) {
-    struct world world;
+    OWNED(world) world;
     make_floor(&world, 0);
     struct path_tracer_desc desc = describe(&world, 1, 1);
     struct hit_table table;
@@ -434,7 +418,6 @@ TEST(light_on_horizon) {
     emission_free(&emission);
     ray_scene_free(&rays);
     hit_table_free(&table);
-    world_free(&world);
 }
 
 RUN_TESTS(NULL, NULL)

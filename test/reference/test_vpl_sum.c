@@ -60,8 +60,8 @@ static struct vpl *trace_vpls(struct world *world, int count) {
 /* Any VPLs whose flux sums to the reflected flux give albedo x direct in every pixel;
  * and nothing inside a sphere hides anything. */
 TEST(sphere) {
-    struct world world;
-    struct image image;
+    OWNED(world) world;
+    OWNED(image) image;
     world_in_sphere(&world);
     struct vpl *vpls = trace_vpls(&world, 37);
     struct vpl_sum_desc desc = sum_desc(&world, vpls, 37, 32);
@@ -72,15 +72,13 @@ TEST(sphere) {
     check_at_most("spread over the pixels", spread_about(&image, CHANNEL_INDIRECT, 0.5), 5e-3);
     check_near("direct", mean_of(&image, CHANNEL_DIRECT), 1, 1e-3);
     check_near("beauty", mean_of(&image, CHANNEL_BEAUTY), 0.75, 1e-3);
-    image_free(&image);
     free(vpls);
-    world_free(&world);
 }
 
 /* A floor of which the camera sees [0, 1]^2 and a rectangle above that hides the VPL from x < 1/2:
  * the VPL is over x = 1/2, so the shadow's edge is there too. */
 TEST(one_vpl) {
-    struct world world;
+    OWNED(world) world;
     world_init(&world);
     add_rectangle(&world, 0, (vec3s){{-2, 0, 3}}, (vec3s){{5, 0, 0}}, (vec3s){{0, 0, -5}});
     add_rectangle(&world, 0, (vec3s){{-2, 0.25f, 3}}, (vec3s){{2.5f, 0, 0}}, (vec3s){{0, 0, -5}});
@@ -100,7 +98,7 @@ TEST(one_vpl) {
     static const char *const names[] = {"unbounded", "clamped", "disk"};
     desc.term.clamp_value = 2;
     for (int bound = GEOMETRY_UNBOUNDED; bound <= GEOMETRY_DISK; bound++) {
-        struct image image;
+        OWNED(image) image;
         desc.term.bound = (enum geometry_bound)bound;
         desc.unshadowed = false;
         check_ok("sum", vpl_sum_render(&desc, &image));
@@ -115,21 +113,18 @@ TEST(one_vpl) {
         check_ok("sum", vpl_sum_render(&desc, &image));
         check_near("unshadowed", image_at(&image, 1, 2)[CHANNEL_INDIRECT], unit * values[bound],
                    1e-5);
-        image_free(&image);
     }
     vpl.reach = 0;
-    struct image image;
+    OWNED(image) image;
     check_ok("sum", vpl_sum_render(&desc, &image));
     check_near("a sample that met nothing", mean_of(&image, CHANNEL_INDIRECT), 0, 0);
-    image_free(&image);
-    world_free(&world);
 }
 
 /* Two implementations of one integral: a spot lights part of a wall, a screen stands between wall
  * and floor. */
 TEST(against_path_tracer) {
-    struct world world;
-    struct image sum, traced;
+    OWNED(world) world;
+    OWNED(image) sum, traced;
     world_init(&world);
     add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{1, 0, 0}}, (vec3s){{0, 0, -1}});
     add_rectangle(&world, 0, (vec3s){{0, 0, 1}}, (vec3s){{0, 0, -1}}, (vec3s){{0, 1.5f, 0}});
@@ -156,9 +151,7 @@ TEST(against_path_tracer) {
      * fall within pixels of which the sum sees the centres alone. */
     check_near("mean", mean_of(&sum, CHANNEL_INDIRECT), mean, 0.01 * mean);
     check_at_most("relative RMSE", sqrt(squares / 24 / 24) / mean, noise + 0.03);
-    images_free(&sum, &traced);
     free(vpls);
-    world_free(&world);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -36,11 +36,10 @@ static double worst_difference(const struct image *a, const struct image *b) {
 
 /* The frame does not see that it is asked, before or after; and what it says is no technique's. */
 TEST(every_technique) {
-    struct stage stage;
-    struct image first = {0};
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(image) first = {0};
     for (const struct technique *const *t = techniques; *t; t++) {
-        struct renderer renderer;
+        OWNED(renderer) renderer;
         struct renderer_desc desc = desc_of(&stage, (*t)->name, small, SIZE, SIZE);
         open_renderer(&renderer, &desc);
         struct image before, with, after;
@@ -54,10 +53,7 @@ TEST(every_technique) {
             check_near((*t)->name, worst_difference(&with, &first), 0, 0);
         images_free(&before, &after, first.pixels ? &with : &(struct image){0});
         first = first.pixels ? first : with;
-        renderer_free(&renderer);
     }
-    image_free(&first);
-    stage_free(&stage);
 }
 
 static struct image trace(const struct stage *stage, float distance) {
@@ -74,13 +70,12 @@ static struct image trace(const struct stage *stage, float distance) {
 
 /* With all samples of a pixel, and 0 beside the box. */
 TEST(traced) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=64 samples=12", SIZE, SIZE);
     open_renderer(&renderer, &desc);
-    struct image drawn = layers_with_ao(&renderer);
-    struct image traced = trace(&stage, volume_ao_distance(&desc.settings, &stage.geometry));
+    OWNED(image) drawn = layers_with_ao(&renderer);
+    OWNED(image) traced = trace(&stage, volume_ao_distance(&desc.settings, &stage.geometry));
     int ao = image_find_channel(&traced, "ao.Y"), covered = 0;
     double squares = 0, sum = 0;
     for (int i = 0; i < SIZE * SIZE; i++) {
@@ -95,9 +90,6 @@ TEST(traced) {
     check_at_most("RMSE", sqrt(squares / covered), .06);
     check_near("bias", sum / covered, 0, .04);
     check_near("outside", (double)ao_at(&drawn, 0), 0, 0);
-    images_free(&drawn, &traced);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* After a change it is what a new renderer has. */
@@ -117,12 +109,11 @@ static void check_as_fresh(const char *what, struct renderer *renderer,
 }
 
 TEST(changes) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
     open_renderer(&renderer, &desc);
-    struct image before = layers_with_ao(&renderer);
+    OWNED(image) before = layers_with_ao(&renderer);
     desc.camera.eye[0] += .2F;
     check_as_fresh("another camera", &renderer, &desc, &before);
     check_ok("setting", settings_assign(&desc.settings, "volume.ao-distance=.1"));
@@ -131,31 +122,23 @@ TEST(changes) {
     check_as_fresh("fewer voxels", &renderer, &desc, &before);
     desc.width = SIZE / 2;
     check_as_fresh("another size", &renderer, &desc, &before);
-    image_free(&before);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* Points move with their triangles. */
 TEST(poses) {
-    struct stage stage;
-    struct renderer moved, fresh;
-    open_stage(&stage, "scenes/door.glb");
+    OWNED(stage) stage = open_stage("scenes/door.glb");
+    OWNED(renderer) moved, fresh;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
     open_renderer(&moved, &desc);
-    struct image before = layers_with_ao(&moved);
+    OWNED(image) before = layers_with_ao(&moved);
     check_ok("pose", stage_pose(&stage, 2) && stage_show(&stage, &moved));
     renderer_render(&moved);
     desc =
         desc_of(&stage, "unshadowed", small, SIZE, SIZE); /* the lights are elsewhere in memory */
     open_renderer(&fresh, &desc);
-    struct image after = layers_with_ao(&moved), expected = layers_with_ao(&fresh);
+    OWNED(image) after = layers_with_ao(&moved), expected = layers_with_ao(&fresh);
     check_near("less a new renderer's", worst_difference(&after, &expected), 0, 0);
     assert_true(worst_difference(&after, &before) > .01);
-    images_free(&before, &after, &expected);
-    renderer_free(&moved);
-    renderer_free(&fresh);
-    stage_free(&stage);
 }
 
 /* The open share in the middle of the picture. */
@@ -175,9 +158,8 @@ static void mark(const struct texture *texture) {
 
 /* It is drawn once of each frame, and rays are traced once of each pose. */
 TEST(kept) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/door.glb");
+    OWNED(stage) stage = open_stage("scenes/door.glb");
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
     open_renderer(&renderer, &desc);
     double drawn = (double)shown_ao(&renderer);
@@ -192,21 +174,16 @@ TEST(kept) {
     check_ok("pose", stage_pose(&stage, 0) && stage_show(&stage, &renderer));
     renderer_render(&renderer);
     check_near("posed", (double)shown_ao(&renderer), drawn, 0);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* Before a frame is drawn. */
 TEST(refusal) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
     check_ok("setting", settings_assign(&desc.settings, "volume.size=2000"));
     open_renderer(&renderer, &desc);
     check_refused(aov_check(&renderer, "ao"), "volume.size 2000: up to ");
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

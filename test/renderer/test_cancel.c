@@ -37,11 +37,11 @@ static struct image read_frame(struct renderer *renderer) {
 /* Cancels one frame after another, the first of all too, at later and later draws, then lets one be
  * drawn. */
 static void check_technique(const struct stage *stage, const char *name, bool keeps) {
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(stage, name, "vpls=64", 24, 24);
     int asked = 0, all;
     desc.keep_lights = keeps;
-    struct image expected = render_layers(&desc);
+    OWNED(image) expected = render_layers(&desc);
     open_renderer(&renderer, &desc);
     assert_true(render_until(&renderer, 2, &asked));
     assert_false(render_until(&renderer, 1 << 20, &all));
@@ -53,36 +53,28 @@ static void check_technique(const struct stage *stage, const char *name, bool ke
         assert_true(render_until(&renderer, at, &asked));
         assert_int_equal(asked, at);
     }
-    struct image after = read_frame(&renderer);
+    OWNED(image) after = read_frame(&renderer);
     assert_true(same_pixels(&expected, &after));
-    images_free(&expected, &after);
-    renderer_free(&renderer);
 }
 
 TEST(cancelled_frames) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     for (size_t i = 0; techniques[i]; i++)
         if (is_tried_here(i, 5) || strcmp(techniques[i]->name, "implicit-visibility") == 0)
             check_technique(&stage, techniques[i]->name, i % 2);
-    stage_free(&stage);
 }
 
 /* A watch that nobody cancels changes no bit. */
 TEST(watched_frame) {
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     int asked;
-    open_stage(&stage, "scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(&stage, "instant-radiosity", "vpls=64", 24, 24);
     open_renderer(&renderer, &desc);
-    struct image expected = read_frame(&renderer), watched;
+    OWNED(image) expected = read_frame(&renderer), watched;
     assert_false(render_until(&renderer, 1 << 20, &asked));
     check_ok("layers", renderer_read_layers(&renderer, &watched));
     assert_true(same_pixels(&expected, &watched));
-    images_free(&expected, &watched);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

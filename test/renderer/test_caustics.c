@@ -12,26 +12,24 @@ static const char *const kinds[] = {CHEAP "caustics.surface=patches caustics.siz
 
 /* The light of a mirrored light, tinted. */
 TEST(mirror) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_mirror(&stage, 4, 1);
     for (int k = 0; k < 2; k++) {
-        struct image drawn = draw(&stage, kinds[k]);
+        OWNED(image) drawn = draw(&stage, kinds[k]);
         double expected = 1 / (16 * GLM_PI), tolerance = k ? .1 : .01;
         printf("    %s\n", kinds[k]);
         check_near("red over expected", channel_mean(&drawn, "caustic.R") / expected, 1, tolerance);
         check_near("blue over expected", channel_mean(&drawn, "caustic.B") / expected, .6,
                    tolerance);
         check_near("direct", mean_of(&drawn, "direct"), 0, 1e-9);
-        image_free(&drawn);
     }
-    stage_free(&stage);
 }
 
 /* On the axis: I (1 - F)^2 / (s + t/n + e)^2. */
 TEST(slab) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_slab(&stage, 1.5F, 1, .5F);
-    struct image drawn = draw(&stage, PATCHES);
+    OWNED(image) drawn = draw(&stage, PATCHES);
     check_near("over expected", mean_of(&drawn, "caustic") * GLM_PI / .246564, 1, .01);
     check_near("direct", mean_of(&drawn, "direct"), 0, 1e-9);
     image_free(&drawn);
@@ -40,26 +38,22 @@ TEST(slab) {
     drawn = draw(&stage, PATCHES);
     check_near("absorbing, over expected",
                mean_of(&drawn, "caustic") * GLM_PI / (.246564 * exp(-.6)), 1, .01);
-    image_free(&drawn);
-    stage_free(&stage);
 }
 
 /* All light of a mirror that is that wide lands where the camera sees it: a square of 2 m. */
 static void check_energy(double half) {
-    struct stage stage;
+    OWNED(stage) stage;
     const double height = 2.5;
     open_mirror(&stage, 2 * half, (float)height);
     stage.camera.fov_y = glm_rad(60);
     double solid_angle = 4 * asin(half * half / (half * half + 1));
     double pixel = pow(2 * height * tan(GLM_PI / 6) / SIZE, 2);
     for (int k = 0; k < 2; k++) {
-        struct image drawn = draw(&stage, kinds[k]);
+        OWNED(image) drawn = draw(&stage, kinds[k]);
         double landed = channel_mean(&drawn, "caustic.R") * GLM_PI * pixel * SIZE * SIZE;
         printf("    %s\n", kinds[k]);
         check_near("landed over sent", landed / solid_angle, 1, .02);
-        image_free(&drawn);
     }
-    stage_free(&stage);
 }
 
 TEST(energy) {
@@ -77,7 +71,7 @@ TEST(no_refraction) {
                 {-.6F, 2.27F, 0, 256, SIZE},   {0, 2.1F, .7F, 256, SIZE},
                 {0, 2.27F, 0, 512, SIZE},      {0, 2.27F, .3F, 256, 2 * SIZE},
                 {.6F, 2.1F, -2, 128, SIZE / 2}};
-    struct stage with, without;
+    OWNED(stage) with, without;
     open_slab(&with, 1, 1, .75F);
     open_nodes(&without, "[" FLOOR_NODE "]", .75F);
     for (int c = 0; c < 3; c++) /* as much as the medium takes, which is not in glass */
@@ -97,7 +91,7 @@ TEST(no_refraction) {
                  CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=%d"
                        " medium.steps=128",
                  rows[i].rays);
-        struct image a = render_stage(&with, "unshadowed", settings, rows[i].size);
+        OWNED(image) a = render_stage(&with, "unshadowed", settings, rows[i].size);
         struct image b =
             render_stage(&without, "unshadowed", CHEAP "medium.steps=128", rows[i].size);
         printf("    g = %g, field of view %g, turned by %g, %d rays a side, %d pixels\n",
@@ -111,10 +105,8 @@ TEST(no_refraction) {
         check_near("light in the medium, with over without",
                    (mean_of(&a, "airlight") + mean_of(&a, "volume")) / mean_of(&b, "airlight"), 1,
                    .03);
-        images_free(&a, &b);
+        image_free(&b);
     }
-    stage_free(&with);
-    stage_free(&without);
 }
 
 /* Light goes up from a mirror to a ceiling, down to a plate, and up again; ceiling and plate
@@ -129,7 +121,7 @@ struct between {
 static struct image draw_between(const struct between *between) {
     float from = between->from, to = between->to;
     static const float down[] = {1, 0, -1};
-    struct stage stage;
+    OWNED(stage) stage;
     char nodes[768];
     snprintf(nodes, sizeof nodes,
              "[" FLOOR_NODE ", " UP_NODE
@@ -154,7 +146,6 @@ static struct image draw_between(const struct between *between) {
                                    .fov_y = 2 * atanf((to - from) / 16)};
     struct image drawn =
         draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=256");
-    stage_free(&stage);
     return drawn;
 }
 
@@ -200,9 +191,9 @@ TEST(between_colours) {
 TEST(range) {
     for (int mirror = 0; mirror < 2; mirror++) {
         struct between between = {.mirror_ceiling = mirror, .from = 1.2F, .to = 2.8F};
-        struct image all = draw_between(&between);
+        OWNED(image) all = draw_between(&between);
         between.range = 4;
-        struct image drawn = draw_between(&between);
+        OWNED(image) drawn = draw_between(&between);
         int red = image_find_channel(&all, "volume.R");
         double expected = 0;
         for (int i = 0; i < SIZE * SIZE; i++) {
@@ -212,7 +203,6 @@ TEST(range) {
         printf("    ceiling %s\n", mirror ? "a mirror" : "scatters");
         check_near("over expected", channel_mean(&drawn, "volume.R") * SIZE * SIZE / expected, 1,
                    .015);
-        images_free(&all, &drawn);
     }
 }
 
@@ -222,7 +212,7 @@ TEST(chance) {
     enum { LIGHTS = 40 };
     double means[2];
     for (int last = 0; last < 2; last++) {
-        struct stage stage;
+        OWNED(stage) stage;
         open_slab(&stage, 1.5F, 1, .5F);
         for (int c = 0; c < 3; c++)
             stage.scene.materials[SMOOTH].absorption[c] = 17;
@@ -244,11 +234,9 @@ TEST(chance) {
                                        .up = {0, 0, 1},
                                        .forward = {0, 1, 0},
                                        .fov_y = .12F};
-        struct image drawn = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
+        OWNED(image) drawn = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
                                                 " caustics.size=256 caustics.chains=1");
         means[last] = mean_of(&drawn, "volume");
-        image_free(&drawn);
-        stage_free(&stage);
     }
     check_near("first light over the last one", means[0] / means[1], 1, .1);
 }
@@ -260,7 +248,7 @@ TEST(published) {
                                            "paper caustics.step=.02 caustics.kernel=.25",
                                            "paper caustics.kernel=2 caustics.step=.02"};
     static const char lines[] = CHEAP "caustics.size=256 medium.steps=8 caustics.medium=";
-    struct stage stage;
+    OWNED(stage) stage;
     open_slab(&stage, 1, .1F, .75F);
     set_medium(&stage, .15F, .02F, .3F);
     stage.camera = (struct camera){.eye = {0, -6, .5F},
@@ -270,23 +258,20 @@ TEST(published) {
                                    .fov_y = .1F};
     char text[256];
     snprintf(text, sizeof text, "%slines", lines);
-    struct image right = draw(&stage, text);
+    OWNED(image) right = draw(&stage, text);
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         snprintf(text, sizeof text, "%s%s", lines, settings[i]);
-        struct image drawn = draw(&stage, text);
+        OWNED(image) drawn = draw(&stage, text);
         printf("    %s\n", settings[i]);
         check_near("published over lines", mean_of(&drawn, "volume") / mean_of(&right, "volume"),
                    sqrt(2), .04);
-        image_free(&drawn);
     }
-    image_free(&right);
-    stage_free(&stage);
 }
 
 /* Light from beside a wide mirror, just above it: the reflected light of directions that its
  * corners do not bound. */
 TEST(low_light) {
-    struct stage stage;
+    OWNED(stage) stage;
     char nodes[512];
     int used = snprintf(nodes, sizeof nodes,
                         "[" FLOOR_NODE ", {\"mesh\": 0, \"translation\": [-20, 20, 3],"
@@ -302,28 +287,24 @@ TEST(low_light) {
     stage.camera.eye[2] = 2;
     stage.camera.up[1] = -1;
     stage.camera.forward[2] = 1;
-    struct image drawn = draw(&stage, kinds[0]);
+    OWNED(image) drawn = draw(&stage, kinds[0]);
     double square = 2.5 * 2.5 + 2.3 * 2.3, expected = 2.3 / pow(square, 1.5) / GLM_PI;
     check_near("over expected", channel_mean(&drawn, "caustic.R") / expected, 1, .02);
-    image_free(&drawn);
-    stage_free(&stage);
 }
 
 /* A mirror of one side is black from behind, as the reference has it. */
 TEST(behind) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_squares(&stage, &(struct square){UP_NODE, 3, 4}, 1, 1);
     make_mirror(&stage);
     emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
-    struct image drawn = draw(&stage, PATCHES);
+    OWNED(image) drawn = draw(&stage, PATCHES);
     check_near("one side", mean_of(&drawn, "caustic"), 0, 0);
     image_free(&drawn);
     stage.scene.materials[SMOOTH].double_sided = true;
     drawn = draw(&stage, PATCHES);
     check_near("two sides, red over expected", channel_mean(&drawn, "caustic.R") * (16 * GLM_PI), 1,
                .01);
-    image_free(&drawn);
-    stage_free(&stage);
 }
 
 /* A light that lies on a surface, as those of lamps do: the surface does not keep its light. */
@@ -335,7 +316,7 @@ TEST(lamp) {
         float place[3] = {(float)(.3 + side / 2), (float)(.1 + c * side / 2),
                           (float)(2 + s * side / 2)};
         for (int has_lamp = 0; has_lamp < 2; has_lamp++) {
-            struct stage stage;
+            OWNED(stage) stage;
             char nodes[512];
             int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
             used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, 4);
@@ -350,10 +331,8 @@ TEST(lamp) {
             stage.camera.fov_y = glm_rad(60);
             memcpy(stage.emitters.items[0].position, place, sizeof place);
             emitter_aim(&stage.emitters.items[0], (float[]){0, (float)-s, (float)c});
-            struct image drawn = draw(&stage, PATCHES);
+            OWNED(image) drawn = draw(&stage, PATCHES);
             means[has_lamp] = mean_of(&drawn, "caustic");
-            image_free(&drawn);
-            stage_free(&stage);
         }
         check_near("with over without a lamp", means[1] / means[0], 1, .02);
     }
@@ -361,17 +340,15 @@ TEST(lamp) {
 
 /* Caustics carry all that a mirror reflects, so no technique has it light the floor as well. */
 TEST(no_indirect) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_mirror(&stage, 4, 1);
     for (int i = 0; techniques[i]; i++) {
         const char *name = techniques[i]->name;
-        struct image off = render_stage(&stage, name, CHEAP, SIZE),
+        OWNED(image) off = render_stage(&stage, name, CHEAP, SIZE),
                      on = render_stage(&stage, name, PATCHES, SIZE);
         printf("    %s: indirect %g without caustics\n", name, mean_of(&off, "indirect"));
         check_near("indirect", mean_of(&on, "indirect"), 0, 1e-6);
-        images_free(&off, &on);
     }
-    stage_free(&stage);
 }
 
 /* --- relations -------------------------------------------------------------------------------- */
@@ -380,9 +357,8 @@ TEST(no_indirect) {
 TEST(more_rays) {
     static const char *const scenes[] = {"scenes/ring.glb", "scenes/gem.glb"};
     for (int s = 0; s < 2; s++) {
-        struct stage stage;
-        open_stage(&stage, scenes[s]);
-        struct image few = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
+        OWNED(stage) stage = open_stage(scenes[s]);
+        OWNED(image) few = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
                                               " caustics.size=128"),
                      many = draw(&stage, CHEAP "caustics.surface=patches caustics.medium=lines"
                                                " caustics.size=256");
@@ -393,45 +369,37 @@ TEST(more_rays) {
             check_near("medium, few over many", mean_of(&few, "volume") / mean_of(&many, "volume"),
                        1, .04);
         check_finite("few", &few);
-        images_free(&few, &many);
-        stage_free(&stage);
     }
 }
 
 TEST(halves) {
-    struct stage stage;
-    open_stage(&stage, "scenes/ring.glb");
+    OWNED(stage) stage = open_stage("scenes/ring.glb");
     struct renderer_desc desc = desc_of(&stage, "unshadowed", PATCHES, SIZE, SIZE);
-    struct image one, two;
+    OWNED(image) one, two;
     render_halves(&stage, desc, &one, &two);
     check_at_most("two halves", relative_rmse(&two, &one, "caustic"), 1e-3);
-    images_free(&one, &two);
-    stage_free(&stage);
 }
 
 /* A light that does not reach the ring, a scene without glass, and lines without a medium: not a
  * bit is other. */
 TEST(out_of_view) {
-    struct stage stage;
-    open_stage(&stage, "scenes/ring.glb");
+    OWNED(stage) stage = open_stage("scenes/ring.glb");
     emitter_aim(&stage.emitters.items[0], (float[]){-1, 0, 0});
     struct image drawn = draw(&stage, PATCHES);
     check_near("caustic", mean_of(&drawn, "caustic"), 0, 0);
     check_finite("drawn", &drawn);
     image_free(&drawn);
     stage_free(&stage);
-    open_stage(&stage, "scenes/cornell-box.glb");
-    struct image off = draw(&stage, CHEAP), on = draw(&stage, PATCHES "caustics.medium=lines");
+    stage = open_stage("scenes/cornell-box.glb");
+    OWNED(image) off = draw(&stage, CHEAP), on = draw(&stage, PATCHES "caustics.medium=lines");
     assert_true(same_pixels(&off, &on));
     assert_int_equal(image_find_channel(&on, "caustic.R"), -1);
     images_free(&off, &on);
     stage_free(&stage);
-    open_stage(&stage, "scenes/ring.glb"); /* without a medium */
+    stage = open_stage("scenes/ring.glb"); /* without a medium */
     off = draw(&stage, CHEAP);
     on = draw(&stage, CHEAP "caustics.medium=lines");
     assert_true(same_pixels(&off, &on));
-    images_free(&off, &on);
-    stage_free(&stage);
 }
 
 /* One renderer that goes from setting to setting: the pictures of renderers of their own. */
@@ -442,27 +410,22 @@ TEST(follow) {
                                       PATCHES "caustics.chains=1 lights.bounces=2",
                                       CHEAP,
                                       CHEAP "caustics.medium=lines caustics.size=64"};
-    struct stage stage;
-    struct renderer renderer = {0};
-    open_stage(&stage, "scenes/gem.glb");
+    OWNED(stage) stage = open_stage("scenes/gem.glb");
+    OWNED(renderer) renderer = {0};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         struct renderer_desc desc = desc_of(&stage, "clustered", all[i], SIZE, SIZE);
-        struct image own = render_layers(&desc), followed = follow_layers(&renderer, &desc);
+        OWNED(image) own = render_layers(&desc), followed = follow_layers(&renderer, &desc);
         printf("    %s\n", all[i]);
         assert_true(same_pixels(&own, &followed));
-        images_free(&own, &followed);
     }
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* The mean over passes is that of one frame, for rays move within their texels. */
 TEST(passes) {
     enum { PASSES = 6 };
-    struct stage stage;
-    struct renderer renderer;
-    struct image one, mean;
-    open_stage(&stage, "scenes/gem.glb");
+    OWNED(stage) stage = open_stage("scenes/gem.glb");
+    OWNED(renderer) renderer;
+    OWNED(image) one, mean;
     struct renderer_desc desc =
         desc_of(&stage, "clustered", PATCHES "caustics.medium=lines", SIZE, SIZE);
     desc.progressive = true;
@@ -474,9 +437,6 @@ TEST(passes) {
     check_near("caustic, mean over one", mean_of(&mean, "caustic") / mean_of(&one, "caustic"), 1,
                .1);
     check_near("volume, mean over one", mean_of(&mean, "volume") / mean_of(&one, "volume"), 1, .1);
-    images_free(&one, &mean);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

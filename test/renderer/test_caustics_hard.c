@@ -71,18 +71,15 @@ TEST(hard) {
         {"few rays", "caustics.size=8", NULL},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
         char settings[256];
-        open_stage(&stage, "scenes/gem.glb");
+        OWNED(stage) stage = open_stage("scenes/gem.glb");
         if (rows[i].set)
             rows[i].set(&stage);
         snprintf(settings, sizeof settings, PATCHES "caustics.medium=lines %s", rows[i].settings);
-        struct image drawn = draw(&stage, settings);
+        OWNED(image) drawn = draw(&stage, settings);
         printf("    %s: caustic %.3g, volume %.3g\n", rows[i].what, mean_of(&drawn, "caustic"),
                mean_of(&drawn, "volume"));
         check_finite(rows[i].what, &drawn);
-        image_free(&drawn);
-        stage_free(&stage);
     }
 }
 
@@ -91,7 +88,7 @@ TEST(hard) {
 TEST(nested) {
     static const float indices[] = {1, 1.5F};
     for (int i = 0; i < 2; i++) {
-        struct stage stage;
+        OWNED(stage) stage;
         static const struct square squares[] = {
             {UP_NODE, 1.1, 1}, {UP_NODE, 1, 1}, {DOWN_NODE, .8, 1}, {DOWN_NODE, .7, 1}};
         open_squares(&stage, squares, 4, .5F);
@@ -99,27 +96,23 @@ TEST(nested) {
         stage.camera.fov_y = .3F; /* hundreds of cells: chance tears some */
         double n = (double)indices[i], passes = 1 - pow((n - 1) / (n + 1), 2);
         double way = .9 + .1 / n + .2 / (n * n) + .1 / n + .7;
-        struct image drawn = draw(&stage, CHEAP "caustics.surface=patches caustics.size=256");
+        OWNED(image) drawn = draw(&stage, CHEAP "caustics.surface=patches caustics.size=256");
         printf("    index %g\n", n);
         check_near("over expected",
                    mean_of(&drawn, "caustic") * GLM_PI / (pow(passes, 4) / (way * way)), 1, .02);
-        image_free(&drawn);
-        stage_free(&stage);
     }
 }
 
 /* One side of a slab: a ray enters and never leaves. */
 TEST(open) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_squares(&stage, &(struct square){UP_NODE, 1, 1}, 1, .5F);
     make_glass(&stage, 1.5F);
-    struct image drawn = draw(&stage, PATCHES);
+    OWNED(image) drawn = draw(&stage, PATCHES);
     double open = mean_of(&drawn, "caustic") * GLM_PI;
     check_near("one interface, over .96 / (1 + 1 / 1.5)^2", open * pow(1 + 1 / 1.5, 2) / .96, 1,
                .01);
     check_finite("open", &drawn);
-    image_free(&drawn);
-    stage_free(&stage);
 }
 
 /* Solid glass that caustics do not refract is told, and no other. */

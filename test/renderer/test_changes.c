@@ -94,13 +94,11 @@ static bool same(const struct bitmap *a, const struct bitmap *b) {
 
 /* The changed renderer's picture is bit for bit that of a new one of the same description. */
 static void check_as_new(const char *what, struct renderer *renderer) {
-    struct renderer fresh;
+    OWNED(renderer) fresh;
     check_ok("a new renderer", renderer_init(&fresh, &renderer->desc));
-    struct bitmap expected = picture_of(&fresh), got = picture_of(renderer);
+    OWNED(bitmap) expected = picture_of(&fresh), got = picture_of(renderer);
     if (!same(&expected, &got))
         fail_msg("%s: not the picture of a new renderer", what);
-    bitmaps_free(&expected, &got);
-    renderer_free(&fresh);
 }
 
 static void check_followed(const char *what, struct renderer *renderer,
@@ -157,16 +155,15 @@ TEST_WITH(as_new, set_up, tear_down) {
 }
 
 static void check_still_works(struct renderer *renderer, const struct bitmap *before) {
-    struct bitmap after = picture_of(renderer);
+    OWNED(bitmap) after = picture_of(renderer);
     assert_true(same(before, &after));
-    bitmap_free(&after);
 }
 
 /* Where pixels share more in large pictures, a picture that became large has nothing left of a
  * small one's. */
 TEST_WITH(sizes, set_up, tear_down) {
     struct fixture *fixture = need_context(state);
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct renderer_desc desc = fixture->desc;
     check_ok("init", renderer_init(&renderer, &desc));
     for (const struct technique *const *t = techniques; *t; t++) {
@@ -180,14 +177,13 @@ TEST_WITH(sizes, set_up, tear_down) {
         desc.width = WIDTH, desc.height = HEIGHT;
         check_followed((*t)->name, &renderer, &desc);
     }
-    renderer_free(&renderer);
 }
 
 TEST_WITH(failures, set_up, tear_down) {
     struct fixture *fixture = need_context(state);
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     check_ok("init", renderer_init(&renderer, &fixture->desc));
-    struct bitmap before = picture_of(&renderer);
+    OWNED(bitmap) before = picture_of(&renderer);
     size_t bytes = gpu_memory_total();
     int objects = gpu_memory_object_count();
 
@@ -235,8 +231,6 @@ TEST_WITH(failures, set_up, tear_down) {
 
     assert_int_equal(gpu_memory_total(), bytes);
     assert_int_equal(gpu_memory_object_count(), objects);
-    bitmap_free(&before);
-    renderer_free(&renderer);
 }
 
 static PFNGLGETERRORPROC get_error;
@@ -249,7 +243,7 @@ static GLenum APIENTRY fail_once(void) {
 /* Each allocation of a change fails once. */
 static void check_out_of_memory(struct renderer *renderer, const struct renderer_desc *desc) {
     const struct renderer_desc old = renderer->desc;
-    struct bitmap before = picture_of(renderer);
+    OWNED(bitmap) before = picture_of(renderer);
     size_t bytes = gpu_memory_total();
     int failures = 0;
     calls_left = 0;
@@ -267,12 +261,11 @@ static void check_out_of_memory(struct renderer *renderer, const struct renderer
     }
     printf("    %s: %d failures\n", desc->technique->name, failures);
     assert_true(failures > 10);
-    bitmap_free(&before);
 }
 
 TEST_WITH(out_of_memory, set_up_sky, tear_down) {
     struct fixture *fixture = need_context(state);
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct renderer_desc desc = fixture->desc;
     get_error = gl.GetError;
     check_ok("init", renderer_init(&renderer, &desc));
@@ -285,7 +278,6 @@ TEST_WITH(out_of_memory, set_up_sky, tear_down) {
         desc.width = WIDTH + 9;
         check_out_of_memory(&renderer, &desc);
     }
-    renderer_free(&renderer);
 }
 
 /* Through all techniques and back. */
@@ -338,7 +330,7 @@ static void check_frame(const char *what, struct renderer *renderer,
 TEST_WITH(lights_are_kept, set_up_moving, tear_down) {
     struct fixture *fixture = need_context(state);
     struct renderer_desc desc = fixture->desc;
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     desc.timed = true;
     check_ok("init", renderer_init(&renderer, &desc));
     check_frame("first", &renderer, &desc, true);
@@ -364,7 +356,6 @@ TEST_WITH(lights_are_kept, set_up_moving, tear_down) {
     check_ok("init", renderer_init(&renderer, &desc));
     renderer_render(&renderer);
     check_frame("not kept", &renderer, &desc, true);
-    renderer_free(&renderer);
 }
 
 RUN_TESTS(NULL, NULL)

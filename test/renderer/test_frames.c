@@ -68,31 +68,25 @@ static double error_of(const char *name, const struct image *image, const char *
 }
 
 TEST(techniques) {
-    struct stage stage;
     double worst = 0;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     for (const struct technique *const *t = techniques; *t; t++) {
-        struct image layers = render_stage(&stage, (*t)->name, SMALL, SIZE);
+        OWNED(image) layers = render_stage(&stage, (*t)->name, SMALL, SIZE);
         worst = fmax(worst, error_of((*t)->name, &layers, "indirect", techniques_of_box));
-        image_free(&layers);
     }
     check_at_most("worst", worst, TOLERANCE);
-    stage_free(&stage);
 }
 
 TEST(direct) {
-    struct stage stage;
     double worst = 0;
-    open_stage(&stage, "scenes/table.glb");
+    OWNED(stage) stage = open_stage("scenes/table.glb");
     struct renderer_desc desc = desc_of(&stage, "unshadowed", SMALL, SIZE, SIZE);
     for (const struct direct_method *const *method = direct_methods; *method; method++) {
         desc.direct = *method;
-        struct image layers = render_layers(&desc);
+        OWNED(image) layers = render_layers(&desc);
         worst = fmax(worst, error_of((*method)->name, &layers, "direct", methods_of_table));
-        image_free(&layers);
     }
     check_at_most("worst", worst, TOLERANCE);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

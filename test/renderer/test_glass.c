@@ -29,11 +29,11 @@ static double over_floor(const struct image *image, const char *channel, double 
 
 /* The floor below the light, in a mirror above both. The picture does not show the floor. */
 TEST(mirror) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_mirror(&stage, 4, 1);
     place_light(&stage, 2);
     look_up(&stage);
-    struct image drawn = draw(&stage, SHOWN);
+    OWNED(image) drawn = draw(&stage, SHOWN);
     check_near("red over expected", over_floor(&drawn, "R", 2), 1, .01);
     check_near("blue over expected", over_floor(&drawn, "B", 2) / .6, 1, .01);
     check_near("specular", over_floor(&drawn, "direct.specular.R", 2), 1, .01);
@@ -44,15 +44,13 @@ TEST(mirror) {
     emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
     drawn = draw(&stage, SHOWN);
     check_near("a dark floor", mean_of(&drawn, "direct.specular"), 0, 0);
-    image_free(&drawn);
-    stage_free(&stage);
 }
 
 /* Light that comes back from a mirror is indirect light of the floor that the mirror shows: none
  * but of rays that see the floor by another surface. A ceiling beside the mirror reflects light to
  * the floor. */
 TEST(indirect) {
-    struct stage stage;
+    OWNED(stage) stage;
     char nodes[512];
     int used = snprintf(nodes, sizeof nodes, "[" FLOOR_NODE ", ");
     used += print_square(nodes + used, sizeof nodes - (size_t)used, DOWN_NODE, 3, .2);
@@ -67,16 +65,14 @@ TEST(indirect) {
     stage.emitters.items[0].position[2] = .5F; /* lights the ceiling, and not the floor */
     emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
     stage.emitters.items[0].position[0] = 1;
-    struct image drawn = draw(&stage, SHOWN);
+    OWNED(image) drawn = draw(&stage, SHOWN);
     struct path_tracer_desc desc = {
         .width = 8, .height = 8, .bounces = 1, .samples = 1024, .smooth = true};
-    struct image traced;
+    OWNED(image) traced;
     check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
     double expected = channel_mean(&traced, "indirect.specular.R");
     printf("    traced %g\n", expected);
     check_near("over traced", channel_mean(&drawn, "indirect.specular.R") / expected, 1, .05);
-    images_free(&drawn, &traced);
-    stage_free(&stage);
 }
 
 /* The floor through a slab, straight on: (1 - F)^2 of it, and F^2 of that once more by reflection
@@ -101,13 +97,12 @@ TEST(slab) {
         stage.camera.fov_y = .02F;
         for (int c = 0; c < 3; c++)
             stage.scene.materials[SMOOTH].absorption[c] = rows[i].absorption;
-        struct image drawn = draw(&stage, SHOWN);
+        OWNED(image) drawn = draw(&stage, SHOWN);
         check_near(rows[i].what, over_floor(&drawn, "R", .5) / rows[i].expected, 1, .003);
         check_near("direct", mean_of(&drawn, "direct"), 0, 0);
         image_free(&drawn);
         drawn = draw(&stage, SHOWN "samples=8");
         check_near("of 8 samples", over_floor(&drawn, "R", .5) / rows[i].expected, 1, .003);
-        image_free(&drawn);
         stage_free(&stage);
     }
 }
@@ -125,7 +120,7 @@ TEST(panes) {
                 {"blended .75", .75F, 0, .25}, {"opaque", 1, 0, 0}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         for (int above = 0; above < 2; above++) {
-            struct stage stage;
+            OWNED(stage) stage;
             open_squares(&stage, &(struct square){UP_NODE, 1, 4}, 1, above ? 1.5F : .5F);
             struct material *pane = &stage.scene.materials[SMOOTH];
             pane->blends = rows[i].index == 0 && rows[i].passes > 0;
@@ -139,7 +134,7 @@ TEST(panes) {
             place_light(&stage, 2);
             stage.camera.fov_y = .02F;
             stage.camera.eye[0] = i % 2 ? .05F : 0; /* off and on the diagonal of two triangles */
-            struct image drawn = draw(&stage, CHEAP);
+            OWNED(image) drawn = draw(&stage, CHEAP);
             check_near(rows[i].what, over_floor(&drawn, "R", 2), pow(rows[i].passes, 1 + above),
                        .003);
             image_free(&drawn);
@@ -147,8 +142,6 @@ TEST(panes) {
             fog = i == 0 && !above ? mean_of(&drawn, "airlight") : fog;
             if (!above)
                 check_near("fog", mean_of(&drawn, "airlight") / fog, rows[i].passes, .01);
-            image_free(&drawn);
-            stage_free(&stage);
         }
 }
 
@@ -165,18 +158,16 @@ TEST(panes_reflect) {
                 {UP_NODE, .5F, 0}};
     double of_opaque = 0;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
+        OWNED(stage) stage;
         open_squares(&stage, &(struct square){rows[i].node, 1, 2}, 1, .3F);
         stage.scene.materials[SMOOTH].blends = i > 0;
         stage.scene.materials[SMOOTH].base_color[3] = rows[i].alpha;
         lay_out(&stage);
         place_light(&stage, .5F);
         emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
-        struct image drawn = draw(&stage, "vpls=8192 rsm-size=64");
+        OWNED(image) drawn = draw(&stage, "vpls=8192 rsm-size=64");
         of_opaque = i == 0 ? mean_of(&drawn, "indirect") : of_opaque;
         check_near("over opaque", mean_of(&drawn, "indirect") / of_opaque, rows[i].expected, .015);
-        image_free(&drawn);
-        stage_free(&stage);
     }
 }
 
@@ -220,12 +211,10 @@ TEST(techniques) {
         for (const struct technique *const *t = techniques; *t; t++) {
             double indirect[2];
             for (int pane = 0; pane < 2; pane++) {
-                struct stage stage;
+                OWNED(stage) stage;
                 open_storeys(&stage, pane, above ? 1.6F : .4F);
-                struct image drawn = render_stage(&stage, (*t)->name, "", SIZE);
+                OWNED(image) drawn = render_stage(&stage, (*t)->name, "", SIZE);
                 indirect[pane] = mean_of(&drawn, "indirect");
-                image_free(&drawn);
-                stage_free(&stage);
             }
             check_near((*t)->name, indirect[1] / indirect[0], above ? .16 : .4, .01);
         }
@@ -233,7 +222,7 @@ TEST(techniques) {
 
 /* Links of elements have the colours of panes. */
 TEST(red_light) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_storeys(&stage, true, .4F);
     make_glass(&stage, 1);
     struct material *pane = &stage.scene.materials[SMOOTH];
@@ -241,12 +230,10 @@ TEST(red_light) {
     pane->thin_walled = true;
     memcpy(pane->base_color, (float[]){1, .25F, 0, 1}, sizeof pane->base_color);
     lay_out(&stage);
-    struct image drawn = render_stage(&stage, "implicit-visibility", "", SIZE);
+    OWNED(image) drawn = render_stage(&stage, "implicit-visibility", "", SIZE);
     double red = channel_mean(&drawn, "indirect.R");
     check_near("green over red", channel_mean(&drawn, "indirect.G") / red, .25, .002);
     check_near("blue over red", channel_mean(&drawn, "indirect.B") / red, 0, .002);
-    image_free(&drawn);
-    stage_free(&stage);
 }
 
 /* A pane before nothing: its own side's light, direct or of the floor, is alpha of what it has if
@@ -259,7 +246,7 @@ TEST(panes_before_sky) {
         for (int up = 0; up < 2; up++) {
             double of_opaque = 0;
             for (int blends = 0; blends < 2; blends++) {
-                struct stage stage;
+                OWNED(stage) stage;
                 char nodes[512];
                 int used = print_storeys(nodes, sizeof nodes, SMOOTH, 1);
                 snprintf(nodes + used, sizeof nodes - (size_t)used, "]");
@@ -271,14 +258,12 @@ TEST(panes_before_sky) {
                 emitter_aim(&stage.emitters.items[0], (float[]){0, 0, up ? 1 : -1});
                 look_up(&stage);
                 stage.camera.fov_y = 1;
-                struct image drawn = render_stage(&stage, names[i], "", SIZE);
+                OWNED(image) drawn = render_stage(&stage, names[i], "", SIZE);
                 double seen = channel_mean(&drawn, "R");
                 of_opaque = blends ? of_opaque : seen;
                 if (blends)
                     check_near(up ? "direct over opaque" : "indirect over opaque", seen / of_opaque,
                                .6, tolerances[i]);
-                image_free(&drawn);
-                stage_free(&stage);
             }
         }
 }
@@ -287,7 +272,7 @@ TEST(panes_before_sky) {
 TEST(half_a_lamp) {
     double direct[2];
     for (int pane = 0; pane < 2; pane++) {
-        struct stage stage;
+        OWNED(stage) stage;
         open_nodes(&stage,
                    pane ? "[" FLOOR_NODE ", {\"mesh\": 1, \"translation\": [0, -4, 1],"
                           " \"scale\": [8, 8, 1]}]"
@@ -297,10 +282,8 @@ TEST(half_a_lamp) {
         stage.emitters.items[0].type = EMITTER_AREA;
         stage.emitters.items[0].size[0] = stage.emitters.items[0].size[1] = 1;
         stage.camera.eye[0] = .1F;
-        struct image drawn = draw(&stage, CHEAP);
+        OWNED(image) drawn = draw(&stage, CHEAP);
         direct[pane] = mean_of(&drawn, "direct");
-        image_free(&drawn);
-        stage_free(&stage);
     }
     check_near("direct light over that without a pane", direct[1] / direct[0], .7, .005);
 }
@@ -309,7 +292,7 @@ TEST(half_a_lamp) {
  * tracer. */
 TEST(fog_behind_colours) {
     static const char *const channels[] = {"airlight.R", "airlight.G", "airlight.B"};
-    struct stage stage;
+    OWNED(stage) stage;
     open_squares(&stage, &(struct square){UP_NODE, 1, 30}, 1, 1.5F);
     make_glass(&stage, 1);
     stage.scene.materials[SMOOTH].thin_walled = true;
@@ -321,7 +304,7 @@ TEST(fog_behind_colours) {
     place_light(&stage, .8F);
     struct path_tracer_desc desc = {
         .width = 8, .height = 8, .samples = 64, .medium = stage.scene.medium};
-    struct image drawn = draw(&stage, CHEAP), traced;
+    OWNED(image) drawn = draw(&stage, CHEAP), traced;
     check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
     for (int c = 1; c < 3; c++) {
         check_near("drawn", channel_mean(&drawn, channels[c]) / channel_mean(&drawn, channels[0]),
@@ -330,15 +313,13 @@ TEST(fog_behind_colours) {
                    channel_mean(&traced, channels[c]) / channel_mean(&traced, channels[0]),
                    1. / (1 << c), .002);
     }
-    images_free(&drawn, &traced);
-    stage_free(&stage);
 }
 
 /* Of two renderers of one geometry, glass is a pane to one and an occluder, which throws caustics,
  * to the other. */
 TEST(two_renderers) {
     static const char *const settings[] = {CHEAP, SHOWN};
-    struct stage stage;
+    OWNED(stage) stage;
     struct renderer renderers[2];
     open_slab(&stage, 1.5F, 4, 1);
     place_light(&stage, 2);
@@ -347,22 +328,20 @@ TEST(two_renderers) {
         open_renderer(&renderers[i], &desc);
     }
     for (int i = 0; i < 2; i++) {
-        struct image alone = draw(&stage, settings[i]), beside;
+        OWNED(image) alone = draw(&stage, settings[i]), beside;
         check_ok("update", renderer_update(&renderers[i]));
         renderer_render(&renderers[i]);
         check_ok("layers", renderer_read_layers(&renderers[i], &beside));
         assert_true(same_pixels(&beside, &alone));
-        images_free(&alone, &beside);
     }
     for (int i = 0; i < 2; i++)
         renderer_free(&renderers[i]);
-    stage_free(&stage);
 }
 
 /* A wall of one side, seen from behind through glass, is black, as in the reference; one of two
  * sides has the light below it. */
 TEST(wall_from_behind) {
-    struct stage stage;
+    OWNED(stage) stage;
     char nodes[512];
     int used = snprintf(nodes, sizeof nodes,
                         "[" FLOOR_NODE ", {\"mesh\": 0, \"translation\": [-2, -2, 2.5],"
@@ -378,39 +357,35 @@ TEST(wall_from_behind) {
     emitter_aim(&stage.emitters.items[0], (float[]){0, 0, 1});
     for (int two_sided = 0; two_sided < 2; two_sided++) {
         stage.scene.materials[FLOOR].double_sided = two_sided;
-        struct image drawn = draw(&stage, SHOWN);
+        OWNED(image) drawn = draw(&stage, SHOWN);
         struct path_tracer_desc desc = {
             .width = 16, .height = 16, .samples = 16, .smooth = true, .materials = MATERIALS_FULL};
-        struct image traced;
+        OWNED(image) traced;
         check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
         check_near(two_sided ? "two sides" : "one side", over_floor(&drawn, "R", 1), two_sided,
                    .03);
         check_near("traced", over_floor(&traced, "R", 1), two_sided, .03);
-        images_free(&drawn, &traced);
     }
-    stage_free(&stage);
 }
 
 /* One interface, and a slab in a slab, each of whose interfaces has air on its other side: as the
  * reference has it. */
 TEST(open_and_nested) {
     for (int nested = 0; nested < 2; nested++) {
-        struct stage stage;
+        OWNED(stage) stage;
         static const struct square squares[] = {
             {UP_NODE, 1, 4}, {UP_NODE, .95, 4}, {DOWN_NODE, .85, 4}, {DOWN_NODE, .8, 4}};
         open_squares(&stage, squares, nested ? 4 : 1, 2);
         make_glass(&stage, 1.5F);
         place_light(&stage, .5F);
-        struct image drawn = draw(&stage, SHOWN "caustics.chains=8");
+        OWNED(image) drawn = draw(&stage, SHOWN "caustics.chains=8");
         struct path_tracer_desc desc = {
             .width = 16, .height = 16, .bounces = 1, .samples = 512, .smooth = true};
-        struct image traced;
+        OWNED(image) traced;
         check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
         printf("    %s\n", nested ? "nested" : "open");
         check_near("over traced", channel_mean(&drawn, "R") / channel_mean(&traced, "R"), 1, .02);
         check_finite("drawn", &drawn);
-        images_free(&drawn, &traced);
-        stage_free(&stage);
     }
 }
 
@@ -423,11 +398,10 @@ TEST(traced) {
     static const char shown[] =
         CHEAP "caustics.surface=off caustics.medium=lines caustics.size=8 medium.scatter=.0001";
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
-        struct stage stage;
-        struct image traced;
-        open_stage(&stage, scenes[i]);
+        OWNED(stage) stage = open_stage(scenes[i]);
+        OWNED(image) traced;
         memset(&stage.scene.medium, 0, sizeof stage.scene.medium);
-        struct image drawn = render_stage(&stage, "unshadowed", shown, WIDE);
+        OWNED(image) drawn = render_stage(&stage, "unshadowed", shown, WIDE);
         struct path_tracer_desc desc = {.width = WIDE,
                                         .height = WIDE,
                                         .bounces = 1,
@@ -440,15 +414,13 @@ TEST(traced) {
         check_near("specular over traced", off, 1, .06);
         check_near("direct over traced", mean_of(&drawn, "direct") / mean_of(&traced, "direct"), 1,
                    .02);
-        images_free(&drawn, &traced);
-        stage_free(&stage);
     }
 }
 
 /* A medium between glass and the place that it shows: a window of index 1, or thin, shows the same
  * fog. */
 static void check_medium(bool thin) {
-    struct stage with, without;
+    OWNED(stage) with, without;
     open_slab(&with, 1, 4, 2);
     with.scene.materials[SMOOTH].thin_walled = thin;
     open_nodes(&without, "[" FLOOR_NODE "]", 2);
@@ -459,13 +431,10 @@ static void check_medium(bool thin) {
         with.scene.medium.scattering[c] = without.scene.medium.scattering[c] = .4F;
         with.scene.materials[SMOOTH].absorption[c] = thin ? 0 : .4F;
     }
-    struct image a = draw(&with, SHOWN "medium.steps=128");
-    struct image b = draw(&without, CHEAP "medium.steps=128");
+    OWNED(image) a = draw(&with, SHOWN "medium.steps=128");
+    OWNED(image) b = draw(&without, CHEAP "medium.steps=128");
     check_near(thin ? "thin over none" : "index 1 over none",
                channel_mean(&a, "R") / channel_mean(&b, "R"), 1, .03);
-    images_free(&a, &b);
-    stage_free(&with);
-    stage_free(&without);
 }
 
 TEST(medium) {
@@ -482,29 +451,26 @@ TEST(all_kinds) {
         CHEAP "samples=8 caustics.size=16 caustics.surface=patches caustics.medium=lines",
         CHEAP "samples=8 caustics.size=16 caustics.surface=patches",
         CHEAP "samples=8 caustics.size=16 caustics.medium=lines", CHEAP "samples=8"};
-    struct stage stage;
-    struct renderer renderer = {0};
+    OWNED(stage) stage;
+    OWNED(renderer) renderer = {0};
     check_ok("window",
              stage_init(&stage, &(struct stage_desc){.path = "scenes/window.glb",
                                                      .environment = {"scenes/day.hdr", 0, 1}}));
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         struct renderer_desc desc = desc_of(&stage, "clustered", settings[i], SIZE, SIZE);
-        struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+        OWNED(image) followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
         check_finite(settings[i], &followed);
         assert_true(same_pixels(&followed, &fresh));
-        images_free(&followed, &fresh);
     }
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* Glass is diffuse if all materials are, as it is to the path tracer. */
 TEST(diffuse) {
     static const char *const settings[] = {PATCHES, PATCHES "surface.materials=diffuse",
                                            CHEAP "surface.materials=diffuse"};
-    struct stage stage;
-    struct renderer renderer = {0};
-    struct image followed = {0}, opaque = {0};
+    OWNED(stage) stage;
+    OWNED(renderer) renderer = {0};
+    OWNED(image) followed = {0}, opaque = {0};
     open_slab(&stage, 1.5F, 1, 2);
     for (int i = 0; i < 3; i++) {
         struct renderer_desc desc = desc_of(&stage, "unshadowed", settings[i], SIZE, SIZE);
@@ -517,12 +483,9 @@ TEST(diffuse) {
     assert_true(same_pixels(&followed, &opaque));
     struct path_tracer_desc desc = {
         .width = 16, .height = 16, .samples = 64, .materials = MATERIALS_DIFFUSE, .smooth = true};
-    struct image traced;
+    OWNED(image) traced;
     check_ok("reference", picture_trace_paths(&stage, &desc, &traced, NULL));
     check_near("over traced", mean_of(&followed, "direct") / mean_of(&traced, "direct"), 1, .02);
-    images_free(&followed, &opaque, &traced);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

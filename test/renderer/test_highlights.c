@@ -55,16 +55,16 @@ static void open_ellipsoid(struct stage *stage, const char *radii) {
              " {\"bufferView\": 1, \"componentType\": 5123, \"count\": %d, \"type\": \"SCALAR\"}]",
              VERTICES, INDICES);
     snprintf(nodes, sizeof nodes, "[{\"mesh\": 0, \"scale\": [%s]}]", radii);
-    open_stage(stage, write_parts("ball.glb",
-                                  &(struct gltf_parts){
-                                      .buffers = buffers,
-                                      .views = views,
-                                      .accessors = accessors,
-                                      .materials = "[{\"doubleSided\": false}]",
-                                      .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\":"
-                                                " 0, \"NORMAL\": 0}, \"indices\": 1, \"material\":"
-                                                " 0}]}]",
-                                      .nodes = nodes}));
+    *stage = open_stage(write_parts(
+        "ball.glb",
+        &(struct gltf_parts){.buffers = buffers,
+                             .views = views,
+                             .accessors = accessors,
+                             .materials = "[{\"doubleSided\": false}]",
+                             .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\":"
+                                       " 0, \"NORMAL\": 0}, \"indices\": 1, \"material\":"
+                                       " 0}]}]",
+                             .nodes = nodes}));
     stage->camera = (struct camera){.eye = {0, 0, 3},
                                     .right = {1, 0, 0},
                                     .up = {0, 1, 0},
@@ -99,7 +99,7 @@ static const int sizes[] = {64, 65, 33, 128};
 /* Suns of pi W/m2 at angles from the eye. */
 TEST(suns) {
     static const float roughnesses[] = {0, .1F, .2F}, angles[] = {30, 60, 10};
-    struct stage stage;
+    OWNED(stage) stage;
     open_ball(&stage);
     for (int i = 0; i < 36; i++) {
         struct emitter sun = {.type = EMITTER_DIRECTIONAL, .number = -1};
@@ -117,7 +117,6 @@ TEST(suns) {
                  (double)roughnesses[i / 4 % 3], sizes[i % 4], (double)angle);
         check_ball(&desc, what);
     }
-    stage_free(&stage);
 }
 
 /* A needle of 3 pixels across bends much across alone. A mirror shows E / (4 K) W/sr, with K the
@@ -125,7 +124,7 @@ TEST(suns) {
 TEST(needle) {
     static const float angles[] = {0, 10, 20};
     const double across = .05 * .05, along = .4 * .4;
-    struct stage stage;
+    OWNED(stage) stage;
     open_ellipsoid(&stage, "0.05, 0.4, 0.05");
     stage.scene.materials[0].roughness = 0;
     for (int i = 0; i < 3; i++) {
@@ -140,7 +139,6 @@ TEST(needle) {
         snprintf(what, sizeof what, "needle, %.0f degrees", (double)angles[i]);
         check_mean(&desc, GLM_PI * inverse / 4, .3, what);
     }
-    stage_free(&stage);
 }
 
 /* The same sun as the one bright texel of a sky. */
@@ -153,7 +151,7 @@ static void paint_sun(const float direction[3], float radiance[3]) {
 }
 
 TEST(sun_of_sky) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_ball(&stage);
     stage.scene.materials[0].roughness = 0;
     set_sky(&stage, SKY_WIDTH, SKY_HEIGHT, paint_sun);
@@ -163,7 +161,6 @@ TEST(sun_of_sky) {
         struct renderer_desc desc = desc_of(&stage, "unshadowed", "", sizes[i], sizes[i]);
         check_ball(&desc, "sun of a sky");
     }
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

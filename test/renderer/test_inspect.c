@@ -17,7 +17,7 @@ static void open_frame(struct stage *stage, struct renderer *renderer, const cha
                        const char *settings) {
     char all[256];
     snprintf(all, sizeof all, "%s %s", small, settings);
-    open_stage(stage, "scenes/cornell-box.glb");
+    *stage = open_stage("scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(stage, technique, all, 48, 32);
     open_renderer(renderer, &desc);
 }
@@ -35,7 +35,7 @@ static struct inspect_choice choice_of(const char *output) {
 /* --- outputs ---------------------------------------------------------------------------------- */
 
 static int count_shades(const struct texture *canvas) {
-    struct bitmap picture;
+    OWNED(bitmap) picture;
     bool seen[256] = {false};
     int count = 0;
     texture_read_bitmap(canvas, &picture);
@@ -43,7 +43,6 @@ static int count_shades(const struct texture *canvas) {
         count += !seen[picture.rgba[4 * i + 1]];
         seen[picture.rgba[4 * i + 1]] = true;
     }
-    bitmap_free(&picture);
     return count;
 }
 

@@ -25,7 +25,7 @@ static void open_wall(struct stage *stage, float distance, float radius) {
         "[{\"mesh\": 0, \"translation\": [-20, -20, %g], \"scale\": [40, 40, 1]}]";
     char text[sizeof nodes + 16];
     snprintf(text, sizeof text, nodes, (double)-distance);
-    open_stage(stage, write_parts("wall.glb", &(struct gltf_parts){.nodes = text}));
+    *stage = open_stage(write_parts("wall.glb", &(struct gltf_parts){.nodes = text}));
     stage->camera =
         (struct camera){.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .fov_y = 1e-3F};
     memset(stage->geometry.center, 0, sizeof stage->geometry.center);
@@ -116,7 +116,7 @@ TEST(airlight) {
         double d, angle, wall, expected;
     } rows[] = {{2, 30, 5, .01631943}, {1, 80, 3, 0}, {4, 5, 6, 0}, {2, 150, 5, 0}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
+        OWNED(stage) stage;
         double gamma = rows[i].angle * GLM_PI / 180;
         double expected = closed_form(rows[i].d, gamma, rows[i].wall, .3, .4);
         if (rows[i].expected > 0)
@@ -125,32 +125,29 @@ TEST(airlight) {
         set_medium(&stage, .3F, .1F, 0);
         place_light(&stage, rows[i].d, rows[i].angle);
         check_airlight("closed form of Sun et al.", &stage, expected, 2e-3);
-        stage_free(&stage);
     }
 }
 
 /* So thin that nothing is lost. */
 TEST(thin) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_wall(&stage, 5, 50);
     set_medium(&stage, .3e-5F, 0, 0);
     place_light(&stage, 2, 30);
     for (int c = 0; c < 3; c++)
         stage.emitters.items[0].intensity[c] = 1e5F;
     check_airlight("without extinction", &stage, .05541074, 1e-3);
-    stage_free(&stage);
 }
 
 /* Below the top of so large a sphere that it is a half space. */
 TEST(directional) {
-    struct stage stage;
+    OWNED(stage) stage;
     const float deep = 1.5F, large = 2e3F;
     open_wall(&stage, 4, large);
     stage.geometry.center[1] = deep - large;
     stage.emitters.items[0] = emitter_new(EMITTER_DIRECTIONAL);
     set_medium(&stage, .3F, .1F, 0);
     check_airlight("a sun across the view", &stage, .02614171, 3e-3);
-    stage_free(&stage);
 }
 
 TEST(phase) {
@@ -174,7 +171,7 @@ TEST(phase) {
         double angle;
     } rows[] = {{.5F, 30}, {-.5F, 30}, {.99F, 3}, {-.99F, 150}, {.99F, 60}, {-.99F, 30}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
+        OWNED(stage) stage;
         char what[64];
         snprintf(what, sizeof what, "g = %g, %g degrees", (double)rows[i].g, rows[i].angle);
         open_wall(&stage, 5, 50);
@@ -183,7 +180,6 @@ TEST(phase) {
         check_airlight(what, &stage,
                        by_steps(2, rows[i].angle * GLM_PI / 180, 5, .3, .4, (double)rows[i].g),
                        3e-3);
-        stage_free(&stage);
     }
 }
 
@@ -195,27 +191,24 @@ enum { SIZE = 64 };
 
 /* Irradiance from the middle of a sphere that a medium fills: I exp(-sigma R) / R^2. */
 TEST(filled_sphere) {
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
     set_medium(&stage, .5F, .3F, .2F);
-    struct image drawn = render_stage(&stage, "unshadowed", CHEAP, SIZE);
-    struct image traced = trace(&stage, SIZE, 4);
+    OWNED(image) drawn = render_stage(&stage, "unshadowed", CHEAP, SIZE);
+    OWNED(image) traced = trace(&stage, SIZE, 4);
     check_near("drawn", layer_mean(&drawn, "direct"), exp(-.8), 1e-3);
     check_near("traced", layer_mean(&traced, "direct"), exp(-.8), 1e-3);
-    images_free(&drawn, &traced);
-    stage_free(&stage);
 }
 
 /* What absorbs alone takes its share and adds nothing. */
 TEST(absorption) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_wall(&stage, 5, 50);
     place_light(&stage, 2, 30);
-    struct image clear = render_stage(&stage, "unshadowed", CHEAP, SIZE);
-    struct image clear_traced = trace(&stage, SIZE, 4);
+    OWNED(image) clear = render_stage(&stage, "unshadowed", CHEAP, SIZE);
+    OWNED(image) clear_traced = trace(&stage, SIZE, 4);
     set_medium(&stage, 0, .2F, 0);
-    struct image drawn = render_stage(&stage, "unshadowed", CHEAP, SIZE);
-    struct image traced = trace(&stage, SIZE, 4);
+    OWNED(image) drawn = render_stage(&stage, "unshadowed", CHEAP, SIZE);
+    OWNED(image) traced = trace(&stage, SIZE, 4);
     vec3 to_light = {0, 0, -5};
     glm_vec3_sub(to_light, stage.emitters.items[0].position, to_light);
     double passes = exp(-.2 * (double)glm_vec3_norm(to_light)), seen = exp(-.2 * 5);
@@ -227,8 +220,6 @@ TEST(absorption) {
     check_near("seen drawn", layer_mean(&drawn, "") / layer_mean(&clear, ""), passes * seen, 1e-3);
     check_near("seen traced", layer_mean(&traced, "") / layer_mean(&clear_traced, ""),
                passes * seen, 1e-3);
-    images_free(&clear, &clear_traced, &drawn, &traced);
-    stage_free(&stage);
 }
 
 static double difference(const struct image *a, const struct image *b, const char *layer) {
@@ -248,96 +239,82 @@ static double difference(const struct image *a, const struct image *b, const cha
 
 /* Half as large, twice as dense, with a quarter of the light: the same picture. */
 TEST(scale) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     float radius = stage.geometry.radius;
     set_medium(&stage, .3F / radius, .1F / radius, .4F);
-    struct image before = render_stage(&stage, "clustered", CHEAP, SIZE);
-    struct image traced = trace(&stage, SIZE, 4);
+    OWNED(image) before = render_stage(&stage, "clustered", CHEAP, SIZE);
+    OWNED(image) traced = trace(&stage, SIZE, 4);
     scale_scene(&stage.scene, .5F);
     pose_stage(&stage);
     set_medium(&stage, .6F / radius, .2F / radius, .4F);
-    struct image after = render_stage(&stage, "clustered", CHEAP, SIZE);
-    struct image traced_after = trace(&stage, SIZE, 4);
+    OWNED(image) after = render_stage(&stage, "clustered", CHEAP, SIZE);
+    OWNED(image) traced_after = trace(&stage, SIZE, 4);
     check_at_most("drawn airlight", difference(&after, &before, "airlight"), 2e-3);
     check_at_most("drawn beauty", difference(&after, &before, ""), 2e-3);
     check_at_most("traced airlight", difference(&traced_after, &traced, "airlight"), 2e-3);
-    images_free(&before, &traced, &after, &traced_after);
-    stage_free(&stage);
 }
 
 /* A scene's first light, and two half as bright in its place. */
 TEST(halves) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     set_medium(&stage, .3F, 0, .4F);
     struct renderer_desc desc = desc_of(&stage, "unshadowed", CHEAP, SIZE, SIZE);
-    struct image one, two;
+    OWNED(image) one, two;
     render_halves(&stage, desc, &one, &two);
     check_at_most("two halves", difference(&two, &one, "airlight"), 2e-3);
-    images_free(&one, &two);
-    stage_free(&stage);
 }
 
 /* Settings stand for a medium of the file; the file's may be left out; none is no other bit. */
 TEST(settings) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
-    struct image clear = render_stage(&stage, "clustered", CHEAP, SIZE);
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(image) clear = render_stage(&stage, "clustered", CHEAP, SIZE);
     struct image given =
         render_stage(&stage, "clustered", CHEAP "medium.scatter=.3 absorb=.1 medium.g=.4", SIZE);
     float radius = stage.geometry.radius;
     set_medium(&stage, .3F / radius, .1F / radius, .4F);
-    struct image own = render_stage(&stage, "clustered", CHEAP, SIZE);
-    struct image hidden = render_stage(&stage, "clustered", CHEAP "medium.scene=off", SIZE);
+    OWNED(image) own = render_stage(&stage, "clustered", CHEAP, SIZE);
+    OWNED(image) hidden = render_stage(&stage, "clustered", CHEAP "medium.scene=off", SIZE);
     assert_true(same_pixels(&given, &own));
     assert_true(same_pixels(&hidden, &clear));
     assert_int_equal(image_find_channel(&clear, "airlight.R"), -1);
     assert_false(same_pixels(&given, &clear));
-    images_free(&clear, &given, &own, &hidden);
-    stage_free(&stage);
+    image_free(&given);
 }
 
 TEST(without_light) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     set_medium(&stage, .3F, .1F, 0);
     memset(stage.emitters.items[0].intensity, 0, sizeof stage.emitters.items[0].intensity);
-    struct image drawn = render_stage(&stage, "clustered", CHEAP, SIZE);
-    struct image traced = trace(&stage, SIZE, 4);
+    OWNED(image) drawn = render_stage(&stage, "clustered", CHEAP, SIZE);
+    OWNED(image) traced = trace(&stage, SIZE, 4);
     check_finite("drawn", &drawn);
     check_finite("traced", &traced);
     check_near("airlight", mean_of(&drawn, "airlight") + mean_of(&traced, "airlight"), 0, 0);
-    images_free(&drawn, &traced);
-    stage_free(&stage);
 }
 
 /* A light in the camera: airlight without a bound, but a number. */
 TEST(light_in_camera) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_wall(&stage, 5, 10);
     place_light(&stage, 0, 0);
     set_medium(&stage, .1F, 0, 0);
-    struct image drawn = render_stage(&stage, "unshadowed", CHEAP, SIZE);
-    struct image traced = trace(&stage, SIZE, 4);
+    OWNED(image) drawn = render_stage(&stage, "unshadowed", CHEAP, SIZE);
+    OWNED(image) traced = trace(&stage, SIZE, 4);
     check_finite("drawn", &drawn);
     check_finite("traced", &traced);
     check_at_most("100 over the airlight", 100 / mean_of(&drawn, "airlight"), 1);
-    images_free(&drawn, &traced);
-    stage_free(&stage);
 }
 
 /* Passes add up: their mean has the airlight of one frame, with less noise. */
 TEST(passes) {
     enum { PASSES = 8 };
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(&stage, "clustered", CHEAP "medium.scatter=.3", SIZE, SIZE);
-    struct renderer renderer;
-    struct image mean;
+    OWNED(renderer) renderer;
+    OWNED(image) mean;
     desc.progressive = true;
     open_renderer(&renderer, &desc);
-    struct image one;
+    OWNED(image) one;
     check_ok("layers", renderer_read_layers(&renderer, &one));
     for (int pass = 0; pass < PASSES; pass++)
         renderer_add_pass(&renderer, pass);
@@ -345,9 +322,6 @@ TEST(passes) {
     check_near("mean of passes over one frame's",
                mean_of(&mean, "airlight") / mean_of(&one, "airlight"), 1, .05);
     check_finite("passes", &mean);
-    images_free(&one, &mean);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* One renderer that goes from medium to medium, and back from passes: the pictures of renderers of
@@ -356,44 +330,37 @@ TEST(follow) {
     static const char *const all[] = {CHEAP "medium.scatter=.1", CHEAP "medium.scatter=.6", CHEAP,
                                       CHEAP "medium.scatter=.6 medium.g=.5",
                                       CHEAP "medium.scatter=.6 medium.g=.5 medium.steps=8"};
-    struct stage stage;
-    open_stage(&stage, "scenes/table.glb");
-    struct renderer renderer = {0};
+    OWNED(stage) stage = open_stage("scenes/table.glb");
+    OWNED(renderer) renderer = {0};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         if (!is_tried_here(i, 2))
             continue;
         struct renderer_desc desc =
             desc_of(&stage, "clustered", all[i], SIZE + (int)i % 3, SIZE + (int)i % 3);
-        struct image own = render_layers(&desc);
+        OWNED(image) own = render_layers(&desc);
         desc.progressive = desc.keep_lights = true;
-        struct image followed = follow_layers(&renderer, &desc);
+        OWNED(image) followed = follow_layers(&renderer, &desc);
         for (int pass = 0; pass < 3; pass++)
             renderer_add_pass(&renderer, pass);
-        struct image again = follow_layers(&renderer, &desc);
+        OWNED(image) again = follow_layers(&renderer, &desc);
         printf("    %s\n", all[i]);
         assert_true(same_pixels(&own, &followed));
         assert_true(same_pixels(&own, &again));
-        images_free(&own, &followed, &again);
     }
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- against each other ----------------------------------------------------------------------- */
 
 /* Mean of the airlight within 2 %, that of direct light, too; both by the same lights. */
 static void check_scene(const char *path, const char *settings, int samples) {
-    struct stage stage;
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     struct renderer_desc desc = desc_of(&stage, "unshadowed", settings, SIZE, SIZE);
-    struct image drawn = render_layers(&desc);
+    OWNED(image) drawn = render_layers(&desc);
     stage.scene.medium = medium_of(&stage.scene, &desc.settings, stage.geometry.radius);
-    struct image traced = trace(&stage, SIZE, samples);
+    OWNED(image) traced = trace(&stage, SIZE, samples);
     printf("    %s, %s\n", path, settings);
     check_near("airlight", mean_of(&drawn, "airlight") / mean_of(&traced, "airlight"), 1, .02);
     check_near("direct", layer_mean(&drawn, "direct") / layer_mean(&traced, "direct"), 1, .03);
-    images_free(&drawn, &traced);
-    stage_free(&stage);
 }
 
 TEST(scenes) {
@@ -437,11 +404,10 @@ TEST(indirect) {
         {"scenes/gloss.glb", "clustered", "", "indirect.specular", 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
         char settings[128];
         if (!is_tried_here(i, 4))
             continue;
-        open_stage(&stage, rows[i].path);
+        struct stage stage = open_stage(rows[i].path);
         snprintf(settings, sizeof settings, "medium.scatter=.6 absorb=.2 %s", rows[i].settings);
         double clear = drawn_over_traced(&stage, rows[i].technique, rows[i].settings, rows[i].layer,
                                          rows[i].bounces);
@@ -462,32 +428,26 @@ TEST(extremes) {
         "medium.scatter=1e-6", "medium.scatter=.3 steps=1",
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-        struct stage stage;
-        open_stage(&stage, "scenes/three-lights.glb");
+        OWNED(stage) stage = open_stage("scenes/three-lights.glb");
         char settings[128];
         snprintf(settings, sizeof settings, CHEAP "%s", all[i]);
         struct renderer_desc desc = desc_of(&stage, "clustered", settings, SIZE, SIZE);
-        struct image drawn = render_layers(&desc);
+        OWNED(image) drawn = render_layers(&desc);
         stage.scene.medium = medium_of(&stage.scene, &desc.settings, stage.geometry.radius);
-        struct image traced = trace(&stage, SIZE, 4);
+        OWNED(image) traced = trace(&stage, SIZE, 4);
         check_finite(all[i], &drawn);
         check_finite(all[i], &traced);
-        images_free(&drawn, &traced);
-        stage_free(&stage);
     }
 }
 
 /* A million per metre: nothing is seen. */
 TEST(opaque) {
-    struct stage stage;
-    open_stage(&stage, "scenes/hall.glb");
+    OWNED(stage) stage = open_stage("scenes/hall.glb");
     set_medium(&stage, 0, 1e6F, 0);
-    struct image drawn = render_stage(&stage, "clustered", CHEAP, SIZE);
-    struct image traced = trace(&stage, SIZE, 4);
+    OWNED(image) drawn = render_stage(&stage, "clustered", CHEAP, SIZE);
+    OWNED(image) traced = trace(&stage, SIZE, 4);
     check_finite("drawn", &drawn);
     check_near("beauty", mean_of(&drawn, "") + mean_of(&traced, ""), 0, 0);
-    images_free(&drawn, &traced);
-    stage_free(&stage);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -503,7 +463,7 @@ TEST(files) {
         {"{\"sigma_s\": 1, \"g\": -1.5}", "extras: medium: g: it is no number"},
         {"[1, 2]", "extras: medium: it is no object"},
     };
-    struct scene scene;
+    OWNED(scene) scene;
     char more[256];
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
         snprintf(more, sizeof more,
@@ -519,7 +479,6 @@ TEST(files) {
     check_vector("scattering", scene.medium.scattering, .1, .2, .3, 1e-7);
     check_vector("absorption", scene.medium.absorption, .5, .5, .5, 0);
     check_near("g", (double)scene.medium.g, -.25, 0);
-    scene_free(&scene);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -55,7 +55,7 @@ static void check_pixel(const char *what, const float place[2], const int size[2
 TEST(projection) {
     const int size[2] = {640, 360};
     const float aspect = 640 / 360.F;
-    struct scene scene;
+    OWNED(scene) scene;
     check_ok("scene", scene_load(&scene, BOX));
     srand(1);
     for (int i = 0; i < 40; i++) {
@@ -103,7 +103,6 @@ TEST(projection) {
                         size, pixel);
         }
     }
-    scene_free(&scene);
 }
 
 /* --- pictures --- */
@@ -163,9 +162,8 @@ TEST(parts) {
         {"scenes/ring.glb", "unshadowed", "caustics.surface=points", "caustic.G", 1, .01},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
         const int columns = rows[i].columns, width = columns * WIDTH;
-        open_stage(&stage, rows[i].scene);
+        OWNED(stage) stage = open_stage(rows[i].scene);
         struct camera camera = stage.camera;
         const double f = SIZE / 2. / tan((double)camera.fov_y / 2), x = SIZE / 2. - LEFT;
         struct image whole =
@@ -178,16 +176,14 @@ TEST(parts) {
         check_at_most(rows[i].channel, part_off(&part, &whole, rows[i].channel, columns),
                       rows[i].most);
         images_free(&part, &whole);
-        stage_free(&stage);
     }
 }
 
 /* Pixels of a panorama see along their longitude and latitude. */
 TEST(panorama) {
-    struct stage stage;
     struct rays rays;
     int astray = 0, seen = 0;
-    open_stage(&stage, BOX);
+    OWNED(stage) stage = open_stage(BOX);
     open_rays(&rays, &stage);
     struct camera camera = stage.camera;
     glm_vec3_copy(stage.geometry.center, camera.eye);
@@ -216,7 +212,6 @@ TEST(panorama) {
     check_refused(camera_set_panorama(&camera), "shifted lens");
     image_free(&around);
     close_rays(&rays);
-    stage_free(&stage);
 }
 
 /* --- refusals --- */
@@ -272,7 +267,7 @@ TEST(refusals) {
 
 /* A picture without --size has that of the intrinsics. */
 TEST(default_size) {
-    struct stage stage;
+    OWNED(stage) stage;
     int size[2];
     check_ok("stage",
              stage_init(&stage, &(struct stage_desc){.path = "scenes/cornell-box.glb",
@@ -281,7 +276,6 @@ TEST(default_size) {
     stage_default_size(&stage, size);
     assert_int_equal(size[0], 120);
     assert_int_equal(size[1], 80);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

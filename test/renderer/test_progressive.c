@@ -18,7 +18,7 @@ static const char *const box = "scenes/cornell-box.glb";
 
 /* The mean of passes first .. first + count. */
 static struct image render_mean(const struct renderer_desc *desc, int first, int count) {
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct renderer_desc progressive = *desc;
     struct image image;
     progressive.progressive = true;
@@ -27,7 +27,6 @@ static struct image render_mean(const struct renderer_desc *desc, int first, int
         renderer_add_pass(&renderer, first + i);
     assert_int_equal(renderer_pass_count(&renderer), count);
     check_ok("layers", renderer_read_layers(&renderer, &image));
-    renderer_free(&renderer);
     return image;
 }
 
@@ -53,8 +52,7 @@ static void check_alike(const struct image *a, const struct image *b, double bou
 
 /* The first pass is the frame; the next are others, and the same each time. */
 TEST(passes) {
-    struct stage stage;
-    open_stage(&stage, box);
+    OWNED(stage) stage = open_stage(box);
     struct renderer_desc desc = desc_of(&stage, NULL, "vpls=256 vals=8 samples=8", SIZE, SIZE);
     struct image frame = render_layers(&desc), first = render_mean(&desc, 0, 1);
     struct image second = render_mean(&desc, 1, 1), third = render_mean(&desc, 2, 1);
@@ -66,16 +64,14 @@ TEST(passes) {
     struct image *all[] = {&frame, &first, &second, &third, &again};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++)
         image_free(all[i]);
-    stage_free(&stage);
 }
 
 static void check_mean(const char *what, struct renderer *renderer, const struct image *expected) {
-    struct image image;
+    OWNED(image) image;
     check_ok("layers", renderer_read_layers(renderer, &image));
     printf("    %s: indirect differs by %g\n", what,
            worst_difference(&image, expected, "indirect"));
     assert_true(same_pixels(expected, &image));
-    image_free(&image);
 }
 
 /* Renders a pass, changes the renderer, and says whether the mean is kept. */
@@ -89,13 +85,12 @@ static bool keeps(struct renderer *renderer, const struct renderer_desc *changed
 /* What changes a picture begins another mean; exposure does not. Passes depend on their number
  * alone: not on those before, nor on the picture before that. */
 TEST(beginning_anew) {
-    struct stage stage;
-    open_stage(&stage, "scenes/moving-spot.glb");
+    OWNED(stage) stage = open_stage("scenes/moving-spot.glb");
     struct renderer_desc desc =
         desc_of(&stage, NULL, "vpls=128 vals=8 map-size=64 shadow-size=256", SIZE, SIZE);
     desc.progressive = desc.keep_lights = true;
-    struct image fresh = render_mean(&desc, 0, 3);
-    struct renderer renderer;
+    OWNED(image) fresh = render_mean(&desc, 0, 3);
+    OWNED(renderer) renderer;
     check_ok("renderer", renderer_init(&renderer, &desc));
     for (int i = 0; i < 3; i++)
         renderer_add_pass(&renderer, i);
@@ -124,9 +119,6 @@ TEST(beginning_anew) {
     for (int i = 0; i < 3; i++) /* of the same picture once more */
         renderer_add_pass(&renderer, i);
     check_mean("once more", &renderer, &fresh);
-    image_free(&fresh);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- where it goes ---------------------------------------------------------------------------- */
@@ -163,7 +155,7 @@ static double bias(const struct image *test, const struct image *reference) {
 
 /* The mean of few passes and of four times as many, by one renderer. */
 static void render_means(const struct renderer_desc *desc, int few, struct image means[2]) {
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct renderer_desc progressive = *desc;
     progressive.progressive = true;
     check_ok("renderer", renderer_init(&renderer, &progressive));
@@ -173,7 +165,6 @@ static void render_means(const struct renderer_desc *desc, int few, struct image
             check_ok("layers", renderer_read_layers(&renderer, &means[0]));
     }
     check_ok("layers", renderer_read_layers(&renderer, &means[1]));
-    renderer_free(&renderer);
 }
 
 /* Towards the path tracer's picture: both are the mean over pixels' areas. */
@@ -183,8 +174,7 @@ TEST(convergence) {
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         if (!is_tried_here(i, 2))
             continue;
-        struct stage stage;
-        open_stage(&stage, scenes[i]);
+        OWNED(stage) stage = open_stage(scenes[i]);
         struct renderer_desc desc = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
         struct image reference = trace(&stage, is_long_run() ? .006 : .015),
                      frame = render_layers(&desc);
@@ -202,7 +192,6 @@ TEST(convergence) {
         struct image *all[] = {&reference, &frame, &means[0], &means[1]};
         for (size_t k = 0; k < sizeof all / sizeof *all; k++)
             image_free(all[k]);
-        stage_free(&stage);
     }
 }
 
@@ -259,7 +248,7 @@ TEST(split) {
 /* The frame alone is a part, too, of its own weight: 1 + 7 passes are 8. */
 TEST(one_pass) {
     char output[2048];
-    struct image whole, part;
+    OWNED(image) whole, part;
     static const char *const commands[] = {
         RENDER "--passes 1 --first-pass 0 -o @/one.exr",
         RENDER "--passes 7 --first-pass 1 -o @/seven.exr",
@@ -272,7 +261,6 @@ TEST(one_pass) {
     check_alike(&part, &whole, 1e-5);
     assert_string_equal(part.passes, "0..7");
     check_near("weight", part.weight, whole.weight, 1e-6);
-    images_free(&part, &whole);
 }
 
 /* What is set by the user holds for all passes, where they have settings of their own, too; what a
@@ -282,20 +270,16 @@ TEST(given) {
         const char *given;
         bool differs;
     } rows[] = {{"vpls=64", false}, {"vpls=128", true}, {"path=draft", false}};
-    struct stage stage;
-    open_stage(&stage, box);
+    OWNED(stage) stage = open_stage(box);
     struct renderer_desc plain = desc_of(&stage, NULL, "samples=8", SIZE, SIZE);
-    struct image second = render_mean(&plain, 1, 1);
+    OWNED(image) second = render_mean(&plain, 1, 1);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct renderer_desc desc = desc_of(&stage, NULL, rows[i].given, SIZE, SIZE);
-        struct image other = render_mean(&desc, 1, 1);
+        OWNED(image) other = render_mean(&desc, 1, 1);
         double worst = worst_difference(&other, &second, "indirect");
         printf("    second pass with %s: differs by %g\n", rows[i].given, worst);
         assert_true(rows[i].differs == (worst > 0));
-        image_free(&other);
     }
-    image_free(&second);
-    stage_free(&stage);
 }
 
 /* What cannot be averaged, and what cannot be a mean. */

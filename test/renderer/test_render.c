@@ -46,8 +46,7 @@ static struct image render_with(const struct stage *stage, const struct recipe *
 
 /* Frame after frame, renderer after renderer. */
 TEST(twice) {
-    struct stage stage;
-    open_stage(&stage, cornell_animal);
+    OWNED(stage) stage = open_stage(cornell_animal);
     for (int i = 0; i < RECIPES; i++) {
         struct image images[3];
         struct renderer renderer;
@@ -64,15 +63,13 @@ TEST(twice) {
         for (int k = 0; k < 3; k++)
             image_free(&images[k]);
     }
-    stage_free(&stage);
 }
 
 /* Three renderers in one context take turns; each draws what it draws alone. */
 TEST(neighbours) {
-    struct stage stage;
     struct renderer renderers[RECIPES];
     struct image alone[RECIPES];
-    open_stage(&stage, cornell_animal);
+    OWNED(stage) stage = open_stage(cornell_animal);
     for (int i = 0; i < RECIPES; i++)
         alone[i] = render_recipe(&stage, &recipes[i]);
     for (int i = 0; i < RECIPES; i++) {
@@ -83,25 +80,22 @@ TEST(neighbours) {
     for (int i = 0; i < RECIPES; i++)
         renderer_render(&renderers[i]);
     for (int i = 0; i < RECIPES; i++) {
-        struct image image;
+        OWNED(image) image;
         check_ok("layers", renderer_read_layers(&renderers[i], &image));
         assert_true(same_pixels(&image, &alone[i]));
-        image_free(&image);
     }
     for (int i = 0; i < RECIPES; i++) {
         renderer_free(&renderers[i]);
         image_free(&alone[i]);
     }
-    stage_free(&stage);
 }
 
 /* Two libraries, of one Mesa or of two, which may have other places of samples and filter textures
  * otherwise: Mesa 26 makes path=paper .0012 of 22 and 25. */
 TEST(contexts) {
-    struct stage stage;
     struct image images[2][RECIPES];
     char versions[2][128];
-    open_stage(&stage, cornell_animal);
+    OWNED(stage) stage = open_stage(cornell_animal);
     for (int k = 0; k < 2; k++) {
         struct context *context = context_create(
             &(struct context_desc){.kind = k ? CONTEXT_OSMESA : CONTEXT_EGL, .debug = true});
@@ -126,7 +120,6 @@ TEST(contexts) {
                       relative_rmse(&images[1][i], &images[0][i], ""), .005);
         images_free(&images[0][i], &images[1][i]);
     }
-    stage_free(&stage);
 }
 
 static struct image run_binary(const char *environment, const struct recipe *recipe,
@@ -153,10 +146,9 @@ TEST(threads) {
     for (int i = 0; i < RECIPES; i++) {
         if (!is_tried_here((size_t)i, 2))
             continue;
-        struct image one = run_binary("LP_NUM_THREADS=0", &recipes[i], "");
-        struct image four = run_binary("LP_NUM_THREADS=4", &recipes[i], "");
+        OWNED(image) one = run_binary("LP_NUM_THREADS=0", &recipes[i], "");
+        OWNED(image) four = run_binary("LP_NUM_THREADS=4", &recipes[i], "");
         assert_true(same_pixels(&one, &four));
-        images_free(&one, &four);
     }
 }
 
@@ -166,11 +158,11 @@ TEST(contexts_of_binary) {
             !strstr(output, "llvmpipe"))
             skip();
     }
-    struct image egl = run_binary("", &recipes[0], "--context egl --gl-debug --set samples=1");
+    OWNED(image) egl = run_binary("", &recipes[0], "--context egl --gl-debug --set samples=1");
     struct image osmesa =
         run_binary("", &recipes[0], "--context osmesa --gl-debug --set samples=1");
     assert_true(same_pixels(&egl, &osmesa));
-    images_free(&egl, &osmesa);
+    image_free(&osmesa);
 }
 
 /* --- scenes that are the same ----------------------------------------------------------------- */
@@ -216,8 +208,7 @@ static void split_meshes(struct scene *scene) {
 /* The same triangles in another order: only what is equally deep could differ. All triangles are
  * casters, because simplified ones keep vertices where parts meet. */
 TEST(split_meshes) {
-    struct stage stage;
-    open_stage(&stage, cornell_animal);
+    OWNED(stage) stage = open_stage(cornell_animal);
     struct image whole[RECIPES];
     for (int i = 0; i < RECIPES; i++)
         whole[i] = render_with(&stage, &recipes[i], "caster-error=0");
@@ -226,12 +217,11 @@ TEST(split_meshes) {
     pose_stage(&stage);
     assert_int_equal(stage.geometry.index_count, triangles);
     for (int i = 0; i < RECIPES; i++) {
-        struct image split = render_with(&stage, &recipes[i], "caster-error=0");
+        OWNED(image) split = render_with(&stage, &recipes[i], "caster-error=0");
         check_at_most("a scene of meshes in two, relative RMSE",
                       relative_rmse(&split, &whole[i], ""), 1e-3);
-        images_free(&split, &whole[i]);
+        image_free(&whole[i]);
     }
-    stage_free(&stage);
 }
 
 /* Everything turned together. What is rounded, and along which axes boxes are measured, changes:
@@ -239,21 +229,19 @@ TEST(split_meshes) {
  * and the outlines of hard shadows with them. By a right angle bounds stay. */
 TEST(turns) {
     static const struct { double degrees, bound; } turns[] = {{90, .01}, {180, .01}, {37, .06}};
-    struct stage stage;
-    open_stage(&stage, cornell_animal);
+    struct stage stage = open_stage(cornell_animal);
     struct image straight[RECIPES];
     for (int i = 0; i < RECIPES; i++)
         straight[i] = render_recipe(&stage, &recipes[i]);
     stage_free(&stage);
     for (int t = 0; t < 3; t++) {
         printf("  %g degrees\n", turns[t].degrees);
-        open_stage(&stage, cornell_animal);
+        stage = open_stage(cornell_animal);
         turn_stage(&stage, turns[t].degrees);
         for (int i = 0; i < RECIPES; i++) {
-            struct image turned = render_recipe(&stage, &recipes[i]);
+            OWNED(image) turned = render_recipe(&stage, &recipes[i]);
             check_at_most(recipes[i].technique, relative_rmse(&turned, &straight[i], "indirect"),
                           turns[t].bound);
-            image_free(&turned);
         }
         stage_free(&stage);
     }
@@ -318,9 +306,8 @@ static void check_order(struct renderer *renderer, int interleave, int run) {
 
 /* VPLs with their clusters have the sums of those that they were made of. */
 TEST(hue) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, cornell_animal);
+    OWNED(stage) stage = open_stage(cornell_animal);
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "clustered", "vpls=1024", SIZE, SIZE);
     open_renderer(&renderer, &desc);
     struct output_list outputs;
@@ -335,27 +322,21 @@ TEST(hue) {
     free(vpls);
     check_near("sum of red light", (double)sums[2] / light[0], 1, 1e-4);
     check_near("sum of green light", (double)sums[3] / light[1], 1, 1e-4);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 TEST(order) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, cornell_animal);
+    OWNED(stage) stage = open_stage(cornell_animal);
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=1024", SIZE, SIZE);
     open_renderer(&renderer, &desc);
     check_order(&renderer, 1, 1024);
     check_order(&renderer, 8, 16);
     check_order(&renderer, 4, 64);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* Another set of VPLs is another sample of the same light. */
 TEST(seeds) {
-    struct stage stage;
-    open_stage(&stage, cornell_animal);
+    OWNED(stage) stage = open_stage(cornell_animal);
     for (int i = 0; i < RECIPES; i++) {
         bool map_per_vpl = strcmp(recipes[i].technique, "instant-radiosity") == 0;
         struct image images[2];
@@ -373,30 +354,26 @@ TEST(seeds) {
         assert_false(same_pixels(&images[0], &images[1]));
         images_free(&images[0], &images[1]);
     }
-    stage_free(&stage);
 }
 
 /* Twice the VPLs at half the flux: the picture stays and its error falls. */
 TEST(more_vpls) {
-    struct stage stage;
-    open_stage(&stage, cornell_animal);
+    OWNED(stage) stage = open_stage(cornell_animal);
     struct image many =
         render_stage(&stage, "unshadowed", "vpls=16384 interleave=1 near-samples=100", 48);
     double first = 0, last = 0;
     for (int n = 128; n <= 2048; n *= 2) {
         char settings[64];
         snprintf(settings, sizeof settings, "vpls=%d interleave=1 near-samples=100", n);
-        struct image image = render_stage(&stage, "unshadowed", settings, 48);
+        OWNED(image) image = render_stage(&stage, "unshadowed", settings, 48);
         last = relative_rmse(&image, &many, "indirect");
         first = n == 128 ? last : first;
         printf("    N = %4d: relative RMSE %.4f, mean %.4f\n", n, last,
                layer_mean(&image, "indirect") / layer_mean(&many, "indirect"));
-        image_free(&image);
     }
     /* Random points would give a quarter, give or take. */
     check_at_most("error of 2048 over that of 128", last / first, .35);
     image_free(&many);
-    stage_free(&stage);
 }
 
 /* --- memory ----------------------------------------------------------------------------------- */
@@ -404,8 +381,7 @@ TEST(more_vpls) {
 /* The bounds have 15 MiB for adaptive pixels, and 3 for planes of blocks. 34 are for edge samples
  * with the normals of samples, and 20 for planes in a map per VPL. */
 TEST(memory) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     for (int i = 0; i < RECIPES; i++) {
         struct renderer renderer;
         size_t before = gpu_memory_total();
@@ -421,22 +397,18 @@ TEST(memory) {
         assert_int_equal(gpu_memory_total(), before);
         assert_int_equal(gpu_memory_object_count(), objects);
     }
-    stage_free(&stage);
 }
 
 /* A renderer that cannot be made leaves nothing behind. */
 TEST(half_built) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     for (int i = 0; i < RECIPES; i++) {
-        struct renderer renderer;
+        OWNED(renderer) renderer;
         int objects = gpu_memory_object_count();
         struct renderer_desc desc = desc_of(&stage, recipes[i].technique, "", 1 << 20, 8);
         assert_false(renderer_init(&renderer, &desc));
         assert_int_equal(gpu_memory_object_count(), objects);
-        renderer_free(&renderer);
     }
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -15,7 +15,7 @@ struct scene_view {
 
 static void open_view(struct scene_view *view, const char *path) {
     view->renderer = (struct renderer){0};
-    open_stage(&view->stage, path);
+    view->stage = open_stage(path);
 }
 
 static void close_view(struct scene_view *view) {
@@ -161,24 +161,22 @@ TEST(scale) {
         const char *settings = strcmp((*t)->name, "instant-radiosity") == 0
                                    ? "vpls=32 map-size=64 interleave=1"
                                    : "vpls=256 vals=8 map-size=64 interleave=4";
-        struct stage stage;
-        open_stage(&stage, "scenes/cornell-box.glb");
+        struct stage stage = open_stage("scenes/cornell-box.glb");
         struct image plain = render_stage(&stage, (*t)->name, settings, size);
         stage_free(&stage);
         for (size_t i = 0; i < 2; i++) {
             if (!is_tried_here(i + (size_t)(t - techniques), 2))
                 continue;
-            open_stage(&stage, "scenes/cornell-box.glb");
+            stage = open_stage("scenes/cornell-box.glb");
             scale_scene(&stage.scene, scales[i]);
             pose_stage(&stage);
-            struct image scaled = render_stage(&stage, (*t)->name, settings, size);
+            OWNED(image) scaled = render_stage(&stage, (*t)->name, settings, size);
             printf("  %s times %g\n", (*t)->name, (double)scales[i]);
             check_finite("scaled", &scaled);
             check_at_most("the scene at another scale, relative RMSE",
                           relative_rmse(&scaled, &plain, ""), rounding_of(*t));
             check_near("mean", image_mean(&scaled, rgb) / image_mean(&plain, rgb), 1,
                        rounding_of(*t) / 2);
-            image_free(&scaled);
             stage_free(&stage);
         }
         image_free(&plain);

@@ -46,14 +46,13 @@ static void paint_even(const float direction[3], float radiance[3]) {
 static void open_nodes(struct stage *stage, const char *nodes) {
     char all[4096];
     snprintf(all, sizeof all, "[{\"camera\": 0, \"translation\": [0, 0, 0.95]}, %s]", nodes);
-    open_stage(stage,
-               write_parts("room.glb",
-                           &(struct gltf_parts){
-                               .nodes = all,
-                               .materials = "[{\"doubleSided\": true,"
-                                            " \"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
-                               .more = "\"cameras\": [{\"type\": \"perspective\","
-                                       " \"perspective\": {\"yfov\": 1.2, \"znear\": 0.01}}],"}));
+    *stage = open_stage(write_parts(
+        "room.glb",
+        &(struct gltf_parts){.nodes = all,
+                             .materials = "[{\"doubleSided\": true,"
+                                          " \"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
+                             .more = "\"cameras\": [{\"type\": \"perspective\","
+                                     " \"perspective\": {\"yfov\": 1.2, \"znear\": 0.01}}],"}));
     set_sky(stage, 64, 32, paint_even);
 }
 
@@ -76,7 +75,7 @@ static bool comes_in(const struct emitter *light) {
 /* Light from behind the other walls has the least weight; the mean is 1, and so much; most
  * directions come in. */
 TEST(slit) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct sky_groups groups;
     struct environment_lights lights;
     open_nodes(&stage, SLIT_ROOM);
@@ -101,24 +100,22 @@ TEST(slit) {
     check_near("largest weight behind walls", behind, 1, 1e-6);
     printf("    %-48s %d of %d\n", "directions that come in", inside, groups.count);
     assert_true(inside > DIRECTIONS / 2);
-    stage_free(&stage);
 }
 
 /* No place reflects light into the picture: all lights count by their power. */
 TEST(open_floor) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct sky_groups groups, even;
     struct environment_lights lights;
     open_nodes(&stage, "{\"mesh\": 0, \"scale\": [4, 4, 1], \"translation\": [-2, -2, 0]}");
     group(&groups, &lights, &stage);
     environment_lights_group(&even, &lights, DIRECTIONS);
     assert_true(sky_groups_same(&groups, &even));
-    stage_free(&stage);
 }
 
 /* The mean over places is what the lights have together, for even weights and others. */
 TEST(pieces) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct sky_groups groups;
     struct environment_lights lights;
     float weights[ENVIRONMENT_LIGHTS_MAX];
@@ -145,7 +142,6 @@ TEST(pieces) {
             }
         check_near(even ? "even weights" : "other weights", sum / all, 1, 2e-3);
     }
-    stage_free(&stage);
 }
 
 /* Frames of a few seeds have the tracer's light. By twelve directions the slit has up to half too
@@ -158,62 +154,53 @@ TEST(light) {
         if (!is_tried_here(r, 3))
             continue;
         open_nodes(&stage, rooms[r]);
-        struct image reference = trace_stage(&stage, SIZE, is_long_run() ? 4096 : 1024);
+        OWNED(image) reference = trace_stage(&stage, SIZE, is_long_run() ? 4096 : 1024);
         double mean = layer_mean(&reference, "indirect");
         for (int seed = 0; seed < SEEDS; seed++) {
             char settings[64];
             snprintf(settings, sizeof settings, "path=traced lights.seed=%d", seed);
-            struct image image = render_stage(&stage, "clustered", settings, SIZE);
+            OWNED(image) image = render_stage(&stage, "clustered", settings, SIZE);
             double share = layer_mean(&image, "indirect") / mean;
             check_near(settings, share, 1, .35);
             sum += share / SEEDS;
-            image_free(&image);
         }
         check_near("indirect light, mean over seeds", sum, 1, .1);
-        image_free(&reference);
         stage_free(&stage);
     }
 }
 
 /* A renderer whose camera moves has the pictures of new ones. */
 TEST(moved_camera) {
-    struct stage stage;
-    struct renderer renderer = {0};
-    open_stage(&stage, "scenes/courtyard.glb");
+    OWNED(stage) stage = open_stage("scenes/courtyard.glb");
+    OWNED(renderer) renderer = {0};
     for (int i = 0; i < 3; i++) {
         struct renderer_desc desc = desc_of(&stage, "clustered", "vpls=64", SIZE, SIZE);
         desc.keep_lights = true;
         desc.camera.eye[0] += .7F * (float)(i % 2);
-        struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+        OWNED(image) followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
         assert_true(same_pixels(&followed, &fresh));
-        images_free(&followed, &fresh);
     }
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* Voxels stay while only the camera moves, so their light comes from the same directions for all
  * views. */
 TEST(voxels) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_nodes(&stage, SLIT_ROOM);
     struct image by_power =
         render_stage(&stage, "imperfect-volume", "path=fast lights.importance=off", SIZE);
-    struct image usual = render_stage(&stage, "imperfect-volume", "path=fast", SIZE);
+    OWNED(image) usual = render_stage(&stage, "imperfect-volume", "path=fast", SIZE);
     assert_true(same_pixels(&by_power, &usual));
-    images_free(&by_power, &usual);
-    stage_free(&stage);
+    image_free(&by_power);
 }
 
 /* Near light of a plain, whose VPLs are far apart, does not reach into a closed room but at its
  * edges. */
 TEST(closed_room) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_nodes(&stage, PLAIN_ROOM ", {\"mesh\": 0, \"translation\": [-0.5, -0.5, 1]}");
-    struct image image = render_stage(&stage, "clustered", "path=traced importance=off", SIZE);
+    OWNED(image) image = render_stage(&stage, "clustered", "path=traced importance=off", SIZE);
     check_near("indirect light", layer_mean(&image, "indirect"), 0, .002);
-    image_free(&image);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

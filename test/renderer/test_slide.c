@@ -84,13 +84,13 @@ static void place_on_slide(const struct stage *stage, int x, int y, double place
  * has there. */
 TEST(chart) {
     static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
-    struct stage stage;
+    OWNED(stage) stage;
     int checked = 0, lit[4] = {0};
     double worst = 0;
     open_floor(&stage);
-    struct image plain = draw(&stage, CHEAP);
+    OWNED(image) plain = draw(&stage, CHEAP);
     set_slide(&stage, false);
-    struct image drawn = draw(&stage, CHEAP);
+    OWNED(image) drawn = draw(&stage, CHEAP);
     for (int i = 0; i < SIZE * SIZE; i++) {
         double place[2];
         int x = i % SIZE, y = i / SIZE;
@@ -109,8 +109,6 @@ TEST(chart) {
            lit[3]);
     check_at_most("largest error of a pixel, over the light", worst, 1e-3);
     assert_true(lit[0] > 50 && lit[1] > 50 && lit[2] > 50 && lit[3] > 50);
-    images_free(&plain, &drawn);
-    stage_free(&stage);
 }
 
 /* A white slide is none, bit for bit, in all that lights do. */
@@ -118,36 +116,33 @@ TEST(white) {
     static const char settings[] =
         CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=64 medium.scatter=.3";
     static const char *const names[] = {"unshadowed", "clustered", "implicit-visibility"};
-    struct stage stage;
+    OWNED(stage) stage;
     open_slab(&stage, 1.5F, 1, .75F);
     stage.camera.fov_y = glm_rad(130);
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         stage.emitters.items[0].slide = NULL;
-        struct image without = render_stage(&stage, names[i], settings, SIZE);
+        OWNED(image) without = render_stage(&stage, names[i], settings, SIZE);
         set_slide(&stage, true);
-        struct image with = render_stage(&stage, names[i], settings, SIZE);
+        OWNED(image) with = render_stage(&stage, names[i], settings, SIZE);
         printf("    %s: caustic %g, volume %g\n", names[i], mean_of(&with, "caustic"),
                mean_of(&with, "volume"));
         assert_true(same_pixels(&with, &without));
-        images_free(&without, &with);
     }
-    stage_free(&stage);
 }
 
 /* --- other light ------------------------------------------------------------------------------ */
 
 /* Layers of a chart in fog between walls, by the path tracer. */
 TEST(traced) {
-    struct stage stage;
-    struct image traced;
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(image) traced;
     static const char *const channels[] = {"direct.R",   "direct.G",   "direct.B",
                                            "airlight.R", "airlight.G", "airlight.B",
                                            "indirect.R", "indirect.G", "indirect.B"};
-    open_stage(&stage, "scenes/cornell-box.glb");
     for (int c = 0; c < 3; c++)
         stage.scene.medium.scattering[c] = .05F;
     set_slide(&stage, false);
-    struct image drawn = render_stage(&stage, "instant-radiosity", "vpls=1024 rsm-size=256", SIZE);
+    OWNED(image) drawn = render_stage(&stage, "instant-radiosity", "vpls=1024 rsm-size=256", SIZE);
     const struct path_tracer_desc desc = {.width = SIZE,
                                           .height = SIZE,
                                           .samples = 64,
@@ -162,15 +157,13 @@ TEST(traced) {
                    i < 3   ? .02
                    : i < 6 ? .03
                            : .08);
-    images_free(&drawn, &traced);
-    stage_free(&stage);
 }
 
 /* Glass that bends nothing: what was direct light of the slide is a caustic of it, on the floor and
  * in the medium. */
 TEST(caustic) {
     static const char *const channels[] = {"R", "G", "B"};
-    struct stage with, without;
+    OWNED(stage) with, without;
     open_slab(&with, 1, 1, .75F);
     open_nodes(&without, "[" FLOOR_NODE "]", .75F);
     struct stage *const both[] = {&with, &without};
@@ -183,9 +176,9 @@ TEST(caustic) {
     }
     for (int c = 0; c < 3; c++) /* as much as the medium takes, which is not in glass */
         with.scene.materials[SMOOTH].absorption[c] = .1F;
-    struct image a = draw(&with, CHEAP "caustics.surface=patches caustics.medium=lines"
+    OWNED(image) a = draw(&with, CHEAP "caustics.surface=patches caustics.medium=lines"
                                        " caustics.size=256 medium.steps=128");
-    struct image b = draw(&without, CHEAP "medium.steps=128");
+    OWNED(image) b = draw(&without, CHEAP "medium.steps=128");
     for (int c = 0; c < 3; c++) {
         char direct[16], caustic[16], airlight[16], volume[16];
         snprintf(direct, sizeof direct, "direct.%s", channels[c]);
@@ -202,9 +195,6 @@ TEST(caustic) {
                        channel_mean(&b, airlight),
                    1, .03);
     }
-    images_free(&a, &b);
-    stage_free(&with);
-    stage_free(&without);
 }
 
 /* A slide of one colour leaves out the light of the others: with all techniques and
@@ -223,14 +213,12 @@ static void check_magenta(const struct stage *stage, const char *technique,
 
 TEST(everywhere) {
     unsigned char magenta[4] = {255, 0, 255, 255};
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     set_slide_of(&stage, &(struct bitmap){.width = 1, .height = 1, .rgba = magenta});
     for (const struct technique *const *t = techniques; *t; t++)
         check_magenta(&stage, (*t)->name, NULL);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         check_magenta(&stage, "unshadowed", *d);
-    stage_free(&stage);
 }
 
 /* Specular rays that look up maps read the most textures of all passes, and a slide is one more. */
@@ -238,8 +226,7 @@ TEST(specular_maps) {
     static const char *const techniques_of_maps[][2] = {
         {"cluster-lights", CHEAP}, {"clustered", CHEAP "path=paper lights.importance=on"}};
     unsigned char magenta[4] = {255, 0, 255, 255};
-    struct stage stage;
-    open_stage(&stage, "scenes/ring.glb");
+    OWNED(stage) stage = open_stage("scenes/ring.glb");
     set_slide_of(&stage, &(struct bitmap){.width = 1, .height = 1, .rgba = magenta});
     for (int i = 0; i < 2; i++) {
         struct image image =
@@ -249,7 +236,6 @@ TEST(specular_maps) {
         check_near("direct, green", channel_mean(&image, "direct.G"), 0, 0);
         image_free(&image);
     }
-    stage_free(&stage);
 }
 
 /* Two spots, each with its slide, of other sizes: a red and a green one. Red light is the first
@@ -260,7 +246,7 @@ TEST(two_spots) {
                                      {.width = 2, .height = 1, .rgba = green}};
     static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
     static const char settings[] = CHEAP "medium.scatter=.3";
-    struct stage stage;
+    OWNED(stage) stage;
     open_floor(&stage);
     struct emitter lights[2] = {stage.emitters.items[0], stage.emitters.items[0]};
     lights[1].position[0] = .4F;
@@ -274,7 +260,7 @@ TEST(two_spots) {
     stage.emitters = (struct emitters){.items = mem_alloc(2, sizeof *lights), .count = 2};
     memcpy(stage.emitters.items, lights, sizeof lights);
     set_slides_of(&stage, bitmaps, 2);
-    struct image both = draw(&stage, settings);
+    OWNED(image) both = draw(&stage, settings);
     for (int c = 0; c < 3; c++) {
         double expected = c < 2 ? channel_mean(&alone[c], channels[c]) : 0;
         check_near(channels[c], channel_mean(&both, channels[c]) - expected, 0, 1e-4 * expected);
@@ -286,17 +272,15 @@ TEST(two_spots) {
     check_near("airlight, blue", channel_mean(&both, "airlight.B"), 0, 0);
     for (int i = 0; i < 2; i++)
         image_free(&alone[i]);
-    image_free(&both);
-    stage_free(&stage);
 }
 
 /* The mean over passes has the colours of one frame. */
 TEST(passes) {
     enum { PASSES = 4 };
     static const char *const channels[] = {"direct.R", "direct.G", "direct.B"};
-    struct stage stage;
-    struct renderer renderer;
-    struct image one, mean;
+    OWNED(stage) stage;
+    OWNED(renderer) renderer;
+    OWNED(image) one, mean;
     open_floor(&stage);
     set_slide(&stage, false);
     struct renderer_desc desc = desc_of(&stage, "clustered", CHEAP, SIZE, SIZE);
@@ -309,9 +293,6 @@ TEST(passes) {
     for (int c = 0; c < 3; c++)
         check_near(channels[c], channel_mean(&mean, channels[c]) / channel_mean(&one, channels[c]),
                    1, .01);
-    images_free(&one, &mean);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- files ------------------------------------------------------------------------------------ */
@@ -338,11 +319,11 @@ static bool open_file(struct scene *scene, struct geometry *geometry, const char
 #define SPOT "\"type\": \"spot\", \"spot\": {\"outerConeAngle\": 0.5}"
 
 TEST(file) {
-    struct scene scene;
-    struct geometry geometry;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry;
     check_ok("opened",
              open_file(&scene, &geometry, SPOT, "{\"texture\": {\"index\": 0}}", "slide.png"));
-    struct emitters emitters = emitters_place(&scene, 0);
+    OWNED(emitters) emitters = emitters_place(&scene, 0);
     assert_non_null(emitters.items[0].slide);
     for (int side = 0; side < 2; side++) { /* a light looks along -z, its right is x */
         float rgb[3], direction[3] = {side ? .4F : -.4F, 0, -.9F};
@@ -350,23 +331,20 @@ TEST(file) {
         check_near("red", (double)rgb[0], !side, 1e-6);
         check_near("green", (double)rgb[1], side, 1e-6);
     }
-    emitters_free(&emitters);
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 /* A JPEG of a red and a green block of 8 x 8 pixels. */
 TEST(jpeg) {
     unsigned char rgba[4 * 16 * 8] = {0};
-    struct scene scene;
-    struct geometry geometry;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry;
     for (int i = 0; i < 16 * 8; i++)
         rgba[4 * i + (i % 16 >= 8)] = rgba[4 * i + 3] = 255;
     check_ok("written", bitmap_write(&(struct bitmap){.width = 16, .height = 8, .rgba = rgba},
                                      scratch("slide.jpg")));
     check_ok("opened",
              open_file(&scene, &geometry, SPOT, "{\"texture\": {\"index\": 0}}", "slide.jpg"));
-    struct emitters emitters = emitters_place(&scene, 0);
+    OWNED(emitters) emitters = emitters_place(&scene, 0);
     assert_non_null(emitters.items[0].slide);
     check_near("width", emitters.items[0].slide->width, 16, 0);
     for (int side = 0; side < 2; side++) {
@@ -375,9 +353,6 @@ TEST(jpeg) {
         check_near("red", (double)rgb[0], !side, .03); /* a JPEG's colours are rounded */
         check_near("green", (double)rgb[1], side, .03);
     }
-    emitters_free(&emitters);
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 TEST(refused) {

@@ -38,19 +38,16 @@ static void move_away(struct scene *scene, const float translation[3]) {
 static void check_far(const char *path) {
     static const float away[3] = {10000, -10000, 10000};
     for (int i = 0; i < 2; i++) {
-        struct stage stage;
-        open_stage(&stage, path);
+        OWNED(stage) stage = open_stage(path);
         assert_true(stage.scene.origin[0] == 0);
-        struct image near = render_stage(&stage, shadowing[i], small, 48);
+        OWNED(image) near = render_stage(&stage, shadowing[i], small, 48);
         move_away(&stage.scene, away);
         pose_stage(&stage);
         assert_true(scene_recentre(&stage.scene, &stage.geometry));
         check_near("origin", stage.scene.origin[0], 10000, 8);
         pose_stage(&stage);
-        struct image far = render_stage(&stage, shadowing[i], small, 48);
+        OWNED(image) far = render_stage(&stage, shadowing[i], small, 48);
         check_at_most("17 km away", relative_rmse(&far, &near, "indirect"), .005);
-        images_free(&near, &far);
-        stage_free(&stage);
     }
 }
 
@@ -66,21 +63,19 @@ TEST(far) {
 TEST(scales) {
     static const float scales[] = {1e-3F, 1e-2F, .1F, 10, 100, 1000};
     for (const struct technique *const *t = techniques; *t; t++) {
-        struct stage stage;
-        open_stage(&stage, "scenes/sphere.glb");
+        struct stage stage = open_stage("scenes/sphere.glb");
         struct image plain = render_stage(&stage, (*t)->name, small, 48);
         stage_free(&stage);
         for (size_t i = 0; i < sizeof scales / sizeof *scales; i++) {
             if (!is_tried_here(i + 5 * (size_t)(t - techniques), 10)) /* an end */
                 continue;
-            open_stage(&stage, "scenes/sphere.glb");
+            stage = open_stage("scenes/sphere.glb");
             scale_scene(&stage.scene, scales[i]);
             pose_stage(&stage);
-            struct image scaled = render_stage(&stage, (*t)->name, small, 48);
+            OWNED(image) scaled = render_stage(&stage, (*t)->name, small, 48);
             printf("  %s, radius %g m\n", (*t)->name, (double)scales[i]);
             check_at_most("indirect light", relative_rmse(&scaled, &plain, "indirect"), .005);
             check_at_most("picture", relative_rmse(&scaled, &plain, ""), .005);
-            image_free(&scaled);
             stage_free(&stage);
         }
         image_free(&plain);
@@ -93,8 +88,7 @@ TEST(millimetre) {
     static const char *const paths[] = {"scenes/cornell-animal.glb", "scenes/gloss.glb"};
     for (int i = 0; i < 2; i++) {
         struct image traced[2], drawn[2];
-        struct stage stage;
-        open_stage(&stage, paths[i]);
+        OWNED(stage) stage = open_stage(paths[i]);
         for (int k = 0; k < 2; k++) {
             traced[k] = trace_stage(&stage, 32, 4);
             drawn[k] = render_stage(&stage, "clustered", "path=traced vpls=256 columns=256", 32);
@@ -107,7 +101,6 @@ TEST(millimetre) {
         for (int k = 0; k < 2; k++) {
             images_free(&traced[k], &drawn[k]);
         }
-        stage_free(&stage);
     }
 }
 
@@ -128,8 +121,7 @@ static double mean_from(struct stage *stage, const char *technique, const char *
 }
 
 static double leak(const char *technique, const char *settings) {
-    struct stage stage;
-    open_stage(&stage, "scenes/door.glb");
+    struct stage stage = open_stage("scenes/door.glb");
     double lit = mean_from(&stage, technique, settings, (const float[]){-.4F, 1.6F, 1.6F},
                            (const float[]){-1, -.1F, -.6F});
     double dark = mean_from(&stage, technique, settings, (const float[]){3.9F, 1.6F, 1.2F},
@@ -159,20 +151,17 @@ static struct node *find_node(struct scene *scene, const char *name) {
  * centre, nor clusters, casters, blocks and the blur's reach. */
 TEST(plain) {
     for (int i = 0; i < 2; i++) {
-        struct stage stage;
-        open_stage(&stage, "scenes/failures/plain.glb");
+        OWNED(stage) stage = open_stage("scenes/failures/plain.glb");
         double large = (double)stage.geometry.radius;
-        struct image with = render_stage(&stage, shadowing[i], plain_settings, 96);
+        OWNED(image) with = render_stage(&stage, shadowing[i], plain_settings, 96);
         find_node(&stage.scene, "plain")->mesh = -1;
         pose_stage(&stage);
-        struct image without = render_stage(&stage, shadowing[i], plain_settings, 96);
+        OWNED(image) without = render_stage(&stage, shadowing[i], plain_settings, 96);
         printf("    %s: radius %.4g m, without the plain %.4g m\n", shadowing[i], large,
                (double)stage.geometry.radius);
         assert_true(large > 30 * (double)stage.geometry.radius);
         check_at_most("a plain around a room, relative RMSE",
                       relative_rmse(&with, &without, "indirect"), .01);
-        images_free(&with, &without);
-        stage_free(&stage);
     }
 }
 

@@ -22,13 +22,12 @@ static const char all_and_motion[] = "id.node,id.mesh,id.material,position,depth
 
 static struct image draw(const struct stage *stage, const struct camera *camera) {
     struct renderer_desc desc = desc_of(stage, "unshadowed", "", WIDTH, HEIGHT);
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct image image;
     desc.camera = *camera;
     open_renderer(&renderer, &desc);
     check_ok("read", renderer_read_layers(&renderer, &image));
     check_ok("append", aov_append(&renderer, all, NULL, &image));
-    renderer_free(&renderer);
     return image;
 }
 
@@ -127,15 +126,14 @@ TEST(frame_and_rays) {
         {.scene = "scenes/metaballs.glb", .time = .3},
     };
     for (size_t i = 0; i < (is_long_run() ? sizeof rows / sizeof *rows : 3); i++) {
-        struct stage stage;
         printf("    %s\n", rows[i].scene);
-        open_stage(&stage, rows[i].scene);
+        OWNED(stage) stage = open_stage(rows[i].scene);
         check_ok("pose", stage_pose(&stage, rows[i].time));
         struct camera camera = stage.camera;
         camera.orthographic = rows[i].extent > 0;
         camera.y_extent = rows[i].extent;
         camera.shift[0] = rows[i].shift;
-        struct image frame = draw(&stage, &camera), rays = trace(&stage, &camera, NULL);
+        OWNED(image) frame = draw(&stage, &camera), rays = trace(&stage, &camera, NULL);
         float radius = stage.geometry.radius;
         check_places(&frame, &camera, radius);
         if (!rows[i].has_panes)
@@ -146,8 +144,6 @@ TEST(frame_and_rays) {
         check_at_most("positions that differ", off(&frame, &rays, "position.Y", 1e-3F * radius),
                       .006);
         check_at_most("uvs that differ", off(&frame, &rays, "uv.U", 1e-2F), .02);
-        images_free(&frame, &rays);
-        stage_free(&stage);
     }
 }
 
@@ -171,18 +167,17 @@ static void weights_at(float (*positions)[3], const uint32_t index[3], const flo
  * pixel shows now. */
 static void check_motion(const char *path, double time, const char *layer) {
     const double step = .04, then = layer[0] == 'n' ? time + step : time - step;
-    struct stage stage;
     struct surface_motion motion;
     struct rays rays;
     float(*now)[3];
     char name[32];
     int moved = 0, met = 0, apart = 0;
     printf("    %s, %s\n", path, layer);
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     check_ok("pose", stage_pose(&stage, time));
     struct camera camera = stage.camera;
     check_ok("motion", stage_find_motion(&stage, time, step, &motion));
-    struct image image = trace(&stage, &camera, &motion);
+    OWNED(image) image = trace(&stage, &camera, &motion);
     size_t bytes = stage.geometry.vertex_count * sizeof *now;
     now = malloc(bytes);
     memcpy(now, stage.geometry.position, bytes);
@@ -220,8 +215,6 @@ static void check_motion(const char *path, double time, const char *layer) {
     close_rays(&rays);
     free(now);
     surface_motion_free(&motion);
-    image_free(&image);
-    stage_free(&stage);
 }
 
 /* A skin, a rigid door. */
@@ -235,7 +228,7 @@ TEST(motion) {
 
 /* Integers of a file, and the names in its header. */
 TEST(file) {
-    struct image drawn, read;
+    OWNED(image) drawn, read;
     char path[512];
     snprintf(path, sizeof path, "%s", scratch("ids.exr"));
     expect(0, "% render scenes/pawns.glb --size 60x40 --passes 2 -q -o @/ids.exr "
@@ -265,7 +258,6 @@ TEST(file) {
     for (int x = 0; x < 3; x++)
         check_near("id", (double)image_at(&read, x, 0)[image_find_channel(&read, "id.node")],
                    16777213 + x, 0);
-    images_free(&drawn, &read);
 }
 
 TEST(refusals) {

@@ -58,13 +58,12 @@ TEST(interpolation) {
     };
     static const double times[6] = {0, 1, 1.5, 2, 3, 9};
     for (int i = 0; i < 2; i++) {
-        struct scene scene;
+        OWNED(scene) scene;
         load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""), cases[i].clip, values,
                   9);
         for (int t = 0; t < 6; t++)
             check_near("x", (double)translation_x(&scene, times[t]), cases[i].expected[t], 1e-6);
         check_near("duration", scene_duration(&scene), 4, 0);
-        scene_free(&scene);
     }
 }
 
@@ -76,19 +75,18 @@ TEST(cubic) {
         values[9 * k] = values[9 * k + 6] = (float)(3 * keys[k] * keys[k]);
         values[9 * k + 3] = (float)pow(keys[k], 3);
     }
-    struct scene scene;
+    OWNED(scene) scene;
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 9, \"type\": \"VEC3\""),
               CLIPS(CLIP("translation", "CUBICSPLINE")), values, 27);
     for (double t = 1; t <= 4; t += .25)
         check_near("x", (double)translation_x(&scene, t), t * t * t, 1e-5);
-    scene_free(&scene);
 }
 
 /* A quarter turn about z, then on the way back by the quaternion of other sign: the short way. */
 TEST(rotation) {
     const float h = (float)sqrt(.5);
     const float values[12] = {0, 0, 0, 1, 0, 0, -h, -h, 0, 0, 0, 1};
-    struct scene scene;
+    OWNED(scene) scene;
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC4\""),
               CLIPS(CLIP("rotation", "LINEAR")), values, 12);
     static const double times[] = {1, 1.25, 1.5, 2, 3, 4}, degrees[] = {0, 22.5, 45, 90, 45, 0};
@@ -98,12 +96,11 @@ TEST(rotation) {
         check_near("cos", (double)world[0][0], cos(degrees[i] * M_PI / 180), 1e-6);
         check_near("sin", (double)world[0][1], sin(degrees[i] * M_PI / 180), 1e-6);
     }
-    scene_free(&scene);
 }
 
 TEST(clip_choice) {
     static const float values[] = {3, 0, 0, 5, 0, 0, -1, 0, 0};
-    struct scene scene;
+    OWNED(scene) scene;
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
               CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR")), values, 9);
     assert_int_equal(scene.playing_count, 2);
@@ -115,18 +112,15 @@ TEST(clip_choice) {
     check_near("moved", (double)translation_x(&scene, 3), 2, 1e-6);
     assert_false(clips_select(&scene, "walk"));
     assert_string_equal(error_get(), "no clip 'walk' (there is: 0=translation 1=scale)");
-    scene_free(&scene);
 }
 
 static bool is_rigid(const char *clips) {
     static const float values[] = {0, 0, 0, 1, 1, 1, 2, 2, 2};
-    struct scene scene;
-    struct geometry geometry;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry;
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""), clips, values, 9);
     check_ok("geometry", geometry_init(&geometry, &scene, 1));
     bool rigid = geometry.parts[0].rigid;
-    geometry_free(&geometry);
-    scene_free(&scene);
     return rigid;
 }
 
@@ -141,7 +135,7 @@ TEST(rigid) {
 TEST(camera_and_light) {
     const float h = (float)sqrt(.5);
     const float values[12] = {0, 0, 0, 1, 0, h, 0, h, 0, h, 0, h};
-    struct scene scene;
+    OWNED(scene) scene;
     float extra[EXTRA_FLOATS] = {1, 2, 4};
     memcpy(extra + VALUES, values, sizeof values);
     struct gltf_parts parts = {
@@ -165,7 +159,6 @@ TEST(camera_and_light) {
     check_near("forward x", (double)camera.forward[0], -sqrt(.5), 1e-6);
     check_near("light x", (double)light.position[0], 0, 1e-5);
     check_near("light z", (double)light.position[2], -3, 1e-5);
-    scene_free(&scene);
 }
 
 /* --- deformation ------------------------------------------------------------------------------ */
@@ -194,8 +187,8 @@ TEST(morph) {
         .more = CLIPS(CLIP("weights", "LINEAR")),
         .extra = extra,
         .extra_size = sizeof extra};
-    struct scene scene;
-    struct geometry geometry;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry;
     check_ok("scene", load_parts(&scene, "morph.glb", &parts));
     check_ok("geometry", geometry_init(&geometry, &scene, 1.5));
     /* No normals: vertices of two triangles 0 1 2, 0 2 3; weights are (0.5, 0.25). */
@@ -210,8 +203,6 @@ TEST(morph) {
     check_ok("pose", geometry_pose(&geometry, &scene, 4));
     check_near("x", (double)geometry.position[0][0], 20, 1e-6);
     check_near("z", (double)geometry.position[0][2], 1, 1e-6);
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 static const char skin_accessors[] =
@@ -336,8 +327,8 @@ static void check_bounds(const struct geometry *geometry, const float low[3], co
  * sphere holds it at each. */
 TEST(bounds_of_clip) {
     static const float values[] = {0, 0, 0, 10, 0, 0, 4, 0, 0};
-    struct scene scene;
-    struct geometry geometry, first;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry, first;
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
               CLIPS(CLIP("translation", "LINEAR") "," CLIP("scale", "LINEAR")), values, 9);
     check_ok("one clip", clips_select(&scene, "translation"));
@@ -356,9 +347,6 @@ TEST(bounds_of_clip) {
     check_ok("other clip", clips_select(&scene, "scale"));
     check_ok("pose", geometry_pose(&geometry, &scene, 0));
     check_bounds(&geometry, (float[]){0, 0, 0}, (float[]){10, 0, 0});
-    geometry_free(&first);
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 /* Of one pose alone where that is asked for, and where nothing moves. */
@@ -389,7 +377,7 @@ TEST(bounds_of_pose) {
 
 /* Channels of nobody, or of what no node has, and joints beyond four are dropped; the rest moves */
 TEST(left_out) {
-    struct scene scene;
+    OWNED(scene) scene;
     hear_notes();
     load_clip(&scene, CLIP_ACCESSORS("\"count\": 3, \"type\": \"VEC3\""),
               CLIPS("{\"channels\": [{\"sampler\": 0, \"target\": {\"path\": \"scale\"}},"
@@ -429,13 +417,12 @@ TEST(left_out) {
     printf("    %s\n", notes);
     assert_non_null(strstr(notes, "more than four joints a vertex"));
     assert_int_equal(scene.meshes[0].primitives[0].joint_bound, 1);
-    scene_free(&scene);
 }
 
 /* A mesh at two places, each with the node's own weights of its morph targets. */
 TEST(weights_of_places) {
     float places[2][3] = {{1, 0, 0}, {2, 0, 0}};
-    struct scene scene;
+    OWNED(scene) scene;
     check_ok(
         "places",
         load_parts(
@@ -459,7 +446,6 @@ TEST(weights_of_places) {
         check_near("scale", (double)scene.nodes[i].scale[0], i, 0);
     }
     check_near("the mesh's own", (double)scene.meshes[0].weights[0], .5, 0);
-    scene_free(&scene);
 }
 
 /* --- refusals --------------------------------------------------------------------------------- */

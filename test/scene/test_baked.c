@@ -230,10 +230,9 @@ static const char *write_helmet(void) {
  * take the rest: two in a hundred, and of indirect light, of which there is little, as much as the
  * technique errs elsewhere. */
 static void compare(const char *path) {
-    struct stage stage;
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
-    struct image drawn = render_layers(&desc), traced, common;
+    OWNED(image) drawn = render_layers(&desc), traced, common;
     struct path_tracer_progress reached = {0};
     const struct path_tracer_desc tracer = {.width = SIZE,
                                             .height = SIZE,
@@ -248,8 +247,6 @@ static void compare(const char *path) {
     check_at_most("direct", relative_rmse(&drawn, &common, "direct"), .02 + noise);
     check_at_most("indirect", relative_rmse(&drawn, &common, "indirect"), .15 + noise);
     check_at_most("picture", relative_rmse(&drawn, &common, ""), .02 + noise);
-    images_free(&drawn, &traced, &common);
-    stage_free(&stage);
 }
 
 TEST(cube) {

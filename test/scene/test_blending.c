@@ -13,7 +13,7 @@
 
 /* Sums area times what passes over parts left and right of x = .5, where alpha is .2 and .8. */
 static void check_halves(const struct scene *scene) {
-    struct geometry geometry;
+    OWNED(geometry) geometry;
     double area[2] = {0}, passes[2] = {0};
     check_ok("geometry", geometry_init(&geometry, scene, 0));
     struct triangle_parts parts = pane_triangles_of(scene, &geometry);
@@ -30,12 +30,11 @@ static void check_halves(const struct scene *scene) {
     check_near("left passes", passes[0], .5 * .8, .02);
     check_near("right passes", passes[1], .5 * .2, .02);
     free(parts.items);
-    geometry_free(&geometry);
 }
 
 /* Each part's share is much that at its corner, where alpha rises with x. */
 static void check_ramp(const struct scene *scene) {
-    struct geometry geometry;
+    OWNED(geometry) geometry;
     float worst = 0;
     check_ok("geometry", geometry_init(&geometry, scene, 0));
     struct triangle_parts parts = pane_triangles_of(scene, &geometry);
@@ -48,7 +47,6 @@ static void check_ramp(const struct scene *scene) {
     printf("    %u parts\n", parts.count);
     check_at_most("a part's share, off its corner's", (double)worst, .1);
     free(parts.items);
-    geometry_free(&geometry);
 }
 
 /* What blends is opaque where its alpha is 1, and what shines is a hole below half. Half and half
@@ -67,7 +65,7 @@ TEST(blending) {
             rgba[4 * i + 3] = alphas[t][i % 16 / 8];
         write_tiny_png(scratch(t ? "leaf.png" : "curtain.png"), rgba, 16, 16);
     }
-    struct scene scene;
+    OWNED(scene) scene;
     const struct gltf_parts parts = {
         .accessors = PARTS_TEXTURED,
         .more = "\"images\": [{\"uri\": \"curtain.png\"}, {\"uri\": \"leaf.png\"},"
@@ -93,7 +91,6 @@ TEST(blending) {
     check_halves(&scene);
     scene.materials[2].base_color_texture = 2;
     check_ramp(&scene);
-    scene_free(&scene);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -117,7 +117,7 @@ static int count_open_edges(float (*position)[3], const struct caster *caster) {
 /* The triangles with the longest edges are long, as many as may be but for those that are alike,
  * and no triangle is lost. */
 TEST(long) {
-    struct geometry box;
+    OWNED(geometry) box;
     make_box(&box);
     static const int most[] = {0, 1, 5, 8, 11, 12, 1000000};
     for (int i = 0; i < 7; i++) {
@@ -141,12 +141,11 @@ TEST(long) {
             assert_int_equal(list[CASTER_LONG].index_count, 24);
         caster_free(&caster);
     }
-    geometry_free(&box);
 }
 
 /* Both lists have all batches, opaque ones first. */
 TEST(batches) {
-    struct geometry box;
+    OWNED(geometry) box;
     make_box(&box);
     struct caster caster;
     caster_init(&caster, &box, &(struct caster_desc){.long_count = 8});
@@ -172,12 +171,11 @@ TEST(batches) {
                            box.batches[i].index_count),
                    1e-6);
     caster_free(&caster);
-    geometry_free(&box);
 }
 
 /* Metaballs have other triangles with each pose: none is long. */
 TEST(dynamic) {
-    struct geometry box;
+    OWNED(geometry) box;
     make_box(&box);
     box.batches[0].dynamic = true;
     struct caster caster;
@@ -195,7 +193,6 @@ TEST(dynamic) {
     assert_int_equal(caster.list[CASTER_SHORT].opaque_index_count, 12);
     assert_true(caster.list[CASTER_SHORT].indices[0] == first);
     caster_free(&caster);
-    geometry_free(&box);
 }
 
 enum { ROWS = 32, COLUMNS = 64, BALL_INDICES = ROWS * COLUMNS * 6 };
@@ -268,7 +265,7 @@ static double deepest(float (*position)[3], const struct caster *caster) {
 /* A ball of few triangles strays no more than was allowed for, and no crack opens in it nor between
  * its parts. */
 TEST(simplified) {
-    struct geometry ball;
+    OWNED(geometry) ball;
     make_ball(&ball);
     /* The poles' rows have triangles without area. */
     uint32_t before = BALL_INDICES / 3 - 2 * COLUMNS, last = before;
@@ -284,14 +281,13 @@ TEST(simplified) {
         caster_free(&caster);
     }
     check_at_most("triangles", last, before / 3.);
-    geometry_free(&ball);
 }
 
 /* What bends or has holes keeps its triangles, and so does all where nothing may stray. */
 TEST(not_simplified) {
     enum { OFF, NOT_RIGID, MASKED, KINDS };
     for (int kind = 0; kind < KINDS; kind++) {
-        struct geometry ball;
+        OWNED(geometry) ball;
         make_ball(&ball);
         ball.parts[0].rigid = ball.parts[1].rigid = kind != NOT_RIGID;
         if (kind == MASKED)
@@ -302,20 +298,18 @@ TEST(not_simplified) {
         assert_memory_equal(caster.list[CASTER_SHORT].indices, ball.indices,
                             sizeof(uint32_t[BALL_INDICES]));
         caster_free(&caster);
-        geometry_free(&ball);
     }
 }
 
 /* A small thing keeps its shape whatever the scene's size allows for. */
 TEST(small_part) {
-    struct geometry ball;
+    OWNED(geometry) ball;
     make_ball(&ball);
     struct caster caster;
     caster_init(&caster, &ball, &(struct caster_desc){.error = 100});
     check_near("open edges", count_open_edges(ball.position, &caster), 0, 0);
     check_at_most("depth", deepest(ball.position, &caster), .03);
     caster_free(&caster);
-    geometry_free(&ball);
 }
 
 RUN_TESTS(NULL, NULL)

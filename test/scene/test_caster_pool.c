@@ -49,8 +49,7 @@ static const struct caster_gpu *acquire(struct caster_pool *pool, const struct c
 
 /* Who asks for the same gets the same, and one that nobody uses stays until another is made. */
 TEST(shared_and_kept) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-animal.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     size_t before = gpu_memory_total();
     struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
     const struct caster_gpu *a = acquire(pool, &coarse), *same = acquire(pool, &coarse);
@@ -78,7 +77,6 @@ TEST(shared_and_kept) {
     caster_pool_release(pool, &a);
     caster_pool_free(pool);
     assert_int_equal(gpu_memory_total(), before);
-    stage_free(&stage);
 }
 
 /* Solids are told where nothing moves, a camera stands and casters may stray; metaballs close as
@@ -96,8 +94,7 @@ TEST(solid) {
                 {"scenes/metaballs.glb", &exact, false, true}};
     (void)state;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
-        open_stage(&stage, rows[i].path);
+        OWNED(stage) stage = open_stage(rows[i].path);
         for (int n = 0; n < stage.scene.node_count && !rows[i].has_camera; n++)
             stage.scene.nodes[n].camera = -1;
         struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
@@ -108,7 +105,6 @@ TEST(solid) {
         assert_true(rows[i].solid ? solid > all / 2 : solid == 0);
         caster_pool_release(pool, &caster);
         caster_pool_free(pool);
-        stage_free(&stage);
     }
 }
 
@@ -138,28 +134,23 @@ static void check_moved(struct stage *stage, float cell) {
 }
 
 TEST(moved) {
-    struct stage stage;
-    open_stage(&stage, "scenes/door.glb");
+    OWNED(stage) stage = open_stage("scenes/door.glb");
     check_moved(&stage, 0);
-    stage_free(&stage);
 }
 
 /* Metaballs outgrow their room, and all is laid out anew. */
 TEST(laid_out_anew) {
-    struct stage stage;
-    open_stage(&stage, "scenes/metaballs.glb");
+    OWNED(stage) stage = open_stage("scenes/metaballs.glb");
     float cell = stage.scene.metaballs[0].cell;
     stage.scene.metaballs[0].cell = .5F;
     pose_stage(&stage);
     check_moved(&stage, cell);
     assert_true(stage.geometry.laid_out > 1);
-    stage_free(&stage);
 }
 
 /* Where there is an alpha mask casters have texture coordinates. */
 TEST(masked) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     stage.scene.materials[0].alpha_mask = true;
     pose_stage(&stage);
     for (uint32_t i = 0; i < stage.geometry.vertex_count; i++)
@@ -170,7 +161,6 @@ TEST(masked) {
     check_buffers(caster, &stage.geometry);
     caster_pool_release(pool, &caster);
     caster_pool_free(pool);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -83,33 +83,30 @@ TEST(defaults) {
         {CLIP("", CHANNEL("0", "translation", "0")), "0", 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene;
+        OWNED(scene) scene;
         load(&scene, rows[i].clips);
         check_playing(&scene, rows[i].playing);
         check_near("duration", scene_duration(&scene), rows[i].duration, 0);
         char text[CLIPS_TEXT_SIZE];
         clips_to_text(&scene, text);
         assert_string_equal(text, "");
-        scene_free(&scene);
     }
 }
 
 TEST(together) {
-    struct scene scene;
+    OWNED(scene) scene;
     load(&scene, DOOR "," LID);
     check_near("the door at .5 s", x_of(&scene, 0, .5), 2, 1e-6);
     check_near("the lid at .5 s", x_of(&scene, 1, .5), 1, 1e-6);
     check_near("the door at 2 s", x_of(&scene, 0, 2), 4, 1e-6);
     check_near("the lid at 2 s", x_of(&scene, 1, 2), 4, 1e-6);
-    struct geometry geometry;
+    OWNED(geometry) geometry;
     check_ok("geometry", geometry_init(&geometry, &scene, 0));
     check_near("bounds of both", (double)geometry.bounds_max[0], 5, 1e-6);
     check_ok("lid", clips_select(&scene, "lid"));
     check_ok("pose", geometry_pose(&geometry, &scene, 1));
     check_near("the door at rest", x_of(&scene, 0, 1), 0, 0);
     check_near("the lid", x_of(&scene, 1, 1), 2, 1e-6);
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 TEST(choice) {
@@ -122,7 +119,7 @@ TEST(choice) {
         {"a,b,run", NULL, NULL},     {"jump", NULL, NULL},  {"walk,jump", NULL, NULL},
         {"walk,", NULL, NULL},       {"9", NULL, NULL},     {"-1", NULL, NULL},
     };
-    struct scene scene;
+    OWNED(scene) scene;
     load(&scene, WALK "," RUN "," BLINK "," CLIP("a,b", CHANNEL("2", "translation", "0")));
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char text[CLIPS_TEXT_SIZE];
@@ -142,7 +139,6 @@ TEST(choice) {
     check_near("run", x_of(&scene, 0, 1), 2, 1e-6);
     check_ok("the last wins", clips_select(&scene, "run,walk"));
     check_near("walk", x_of(&scene, 0, 1), 4, 1e-6);
-    scene_free(&scene);
 }
 
 /* A note names what is left out, info marks it, and --clip is heard. */

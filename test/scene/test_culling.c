@@ -110,17 +110,14 @@ TEST(triangles) {
     static const char *const paths[] = {"scenes/atrium.glb", "scenes/creatures.glb",
                                         "scenes/metaballs.glb", "scenes/character.glb"};
     for (size_t p = 0; p < sizeof paths / sizeof *paths; p++) {
-        struct stage stage;
-        struct renderer renderer;
-        open_stage(&stage, paths[p]);
+        OWNED(stage) stage = open_stage(paths[p]);
+        OWNED(renderer) renderer;
         struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
         open_renderer(&renderer, &desc);
         check_views(&stage, &renderer.scene.culling);
         check_ok("pose", stage_pose(&stage, 3));
         check_ok("show", stage_show(&stage, &renderer));
         check_views(&stage, &renderer.scene.culling);
-        renderer_free(&renderer);
-        stage_free(&stage);
     }
 }
 
@@ -141,10 +138,9 @@ TEST(pictures) {
     static const int sizes[][2] = {{64, 40}, {3, 2}, {1, 1}};
     for (size_t p = 0; p < sizeof paths / sizeof *paths; p++)
         for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
-            struct stage stage;
-            struct renderer renderer;
-            struct image culled, whole;
-            open_stage(&stage, paths[p]);
+            OWNED(stage) stage = open_stage(paths[p]);
+            OWNED(renderer) renderer;
+            OWNED(image) culled, whole;
             struct renderer_desc desc =
                 desc_of(&stage, "clustered", small, sizes[i][0], sizes[i][1]);
             open_renderer(&renderer, &desc);
@@ -155,9 +151,6 @@ TEST(pictures) {
             printf("%s, %d x %d: difference %g\n", stage.name, sizes[i][0], sizes[i][1],
                    relative_rmse(&culled, &whole, "indirect"));
             assert_true(same_pixels(&culled, &whole));
-            images_free(&culled, &whole);
-            renderer_free(&renderer);
-            stage_free(&stage);
         }
 }
 

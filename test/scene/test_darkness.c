@@ -111,12 +111,10 @@ static int count_added(const struct scene *scene) {
 
 TEST(lamps) {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene;
-        struct geometry geometry;
+        OWNED(scene) scene;
+        OWNED(geometry) geometry;
         check_ok(rows[i].what, scene_open(&scene, &geometry, write_row(&rows[i]), NULL));
         check_near("lights added", count_added(&scene), rows[i].gets_light ? 2 : 0, 0);
-        geometry_free(&geometry);
-        scene_free(&scene);
     }
 }
 
@@ -132,12 +130,10 @@ TEST(far_and_large) {
          "{\"mesh\": 1, \"scale\": [250, 150, 250]}," SQUARE("200", "[-100, 140, -100]", DOWN),
          "0.05", "1", NULL, false}};
     for (size_t i = 0; i < sizeof large / sizeof *large; i++) {
-        struct scene scene;
-        struct geometry geometry;
+        OWNED(scene) scene;
+        OWNED(geometry) geometry;
         check_ok(large[i].what, scene_open(&scene, &geometry, write_row(&large[i]), NULL));
         check_near("lights added", count_added(&scene), large[i].gets_light ? 2 : 0, 0);
-        geometry_free(&geometry);
-        scene_free(&scene);
     }
 }
 
@@ -209,18 +205,15 @@ TEST(named_lights) {
         {"+point; intensity=1,1,1", 2, 4},
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
-        struct scene scene;
-        struct geometry geometry;
-        struct emitters emitters = {0};
+        OWNED(scene) scene;
+        OWNED(geometry) geometry;
+        OWNED(emitters) emitters = {0};
         const struct scene_open_desc desc = {.light = texts[i].light};
         const char *name = texts[i].light ? texts[i].light : "no text";
         check_ok(name, scene_open(&scene, &geometry, write_row(&rows[0]), &desc));
         check_near(name, count_added(&scene), texts[i].added, 0);
         check_ok(name, emitters_from_text(&emitters, &scene, texts[i].light, 0));
         check_near("lights that shine", emitters.count, texts[i].shining, 0);
-        emitters_free(&emitters);
-        geometry_free(&geometry);
-        scene_free(&scene);
     }
 }
 
@@ -255,8 +248,8 @@ TEST(emission_map) {
     static const float uv[8] = {0, 0, 1, 0, 1, 1, 0, 1};
     for (int i = 0; i < 2; i++) {
         char more[512];
-        struct scene scene;
-        struct geometry geometry;
+        OWNED(scene) scene;
+        OWNED(geometry) geometry;
         snprintf(more, sizeof more,
                  "\"images\": [{\"uri\": \"data:image/png;base64,%s\"}],"
                  "\"textures\": [{\"source\": 0}],",
@@ -275,8 +268,6 @@ TEST(emission_map) {
                 .extra_size = sizeof uv});
         check_ok("open", scene_open(&scene, &geometry, path, NULL));
         check_near("lights added", count_added(&scene), i ? 0 : 2, 0);
-        geometry_free(&geometry);
-        scene_free(&scene);
     }
 }
 

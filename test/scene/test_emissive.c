@@ -46,7 +46,7 @@ static void light_batch(struct lit_world *lit, int batch, float radiance) {
 /* Within a sphere that emits 1 and reflects half, each bounce brings half of the one before. */
 TEST(furnace) {
     struct lit_world lit;
-    struct image image;
+    OWNED(image) image;
     world_in_sphere(&lit.world);
     light_batch(&lit, 0, 1);
     struct path_tracer_desc desc = describe(&lit.world, 16, is_long_run() ? 128 : 48);
@@ -65,7 +65,6 @@ TEST(furnace) {
     desc.samples = 1;
     render(&desc, &image);
     check_near("without the lamp, emitted", mean_of(&image, CHANNEL_EMITTED), 0, 0);
-    image_free(&image);
     world_free(&lit.world);
 }
 
@@ -83,20 +82,19 @@ static void make_square(struct lit_world *lit) {
  * reach. */
 TEST(square) {
     struct lit_world lit;
-    struct image image;
+    OWNED(image) image;
     make_square(&lit);
     struct path_tracer_desc desc = describe(&lit.world, 8, 256);
     render(&desc, &image);
     check_near("direct", GLM_PI * mean_of(&image, CHANNEL_DIRECT), .752275, 2e-3);
     check_near("direct, blue", GLM_PI * mean_of(&image, CHANNEL_DIRECT + 2), 4 * .752275, 8e-3);
-    image_free(&image);
     world_free(&lit.world);
 }
 
 /* A texture of two texels, one of them black: half of the light. */
 TEST(texture) {
     struct lit_world lit;
-    struct image image;
+    OWNED(image) image;
     unsigned char rgba[8] = {255, 255, 255, 255, 0, 0, 0, 255};
     struct scene_texture texture = {.bitmap = {2, 1, rgba}, .linear = true, .nearest = true};
     make_square(&lit);
@@ -106,7 +104,6 @@ TEST(texture) {
     struct path_tracer_desc desc = describe(&lit.world, 8, 256);
     render(&desc, &image);
     check_near("direct", GLM_PI * mean_of(&image, CHANNEL_DIRECT), .752275 / 2, 2e-3);
-    image_free(&image);
     world_free(&lit.world);
 }
 
@@ -114,7 +111,7 @@ TEST(texture) {
  * bright without bound. */
 TEST(touching) {
     struct lit_world lit;
-    struct image image;
+    OWNED(image) image;
     world_init(&lit.world);
     add_rectangle(&lit.world, 0, at(0, 0, 1), at(1, 0, 0), at(0, 0, -2));
     add_rectangle(&lit.world, 1, at(0, 0, 1), at(0, 0, -2), at(0, 1, 0));
@@ -127,7 +124,6 @@ TEST(touching) {
     check_at_most("noise", reached.noise, .02);
     check_at_most("brightest, of half the hemisphere",
                   (double)image_at(&image, 0, 8)[CHANNEL_DIRECT], .5);
-    image_free(&image);
     world_free(&lit.world);
 }
 
@@ -238,15 +234,13 @@ TEST(strip) {
 /* --- triangles -------------------------------------------------------------------------------- */
 
 static struct emissive_triangles list_triangles(const struct scene *scene) {
-    struct geometry geometry;
+    OWNED(geometry) geometry;
     struct emissive_triangles list;
-    struct emitters emitters = emitters_place(scene, 0);
+    OWNED(emitters) emitters = emitters_place(scene, 0);
     check_ok("geometry", geometry_init(&geometry, scene, 0));
     emissive_triangles_init(&list, scene, &geometry, &emitters);
     for (int i = 0; i < list.count; i++)
         assert_true(list.places[i].triangle < geometry.index_count / 3);
-    emitters_free(&emitters);
-    geometry_free(&geometry);
     return list;
 }
 
@@ -283,7 +277,7 @@ static double power_of_lights(const struct scene *scene) {
 TEST(many) {
     enum { PANES = 40 };
     char nodes[8192] = "[";
-    struct scene scene;
+    OWNED(scene) scene;
     int own = 0;
     for (int i = 0; i < PANES; i++)
         sprintf(nodes + strlen(nodes),
@@ -314,7 +308,6 @@ TEST(many) {
     assert_int_equal(rest.count, 2 * (PANES - own));
     check_near("power of the rest", power_of_triangles(&rest), 3. * 16 * 17 / 2, 1e-3);
     emissive_triangles_free(&rest);
-    scene_free(&scene);
 }
 
 /* A unit ball of radiance 1 before a patch that faces it: E = pi / d^2. */
@@ -357,7 +350,7 @@ TEST(listed_triangles) {
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char material[128], node[128];
-        struct scene scene;
+        OWNED(scene) scene;
         sprintf(material, "[{\"emissiveFactor\": [1, 1, 1]%s}]", rows[i].material);
         sprintf(node, "[{\"mesh\": 0, %s}]", rows[i].node);
         check_ok(rows[i].what,
@@ -370,13 +363,12 @@ TEST(listed_triangles) {
         struct light_bounds bounds = light_bounds_of_triangle(&list.items[0]);
         check_near("facing", (double)bounds.axis[2], rows[i].facing, 1e-6);
         emissive_triangles_free(&list);
-        scene_free(&scene);
     }
 }
 
 /* A triangle, a mirrored one, and one of two sides, below nodes that turn and stretch them. */
 TEST(shaped) {
-    struct scene scene;
+    OWNED(scene) scene;
     const struct gltf_parts parts = {
         .accessors = ONE_TRIANGLE,
         .materials = "[{\"emissiveFactor\": [1, 1, 1], \"name\": \"glow\"}]",
@@ -393,7 +385,6 @@ TEST(shaped) {
     assert_string_equal(scene.nodes[node_carrying(&scene, NODE_LIGHT, 0)].name, "flag");
     emitter_place(&light, &scene, 1, 0);
     check_near("direction, mirrored", (double)light.direction[2], 1, 1e-5);
-    scene_free(&scene);
 }
 
 /* Which surfaces become lights, and how many: the quad in another material, or moved otherwise. */
@@ -454,14 +445,13 @@ TEST(which_shine) {
     const struct bitmap picture = {4, 4, half};
     check_ok("picture", bitmap_write(&picture, scratch("glow.png")));
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene;
+        OWNED(scene) scene;
         check_ok(rows[i].what, load_parts(&scene, "lamp.glb", &rows[i].parts));
         printf("    %-32s %d lights\n", rows[i].what, scene.light_count);
         if (rows[i].lights >= 0)
             assert_int_equal(scene.light_count, rows[i].lights);
         else
             assert_true(scene.light_count > 0);
-        scene_free(&scene);
     }
 }
 
@@ -486,7 +476,7 @@ TEST(glow) {
             .light = on ? "emitters,point" : "point",
         };
         check_ok("stage", stage_init(&stage, &desc));
-        struct image shown = render_stage(&stage, "unshadowed", "", SIZE);
+        OWNED(image) shown = render_stage(&stage, "unshadowed", "", SIZE);
         const struct path_tracer_desc tracer = {
             .width = SIZE, .height = SIZE, .samples = 1, .centers = true};
         check_ok("trace", picture_trace_paths(&stage, &tracer, &traced, NULL));
@@ -496,7 +486,7 @@ TEST(glow) {
         for (int c = 0; c < 3; c++)
             check_near("radiance in GL", mean_of(&shown, c), mean_of(&traced, c),
                        1e-3 * mean_of(&traced, c));
-        images_free(&shown, &traced);
+        image_free(&traced);
         stage_free(&stage);
     }
 }

@@ -113,23 +113,21 @@ TEST(meet) {
 /* --- which shine ------------------------------------------------------------------------------ */
 
 static void check_picked(const struct scene *scene, const char *text, const char *expected) {
-    struct emitters emitters = {0};
+    OWNED(emitters) emitters = {0};
     check_ok(text ? text : "all", emitters_from_text(&emitters, scene, text, 0));
     char *got = emitters_to_text(&emitters, scene, 0);
     printf("    %-48s %s\n", text ? text : "all", got);
     assert_string_equal(got, expected);
     /* What was written names the very same lights. */
-    struct emitters again = {0};
+    OWNED(emitters) again = {0};
     check_ok(got, emitters_from_text(&again, scene, got, 0));
     assert_int_equal(again.count, emitters.count);
     assert_memory_equal(again.items, emitters.items, (size_t)again.count * sizeof *emitters.items);
     free(got);
-    emitters_free(&emitters);
-    emitters_free(&again);
 }
 
 TEST(texts) {
-    struct scene scene;
+    OWNED(scene) scene;
     check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
     check_picked(&scene, NULL, "0,1,2");
     check_picked(&scene, "", "0,1,2");
@@ -147,7 +145,6 @@ TEST(texts) {
     check_picked(&scene, "+point position=1,2,3 size=.5,0; blue; +directional",
                  "1; +point position=1,2,3 size=0.5,0; +directional");
     check_picked(&scene, "+area type=spot", "+spot");
-    scene_free(&scene);
 }
 
 static void rename_node(struct scene *scene, enum node_kind kind, int n, const char *name) {
@@ -157,7 +154,7 @@ static void rename_node(struct scene *scene, enum node_kind kind, int n, const c
 /* Names with what parts lists: alone by the whole name, else by number. */
 TEST(names_with_signs) {
     static const char *const names[] = {"Sun, warm", "key; w=1,2,3", "a=b"};
-    struct scene scene;
+    OWNED(scene) scene;
     struct camera camera;
     int n;
     check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
@@ -184,12 +181,11 @@ TEST(names_with_signs) {
                         "no light 'none' (there is: 0=Sun, warm 1=key; w=1,2,3 2=of the light)");
     assert_false(camera_from_text(&camera, &scene, "none", 0, NULL));
     assert_string_equal(error_get(), "no camera 'none' (there is: 0=of the camera)");
-    scene_free(&scene);
 }
 
 /* All area lights by one word, which without any is a name like others. */
 TEST(emitters_text) {
-    struct scene scene;
+    OWNED(scene) scene;
     struct emitters emitters = {0};
     check_ok("scene", scene_load(&scene, "scenes/table.glb"));
     check_picked(&scene, "emitters", "0");
@@ -198,7 +194,6 @@ TEST(emitters_text) {
     check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
     assert_false(emitters_from_text(&emitters, &scene, "emitters", 0));
     assert_string_equal(error_get(), "no light 'emitters' (there is: 0=red 1=blue 2=lamp)");
-    scene_free(&scene);
 }
 
 TEST(text_refusals) {
@@ -227,8 +222,8 @@ TEST(text_refusals) {
         {"red intensity=1,2,1e38", "light: intensity=1,2,1e+38: it is negative or above 1e+12"},
         {"red intensity=1,-2,3", "light: intensity=1,-2,3: it is negative or above 1e+12"},
     };
-    struct scene scene;
-    struct emitters emitters = {0};
+    OWNED(scene) scene;
+    OWNED(emitters) emitters = {0};
     check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
     check_ok("blue", emitters_from_text(&emitters, &scene, "blue", 0));
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -237,8 +232,6 @@ TEST(text_refusals) {
         assert_int_equal(emitters.count, 1);
         assert_int_equal(emitters.items[0].number, 1);
     }
-    emitters_free(&emitters);
-    scene_free(&scene);
 }
 
 /* A camera by words: by its name, moved, turned, tilted; and words that mean nothing. */
@@ -260,7 +253,7 @@ TEST(camera_text) {
         {"fov=60", "camera: fov: 60 is not between 0 and pi radians"},
         {"eye=1,2,3 lens=5", "camera: 'lens=5' is not understood"},
     };
-    struct scene scene;
+    OWNED(scene) scene;
     struct camera camera;
     int n = -1;
     check_ok("scene", scene_load(&scene, "scenes/three-lights.glb"));
@@ -276,7 +269,6 @@ TEST(camera_text) {
         printf("    %s\n", error_get());
         assert_non_null(strstr(error_get(), bad[i][1]));
     }
-    scene_free(&scene);
 }
 
 /* --- flux ------------------------------------------------------------------------------------- */
@@ -385,7 +377,7 @@ static double worst_direct(const struct image *whole, const struct image *parts,
 
 /* Light adds up: three lights are one and one and one. */
 TEST(sum) {
-    struct world world;
+    OWNED(world) world;
     struct emitter lights[3];
     struct image parts[3];
     start_corner(&world);
@@ -404,30 +396,27 @@ TEST(sum) {
     image_free(&whole);
     for (int i = 0; i < 3; i++)
         image_free(&parts[i]);
-    world_free(&world);
 }
 
 /* A light in two halves at one place is the one. */
 TEST(split) {
-    struct world world;
+    OWNED(world) world;
     struct emitter lights[3], halves[2];
     start_corner(&world);
     make_lights(lights);
     halves[0] = halves[1] = lights[0];
     for (int c = 0; c < 3; c++)
         halves[0].intensity[c] = halves[1].intensity[c] = lights[0].intensity[c] / 2;
-    struct image whole = trace(&world, lights, 1), split = trace(&world, halves, 2);
+    OWNED(image) whole = trace(&world, lights, 1), split = trace(&world, halves, 2);
     check_at_most("direct light, worst relative error", worst_direct(&whole, &split, 1), 1e-6);
     double mean = mean_of(&whole, CHANNEL_INDIRECT);
     check_near("indirect light, mean", mean_of(&split, CHANNEL_INDIRECT), mean, .003 * mean);
     check_at_most("indirect light, deviation over noise", deviation(&whole, &split, 1), 1.15);
-    images_free(&whole, &split);
-    world_free(&world);
 }
 
 /* Lights that give nothing take no rays from the one that does. */
 TEST(dark_lights) {
-    struct world world;
+    OWNED(world) world;
     struct emitter lights[3], many[20];
     start_corner(&world);
     make_lights(lights);
@@ -436,13 +425,11 @@ TEST(dark_lights) {
         for (int c = 0; c < 3; c++)
             many[i].intensity[c] = i == 7 ? lights[1].intensity[c] : 0;
     }
-    struct image one = trace(&world, &lights[1], 1), among = trace(&world, many, 20);
+    OWNED(image) one = trace(&world, &lights[1], 1), among = trace(&world, many, 20);
     double mean = mean_of(&one, CHANNEL_INDIRECT);
     check_at_most("direct light, worst relative error", worst_direct(&one, &among, 1), 0);
     check_near("indirect light, mean", mean_of(&among, CHANNEL_INDIRECT), mean, .003 * mean);
     check_at_most("indirect light, deviation over noise", deviation(&one, &among, 1), 1.15);
-    images_free(&one, &among);
-    world_free(&world);
 }
 
 /* In a sphere of albedo 1/2 what one bounce gives is the flux alone, whatever shines from where:
@@ -458,8 +445,8 @@ TEST(sizes) {
                  {"sphere", EMITTER_POINT, {.6f, 0}, 4 * GLM_PI * GLM_PI},
                  {"hemispherical spot with sides", EMITTER_SPOT, {.3f, .6f}, 2 * GLM_PI * GLM_PI}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct world world;
-        struct image image;
+        OWNED(world) world;
+        OWNED(image) image;
         world_in_sphere(&world);
         place_light(&world, cases[i].type, (vec3s){{.1f, .2f, 0}}, (vec3s){{.3f, -.5f, -1}},
                     GLM_PIf);
@@ -476,15 +463,13 @@ TEST(sizes) {
                    4e-3 * expected);
         check_at_most("its spread over its noise",
                       spread_about(&image, CHANNEL_INDIRECT, expected) / noise, 1.3);
-        image_free(&image);
-        world_free(&world);
     }
 }
 
 /* Where nothing but the direct light of a lamp has noise, that is the estimate. */
 TEST(direct_noise) {
-    struct world world;
-    struct image reference, quick;
+    OWNED(world) world;
+    OWNED(image) reference, quick;
     start_corner(&world);
     place_light(&world, EMITTER_AREA, (vec3s){{.6f, 1.2f, .4f}}, (vec3s){{0, -1, 0}}, 1);
     emitter_aim(&world.light, world.light.direction);
@@ -502,8 +487,6 @@ TEST(direct_noise) {
     double error = sqrt(squares) / SIZE / mean_of(&reference, CHANNEL_DIRECT);
     check_at_most("noise of many samples", least, estimated / 4);
     check_near("estimated noise over the error", estimated / error, 1, .3);
-    images_free(&reference, &quick);
-    world_free(&world);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -256,7 +256,7 @@ TEST(scenes) {
         .more = "\"scene\": 0, \"scenes\": [{\"nodes\": [0], \"extras\": {\"environment\":"
                 " \"sky.hdr\", \"environmentTurn\": 90, \"environmentStrength\": 3}}],"};
     const char *other = write_numbered("other.exr", 4, 2);
-    struct scene scene;
+    OWNED(scene) scene;
     write_numbered("sky.hdr", 16, 8);
     open_with(&scene, &named, &(struct environment_desc){0});
     assert_int_equal(scene.environment->width, 16);
@@ -270,7 +270,6 @@ TEST(scenes) {
     open_with(&scene, &strong, &(struct environment_desc){.path = other});
     assert_int_equal(scene.environment->width, 4);
     check_near("turn", (double)scene.environment->turn, 0, 0);
-    scene_free(&scene);
 }
 
 static void check_scene_refused(const struct gltf_parts *parts, const struct environment_desc *desc,
@@ -307,7 +306,7 @@ TEST(scene_refusals) {
 }
 
 static void check_lights(const struct scene *scene, const char *text, int count, bool sky) {
-    struct emitters emitters = {0}, again = {0};
+    OWNED(emitters) emitters = {0}, again = {0};
     check_ok(text, emitters_from_text(&emitters, scene, text, 0));
     char *written = emitters_to_text(&emitters, scene, 0);
     printf("    %-24s %s\n", text, written);
@@ -316,13 +315,11 @@ static void check_lights(const struct scene *scene, const char *text, int count,
     check_ok(written, emitters_from_text(&again, scene, written, 0));
     assert_true(emitters_same(&again, &emitters));
     free(written);
-    emitters_free(&emitters);
-    emitters_free(&again);
 }
 
 TEST(choice) {
-    struct scene scene;
-    struct geometry geometry;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry;
     struct emitters emitters = {0};
     const struct scene_open_desc desc = {.environment = {.path = write_numbered("s.exr", 4, 2)}};
     check_ok("open", scene_open(&scene, &geometry, "scenes/three-lights.glb", &desc));
@@ -335,8 +332,6 @@ TEST(choice) {
     scene_free(&scene);
     check_ok("open", scene_open(&scene, &geometry, "scenes/three-lights.glb", NULL));
     assert_false(emitters_from_text(&emitters, &scene, "sky", 0));
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 /* --- pictures --------------------------------------------------------------------------------- */
@@ -344,8 +339,8 @@ TEST(choice) {
 /* Looks past a quad at a sky of many texels: GL and rays see the same one in every pixel. */
 TEST(background) {
     enum { SIZE = 48 };
-    struct stage stage;
-    struct image traced;
+    OWNED(stage) stage;
+    OWNED(image) traced;
     const struct stage_desc desc = {
         .path = write_parts("scene.glb", &(struct gltf_parts){0}),
         .light = "sky",
@@ -353,7 +348,7 @@ TEST(background) {
         .environment = {.path = write_numbered("sky.exr", 16, 8), .turn = 20, .strength = .5F},
     };
     check_ok("stage", stage_init(&stage, &desc));
-    struct image shown = render_stage(&stage, "unshadowed", "", SIZE);
+    OWNED(image) shown = render_stage(&stage, "unshadowed", "", SIZE);
     const struct path_tracer_desc tracer = {
         .width = SIZE, .height = SIZE, .samples = 1, .centers = true};
     check_ok("trace", picture_trace_paths(&stage, &tracer, &traced, NULL));
@@ -368,8 +363,6 @@ TEST(background) {
         }
     check_near("pixels of sky, of 2304", sky, 2230, 30);
     check_at_most("of them with another radiance in GL", other, 4);
-    images_free(&shown, &traced);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

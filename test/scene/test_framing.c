@@ -27,29 +27,27 @@ struct cube_and_walk {
 static void open_cubes(struct stage *stage, const char *name, const char *nodes, const char *more) {
     struct cube_and_walk bytes = {
         .cube = make_cube(), .times = {0, 4}, .places = {{-4, 0, 0}, {4, 0, 0}}};
-    open_stage(
-        stage,
-        write_parts(
-            name,
-            &(struct gltf_parts){
-                .accessors =
-                    "[" CUBE_ACCESSORS ","
-                    " {\"bufferView\": 0, \"byteOffset\": 232, \"componentType\": 5126, \"count\":"
-                    " 2, \"type\": \"SCALAR\"},"
-                    " {\"bufferView\": 0, \"byteOffset\": 240, \"componentType\": 5126, \"count\":"
-                    " 2, \"type\": \"VEC3\"}]",
-                .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0,"
-                             " \"baseColorFactor\": [0.7, 0.6, 0.5, 1]}}]",
-                .meshes = "[" CUBE("1") "," CUBE("2") "]",
-                .nodes = nodes,
-                .more = more,
-                .extra = &bytes,
-                .extra_size = sizeof bytes}));
+    *stage = open_stage(write_parts(
+        name,
+        &(struct gltf_parts){
+            .accessors =
+                "[" CUBE_ACCESSORS ","
+                " {\"bufferView\": 0, \"byteOffset\": 232, \"componentType\": 5126, \"count\":"
+                " 2, \"type\": \"SCALAR\"},"
+                " {\"bufferView\": 0, \"byteOffset\": 240, \"componentType\": 5126, \"count\":"
+                " 2, \"type\": \"VEC3\"}]",
+            .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0,"
+                         " \"baseColorFactor\": [0.7, 0.6, 0.5, 1]}}]",
+            .meshes = "[" CUBE("1") "," CUBE("2") "]",
+            .nodes = nodes,
+            .more = more,
+            .extra = &bytes,
+            .extra_size = sizeof bytes}));
 }
 
 /* The picture, kept for the eye too. What is covered is neither black nor burnt out. */
 static void check_picture(const struct stage *stage, const char *name) {
-    struct image image = render_stage(stage, "clustered", "vpls=64 vals=8", PICTURE);
+    OWNED(image) image = render_stage(stage, "clustered", "vpls=64 vals=8", PICTURE);
     char file[64];
     snprintf(file, sizeof file, "%s.exr", name);
     check_ok("write", image_write(&image, scratch(file)));
@@ -67,7 +65,6 @@ static void check_picture(const struct stage *stage, const char *name) {
     check_at_most("a tenth of the picture is covered", .1 * PICTURE * PICTURE, covered);
     check_at_most("share of black", (double)black / covered, .03); /* undersides */
     check_near("mean radiance", sum / covered, .4, .3);
-    image_free(&image);
 }
 
 /* How far the corners of the bounds are from the middle of the picture, where 1 is its edge. */
@@ -127,7 +124,7 @@ TEST(objects) {
         {"walker", walker, walk},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
+        OWNED(stage) stage;
         char file[64];
         snprintf(file, sizeof file, "%s.glb", rows[i].name);
         open_cubes(&stage, file, rows[i].nodes, rows[i].more);
@@ -136,7 +133,6 @@ TEST(objects) {
         check_at_most("outside of the bounds", 1.2,
                       place_in_bounds(&stage, stage.emitters.items[0].position));
         check_picture(&stage, rows[i].name);
-        stage_free(&stage);
     }
 }
 
@@ -151,7 +147,7 @@ TEST(rooms) {
         {"cupboard", "[" HOLLOW(0, 1.5, 0, 3, 1.5, 2) "," BOX(0, 1, 0, 0.4, 1, 0.4) "]"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
+        OWNED(stage) stage;
         char file[64];
         snprintf(file, sizeof file, "%s.glb", rows[i].name);
         open_cubes(&stage, file, rows[i].nodes, NULL);
@@ -161,14 +157,13 @@ TEST(rooms) {
             check_at_most("a light is within",
                           place_in_bounds(&stage, stage.emitters.items[k].position), .99);
         check_picture(&stage, rows[i].name);
-        stage_free(&stage);
     }
 }
 
 /* Lights stand where the file's camera sees what they light, even from below, and whatever size its
  * node has. */
 TEST(camera_of_file) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_cubes(&stage, "camera.glb",
                "[" BOX(0, 1, 0, 0.5, 1, 0.5) "," BOX(
                    0, -0.1, 0, 2, 0.1,
@@ -187,7 +182,6 @@ TEST(camera_of_file) {
     vec3_unit(to);
     check_near("towards the centre", glm_vec3_dot(to, (float *)spot->direction), 1, 1e-5);
     check_picture(&stage, "camera");
-    stage_free(&stage);
 }
 
 int main(void) {

@@ -28,7 +28,7 @@ static void check_values(const char *what, const float *value, int n, const doub
 }
 
 TEST(quad) {
-    struct scene scene = load("quad.glb", (struct gltf_parts){0});
+    OWNED(scene) scene = load("quad.glb", (struct gltf_parts){0});
     const struct primitive *quad = first_primitive(&scene);
     assert_int_equal(quad->index_count, 6);
     assert_string_equal(scene.meshes[0].name, "quad");
@@ -39,7 +39,6 @@ TEST(quad) {
         check_values("normal", quad->normal[i], 3, (double[]){0, 0, 1}, 1e-7);
     assert_null(quad->uv[0]);
     assert_null(quad->color);
-    scene_free(&scene);
 }
 
 /* Colours of every component type; the first has all components 1/2 or as near as the type goes. */
@@ -68,7 +67,7 @@ TEST(component_types) {
                  " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": %d, \"count\": 4,"
                  " \"normalized\": %s, \"type\": \"VEC4\"}]",
                  rows[i].type, rows[i].normalized ? "true" : "false");
-        struct scene scene = load(
+        OWNED(scene) scene = load(
             "component.glb",
             (struct gltf_parts){.accessors = accessors,
                                 .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0,"
@@ -78,7 +77,6 @@ TEST(component_types) {
         char what[64];
         snprintf(what, sizeof what, "component type %d", rows[i].type);
         check_near(what, first_primitive(&scene)->color[0][3], rows[i].expected, 1e-7);
-        scene_free(&scene);
     }
 }
 
@@ -95,13 +93,12 @@ TEST(index_types) {
                  " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": %d, \"count\": 3,"
                  " \"type\": \"SCALAR\"}]",
                  types[i]);
-        struct scene scene = load(
+        OWNED(scene) scene = load(
             "index.glb",
             (struct gltf_parts){.accessors = accessors, .extra = extras[i], .extra_size = 3u << i});
         const struct primitive *triangle = first_primitive(&scene);
         assert_int_equal(triangle->index_count, 3);
         check_values("corner", triangle->position[triangle->indices[2]], 3, (double[]){1, 1, 0}, 0);
-        scene_free(&scene);
     }
 }
 
@@ -149,7 +146,7 @@ TEST(stride_and_sparse) {
         float value[3];
     } extra = {
         .normal = {{0, 0, 2}, {0, 0, 1}, {0, 0, 1}, {0, 0, 1}}, .index = 2, .value = {3, 0, 4}};
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "sparse.glb",
         (struct gltf_parts){
             .views = "[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 64,"
@@ -170,7 +167,6 @@ TEST(stride_and_sparse) {
     assert_int_equal(quad->vertex_count, 4);
     check_values("normal", quad->normal[0], 3, (double[]){0, 0, 1}, 1e-7);
     check_values("normal", quad->normal[2], 3, (double[]){.6, 0, .8}, 1e-7);
-    scene_free(&scene);
 }
 
 /* Zero and NaN normals, and triangles without area: all end in finite unit normals. */
@@ -189,12 +185,11 @@ TEST(hopeless_normals) {
              " \"count\": 6, \"type\": \"SCALAR\"}]"},
     };
     for (int i = 0; i < 2; i++) {
-        struct scene scene = load("normals.glb", parts[i]);
+        OWNED(scene) scene = load("normals.glb", parts[i]);
         const struct primitive *primitive = first_primitive(&scene);
         for (int v = 0; v < primitive->vertex_count; v++)
             check_values("normal", primitive->normal[v], 3,
                          i == 0 ? (double[]){0, 0, 1} : (double[]){0, 1, 0}, 1e-7);
-        scene_free(&scene);
     }
 }
 
@@ -215,7 +210,7 @@ TEST(texture) {
     static const float uvs[4][2] = {{0, 0}, {1, 0}, {1, 1}, {.25F, .5F}};
     unsigned char png[4096];
     make_png(png, sizeof png);
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "textured.glb",
         (struct gltf_parts){
             .accessors = PARTS_TEXTURED,
@@ -251,7 +246,6 @@ TEST(texture) {
     const struct primitive *quad = first_primitive(&scene);
     double u = 2 * .25, v = 4 * .5, c = cos(M_PI / 6), s = sin(M_PI / 6);
     check_values("uv", quad->uv[0][5], 2, (double[]){c * u + s * v + 10, c * v - s * u + 20}, 1e-5);
-    scene_free(&scene);
 }
 
 /* The same picture in a buffer view, unaligned. */
@@ -263,7 +257,7 @@ TEST(embedded_texture) {
              "[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 97,"
              " \"byteLength\": %zu}]",
              size);
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "embedded.glb",
         (struct gltf_parts){
             .views = views,
@@ -279,7 +273,6 @@ TEST(embedded_texture) {
     assert_int_equal(scene.textures[0].wrap_u, TEXTURE_WRAP_REPEAT);
     assert_false(scene.textures[0].nearest);
     assert_non_null(first_primitive(&scene)->uv[0]);
-    scene_free(&scene);
 }
 
 /* A red WebP of 8 x 8, which an extension names. */
@@ -291,7 +284,7 @@ TEST(webp) {
         0xf8, 1,    0xfa, 1,    0xfc, 0,    7,    0x90, 0,    0xfe, 0xff, 0x6f, 0x56,
         0xff, 0xfc, 0xb0, 0xfc, 0x7f, 0x52, 0x79, 0xff, 0xcb, 0x10, 0xff, 0xff, 0x13,
         0xd3, 0x9b, 0xc4, 0x54, 0xf2, 0xbf, 0xfe, 0x26, 0x40, 0,    0};
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "webp.glb",
         (struct gltf_parts){
             .views = "[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 64,"
@@ -305,7 +298,6 @@ TEST(webp) {
     assert_int_equal(scene.textures[0].bitmap.width, 8);
     check_near("red", scene.textures[0].bitmap.rgba[0], 255, 4);
     check_near("green", scene.textures[0].bitmap.rgba[1], 0, 4);
-    scene_free(&scene);
 }
 
 /* All that a material says. The first one's roughness lies where its colour does, its glow has a
@@ -313,7 +305,7 @@ TEST(webp) {
 TEST(materials) {
     unsigned char png[4096];
     make_png(png, sizeof png);
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "materials.glb",
         (struct gltf_parts){
             .more = "\"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],"
@@ -372,7 +364,6 @@ TEST(materials) {
         check_near("roughness by default", scene.materials[i].roughness, 1, 0);
         assert_int_equal(scene.materials[i].emission_texture, -1);
     }
-    scene_free(&scene);
 }
 
 /* All that is dropped is said in one note, each thing once; and nothing of what is read. */
@@ -380,7 +371,7 @@ TEST(lacks) {
     unsigned char png[4096];
     make_png(png, sizeof png);
     hear_notes();
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "lacks.glb",
         (struct gltf_parts){
             .more = "\"extensionsRequired\": [\"KHR_materials_unlit\"], \"extensionsUsed\":"
@@ -413,7 +404,6 @@ TEST(lacks) {
     assert_true(material_is_diffuse(&scene.materials[0]) &&
                 !material_is_diffuse(&scene.materials[1]));
     end_notes();
-    scene_free(&scene);
 }
 
 /* The older model of materials: diffuse colour, reflectance, and glossiness; its second texture has
@@ -422,7 +412,7 @@ TEST(lacks) {
 TEST(specular_glossiness) {
     unsigned char png[4096];
     make_png(png, sizeof png);
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "glossiness.glb",
         (struct gltf_parts){
             .more = "\"images\": [{\"uri\": \"texture.png\"}], \"textures\": [{\"source\": 0}],"
@@ -449,13 +439,12 @@ TEST(specular_glossiness) {
     check_values("reflectance there", at.f0.raw, 3, (double[]){.5, .25, 0}, 0);
     check_near("roughness there", at.roughness, .75, 0);
     check_near("metalness there", at.metalness, 0, 0);
-    scene_free(&scene);
 }
 
 /* A matrix and the TRS it is made of place the quad alike; children come after their parents. */
 TEST(nodes) {
     /* 90 degrees about z, scaled by 2 along x, then moved. */
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "nodes.glb",
         (struct gltf_parts){
             .nodes =
@@ -476,7 +465,6 @@ TEST(nodes) {
         check_near("trs against matrix", worlds[0][i], worlds[2][i], 1e-6);
     /* (5, 6, 7) scaled, turned, moved. */
     check_values("child", &worlds[1][12], 3, (double[]){1 - 6, 2 + 10, 3 + 7}, 1e-5);
-    scene_free(&scene);
 }
 
 /* Three quads by instancing, below their node, with its child once: places, turns as
@@ -490,7 +478,7 @@ TEST(instances) {
         {{1, 1, 1}, {2, 1, 1}, {1, 1, 1}},
         {{0, 0, 0, 32767}, {0, 0, 0, 32767}, {0, 0, 23170, 23170}},
     };
-    struct scene scene = load(
+    OWNED(scene) scene = load(
         "instances.glb",
         (struct gltf_parts){
             .accessors =
@@ -509,14 +497,12 @@ TEST(instances) {
                      " \"SCALE\": 3, \"ROTATION\": 4, \"_ID\": 2}}}}, {\"mesh\": 0}]",
             .extra = &extra,
             .extra_size = sizeof extra});
-    struct geometry geometry;
+    OWNED(geometry) geometry;
     check_ok("geometry", geometry_init(&geometry, &scene, 0));
     assert_int_equal(scene.node_count, 5);
     assert_int_equal(geometry.part_count, 4);
     check_values("least", geometry.bounds_min, 3, (double[]){-1, 0, 5}, 1e-4);
     check_values("greatest", geometry.bounds_max, 3, (double[]){12, 21, 5}, 1e-4);
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 /* Deep chains are no recursion. */
@@ -531,14 +517,12 @@ TEST(deep_chain) {
     end += sprintf(end, "{\"mesh\": 0}]}");
     const char *path = scratch("chain.gltf");
     write_bytes(path, text, (size_t)(end - text));
-    struct scene scene;
-    struct geometry geometry;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry;
     check_ok("load", scene_load(&scene, path));
     check_ok("geometry", geometry_init(&geometry, &scene, 0));
     check_near("height", geometry.center[1], DEPTH, 0);
     check_at_most("a point's radius is above 0", 1e-9, geometry.radius);
-    geometry_free(&geometry);
-    scene_free(&scene);
     free(text);
 }
 

@@ -177,9 +177,9 @@ static void make_solid_lamp(struct scene *scene, const float size[3], float top)
 TEST(box) {
     static const float sizes[][3] = {{1, 1, 1}, {2, 1, .3F}, {.6F, .3F, .01F}};
     for (int i = 0; i < 3; i++) {
-        struct scene scene;
+        OWNED(scene) scene;
         make_solid_lamp(&scene, sizes[i], 1);
-        struct emitters lights = emitters_place(&scene, 0);
+        OWNED(emitters) lights = emitters_place(&scene, 0);
         assert_int_equal(lights.count, 6);
         for (int n = 0; n < lights.count; n++) {
             const struct emitter *light = &lights.items[n];
@@ -192,24 +192,21 @@ TEST(box) {
             check_near("its place", fabs((double)light->position[axis]), (double)sizes[i][axis] / 2,
                        1e-3);
         }
-        emitters_free(&lights);
-        scene_free(&scene);
     }
 }
 
 /* A solid with other faces is one lamp of several rectangles. */
 TEST(no_box) {
-    struct scene scene;
+    OWNED(scene) scene;
     make_solid_lamp(&scene, (const float[]){1, 1, .2F}, .5F);
     assert_int_equal(scene.surface_count, 1);
     assert_int_equal(scene.light_count, STAND_INS_MAX);
-    scene_free(&scene);
 }
 
 /* Strips have triangles without area from one panel to the next: these join nothing. */
 TEST(bridge) {
     static const struct panel panels[] = {{0, 0, 1, 1, false, 0}, {5, 0, 1, 1, false, 0}};
-    struct scene scene;
+    OWNED(scene) scene;
     start_scene(&scene, 1, false);
     struct primitive *primitive = &scene.meshes[0].primitives[0];
     make_primitive(primitive, panels, 2);
@@ -218,7 +215,6 @@ TEST(bridge) {
     primitive->index_count = 15;
     emissive_add_lights(&scene);
     assert_int_equal(scene.light_count, 2);
-    scene_free(&scene);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -45,8 +45,8 @@ static const struct row rows[] = {
 /* Owns its lights. */
 static void open_row(struct stage *stage, const struct row *row) {
     bool is_sun = row->position[1] == 0;
-    open_stage(stage,
-               row->watts > 0 ? "scenes/failures/room.glb" : "scenes/failures/ball-lamp.glb");
+    *stage =
+        open_stage(row->watts > 0 ? "scenes/failures/room.glb" : "scenes/failures/ball-lamp.glb");
     if (row->watts == 0)
         return;
     struct emitter lights[2] = {{.type = is_sun ? EMITTER_DIRECTIONAL : EMITTER_AREA}};
@@ -92,14 +92,13 @@ TEST(rows) {
         for (const struct direct_method *const *m = direct_methods; *m; m++) {
             if (!is_long_run() && *m != direct_for(&stage.emitters))
                 continue;
-            struct image drawn = draw(&stage, *m);
+            OWNED(image) drawn = draw(&stage, *m);
             double error = relative_rmse(&drawn, &reference, "direct");
             printf("    %-30s %-8s RMSE %6.2f %%, mean %+6.2f %%\n", row->what, (*m)->name,
                    100 * error,
                    100 * (layer_mean(&drawn, "direct") / layer_mean(&reference, "direct") - 1));
             if (*m == direct_for(&stage.emitters))
                 check_at_most(row->what, error, row->rmse);
-            image_free(&drawn);
         }
         image_free(&reference);
         stage_free(&stage);
@@ -110,18 +109,16 @@ TEST(rows) {
 TEST(black_sky) {
     static float black[2][3];
     struct environment sky = {.width = 2, .height = 1, .texels = black, .strength = 1};
-    struct stage stage;
+    OWNED(stage) stage;
     open_row(&stage, &rows[0]);
-    struct image without = trace(&stage);
+    OWNED(image) without = trace(&stage);
     stage.emitters.sky = &sky;
-    struct image beside = trace(&stage);
+    OWNED(image) beside = trace(&stage);
     check_near("direct beside a lamp", layer_mean(&beside, "direct"),
                layer_mean(&without, "direct"), 1e-6);
     stage.emitters.count = 0;
-    struct image alone = trace(&stage);
+    OWNED(image) alone = trace(&stage);
     check_near("alone", layer_mean(&alone, ""), 0, 0);
-    images_free(&without, &beside, &alone);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -69,8 +69,8 @@ static double worst_indirect(const struct renderer *renderer, const struct image
 
 static void check_sphere(const struct stage *stage, const struct sphere_case *row) {
     char settings[128];
-    struct renderer renderer;
-    struct image image;
+    OWNED(renderer) renderer;
+    OWNED(image) image;
     /* Any bound of the geometry term, also the disk's, takes light away that is exact here. */
     snprintf(settings, sizeof settings, "vpls=%d vals=%d interleave=%d clamp=none %s", row->vpls,
              row->vals, row->interleave, row->more);
@@ -81,16 +81,13 @@ static void check_sphere(const struct stage *stage, const struct sphere_case *ro
     check_direct(&image);
     check_near("one bounce, mean", layer_mean(&image, "indirect") / exact_indirect, 1, row->mean);
     check_at_most("one bounce at the worst pixel", worst_indirect(&renderer, &image), row->worst);
-    image_free(&image);
-    renderer_free(&renderer);
 }
 
 /* Every N that the interleave allows; and every M up to N. */
 static void check_technique(const char *technique, const char *more, bool clusters, double mean,
                             double worst) {
     static const int vpls[] = {16, 64, 1024}, vals[] = {1, 8, 30}, interleaves[] = {1, 8};
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
+    struct stage stage = open_stage("scenes/sphere.glb");
     for (int n = 0; n < 3; n++)
         for (int i = 0; i < 2; i++)
             for (int m = 0; m < (clusters ? 3 : 1); m++)
@@ -125,9 +122,8 @@ TEST(sphere_pcss) {
 static double mean_with(const struct stage *stage, const char *clamp, int vpls) {
     char settings[64];
     snprintf(settings, sizeof settings, "vpls=%d interleave=1 clamp=%s", vpls, clamp);
-    struct image image = render_stage(stage, "unshadowed", settings, 64);
+    OWNED(image) image = render_stage(stage, "unshadowed", settings, 64);
     double mean = layer_mean(&image, "indirect") / exact_indirect;
-    image_free(&image);
     return mean;
 }
 
@@ -136,8 +132,7 @@ static double mean_with(const struct stage *stage, const char *clamp, int vpls) 
  * d^2 / (d^2 + 4 / N), with d^2 uniform over [0, 4], is 1 - ln(1 + N) / N. The near field gives
  * back what it takes, but for its noise. */
 TEST(sphere_clamps) {
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
     for (int n = 64; n <= 1024; n *= 4) {
         double lost = log(1 + n) / n;
         printf("  N = %d\n", n);
@@ -147,7 +142,6 @@ TEST(sphere_clamps) {
                    1 - lost, .3 * lost + .0005);
         check_near("one bounce with the near field, mean", mean_with(&stage, "near", n), 1, .01);
     }
-    stage_free(&stage);
 }
 
 /* --- energy ----------------------------------------------------------------------------------- */
@@ -156,7 +150,7 @@ enum { ENERGY_VPLS = 4096, LIGHTS = 3 };
 
 /* Sums of the fluxes of each light's VPLs, the mean of RGB, W. */
 static void vpl_fluxes(const struct stage *stage, double sums[LIGHTS]) {
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct renderer_desc desc =
         desc_of(stage, "unshadowed", "vpls=4096 interleave=1 rsm-size=1024", 8, 8);
     struct dealt dealt[ENERGY_VPLS];
@@ -171,7 +165,6 @@ static void vpl_fluxes(const struct stage *stage, double sums[LIGHTS]) {
         for (int c = 0; c < 3; c++)
             sums[dealt[i].taker] += (double)vpls[i].flux[c] / 3;
     free(vpls);
-    renderer_free(&renderer);
 }
 
 /* What a ray of the light's colour reflects where it lands, the mean of RGB. */
@@ -245,8 +238,7 @@ static void make_sun(struct emitter *light) {
 }
 
 TEST(energy) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct emitter *light = stage.emitters.items;
     assert_int_equal(light->type, EMITTER_SPOT);
     check_energy("reflected flux of the scene's spot", &stage);
@@ -260,19 +252,16 @@ TEST(energy) {
     check_energy("of a point light", &stage);
     make_sun(light);
     check_energy("of a directional light", &stage);
-    stage_free(&stage);
 }
 
 /* Of three lights of all types: each VPL stands for more where there are fewer. */
 TEST(energy_of_several) {
-    struct stage stage;
-    open_stage(&stage, "scenes/three-lights.glb");
+    OWNED(stage) stage = open_stage("scenes/three-lights.glb");
     check_energy("reflected flux of two spots and a point", &stage);
     make_sun(&stage.emitters.items[1]);
     for (int c = 0; c < 3; c++)
         stage.emitters.items[1].intensity[c] /= 100;
     check_energy("of a spot, a sun and a point", &stage);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -103,9 +103,8 @@ TEST(passes) {
 TEST(flux) {
     const struct emitter lights[] = {lamp(EMITTER_AREA, 1, .8F), lamp(EMITTER_AREA, .9F, 0)};
     for (size_t i = 0; i < sizeof lights / sizeof *lights; i++) {
-        struct stage stage;
-        struct renderer renderer;
-        open_stage(&stage, "scenes/sphere.glb");
+        OWNED(stage) stage = open_stage("scenes/sphere.glb");
+        OWNED(renderer) renderer;
         stage.emitters.items[0] = lights[i];
         struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 16, 16);
         open_renderer(&renderer, &desc);
@@ -119,32 +118,26 @@ TEST(flux) {
         double expected = .5 * emitter_flux(&stage.emitters.items[0], 1);
         check_near("flux of all VPLs", sum, expected, .01 * expected);
         free(vpls);
-        renderer_free(&renderer);
-        stage_free(&stage);
     }
 }
 
 /* A lamp of half the room's width: from its middle alone, as without a size, shadows are hard in
  * what lights the room. */
 TEST(wide_lamp) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct emitter *spot = &stage.emitters.items[0];
     emitter_aim(spot, (float[]){0, -1, 0});
     glm_vec3_copy((vec3){0, 5.2F, 0}, spot->position);
     spot->size[0] = spot->size[1] = 2.8F;
-    struct image reference = trace_stage(&stage, SIZE, 64);
+    OWNED(image) reference = trace_stage(&stage, SIZE, 64);
     double errors[2];
     for (int i = 1; i >= 0; i--) {
         spot->size[0] = spot->size[1] = i ? 2.8F : 0;
-        struct image got = render_stage(&stage, "clustered", "", SIZE);
+        OWNED(image) got = render_stage(&stage, "clustered", "", SIZE);
         errors[i] = relative_rmse(&got, &reference, "indirect");
-        image_free(&got);
     }
     printf("    %-48s %g\n", "RMSE from its middle alone", errors[0]);
     check_at_most("from four places", errors[1], .75 * errors[0]);
-    image_free(&reference);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

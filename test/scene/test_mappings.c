@@ -95,8 +95,7 @@ struct pictures {
 };
 
 static void make_pictures(const char *path, struct pictures *pictures) {
-    struct stage stage;
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
     pictures->drawn = render_layers(&desc);
     check_ok("trace",
@@ -105,7 +104,6 @@ static void make_pictures(const char *path, struct pictures *pictures) {
                  &(struct path_tracer_desc){
                      .width = SIZE, .height = SIZE, .samples = 4, .bounces = 1, .centers = true},
                  &pictures->traced, NULL));
-    stage_free(&stage);
 }
 
 static void free_pictures(struct pictures *pictures) {
@@ -319,7 +317,7 @@ TEST(means) {
          .02, 1},
         {SPECULAR(""), .04, 1}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene;
+        OWNED(scene) scene;
         hear_notes();
         check_ok("load", scene_load(&scene, write_square(rows[i].material)));
         end_notes();
@@ -327,7 +325,6 @@ TEST(means) {
         check_near("grazing", (double)scene.materials[0].specular_f90, rows[i].f90, 1e-6);
         assert_int_equal(scene.texture_count, 1);
         assert_true((strstr(notes, "mean everywhere") != NULL) == (i < 4));
-        scene_free(&scene);
     }
 }
 
@@ -395,10 +392,8 @@ TEST(unlit) {
     };
     check_rows(rows, sizeof rows / sizeof *rows);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
-        open_stage(&stage, write_square(rows[i].material));
+        OWNED(stage) stage = open_stage(write_square(rows[i].material));
         assert_int_equal(stage.emitters.count, 1);
-        stage_free(&stage);
     }
 }
 
@@ -451,8 +446,7 @@ TEST(counts) {
                  3}};
     uint64_t sums[sizeof rows / sizeof *rows];
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
-        open_stage(&stage, write_square(rows[i].material));
+        OWNED(stage) stage = open_stage(write_square(rows[i].material));
         const struct geometry *geometry = &stage.geometry;
         assert_int_equal(geometry->mapping_count, rows[i].mappings);
         for (int m = 0; m < MAPPINGS_MAX; m++)
@@ -461,7 +455,6 @@ TEST(counts) {
         sums[i] = scene_hash(&stage.scene, geometry, &stage.camera, &stage.emitters);
         for (size_t k = 0; k < i; k++)
             assert_true(sums[k] != sums[i]);
-        stage_free(&stage);
     }
 }
 
@@ -500,15 +493,12 @@ static double decoded(int code) {
 /* A pixel of the drawn albedo, whatever decodes textures and holds albedo. */
 static void check_albedo(const char *material, int quarter, const double expected[3]) {
     static const char *const channels[] = {"albedo.R", "albedo.G", "albedo.B"};
-    struct stage stage;
-    open_stage(&stage, write_square(material));
+    OWNED(stage) stage = open_stage(write_square(material));
     struct renderer_desc desc = desc_of(&stage, "clustered", "materials=diffuse", SIZE, SIZE);
-    struct image drawn = render_layers(&desc);
+    OWNED(image) drawn = render_layers(&desc);
     for (int c = 0; c < 3; c++)
         check_near(channels[c], value_at(&drawn, channels[c], quarter), expected[c],
                    .003 * expected[c]);
-    image_free(&drawn);
-    stage_free(&stage);
 }
 
 TEST(dark_albedo) {

@@ -15,10 +15,9 @@ enum { WIDTH = 250, HEIGHT = 200, COLUMNS = 5 };
 static struct pictures { struct image drawn, traced; } pictures;
 
 static int make_pictures(void **state) {
-    struct stage stage;
     if (open_group_context(state) != 0)
         return -1;
-    open_stage(&stage, "scenes/materials.glb");
+    struct stage stage = open_stage("scenes/materials.glb");
     struct renderer_desc desc = desc_of(&stage, "clustered", "", WIDTH, HEIGHT);
     pictures.drawn = render_layers(&desc);
     check_ok("trace", picture_trace_paths(
@@ -198,10 +197,9 @@ TEST(spheres) {
     enum { SIDE = 112 }; /* the lamp is wider than a pixel in each ball: no lobe is widened */
     /* VPLs by importance move where a texture is a rounding off its factor. */
     static const char settings[] = "lights.importance=off";
-    struct stage stage;
-    struct image traced;
-    open_stage(&stage, "scenes/roughness.glb");
-    struct image drawn = render_stage(&stage, "clustered", settings, SIDE);
+    OWNED(stage) stage = open_stage("scenes/roughness.glb");
+    OWNED(image) traced;
+    OWNED(image) drawn = render_stage(&stage, "clustered", settings, SIDE);
     check_ok("trace",
              picture_trace_paths(
                  &stage,
@@ -209,10 +207,10 @@ TEST(spheres) {
                      .width = SIDE, .height = SIDE, .bounces = 1, .samples = 16, .centers = true},
                  &traced, NULL));
     take_textures_away(&stage);
-    struct image factors = render_stage(&stage, "clustered", settings, SIDE);
+    OWNED(image) factors = render_stage(&stage, "clustered", settings, SIDE);
     for (int m = 0; m < stage.scene.material_count; m++)
         stage.scene.materials[m].roughness = 1;
-    struct image rough = render_stage(&stage, "clustered", settings, SIDE);
+    OWNED(image) rough = render_stage(&stage, "clustered", settings, SIDE);
     check_at_most("by factors beside by textures, specular",
                   mean_difference(&factors, &drawn, "specular"), .002);
     check_at_most("albedo", mean_difference(&factors, &drawn, "albedo"), 5e-4);
@@ -225,8 +223,6 @@ TEST(spheres) {
     /* Measured: 1.1. Lobes that are as narrow at both ends of a ray make spots: 5 and more. */
     check_at_most("brightest over traced", brightest_over(&drawn, &traced, "indirect.specular"),
                   1.4);
-    images_free(&drawn, &traced, &factors, &rough);
-    stage_free(&stage);
 }
 
 /* --- what hides light ------------------------------------------------------------------------- */
@@ -271,9 +267,8 @@ static void look_through(struct stage *stage, const char *what, double *drawn, d
 /* What blends lets the light through below half, and hides it above, as what is opaque does;
  * single-sided surfaces hide it from either side. */
 TEST(door) {
-    struct stage stage;
     double drawn, traced, through, traced_through;
-    open_stage(&stage, "scenes/door.glb");
+    OWNED(stage) stage = open_stage("scenes/door.glb");
     struct primitive *door = find_door(&stage);
     struct material *material = &stage.scene.materials[stage.scene.material_count - 1];
     door->material = stage.scene.material_count - 1;
@@ -293,7 +288,6 @@ TEST(door) {
     look_through(&stage, "single-sided, from behind", &drawn, &traced);
     check_at_most("drawn", drawn / through, .01);
     check_at_most("traced", traced / through, .001);
-    stage_free(&stage);
 }
 
 /* One material alone keeps a texture that a mask cuts; trilinear, and with other colours in its
@@ -321,10 +315,9 @@ static int prepare_holes(struct stage *stage, const unsigned char color[3], int 
 
 /* The texel of the coarsest MIP level. */
 static void find_mean(const unsigned char color[3], unsigned char mean[4]) {
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage = open_stage("scenes/materials.glb");
+    OWNED(renderer) renderer;
     int holes = 0;
-    open_stage(&stage, "scenes/materials.glb");
     int number = prepare_holes(&stage, color, &holes);
     assert_true(holes > 0);
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "", 8, 8);
@@ -332,8 +325,6 @@ static void find_mean(const unsigned char color[3], unsigned char mean[4]) {
     const struct texture *texture = &renderer.scene.textures[number];
     assert_true(texture->desc.levels > 1);
     gl.GetTextureImage(texture->id, texture->desc.levels - 1, GL_RGBA, GL_UNSIGNED_BYTE, 4, mean);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* MIP levels are means over what a mask keeps: the colours that it cuts out are in none. */

@@ -70,7 +70,7 @@ TEST(valid) {
 
 /* What is mended is what it should have been. */
 TEST(values) {
-    struct scene scene;
+    OWNED(scene) scene;
     check_ok("share",
              load_parts(&scene, "v.glb",
                         &(struct gltf_parts){.materials = MATERIAL(
@@ -98,7 +98,6 @@ TEST(values) {
                                              .accessors = IN_TWO_VIEWS}));
     check_near("the last corner", (double)scene.meshes[0].primitives[0].position[5][0], 0, 0);
     check_near("the last corner", (double)scene.meshes[0].primitives[0].position[5][1], 1, 0);
-    scene_free(&scene);
 }
 
 /* --- clips ------------------------------------------------------------------------------------ */

@@ -327,7 +327,7 @@ TEST(buffers) {
     unsigned char bin[PARTS_BIN] = {0};
     parts_bin(&(struct gltf_parts){0}, bin);
     for (size_t size = 60; size <= PARTS_BIN; size += 130) {
-        struct scene scene;
+        OWNED(scene) scene;
         write_bytes(scratch("long.bin"), bin, size);
         check_ok("file", load_parts(&scene, "file.glb",
                                     &(struct gltf_parts){
@@ -336,7 +336,6 @@ TEST(buffers) {
         printf("    a file of %zu bytes for 60\n", size);
         assert_int_equal(scene.file_count, 1);
         assert_false(scene_check_output(&scene, scratch("long.bin")));
-        scene_free(&scene);
     }
 }
 

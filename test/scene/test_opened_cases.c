@@ -95,12 +95,11 @@ TEST(coplanar) {
                              .nodes = "[" NODE("0") "," NODE("1") "]",
                              .materials = "[" COLOUR("1, 0, 0") "," COLOUR("0, 1, 0") "]"});
     for (int i = 0; i < 2; i++) {
-        struct image image;
+        OWNED(image) image;
         if (run_program("%s %s --size 32x32 -o %s", commands[i], path, scratch("decal.exr")) != 0)
             fail_msg("%s", output);
         check_ok("decal.exr", image_read(&image, scratch("decal.exr")));
         check_layer(&image, "albedo", (float[]){0, 1, 0}, .01);
-        image_free(&image);
     }
 }
 

@@ -165,12 +165,11 @@ TEST(meshopt_v1) {
     check_ok("words", unpack_meshopt(&view, got));
     assert_memory_equal(got, ((const uint16_t[]){300, 0, 299, 0}), 8);
     struct packed_quad quad = pack_quad();
-    struct scene scene;
+    OWNED(scene) scene;
     memcpy(quad.bytes, corners_v1, quad.vertices = sizeof corners_v1);
     quad.extension = "KHR_meshopt_compression";
     check_ok("quad", load_quad(&scene, &quad, 4));
     check_quad(&scene.meshes[0].primitives[0]);
-    scene_free(&scene);
 }
 
 /* Cut, too long, or of a mode that there is not. */
@@ -296,7 +295,7 @@ static bool load_draco(struct scene *scene, const unsigned char *bytes, size_t s
 
 /* The two triangles may begin at any of their corners. */
 static void check_draco(const char *what, const unsigned char *bytes, size_t size) {
-    struct scene scene;
+    OWNED(scene) scene;
     check_ok(what, load_draco(&scene, bytes, size, 6));
     const struct primitive *quad = &scene.meshes[0].primitives[0];
     assert_int_equal(quad->index_count, 6);
@@ -309,7 +308,6 @@ static void check_draco(const char *what, const unsigned char *bytes, size_t siz
         check_near("z", (double)a[2], 0, 1e-6);
     }
     check_near("area, counter-clockwise", area, 6, 1e-3);
-    scene_free(&scene);
 }
 
 TEST(draco) {
@@ -406,7 +404,7 @@ TEST(draco_and_file) {
     static const char plain[] =
         "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
         " 1, " DRACO("\"POSITION\": 0") "}]}]";
-    struct scene scene;
+    OWNED(scene) scene;
     check_opens("no indices",
                 load_draco_with(&scene, accessors,
                                 "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, " DRACO(
@@ -432,7 +430,6 @@ TEST(draco_and_file) {
              load_draco_with(&scene, accessors,
                              "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\":"
                              " 1, " DRACO("\"POSITION\": 0, \"NORMAL\": 0") "}]}]"));
-    scene_free(&scene);
 }
 
 TEST(bad_draco) {

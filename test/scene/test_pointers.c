@@ -129,17 +129,15 @@ TEST(numbers) {
         {"/materials/1/emissiveFactor", UNLIT, SURFACE(emission), 3, {1, 1, 1, 1, 1, 1}, 0},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
         char channel[256];
         snprintf(channel, sizeof channel, TARGET("%s"), rows[i].pointer);
         hear_notes();
-        open_stage(&stage, write_clip(channel, rows[i].values, rows[i].width));
+        OWNED(stage) stage = open_stage(write_clip(channel, rows[i].values, rows[i].width));
         end_notes();
         if (strstr(notes, "shown without") || strstr(notes, "left out"))
             fail_msg("%s: %s", rows[i].pointer, notes);
         check_ok("pose", stage_pose(&stage, 1));
         check_near(rows[i].pointer, number_at(&stage, &rows[i]), rows[i].expected, 1e-5);
-        stage_free(&stage);
     }
 }
 
@@ -186,20 +184,18 @@ TEST(punctual_scale) {
 
 TEST(nodes) {
     static const float values[] = {0, 0, 0, 4, 0, 0};
-    struct stage stage;
     float worlds[16][16];
-    open_stage(&stage, write_clip(TARGET("/nodes/0/translation"), values, 3));
+    OWNED(stage) stage = open_stage(write_clip(TARGET("/nodes/0/translation"), values, 3));
     scene_node_worlds(&stage.scene, 1, worlds);
     check_near("moved", (double)worlds[0][12], 2, 1e-6);
     stage_free(&stage);
-    open_stage(&stage, write_clip(TARGET("/nodes/7/translation"), values, 3));
+    stage = open_stage(write_clip(TARGET("/nodes/7/translation"), values, 3));
     assert_true(stage.scene.nodes[7].hidden);
     stage_free(&stage);
-    open_stage(&stage, write_clip(TARGET("/nodes/4/scale") "," NODE_TARGET, values, 3));
+    stage = open_stage(write_clip(TARGET("/nodes/4/scale") "," NODE_TARGET, values, 3));
     scene_node_worlds(&stage.scene, 1, worlds);
     check_near("moved by its node", (double)worlds[0][12], 2, 1e-6);
     check_near("scaled", (double)worlds[4][0], 2, 1e-6);
-    stage_free(&stage);
 }
 
 static bool is_point(const struct geometry *geometry, int part) {
@@ -211,10 +207,10 @@ static bool is_point(const struct geometry *geometry, int part) {
 /* Shown, hidden and shown again with all below, light too; what a clip shows may begin hidden. */
 TEST(visibility) {
     static const float values[] = {1, 0};
-    struct stage stage;
-    open_stage(&stage, write_clip(TARGET("/nodes/0" VISIBLE) "," TARGET(
-                                      "/nodes/3" VISIBLE) "," TARGET("/nodes/7" VISIBLE),
-                                  values, 1));
+    OWNED(stage) stage;
+    stage = open_stage(write_clip(
+        TARGET("/nodes/0" VISIBLE) "," TARGET("/nodes/3" VISIBLE) "," TARGET("/nodes/7" VISIBLE),
+        values, 1));
     for (int step = 0; step < 3; step++) {
         bool is_shown = step != 1;
         check_ok("pose", stage_pose(&stage, is_shown ? 0 : 2));
@@ -227,7 +223,6 @@ TEST(visibility) {
     check_ok("pose", stage_pose(&stage, 2));
     assert_true(is_point(&stage.geometry, 3));
     assert_false(is_point(&stage.geometry, 0));
-    stage_free(&stage);
 }
 
 /* What cannot be played is told by its name; what is not there is a bad channel. */
@@ -247,7 +242,7 @@ TEST(notes) {
         {"/materials/0/emissiveFactor", "output: accessor 3 has 1 numbers an element, not 3"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene;
+        OWNED(scene) scene;
         char channel[256];
         snprintf(channel, sizeof channel, TARGET("%s"), rows[i].pointer);
         hear_notes();
@@ -255,7 +250,6 @@ TEST(notes) {
         end_notes();
         if (!strstr(notes, rows[i].note))
             fail_msg("'%s' is not in:\n%s", rows[i].note, notes);
-        scene_free(&scene);
     }
 }
 
@@ -280,27 +274,26 @@ static void check_followed(const char *pointer, const float *values, int width,
     struct renderer renderer;
     snprintf(channel, sizeof channel, TARGET("%s"), pointer);
     const char *path = write_clip(channel, values, width);
-    open_stage(&stage, path);
+    stage = open_stage(path);
     struct renderer_desc desc = desc_of(&stage, technique, settings, SIZE, SIZE);
     open_renderer(&renderer, &desc);
     for (int step = 1; step >= 0; step--) {
-        struct image followed, expected;
+        OWNED(image) followed, expected;
         double time = step ? 2 : .5;
         check_ok("pose", stage_pose(&stage, time));
         check_ok("show", stage_show(&stage, &renderer));
         renderer_render(&renderer);
         check_ok("layers", renderer_read_layers(&renderer, &followed));
-        open_stage(&fresh, path);
+        fresh = open_stage(path);
         check_ok("pose", stage_pose(&fresh, time));
         expected = render_stage(&fresh, technique, settings, SIZE);
-        struct image traced = trace(&fresh), common = common_layers(&traced);
+        OWNED(image) traced = trace(&fresh), common = common_layers(&traced);
         double mean = layer_mean(&common, "");
         printf("    %s, %s at %g s\n", technique, pointer, time);
         if (!same_pixels(&followed, &expected))
             fail_msg("%s: %s at %g s: another picture than a new renderer's", technique, pointer,
                      time);
         check_near("as the path tracer", layer_mean(&followed, ""), mean, .05 * mean);
-        images_free(&followed, &expected, &common, &traced);
         stage_free(&fresh);
     }
     renderer_free(&renderer);

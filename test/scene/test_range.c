@@ -31,8 +31,8 @@ static void open_square(struct stage *stage, const char *light, const char *more
              "[{\"mesh\": 0, \"scale\": [2, 2, 2], \"translation\": [-1, -1, 0]},"
              "{\"camera\": 0, \"translation\": [0, 0, 5]}," LIGHT("[0, 0, 2]") "%s]",
              more_nodes);
-    open_stage(stage,
-               write_parts("square.glb", &(struct gltf_parts){.nodes = nodes, .more = more}));
+    *stage =
+        open_stage(write_parts("square.glb", &(struct gltf_parts){.nodes = nodes, .more = more}));
 }
 
 static double at_middle(const struct image *image, const char *channel) {
@@ -62,28 +62,24 @@ TEST(light) {
         {"{\"type\": \"directional\", \"intensity\": 3.14159265, \"range\": 1}", "", 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
+        OWNED(stage) stage;
         open_square(&stage, rows[i].light, rows[i].more);
-        struct image image = render_stage(&stage, "clustered", "vpls=64 vals=8", SIZE);
-        struct image traced = trace_stage(&stage, SIZE, 1);
+        OWNED(image) image = render_stage(&stage, "clustered", "vpls=64 vals=8", SIZE);
+        OWNED(image) traced = trace_stage(&stage, SIZE, 1);
         check_near("direct, rendered", at_middle(&image, "direct.R"), rows[i].value, .004);
         check_near("direct, traced", at_middle(&traced, "direct.R"), rows[i].value, .004);
-        images_free(&image, &traced);
-        stage_free(&stage);
     }
 }
 
 /* All methods of direct light. */
 TEST(methods) {
     for (const struct direct_method *const *method = direct_methods; *method; method++) {
-        struct stage stage;
+        OWNED(stage) stage;
         open_square(&stage, POINT("2.5"), "");
         struct renderer_desc desc = desc_of(&stage, "clustered", "vpls=64 vals=8", SIZE, SIZE);
         desc.direct = *method;
-        struct image image = render_layers(&desc);
+        OWNED(image) image = render_layers(&desc);
         check_near((*method)->name, at_middle(&image, "direct.R"), 1 - .4096, .004);
-        image_free(&image);
-        stage_free(&stage);
     }
 }
 
@@ -109,47 +105,42 @@ static void open_room(struct stage *stage, const char *range) {
         "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 1.5, \"znear\":"
         " 0.01}}], \"extensions\": {\"KHR_lights_punctual\": {\"lights\": [" POINT("%s") "]}},",
         range);
-    open_stage(
-        stage,
-        write_parts(
-            "room.glb",
-            &(struct gltf_parts){
-                .accessors = "[{\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"
-                             " \"count\": 8, \"type\": \"VEC3\"},"
-                             " {\"bufferView\": 0, \"byteOffset\": 160, \"componentType\": 5121,"
-                             " \"count\": 36, \"type\": \"SCALAR\"}]",
-                .nodes = "[{\"mesh\": 0}, {\"camera\": 0, \"translation\": [0, 0, 0.9]}," LIGHT(
-                    "[0, 0, 0]") "]",
-                .more = more,
-                .extra = &cube,
-                .extra_size = sizeof cube}));
+    *stage = open_stage(write_parts(
+        "room.glb",
+        &(struct gltf_parts){
+            .accessors = "[{\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": 5126,"
+                         " \"count\": 8, \"type\": \"VEC3\"},"
+                         " {\"bufferView\": 0, \"byteOffset\": 160, \"componentType\": 5121,"
+                         " \"count\": 36, \"type\": \"SCALAR\"}]",
+            .nodes = "[{\"mesh\": 0}, {\"camera\": 0, \"translation\": [0, 0, 0.9]}," LIGHT(
+                "[0, 0, 0]") "]",
+            .more = more,
+            .extra = &cube,
+            .extra_size = sizeof cube}));
 }
 
 /* Reflected light begins with what is left of it, in every technique. */
 TEST(reflected) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_room(&stage, "1.2");
-    struct image traced = trace_stage(&stage, SIZE, 64);
+    OWNED(image) traced = trace_stage(&stage, SIZE, 64);
     double reference = layer_mean(&traced, "indirect"), direct = layer_mean(&traced, "direct");
     for (const struct technique *const *technique = techniques; *technique; technique++) {
-        struct image image = render_stage(&stage, (*technique)->name, "", SIZE);
+        OWNED(image) image = render_stage(&stage, (*technique)->name, "", SIZE);
         check_near("direct", layer_mean(&image, "direct") / direct, 1, .02);
         check_near((*technique)->name, layer_mean(&image, "indirect") / reference, 1, .12);
-        image_free(&image);
     }
     stage_free(&stage);
     image_free(&traced);
     open_room(&stage, "100");
     traced = trace_stage(&stage, SIZE, 16);
     check_at_most("light within the range", 1.5 * reference, layer_mean(&traced, "indirect"));
-    stage_free(&stage);
-    image_free(&traced);
 }
 
 /* --light changes it. */
 TEST(text) {
-    struct stage stage;
-    struct emitters emitters = {0};
+    OWNED(stage) stage;
+    OWNED(emitters) emitters = {0};
     open_square(&stage, POINT("4"), "");
     check_near("of the file", stage.emitters.items[0].range, 4, 0);
     check_ok("range=9", emitters_from_text(&emitters, &stage.scene, "0 range=9", 0));
@@ -158,8 +149,6 @@ TEST(text) {
     assert_string_equal(text, "0 range=9");
     assert_false(emitters_from_text(&emitters, &stage.scene, "0 range=-1", 0));
     free(text);
-    emitters_free(&emitters);
-    stage_free(&stage);
 }
 
 /* --- cameras ---------------------------------------------------------------------------------- */
@@ -173,15 +162,13 @@ static void open_squares(struct stage *stage, const char *kind, const char *rang
              "\"extensions\": {\"KHR_lights_punctual\": {\"lights\":"
              " [{\"type\": \"directional\", \"intensity\": 3.14159265}]}},",
              kind, kind, flat ? "\"xmag\": 1, \"ymag\": 1" : "\"yfov\": 0.6", range);
-    open_stage(
-        stage,
-        write_parts("squares.glb",
-                    &(struct gltf_parts){
-                        .nodes =
-                            "[{\"mesh\": 0, \"scale\": [4, 4, 4], \"translation\": [-2, -2, 0]},"
-                            "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 3]},"
-                            "{\"camera\": 0, \"translation\": [0, 0, 5]}," LIGHT("[0, 0, 9]") "]",
-                        .more = more}));
+    *stage = open_stage(write_parts(
+        "squares.glb",
+        &(struct gltf_parts){
+            .nodes = "[{\"mesh\": 0, \"scale\": [4, 4, 4], \"translation\": [-2, -2, 0]},"
+                     "{\"mesh\": 0, \"translation\": [-0.5, -0.5, 3]},"
+                     "{\"camera\": 0, \"translation\": [0, 0, 5]}," LIGHT("[0, 0, 9]") "]",
+            .more = more}));
 }
 
 /* Depths at the middle, and at a corner, 0 where nothing is. Light is not cut: the near square's
@@ -199,7 +186,7 @@ TEST(camera) {
     static const char *const kinds[] = {"perspective", "orthographic"};
     for (int k = 0; k < 2; k++)
         for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-            struct stage stage;
+            OWNED(stage) stage;
             open_squares(&stage, kinds[k], rows[i].range);
             struct image images[] = {
                 render_stage(&stage, "clustered", "vpls=64 vals=8", SIZE),
@@ -212,7 +199,6 @@ TEST(camera) {
                 check_near("direct", at_middle(&images[n], "direct.R"), rows[i].direct, 1e-2);
                 image_free(&images[n]);
             }
-            stage_free(&stage);
         }
 }
 
@@ -235,29 +221,26 @@ TEST(beyond) {
                 {"\"znear\": 0.1", ""}};
     const struct log_sink sink = {keep_note};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct stage stage;
+        OWNED(stage) stage;
         *beyond = '\0';
         log_set_sink(&sink);
         open_squares(&stage, "perspective", rows[i].range);
         log_set_sink(NULL);
         printf("    %s: %s\n", rows[i].range, beyond);
         assert_true(*rows[i].note ? strstr(beyond, rows[i].note) != NULL : *beyond == '\0');
-        stage_free(&stage);
     }
 }
 
 /* --camera changes it; what is cut is not there in the picture's edges either. */
 TEST(camera_text) {
-    struct stage stage;
+    OWNED(stage) stage;
     char text[PLACING_TEXT_SIZE];
     open_squares(&stage, "perspective", "\"znear\": 0.1, \"zfar\": 100");
     check_ok("near=4", camera_from_text(&stage.camera, &stage.scene, "0 near=4", 0, NULL));
     camera_to_text(&stage.camera, &stage.scene, 0, 0, text);
     assert_string_equal(text, "0 near=4");
-    struct image image = render_stage(&stage, "clustered", "vpls=64 vals=8 samples=8", SIZE);
+    OWNED(image) image = render_stage(&stage, "clustered", "vpls=64 vals=8 samples=8", SIZE);
     check_near("depth", at_middle(&image, "Z"), 5, 1e-3);
-    image_free(&image);
-    stage_free(&stage);
 }
 
 /* --- cases of the public reports -------------------------------------------------------------- */
@@ -271,16 +254,14 @@ TEST(cases) {
                 {"light-range/range-4.gltf", "direct.R", .9375}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows && shared_path(); i++) {
         char path[512];
-        struct stage stage;
         snprintf(path, sizeof path, "%s/cases/%s", shared_path(), rows[i].file);
         if (!file_can_be_read(path))
             continue;
-        open_stage(&stage, path);
-        struct image image = render_stage(&stage, "clustered", "vpls=64 vals=8", SIZE);
-        struct image traced = trace_stage(&stage, SIZE, 1);
+        struct stage stage = open_stage(path);
+        OWNED(image) image = render_stage(&stage, "clustered", "vpls=64 vals=8", SIZE);
+        OWNED(image) traced = trace_stage(&stage, SIZE, 1);
         check_near(rows[i].file, at_middle(&image, rows[i].channel), rows[i].value, .002);
         check_near(rows[i].file, at_middle(&traced, rows[i].channel), rows[i].value, .002);
-        images_free(&image, &traced);
         stage_free(&stage);
     }
 }

@@ -452,7 +452,7 @@ TEST(shared_cornell_box) {
         skip();
     char path[256];
     snprintf(path, sizeof path, "%s/scenes/cornell-box.glb", shared_path());
-    struct scene scene;
+    OWNED(scene) scene;
     check_ok("load", scene_load(&scene, path));
     struct emitter light;
     emitter_place(&light, &scene, 0, 0);
@@ -465,7 +465,6 @@ TEST(shared_cornell_box) {
     check_vector("eye", camera.eye, 0, 2.73, 10.796, 1e-3);
     check_vector("forward", camera.forward, 0, 0, -1, 1e-6);
     check_near("fov", camera.fov_y * 180 / M_PI, 39.31, 1e-2);
-    scene_free(&scene);
 }
 
 /* --- cameras and views ------------------------------------------------------------------------ */

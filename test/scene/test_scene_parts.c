@@ -54,8 +54,8 @@ TEST(texture) {
 
 /* Any part of a scene that is drawn has a share in the number that tells scenes apart. */
 TEST(hash) {
-    struct scene scene;
-    struct geometry geometry;
+    OWNED(scene) scene;
+    OWNED(geometry) geometry;
     struct camera camera;
     vec3 sky_texels[2] = {{1, 1, 1}, {2, 2, 2}};
     struct environment sky = {.width = 2, .height = 1, .texels = sky_texels, .strength = 1};
@@ -87,8 +87,6 @@ TEST(hash) {
     stand_in_free(&stand_in);
     scene.textures = NULL;
     scene.texture_count = 0;
-    geometry_free(&geometry);
-    scene_free(&scene);
 }
 
 /* Nodes that are flat in one way or another still look somewhere, across what they have left. */
@@ -135,11 +133,10 @@ TEST(layouts) {
     lights[0].size[0] = 1;
     light_layout_of(&a, &one);
     assert_false(light_layouts_same(&a, &b));
-    struct emitters copy = emitters_copy(&one);
+    OWNED(emitters) copy = emitters_copy(&one);
     assert_true(emitters_same(&one, &copy));
     copy.items[0].position[0] = 1;
     assert_false(emitters_same(&one, &copy));
-    emitters_free(&copy);
 }
 
 /* What is diffuse: no metal, rough all over, and reflecting as usual or not at all. */

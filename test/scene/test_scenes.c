@@ -163,7 +163,7 @@ static int lights_of(const struct expectation *expected) {
 }
 
 static void check_scene(const struct expectation *expected, const char *path) {
-    struct scene scene;
+    OWNED(scene) scene;
     check_ok(path, scene_load(&scene, path));
     int triangles = 0;
     for (int i = 0; i < scene.node_count; i++)
@@ -179,7 +179,6 @@ static void check_scene(const struct expectation *expected, const char *path) {
     assert_int_equal(medium_exists(&scene.medium), strcmp(expected->name, "hall") == 0 ||
                                                        strcmp(expected->name, "gem") == 0 ||
                                                        strcmp(expected->name, "window") == 0);
-    scene_free(&scene);
 }
 
 /* --- tests ------------------------------------------------------------------------------------ */
@@ -236,7 +235,7 @@ TEST(sphere_is_round) {
     char output[1024], path[512];
     assert_int_equal(run_tool(scratch("scenes"), "sphere", output, sizeof output), 0);
     scene_path("sphere", path, sizeof path);
-    struct scene scene;
+    OWNED(scene) scene;
     check_ok(path, scene_load(&scene, path));
     struct surface welded = weld(&scene.meshes[0].primitives[0]);
     struct surface_shape shape = measure_surface(&welded);
@@ -249,7 +248,6 @@ TEST(sphere_is_round) {
             worst = fmax(worst, fabs(welded.position[i][k] + welded.normal[i][k]));
     check_at_most("normals' distance from -position", worst, 1e-6);
     surface_free(&welded);
-    scene_free(&scene);
 }
 
 RUN_TESTS(NULL, NULL)

@@ -136,22 +136,19 @@ static void turn_over(struct stage *stage) {
 /* Turned over nothing is solid, and maps show all faces. */
 static void check_frame(const char *path, double least_share) {
     static const char settings[] = "vpls=256 vals=16 interleave=4 caster.error=1e-7";
-    struct stage stage;
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     for (int i = 0; i < stage.scene.material_count; i++)
         stage.scene.materials[i].double_sided = true;
     double share = solid_share(&stage);
-    struct image as_is = render_stage(&stage, "clustered", settings, 96);
+    OWNED(image) as_is = render_stage(&stage, "clustered", settings, 96);
     turn_over(&stage);
     double turned_share = solid_share(&stage);
-    struct image turned = render_stage(&stage, "clustered", settings, 96);
+    OWNED(image) turned = render_stage(&stage, "clustered", settings, 96);
     double error = relative_rmse(&as_is, &turned, "indirect");
     printf("  %s: %.2f of the casters are of solids, turned over %.2f; the frame differs by %.4f\n",
            path, share, turned_share, error);
     assert_true(share > least_share && turned_share < .02);
     check_at_most("difference", error, 5e-4);
-    images_free(&as_is, &turned);
-    stage_free(&stage);
 }
 
 TEST(frame) {

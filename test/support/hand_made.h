@@ -6,6 +6,7 @@
 #include "support.h"
 
 #include "base/memory.h"
+#include "reference/channels.h"
 #include "reference/path_tracer.h"
 #include "scene/material.h"
 
@@ -62,6 +63,7 @@ static inline void world_free(struct world *world) {
         free(world->geometry.uv[m]);
     free(world->geometry.color);
     free(world->geometry.indices);
+    *world = (struct world){0};
 }
 
 static inline uint32_t add_vertex(struct world *world, vec3s position, vec3s normal, float u,

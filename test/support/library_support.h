@@ -3,6 +3,8 @@
 #ifndef TEST_LIBRARY_SUPPORT_H
 #define TEST_LIBRARY_SUPPORT_H
 
+#include "command_support.h"
+
 #include "base/image.h"
 #include "library/manylight.h"
 

@@ -87,8 +87,10 @@ int close_group_shaders(void **state) {
     return close_group_context(state);
 }
 
-void open_stage(struct stage *stage, const char *path) {
-    check_ok(path, stage_init(stage, &(struct stage_desc){.path = path}));
+struct stage open_stage(const char *path) {
+    struct stage stage;
+    check_ok(path, stage_init(&stage, &(struct stage_desc){.path = path}));
+    return stage;
 }
 
 void pose_stage(struct stage *stage) {
@@ -204,11 +206,10 @@ void open_renderer(struct renderer *renderer, const struct renderer_desc *desc) 
 }
 
 struct image render_layers(const struct renderer_desc *desc) {
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct image image;
     open_renderer(&renderer, desc);
     check_ok("layers", renderer_read_layers(&renderer, &image));
-    renderer_free(&renderer);
     return image;
 }
 
@@ -349,10 +350,9 @@ struct image common_layers(const struct image *traced) {
 struct image trace_stage(const struct stage *stage, int size, int samples) {
     const struct path_tracer_desc desc = {
         .width = size, .height = size, .bounces = 1, .samples = samples, .centers = true};
-    struct image traced;
+    OWNED(image) traced;
     check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
     struct image reference = common_layers(&traced);
-    image_free(&traced);
     return reference;
 }
 

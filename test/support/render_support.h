@@ -22,7 +22,7 @@ int open_group_shaders(void **state);
 int close_group_shaders(void **state);
 
 /* A stage that the test may change; fails the test on an error. */
-void open_stage(struct stage *stage, const char *path);
+struct stage open_stage(const char *path);
 
 /* Geometry, camera and light anew from a scene that the test has changed. */
 void pose_stage(struct stage *stage);

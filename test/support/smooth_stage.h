@@ -36,16 +36,15 @@ static inline int print_square(char *text, size_t size, const char *node, double
 
 /* A light of 1 W/sr in z = 2 that shines down, and a camera that looks down from such a height. */
 static inline void open_nodes(struct stage *stage, const char *nodes, float eye) {
-    open_stage(stage,
-               write_parts("caustics.glb",
-                           &(struct gltf_parts){
-                               .nodes = nodes,
-                               .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}},"
-                                            " {\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
-                               .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                                         " \"indices\": 1, \"material\": 0}]},"
-                                         " {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
-                                         " \"indices\": 1, \"material\": 1}]}]"}));
+    *stage = open_stage(write_parts(
+        "caustics.glb",
+        &(struct gltf_parts){.nodes = nodes,
+                             .materials = "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}},"
+                                          " {\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}]",
+                             .meshes = "[{\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
+                                       " \"indices\": 1, \"material\": 0}]},"
+                                       " {\"primitives\": [{\"attributes\": {\"POSITION\": 0},"
+                                       " \"indices\": 1, \"material\": 1}]}]"}));
     stage->camera = (struct camera){.eye = {0, 0, eye},
                                     .right = {1, 0, 0},
                                     .up = {0, 1, 0},

@@ -5,6 +5,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 #include <setjmp.h>
 #include <cmocka.h>
 
@@ -41,6 +42,9 @@ int be_quiet(void **state);
 
 void add_test(const char *file, int line, const struct CMUnitTest *test);
 int run_file(const char *file, CMFixtureFunction setup, CMFixtureFunction teardown);
+
+/* Declares a struct that x_free frees where the scope ends: OWNED(image) drawn = draw(...); */
+#define OWNED(x) __attribute__((cleanup(x##_free))) struct x
 
 /* Fails with both values when |value - expected| > tolerance; prints them either way. */
 void check_near(const char *what, double value, double expected, double tolerance);

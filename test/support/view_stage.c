@@ -253,7 +253,7 @@ void read_setting(const char *key, char *value, size_t size) {
 /* --- pictures --- */
 
 struct bitmap read_bitmap(const char *path) {
-    struct image image;
+    OWNED(image) image;
     check_ok(path, image_read(&image, path));
     struct bitmap bitmap = {image.width, image.height,
                             calloc((size_t)image.width * (size_t)image.height, 4)};
@@ -261,7 +261,6 @@ struct bitmap read_bitmap(const char *path) {
         for (int c = 0; c < 3; c++)
             bitmap.rgba[4 * i + c] = (unsigned char)lrintf(
                 255 * image.pixels[(size_t)i * (size_t)image.channel_count + (size_t)c]);
-    image_free(&image);
     return bitmap;
 }
 
@@ -312,12 +311,11 @@ struct bitmap screenshot(void) {
 }
 
 void check_same(const char *what, const char *arguments) {
-    struct bitmap expected = offscreen(arguments), got = screenshot();
+    OWNED(bitmap) expected = offscreen(arguments), got = screenshot();
     int different = count_differences(&expected, &got);
     printf("    %-48s %d pixels differ\n", what, different);
     if (different)
         fail_with_screen(what);
-    bitmaps_free(&expected, &got);
 }
 
 /* --- the viewer --- */

@@ -2,6 +2,7 @@
 #ifndef TEST_VIEW_STAGE_H
 #define TEST_VIEW_STAGE_H
 
+#include "desktop.h"
 #include "support.h"
 
 #include "base/image.h"

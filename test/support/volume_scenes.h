@@ -138,7 +138,7 @@ static inline void open_shape(struct stage *stage, struct shape *shape, double a
         shape->vertex_count, shape->index_count, two_sided ? "true" : "false", albedo, albedo,
         albedo, (double)light.x, (double)light.y, (double)light.z);
     write_text(path, text);
-    open_stage(stage, path);
+    *stage = open_stage(path);
     free(shape);
 }
 

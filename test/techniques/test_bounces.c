@@ -45,8 +45,7 @@ static void check_furnace(const struct stage *stage, const char *technique, int 
 }
 
 TEST(furnace) {
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
     check_furnace(&stage, "unshadowed", 1024, "", .005);
     check_furnace(&stage, "clustered", 1024, "", .02);
     if (is_long_run()) {
@@ -56,7 +55,6 @@ TEST(furnace) {
         check_furnace(&stage, "clustered", 4096, "", .02);
         check_furnace(&stage, "clustered", 1024, "path=paper", .005);
     }
-    stage_free(&stage);
 }
 
 /* --- energy ----------------------------------------------------------------------------------- */
@@ -92,7 +90,7 @@ static struct vpl *read_buffer(const struct vpl_buffer *buffer) {
 
 /* The VPLs of later bounces; the caller frees them. */
 static struct vpl *read_later(const struct stage *stage, const char *settings, int *count) {
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct output_list outputs;
     struct renderer_desc desc = desc_of(stage, "unshadowed", settings, 32, 32);
     open_renderer(&renderer, &desc);
@@ -100,7 +98,6 @@ static struct vpl *read_later(const struct stage *stage, const char *settings, i
     const struct vpl_buffer *buffer = output_find(&outputs, "bounce-vpl")->source;
     struct vpl *vpls = read_buffer(buffer);
     *count = buffer->count;
-    renderer_free(&renderer);
     return vpls;
 }
 
@@ -133,10 +130,9 @@ static void read_fluxes(const struct stage *stage, int bounces, double *first, d
 /* Each bounce has at most the greatest albedo of the one before; a wall that reflects no red sends
  * none on. */
 TEST(energy) {
-    struct stage stage;
     double first, later, last, sum = 0, most = .725; /* the white walls, red */
     int black;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     stage.scene.materials[2].base_color[0] = 0;
     read_fluxes(&stage, 2, &first, &later, &black);
     last = first;
@@ -151,15 +147,13 @@ TEST(energy) {
     }
     printf("  %d VPLs on the wall without red\n", black);
     assert_true(black > 20);
-    stage_free(&stage);
 }
 
 /* Inside a sphere that reflects half of it each later bounce has half of the flux of the one
  * before, to the last. */
 TEST(flux) {
-    struct stage stage;
     int black;
-    open_stage(&stage, "scenes/sphere.glb");
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
     for (int bounces = 2; bounces <= 8; bounces++) {
         double first, later;
         if (!is_tried_here((size_t)bounces, 4) && bounces != 2)
@@ -167,7 +161,6 @@ TEST(flux) {
         read_fluxes(&stage, bounces, &first, &later, &black);
         check_near("flux of later bounces", later / first / (1 - pow(.5, bounces - 1)), 1, .003);
     }
-    stage_free(&stage);
 }
 
 /* What an eighth of a sphere has over what it should have, of places and of light: adds up the
@@ -195,8 +188,7 @@ TEST(shared) {
     enum { SETS = 6 };
     static const int counts[] = {256, 512, 4096};
     double lights[3] = {0};
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
     for (int n = 0; n < 3; n++) {
         double squares[2] = {0};
         for (int seed = 1; seed <= SETS; seed++) {
@@ -213,7 +205,6 @@ TEST(shared) {
             check_at_most("light's over places'", sqrt(squares[1] / squares[0]), .9);
         check_near("light of so many over that of 256", lights[n] / lights[0], 1, .005);
     }
-    stage_free(&stage);
 }
 
 #define PLACED(mesh, x, y, z, width, turn)                                                         \
@@ -249,7 +240,7 @@ static void open_board(struct stage *stage, const char *board) {
         .more = "\"extensionsUsed\": [\"KHR_lights_punctual\"], \"extensions\": {"
                 "\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"spot\", \"intensity\": 100,"
                 " \"spot\": {\"outerConeAngle\": 0.7}}]}}, "};
-    open_stage(stage, write_parts("board.glb", &parts));
+    *stage = open_stage(write_parts("board.glb", &parts));
 }
 
 /* 0: upon the board; 1: upon the floor; -1: elsewhere. */
@@ -283,11 +274,11 @@ static void add_shared(const struct vpl_buffer *buffer, double powers[2]) {
 static void check_shared(const char *board) {
     enum { SETS = 8 };
     double left[2] = {0}, has[2] = {0};
-    struct stage stage;
+    OWNED(stage) stage;
     open_board(&stage, board);
     for (int seed = 1; seed <= SETS; seed++) {
         char settings[64];
-        struct renderer renderer;
+        OWNED(renderer) renderer;
         struct output_list outputs;
         snprintf(settings, sizeof settings, "bounces=2 paths=4096 seed=%d", seed);
         struct renderer_desc desc = desc_of(&stage, "unshadowed", settings, 32, 32);
@@ -296,12 +287,10 @@ static void check_shared(const char *board) {
         const struct bounce_pass *pass = bounce_pass_of(&outputs);
         add_left(pass, left);
         add_shared(&pass->vpls, has);
-        renderer_free(&renderer);
     }
     for (int part = 0; part < 2; part++)
         check_near(part ? "dark floor, of what paths leave" : "white board, of what paths leave",
                    has[part] / left[part], 1, .01);
-    stage_free(&stage);
 }
 
 /* Light is shared along a plane that is seen: what a white board has does not come to the dark
@@ -313,8 +302,7 @@ TEST(shared_along_planes) {
 
 /* What paths take for a triangle's colour, on both of its sides. */
 TEST(albedos) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     uint32_t count = stage.geometry.index_count / 3;
     struct triangle_albedo *albedos = mem_alloc(count, sizeof *albedos);
     for (int sides = 1; sides <= 2; sides++) {
@@ -334,7 +322,6 @@ TEST(albedos) {
         }
     }
     free(albedos);
-    stage_free(&stage);
 }
 
 /* --- what patches keep ------------------------------------------------------------------------ */
@@ -356,12 +343,11 @@ static bool camera_sees(const struct rays *rays, const struct view *view, const 
 
 /* Paths count for what patches keep whose light goes to what the camera sees, and no others. */
 TEST(seen) {
-    struct stage stage;
     struct rays rays;
     struct renderer renderer;
     struct output_list outputs;
     struct view view;
-    open_stage(&stage, "scenes/cornell-animal.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     stage.camera.fov_y *= .6F;
     open_rays(&rays, &stage);
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "bounces=3 paths=1024", 32, 32);
@@ -398,7 +384,6 @@ TEST(seen) {
     mem_free(places.texels, nexts.texels, seen.texels, kept.texels);
     renderer_free(&renderer);
     close_rays(&rays);
-    stage_free(&stage);
 }
 
 /* --- starts by importance --------------------------------------------------------------------- */
@@ -454,11 +439,10 @@ static void read_powers(struct stage *stage, const char *settings, struct powers
 TEST(starts) {
     static const char *const paths[] = {"scenes/hall.glb", "scenes/door.glb", "scenes/window.glb"};
     for (size_t i = 0; i < sizeof paths / sizeof *paths; i++) {
-        struct stage stage;
         struct powers even, even_later, starts, later;
         if (!is_tried_here(i, 3))
             continue;
-        open_stage(&stage, paths[i]);
+        struct stage stage = open_stage(paths[i]);
         read_powers(&stage, "bounces=4 vpls=16384 importance=off", &even, &even_later);
         read_powers(&stage, "bounces=4 importance=on", &starts, &later);
         printf("  %s: %d starts\n", paths[i], starts.count);
@@ -476,18 +460,17 @@ TEST(starts) {
 /* One bounce is what it was whatever paths there would be; and a frame of several depends on its
  * own time alone. */
 TEST(frames) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-animal.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     struct image one = render_stage(&stage, "clustered", "", 48);
     struct image other = render_stage(&stage, "clustered", "bounces=1 paths=300", 48);
     assert_true(same_pixels(&one, &other));
     images_free(&one, &other);
     static const char *const techniques[] = {"clustered", "unshadowed"};
     for (int t = 0; t < (is_long_run() ? 2 : 1); t++) {
-        struct renderer renderer;
+        OWNED(renderer) renderer;
         struct renderer_desc desc = desc_of(&stage, techniques[t], "bounces=3", 48, 48);
         struct emitter light = stage.emitters.items[0];
-        struct image fresh = render_layers(&desc), again;
+        OWNED(image) fresh = render_layers(&desc), again;
         open_renderer(&renderer, &desc);
         stage.emitters.items[0].position[0] += .5F;
         check_ok("a light elsewhere", renderer_follow(&renderer, &desc));
@@ -497,19 +480,15 @@ TEST(frames) {
         renderer_render(&renderer);
         check_ok("layers", renderer_read_layers(&renderer, &again));
         assert_true(same_pixels(&fresh, &again));
-        images_free(&fresh, &again);
-        renderer_free(&renderer);
     }
-    stage_free(&stage);
 }
 
 /* --- the reference ---------------------------------------------------------------------------- */
 
 /* In the box two bounces lack a sixth of the light of eight, and one two fifths. */
 TEST(reference) {
-    struct stage stage;
-    struct image reference;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(image) reference;
     check_ok("reference",
              picture_trace_paths(
                  &stage,
@@ -521,8 +500,6 @@ TEST(reference) {
                mean_indirect(&stage, "clustered", "bounces=8") / whole, 1, .045);
     check_near("instant radiosity", mean_indirect(&stage, "instant-radiosity", "bounces=8") / whole,
                1, .06);
-    image_free(&reference);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

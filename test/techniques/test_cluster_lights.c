@@ -339,23 +339,19 @@ TEST(one_each) {
 
 /* Against all VPLs at each pixel, as more lights take their places. */
 static void check_falls(const char *scene, double of_128) {
-    struct stage stage;
-    open_stage(&stage, scene);
-    struct image all = render_stage(&stage, "unshadowed", EVERY_VPL, 48);
+    OWNED(stage) stage = open_stage(scene);
+    OWNED(image) all = render_stage(&stage, "unshadowed", EVERY_VPL, 48);
     double last = 1;
     for (int lights = 8; lights <= 128; lights *= 4) {
         char settings[160];
         snprintf(settings, sizeof settings, "shadows=none area-lights=%d", lights);
-        struct image image = render_stage(&stage, "cluster-lights", settings, 48);
+        OWNED(image) image = render_stage(&stage, "cluster-lights", settings, 48);
         double error = relative_rmse(&image, &all, "indirect");
         printf("  %s: %d lights: %.2f %%\n", scene, lights, 100 * error);
         check_at_most("than of fewer lights", error, last);
         last = error;
-        image_free(&image);
     }
     check_at_most("of 128 lights", last, of_128);
-    image_free(&all);
-    stage_free(&stage);
 }
 
 TEST(falls) {
@@ -366,14 +362,11 @@ TEST(falls) {
 
 /* As many lights as VPLs, as disks: each is its VPL, and so is the picture. */
 TEST(all_lights) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-animal.glb");
-    struct image all = render_stage(&stage, "unshadowed", EVERY_VPL " vpls=64 clamp=disk", 48);
-    struct image disks = render_stage(
+    OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
+    OWNED(image) all = render_stage(&stage, "unshadowed", EVERY_VPL " vpls=64 clamp=disk", 48);
+    OWNED(image) disks = render_stage(
         &stage, "cluster-lights", "vpls=64 area-lights=64 shadows=none form=disk adaptive=0", 48);
     check_at_most("64 lights of 64 VPLs", relative_rmse(&disks, &all, "indirect"), 1e-5);
-    images_free(&all, &disks);
-    stage_free(&stage);
 }
 
 /* --- as published ----------------------------------------------------------------------------- */
@@ -400,9 +393,9 @@ static void see_pixels(struct published *p, const struct renderer *renderer,
 
 static void open_published(struct published *p, const struct stage *stage, const char *settings) {
     struct renderer_desc desc = desc_of(stage, "cluster-lights", settings, 64, 64);
-    struct renderer renderer;
+    OWNED(renderer) renderer;
     struct output_list outputs;
-    struct image layers;
+    OWNED(image) layers;
     open_renderer(&renderer, &desc);
     check_ok("layers", renderer_read_layers(&renderer, &layers));
     renderer_outputs(&renderer, &outputs);
@@ -412,8 +405,6 @@ static void open_published(struct published *p, const struct stage *stage, const
     p->light_count = lights->count;
     buffer_read(&lights->buffer, 0, (size_t)lights->count * sizeof *p->lights, p->lights);
     see_pixels(p, &renderer, &layers);
-    image_free(&layers);
-    renderer_free(&renderer);
 }
 
 /* What a light gives to the pixels where nothing is between. */
@@ -444,8 +435,7 @@ static double even_count(const struct published *p) {
 /* Table 1 of [Prutkin 2012] has 75 of 256 clusters in use in its box. */
 TEST(published) {
     static struct published paper, even;
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     open_published(&paper, &stage, "path=paper");
     open_published(&even, &stage, "path=paper cluster-lights.seeds=even");
     int used = 0;
@@ -461,7 +451,6 @@ TEST(published) {
     check_at_most("lights of equal importance, of even seeds over those by importance",
                   even_count(&even) / even_count(&paper), .9);
     mem_free(paper.vpls, even.vpls);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -14,7 +14,7 @@ struct table {
 
 static void open_table(struct table *table) {
     const struct geometry *geometry = &table->stage.geometry;
-    open_stage(&table->stage, "scenes/table.glb");
+    table->stage = open_stage("scenes/table.glb");
     elements_init(&table->elements, &(struct elements_desc){&table->stage.scene, geometry,
                                                             MATERIALS_DIFFUSE, false, 2000, false});
     tree_init(&table->tree, &table->elements, .3F * geometry->radius);
@@ -66,10 +66,9 @@ TEST(emission) {
 
 /* Rays to lights pass through holes of alpha masks. */
 TEST(masks) {
-    struct stage stage;
     struct bvh casters, panes = {0};
     int holes = 0, hits = 0;
-    open_stage(&stage, "scenes/materials.glb");
+    OWNED(stage) stage = open_stage("scenes/materials.glb");
     element_light_casters(&casters, &panes, &stage.scene, &stage.geometry);
     for (uint32_t t = 0; t < stage.geometry.index_count / 3; t++) {
         vec3s edges[2],
@@ -92,7 +91,6 @@ TEST(masks) {
     check_at_most("holes", holes, hits / 4);
     bvh_free(&panes);
     bvh_free(&casters);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -45,14 +45,14 @@ static void add_white_sky(struct stage *stage) {
 
 /* Under a white sky a ball shows its albedo. */
 TEST(ball) {
-    struct stage stage;
+    OWNED(stage) stage;
     double worst = 0, sum = 0, expected = 0;
     open_ball(&stage, 1, true);
     add_white_sky(&stage);
     look(&stage, at(0, 0, 0), at(0, -1, 0), at(0, 0, 1), 2);
     struct renderer_desc desc = desc_of(&stage, "implicit-visibility", direct_settings, SIZE, SIZE);
     desc.emitters = (struct emitters){.sky = stage.scene.environment};
-    struct image layers = render_layers(&desc);
+    OWNED(image) layers = render_layers(&desc);
     int channel = image_find_channel(&layers, "direct.specular.R");
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++) {
@@ -69,26 +69,22 @@ TEST(ball) {
            worst);
     check_near("mean over the albedo", sum / expected, 1, .01);
     check_at_most("worst pixel", worst, .05);
-    image_free(&layers);
-    stage_free(&stage);
 }
 
 /* Mean over a picture from the middle. */
 static double seen_within(float roughness, const char *settings, const char *layer, double *even) {
-    struct stage stage;
+    OWNED(stage) stage;
     double sum = 0;
     open_ball(&stage, roughness, false);
     struct reflectance reflectance = material_reflectance(&stage.scene.materials[0]);
     *even = (double)material_reflects(&stage.scene.materials[0], glms_vec3_one(), &reflectance).x;
     look(&stage, at(0, 0, 0), at(0, -1, 0), at(0, 0, 1), .2F);
     struct renderer_desc desc = desc_of(&stage, "implicit-visibility", settings, SIZE, SIZE);
-    struct image layers = render_layers(&desc);
+    OWNED(image) layers = render_layers(&desc);
     int channel = image_find_channel(&layers, layer);
     for (int y = 0; y < SIZE; y++)
         for (int x = 0; x < SIZE; x++)
             sum += (double)image_at(&layers, x, y)[channel] / (SIZE * SIZE);
-    image_free(&layers);
-    stage_free(&stage);
     return sum;
 }
 
@@ -123,7 +119,7 @@ static double sum_of(const struct image *layers, const char *layer) {
 
 /* A room of balls, none smoother than .5. */
 static void open_balls(struct stage *stage) {
-    open_stage(stage, "scenes/gloss.glb");
+    *stage = open_stage("scenes/gloss.glb");
     for (int i = 0; i < stage->scene.material_count; i++)
         stage->scene.materials[i].roughness = fmaxf(stage->scene.materials[i].roughness, .5F);
 }
@@ -147,11 +143,11 @@ TEST(lamp) {
         "elements=4000 radiosity.lamps=bins radiosity.sky=bins radiosity.bins=24 "
         "radiosity.specular=direct"};
     static const char layer[] = "direct.specular";
-    struct stage stage;
+    OWNED(stage) stage;
     struct image layers[3];
     double errors[3];
     open_balls(&stage);
-    struct image traced = trace_direct(&stage, 64, 48);
+    OWNED(image) traced = trace_direct(&stage, 64, 48);
     for (int i = 0; i < 3; i++) {
         struct renderer_desc desc = desc_of(&stage, "implicit-visibility", settings[i], 64, 48);
         layers[i] = render_layers(&desc);
@@ -169,8 +165,6 @@ TEST(lamp) {
     assert_true(relative_rmse(&layers[0], &layers[1], "direct") == 0);
     for (int i = 0; i < 3; i++)
         image_free(&layers[i]);
-    image_free(&traced);
-    stage_free(&stage);
 }
 
 /* No layer counts light twice: all of them make up the picture. */
@@ -180,13 +174,12 @@ TEST(layers) {
         "radiosity.specular=indirect", "radiosity.specular=indirect bounces=3 samples=8",
         "radiosity.links=pairs radiosity.weight=element radiosity.sky=bins radiosity.lamps=bins "
         "radiosity.specular=direct bounces=2"};
-    struct stage stage;
-    open_stage(&stage, "scenes/gloss.glb");
+    OWNED(stage) stage = open_stage("scenes/gloss.glb");
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
         char text[256];
         snprintf(text, sizeof text, "elements=500 radiosity.bins=6 %s", settings[i]);
         struct renderer_desc desc = desc_of(&stage, "implicit-visibility", text, SIZE, SIZE);
-        struct image layers = render_layers(&desc);
+        OWNED(image) layers = render_layers(&desc);
         const int beauty = image_find_channel(&layers, "R"),
                   albedo = image_find_channel(&layers, "albedo.R"),
                   direct = image_find_channel(&layers, "direct.R"),
@@ -205,9 +198,7 @@ TEST(layers) {
         printf("  %s\n", settings[i]);
         check_at_most("sum of layers off the picture", worst, .01);
         check_at_most("specular off its parts", apart, 1e-4);
-        image_free(&layers);
     }
-    stage_free(&stage);
 }
 
 /* One renderer that follows other settings and sizes shows what new ones show. */
@@ -221,20 +212,16 @@ TEST(changes) {
                  {"elements=300 radiosity.bins=4 radiosity.lamps=bins radiosity.sky=bins "
                   "radiosity.specular=direct",
                   40}};
-    struct stage stage;
-    struct renderer renderer = {0};
-    open_stage(&stage, "scenes/gloss.glb");
+    OWNED(stage) stage = open_stage("scenes/gloss.glb");
+    OWNED(renderer) renderer = {0};
     for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
         struct renderer_desc desc =
             desc_of(&stage, "implicit-visibility", steps[i].settings, steps[i].size, steps[i].size);
-        struct image followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+        OWNED(image) followed = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
         printf("  step %zu: specular light %.3f of %.3f\n", i,
                sum_of(&followed, "indirect.specular.R"), sum_of(&fresh, "indirect.specular.R"));
         assert_true(same_pixels(&followed, &fresh));
-        images_free(&followed, &fresh);
     }
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 static PFNGLGETERRORPROC get_error;
@@ -247,14 +234,13 @@ static GLenum APIENTRY fail_once(void) {
 /* A smaller size that finds no GPU memory, at each allocation in turn, leaves the picture as it
  * was. */
 TEST(out_of_memory) {
-    struct stage stage;
-    struct renderer renderer = {0};
+    OWNED(stage) stage = open_stage("scenes/gloss.glb");
+    OWNED(renderer) renderer = {0};
     int failures = 0;
-    open_stage(&stage, "scenes/gloss.glb");
     const char *settings = "elements=300 radiosity.bins=4 radiosity.specular=indirect";
     struct renderer_desc large = desc_of(&stage, "implicit-visibility", settings, 40, 40),
                          small = desc_of(&stage, "implicit-visibility", settings, 24, 24);
-    struct image before = follow_layers(&renderer, &large);
+    OWNED(image) before = follow_layers(&renderer, &large);
     get_error = gl.GetError;
     calls_left = -1;
     for (int n = 0; calls_left < 0; n++) {
@@ -262,24 +248,19 @@ TEST(out_of_memory) {
         gl.GetError = fail_once;
         failures += !renderer_follow(&renderer, &small);
         gl.GetError = get_error;
-        struct image after = follow_layers(&renderer, &large);
+        OWNED(image) after = follow_layers(&renderer, &large);
         assert_true(same_pixels(&before, &after));
-        image_free(&after);
     }
     printf("  %d failures\n", failures);
     assert_true(failures > 10);
-    image_free(&before);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* Shaders read no further in a storage than GPUs say. */
 TEST(too_many_links) {
-    struct stage stage;
     struct renderer renderer = {0};
     GLint64 most = 0;
     gl.GetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    open_stage(&stage, "scenes/gloss.glb");
+    OWNED(stage) stage = open_stage("scenes/gloss.glb");
     struct renderer_desc desc = desc_of(&stage, "implicit-visibility",
                                         "elements=65536 radiosity.bins=32 "
                                         "radiosity.specular=indirect",
@@ -290,7 +271,6 @@ TEST(too_many_links) {
         assert_non_null(strstr(error_get(), "fewer radiosity.elements"));
     } else
         printf("  not tried: a storage of this GPU has %.0f MiB\n", (double)most / (1 << 20));
-    stage_free(&stage);
 }
 
 /* Lamps and skies by rays do not come through bins. */

@@ -38,10 +38,9 @@ static double area_of(const struct geometry *geometry) {
 
 /* All surfaces hide light, once: black ones too, of one side or of two, and metaballs. */
 static void check_points(const char *path, bool black, bool double_sided) {
-    struct stage stage;
     struct surface_points points;
     double area = 0;
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     for (int m = 0; m < stage.scene.material_count; m++) {
         stage.scene.materials[m].double_sided = double_sided;
         for (int c = 0; c < 3 && black; c++)
@@ -55,7 +54,6 @@ static void check_points(const char *path, bool black, bool double_sided) {
         area += (double)surface_points_place(&points, &stage.geometry, i).area;
     check_near(path, area / area_of(&stage.geometry), 1, .01);
     surface_points_free(&points);
-    stage_free(&stage);
 }
 
 TEST(points) {
@@ -80,8 +78,8 @@ TEST(quad) {
          0},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        struct scene scene;
-        struct geometry geometry;
+        OWNED(scene) scene;
+        OWNED(geometry) geometry;
         struct surface_points points;
         double area = 0, lower = 0;
         const struct gltf_parts parts = {.materials = rows[i].materials};
@@ -97,8 +95,6 @@ TEST(quad) {
         check_near(rows[i].materials, area, rows[i].area, 1e-4);
         check_near("half of it below the middle", lower, area / 2, .1 * area);
         surface_points_free(&points);
-        geometry_free(&geometry);
-        scene_free(&scene);
     }
 }
 
@@ -137,19 +133,16 @@ static void check_form_factors(const struct stage *stage, int count) {
 }
 
 TEST(form_factors) {
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
     check_form_factors(&stage, 1024);
     check_form_factors(&stage, 16384);
-    stage_free(&stage);
 }
 
 /* A plain of two triangles, of ten thousand times the area, has no more than a fifth of
  * the points. */
 TEST(plain) {
-    struct stage stage;
     struct surface_points points;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct geometry *geometry = &stage.geometry;
     const struct geometry_part *floor = &geometry->parts[0];
     for (uint32_t i = 0; i < floor->vertex_count; i++)
@@ -165,7 +158,6 @@ TEST(plain) {
     check_at_most("share of the points on the plain", (double)on_plain / points.count,
                   .15 * floor->index_count / 3);
     surface_points_free(&points);
-    stage_free(&stage);
 }
 
 /* --- what a point hides ----------------------------------------------------------------------- */
@@ -209,13 +201,12 @@ static float *read_depths(const struct depth_maps *maps) {
 
 TEST(solid_angle) {
     enum { VPLS = 16, POINTS = 256, SIZE = 256 };
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
+    OWNED(renderer) renderer;
     struct output_list outputs;
     struct surface_points points;
     struct splat_pass splat;
     struct vpl_views_pass views;
-    open_stage(&stage, "scenes/sphere.glb");
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=16 interleave=4", 16, 16);
     open_renderer(&renderer, &desc);
     renderer_outputs(&renderer, &outputs);
@@ -249,8 +240,6 @@ TEST(solid_angle) {
     splat_pass_free(&splat);
     vpl_views_pass_free(&views);
     mem_free(depths, vpls);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- pull and push ---------------------------------------------------------------------------- */
@@ -352,9 +341,8 @@ static void check_nearer(struct filling *filling) {
 }
 
 TEST(filling) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=1 interleave=1", 16, 16);
     open_renderer(&renderer, &desc);
     struct filling *filling = mem_alloc(1, sizeof *filling);
@@ -363,8 +351,6 @@ TEST(filling) {
     check_gaps(filling);
     check_nearer(filling);
     free(filling);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- pictures --------------------------------------------------------------------------------- */
@@ -381,8 +367,7 @@ static double error_against(const struct image *reference, const struct stage *s
 /* With more points and texels they become the maps of triangles; with few they are better than
  * none. */
 TEST(converges) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    struct stage stage = open_stage("scenes/cornell-box.glb");
 #define PLAIN "vpls=64 interleave=1 "
 #define MAP(size, points)                                                                          \
     PLAIN "imperfect-shadow-maps.size=" #size " imperfect-shadow-maps.map-points=" #points " "
@@ -405,24 +390,20 @@ TEST(converges) {
 
 /* Nothing is hidden from anything inside a sphere. */
 TEST(sphere) {
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
-    struct image reference = render_stage(&stage, "unshadowed", "clamp=none", 64);
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
+    OWNED(image) reference = render_stage(&stage, "unshadowed", "clamp=none", 64);
     check_at_most("inside a sphere, against no visibility",
                   error_against(&reference, &stage, name, "clamp=none"), .01);
-    image_free(&reference);
-    stage_free(&stage);
 }
 
 /* Points of metaballs are dealt anew, and yet a frame depends on its own time alone. */
 TEST(frames) {
-    struct stage stage;
-    struct renderer renderer;
-    struct image again;
-    open_stage(&stage, "scenes/metaballs.glb");
+    OWNED(stage) stage = open_stage("scenes/metaballs.glb");
+    OWNED(renderer) renderer;
+    OWNED(image) again;
     struct renderer_desc desc =
         desc_of(&stage, name, "vpls=64 imperfect-shadow-maps.map-points=512", 32, 32);
-    struct image fresh = render_layers(&desc);
+    OWNED(image) fresh = render_layers(&desc);
     open_renderer(&renderer, &desc);
     for (int back = 0; back < 2; back++) {
         check_ok("pose", geometry_pose(&stage.geometry, &stage.scene, back ? 0 : 1.5));
@@ -431,9 +412,6 @@ TEST(frames) {
     }
     check_ok("layers", renderer_read_layers(&renderer, &again));
     check_at_most("there and back", relative_rmse(&again, &fresh, "indirect"), 0);
-    images_free(&fresh, &again);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

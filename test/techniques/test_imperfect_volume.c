@@ -27,7 +27,7 @@ static double plane_truth(const float place[3], void *context) {
 }
 
 static double check_plane(float angle, const char *settings) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct seen seen;
     struct shape *shape = new_shape();
     vec3s axis = vec3s_unit(at(1, .3F, .7F));
@@ -41,7 +41,6 @@ static double check_plane(float angle, const char *settings) {
     struct spread spread = spread_about(&seen, plane_truth, NULL);
     print_spread(angle > 0 ? "tilted plane" : "plane", &spread);
     free_seen(&seen);
-    stage_free(&stage);
     return spread.rmse;
 }
 
@@ -62,7 +61,7 @@ static double corner_truth(const float place[3], void *context) {
 }
 
 static double check_corner(float angle, const char *settings) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct seen seen;
     struct truth truth = {.across = at(1, 0, 0)};
     struct shape *shape = new_shape();
@@ -84,7 +83,6 @@ static double check_corner(float angle, const char *settings) {
     struct spread spread = spread_about(&seen, corner_truth, &truth);
     print_spread("corner", &spread);
     free_seen(&seen);
-    stage_free(&stage);
     return spread.rmse;
 }
 
@@ -103,7 +101,7 @@ static double bowl_truth(const float place[3], void *context) {
 
 /* Rays go as far as there is bowl. */
 static double check_bowl(double height, const char *settings) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct seen seen;
     struct shape *shape = new_shape();
     struct truth truth = {.share = (1 + height) / 2, .bottom = (float)height - .15F};
@@ -115,7 +113,6 @@ static double check_bowl(double height, const char *settings) {
     print_spread("bowl", &spread);
     check_near("mean of a bowl", spread.mean, 1 - truth.share, .08);
     free_seen(&seen);
-    stage_free(&stage);
     return spread.rmse;
 }
 

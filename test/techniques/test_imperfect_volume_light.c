@@ -65,7 +65,7 @@ TEST(harmonics) {
 /* A square of 4 m in so many by so many squares: 59 voxels wide at volume.size=64, in the middle of
  * its voxels. */
 static double filled_share(const char *settings, int squares) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct lit lit;
     struct shape *shape = new_shape();
     int count, filled = 0;
@@ -81,7 +81,6 @@ static double filled_share(const char *settings, int squares) {
         filled += texels[t][3] > 0;
     free(texels);
     close_lit(&lit);
-    stage_free(&stage);
     return filled / (60. * 60);
 }
 
@@ -145,10 +144,9 @@ static double area_of(const struct geometry *geometry) {
 
 /* Points reflect the light that VPLs carry. */
 TEST(flux) {
-    struct stage stage;
     struct lit lit;
     double flux = 0;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     open_lit(&lit, &stage, "voxel-points=20", 1);
     struct renderer renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 32, 32);
@@ -163,13 +161,11 @@ TEST(flux) {
                1, .02);
     renderer_free(&renderer);
     close_lit(&lit);
-    stage_free(&stage);
 }
 
 /* Each bounce has at most the greatest albedo of the one before. */
 TEST(bounces) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     double before = 0, own_before = 0;
     for (int bounces = 1; bounces <= (is_long_run() ? 5 : 3); bounces++) {
         struct lit lit;
@@ -186,7 +182,6 @@ TEST(bounces) {
         before = sum;
         close_lit(&lit);
     }
-    stage_free(&stage);
 }
 
 /* Inside a sphere of albedo 1/2 the direct layer is 1 everywhere, and so many bounces add 1 -
@@ -194,23 +189,20 @@ TEST(bounces) {
 static double furnace_error(const struct stage *stage, const char *size, int bounces) {
     char settings[96];
     snprintf(settings, sizeof settings, "%s lights.bounces=%d", size, bounces);
-    struct image image = render_stage(stage, "imperfect-volume", settings, 48);
+    OWNED(image) image = render_stage(stage, "imperfect-volume", settings, 48);
     double mean = layer_mean(&image, "indirect"), exact = 1 - pow(.5, bounces);
     printf("  %s: %.4f, exact %.4f\n", settings, mean, exact);
-    image_free(&image);
     return fabs(mean / exact - 1);
 }
 
 TEST(furnace) {
-    struct stage stage;
-    open_stage(&stage, "scenes/sphere.glb");
+    OWNED(stage) stage = open_stage("scenes/sphere.glb");
     for (int bounces = 1; bounces <= 4; bounces++)
         if (is_tried_here((size_t)bounces, 4))
             check_at_most("relative error at 64^3",
                           furnace_error(&stage, "volume.size=64", bounces), .1);
     if (is_long_run())
         check_at_most("at 128^3", furnace_error(&stage, "volume.size=128", 1), .05);
-    stage_free(&stage);
 }
 
 /* --- what must not change it ------------------------------------------------------------------ */
@@ -225,9 +217,8 @@ static bool same_atlas(const struct texture *a, const struct texture *b) {
 
 /* The light that lies in the volume depends on no camera. */
 TEST(camera) {
-    struct stage stage;
     struct lit a, b;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     open_lit(&a, &stage, "volume.size=32", 2);
     stage.camera.eye[0] += .3F;
     stage.camera.fov_y *= .5F;
@@ -236,16 +227,14 @@ TEST(camera) {
         assert_true(same_atlas(&a.light.volume.coefficients[i], &b.light.volume.coefficients[i]));
     close_lit(&a);
     close_lit(&b);
-    stage_free(&stage);
 }
 
 /* The order in which points are drawn changes nothing but rounding. */
 TEST(permutation) {
-    struct stage stage;
     struct lit lit;
     int count;
     double worst = 0;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     open_lit(&lit, &stage, "volume.size=32", 1);
     float(*before)[4] = read_atlas(&lit.light.volume.coefficients[0], &count);
     const struct buffer *buffer = &lit.light.points.buffer;
@@ -267,22 +256,18 @@ TEST(permutation) {
     assert_true(most > 0);
     mem_free(all, turned, before, after);
     close_lit(&lit);
-    stage_free(&stage);
 }
 
 /* A light twice as strong gives twice the light. */
 TEST(linear) {
-    struct stage stage;
-    open_stage(&stage, "scenes/three-lights.glb");
-    struct image once = render_stage(&stage, "imperfect-volume", "volume.size=32", 48);
+    OWNED(stage) stage = open_stage("scenes/three-lights.glb");
+    OWNED(image) once = render_stage(&stage, "imperfect-volume", "volume.size=32", 48);
     for (int i = 0; i < stage.emitters.count; i++)
         for (int c = 0; c < 3; c++)
             stage.emitters.items[i].intensity[c] *= 2;
-    struct image twice = render_stage(&stage, "imperfect-volume", "volume.size=32", 48);
+    OWNED(image) twice = render_stage(&stage, "imperfect-volume", "volume.size=32", 48);
     check_near("mean over that of half the light",
                layer_mean(&twice, "indirect") / layer_mean(&once, "indirect"), 2, 1e-4);
-    images_free(&once, &twice);
-    stage_free(&stage);
 }
 
 /* A corner at a place in a box that two small triangles hold. Lengths that floats have exactly: a
@@ -336,9 +321,9 @@ TEST(shift) {
  * irradiance, and nothing beside the cube. Places of a voxel differ by less than 1 % of
  * the light. */
 TEST(voxels) {
-    struct stage stage;
-    struct renderer renderer;
-    struct image image;
+    OWNED(stage) stage;
+    OWNED(renderer) renderer;
+    OWNED(image) image;
     struct shape *shape = new_shape();
     double worst = 0, beside = 0;
     int inside = 0, outside = 0;
@@ -368,25 +353,21 @@ TEST(voxels) {
     assert_true(inside > 700 && outside > 2500);
     check_at_most("relative error of the radiosity", worst, .015);
     check_near("beside the cube", beside, 0, 0);
-    image_free(&image);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- leaks ------------------------------------------------------------------------------------ */
 
 static double mean_on_floor(struct stage *stage, float x) {
     look(stage, at(x, 0, .5F), at(0, -1, 0), at(0, 0, -1), .9F);
-    struct image image = render_stage(stage, "imperfect-volume", "volume.size=65", 48);
+    OWNED(image) image = render_stage(stage, "imperfect-volume", "volume.size=65", 48);
     double mean = layer_mean(&image, "indirect");
-    image_free(&image);
     return mean;
 }
 
 /* Two rooms of 1 m side by side, the light in one: 60 voxels are 2 m and the wall, whose middle is
  * that of voxels. */
 static double leak(double wall) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct shape *shape = new_shape();
     float width = (float)(wall * 2 / (60 - wall));
     add_room(shape, at(0, 0, 0), at(1, 1, 1));
@@ -395,7 +376,6 @@ static double leak(double wall) {
     double lit = mean_on_floor(&stage, .5F), dark = mean_on_floor(&stage, 1.5F + width);
     printf("  wall of %g voxels: %.4f of the light leaks\n", wall, dark / lit);
     assert_true(lit > 0);
-    stage_free(&stage);
     return dark / lit;
 }
 
@@ -420,7 +400,7 @@ static bool opens(const struct stage *stage, const char *settings) {
 /* What counts is the box that the volume holds: a thin plate of 400 voxels takes less than a cube
  * of 280, and the main part of a plain is a cube. */
 TEST(memory) {
-    struct stage plate, cube, plain;
+    OWNED(stage) plate, cube, plain;
     struct shape *shape = new_shape(), *other = new_shape();
     add_rectangle(shape, at(-2, 0, 2), at(4, 0, 0), at(0, 0, -4));
     open_shape(&plate, shape, .5, false, at(0, 3, 0));
@@ -428,16 +408,13 @@ TEST(memory) {
     open_shape(&cube, other, .5, false, at(.5F, .5F, .5F));
     check_ok("a plate of 400 voxels", opens(&plate, "volume.size=400"));
     check_refused(opens(&cube, "volume.size=400"), "volume.size 400: up to ");
-    open_stage(&plain, "scenes/failures/plain.glb");
+    plain = open_stage("scenes/failures/plain.glb");
     check_refused(opens(&plain, "volume.size=400"), "volume.size 400: up to ");
-    stage_free(&plain);
-    stage_free(&plate);
-    stage_free(&cube);
 }
 
 /* A line has no points to make voxels of, and a single triangle has. */
 TEST(few_triangles) {
-    struct stage stage;
+    OWNED(stage) stage;
     struct shape *line = new_shape(), *triangle = new_shape();
     add_rectangle(line, at(0, 0, 0), at(1, 0, 0), at(1, 0, 0));
     open_shape(&stage, line, .5, false, at(.5F, 1, 0));
@@ -446,10 +423,8 @@ TEST(few_triangles) {
     add_rectangle(triangle, at(0, 0, 0), at(1, 0, 0), at(0, 0, -1));
     triangle->index_count = 3;
     open_shape(&stage, triangle, .5, false, at(.5F, 1, 0));
-    struct image image = render_stage(&stage, "imperfect-volume", "volume.size=16", 32);
+    OWNED(image) image = render_stage(&stage, "imperfect-volume", "volume.size=16", 32);
     check_near("light of a plane on itself", layer_mean(&image, "indirect"), 0, .01);
-    image_free(&image);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_shaders, close_group_shaders)

@@ -291,13 +291,13 @@ TEST(furnace) {
 
 /* The picture of the sphere shows what its elements have: one bounce, over pi. */
 TEST(picture) {
-    struct stage stage;
+    OWNED(stage) stage;
     double least = INFINITY, most = 0;
     open_shape(&stage, sphere(), .5, false, at(0, 0, 0));
     look(&stage, at(0, 0, 0), at(0, -1, 0), at(0, 0, 1), 1);
     struct renderer_desc desc =
         desc_of(&stage, "implicit-visibility", "elements=1000 radiosity.bins=8", 32, 32);
-    struct image layers = render_layers(&desc);
+    OWNED(image) layers = render_layers(&desc);
     int channel = image_find_channel(&layers, "indirect.R");
     for (int y = 0; y < 32; y++)
         for (int x = 0; x < 32; x++) {
@@ -307,8 +307,6 @@ TEST(picture) {
     printf("  picture of the sphere: %.4f to %.4f of %.4f\n", least, most, .5 / GLM_PI);
     check_near("least", least * GLM_PI / .5, 1, .03);
     check_near("most", most * GLM_PI / .5, 1, .03);
-    image_free(&layers);
-    stage_free(&stage);
 }
 
 static float half_shines(const struct element *element) {
@@ -442,7 +440,7 @@ TEST(start) {
     struct image layers[2];
     for (int i = 0; i < 2; i++) {
         struct renderer renderer;
-        open_stage(&stage, "scenes/character.glb");
+        stage = open_stage("scenes/character.glb");
         if (i == 1)
             check_ok("pose", stage_pose(&stage, 1));
         struct renderer_desc desc =
@@ -482,7 +480,7 @@ static void open_corner(struct stage *stage) {
 TEST(sun) {
     static const char *const settings[] = {"elements=500 radiosity.sky=rays",
                                            "elements=500 radiosity.sky=bins"};
-    struct stage stage;
+    OWNED(stage) stage;
     struct image layers[2];
     struct emitter sun = emitter_new(EMITTER_DIRECTIONAL);
     open_corner(&stage);
@@ -496,30 +494,26 @@ TEST(sun) {
            relative_rmse(&layers[1], &layers[0], "indirect"));
     assert_true(same_pixels(&layers[0], &layers[1]));
     images_free(&layers[0], &layers[1]);
-    stage_free(&stage);
 }
 
 /* A sky that turns in place. */
 TEST(turned_sky) {
-    struct stage stage;
-    struct renderer renderer = {0};
+    OWNED(stage) stage;
+    OWNED(renderer) renderer = {0};
     open_corner(&stage);
     struct renderer_desc desc =
         desc_of(&stage, "implicit-visibility", "elements=500 radiosity.sky=bins", 32, 32);
     desc.emitters = (struct emitters){.sky = stage.scene.environment};
-    struct image before = follow_layers(&renderer, &desc);
+    OWNED(image) before = follow_layers(&renderer, &desc);
     stage.scene.environment->turn = 90;
     renderer_relight(&renderer);
     check_ok("update", renderer_update(&renderer));
-    struct image turned = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
+    OWNED(image) turned = follow_layers(&renderer, &desc), fresh = render_layers(&desc);
     double change = relative_rmse(&before, &fresh, "indirect");
     printf("  turned sky: relative RMSE %g of a new renderer's, %g unturned\n",
            relative_rmse(&turned, &fresh, "indirect"), change);
     check_at_most("change by the turn", .05, change);
     assert_true(same_pixels(&turned, &fresh));
-    images_free(&before, &turned, &fresh);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- limits ----------------------------------------------------------------------------------- */

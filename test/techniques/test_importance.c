@@ -22,7 +22,7 @@ struct seen {
 };
 
 static void see(struct seen *seen, struct renderer *renderer) {
-    struct image layers;
+    OWNED(image) layers;
     check_ok("layers", renderer_read_layers(renderer, &layers));
     int channel = image_find_channel(&layers, "normal.X");
     for (int i = 0; i < PIXELS; i++) {
@@ -31,7 +31,6 @@ static void see(struct seen *seen, struct renderer *renderer) {
         pixel_position(renderer, &layers, x, y, seen->positions[i]);
         glm_vec3_copy((float *)image_at(&layers, x, y) + channel, seen->normals[i]);
     }
-    image_free(&layers);
 }
 
 /* What a VPL gives to these pixels where nothing is between. */
@@ -87,46 +86,40 @@ static double spread_of(const struct stage *stage, const char *settings) {
 }
 
 TEST(places) {
-    struct stage stage;
-    open_stage(&stage, "scenes/atrium.glb");
+    OWNED(stage) stage = open_stage("scenes/atrium.glb");
     double alike = spread_of(&stage, "path=maps vpls=1024 bounces=2 importance=off"),
            counted = spread_of(&stage, "path=maps vpls=1024 bounces=2");
     check_at_most("by importance, over where all count alike", counted / alike, .985);
-    stage_free(&stage);
 }
 
 /* --- frames ----------------------------------------------------------------------------------- */
 
 static bool same_frames(const struct stage *stage, const char *a, const char *b) {
-    struct image of_a = render_stage(stage, "clustered", a, 48),
+    OWNED(image) of_a = render_stage(stage, "clustered", a, 48),
                  of_b = render_stage(stage, "clustered", b, 48);
     bool same = same_pixels(&of_a, &of_b);
-    images_free(&of_a, &of_b);
     return same;
 }
 
 /* One bounce is what it was; where rays tell all that arrives nobody asks where VALs lie. */
 TEST(one_bounce) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     assert_true(same_frames(&stage, "", "importance=off"));
     assert_false(same_frames(&stage, "bounces=2 path=maps", "bounces=2 path=maps importance=off"));
     assert_true(
         same_frames(&stage, "bounces=2 path=traced", "bounces=2 path=traced importance=off"));
-    stage_free(&stage);
 }
 
 /* Lights that are kept while the camera moves are no others' than those of a frame that begins
  * there. */
 TEST(kept_lights) {
-    struct stage stage;
-    struct renderer renderer;
-    struct image again;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
+    OWNED(image) again;
     struct renderer_desc desc = desc_of(&stage, "clustered", "bounces=2", 48, 48);
     struct camera there = desc.camera;
     desc.keep_lights = true;
-    struct image fresh = render_layers(&desc);
+    OWNED(image) fresh = render_layers(&desc);
     desc.camera.eye[0] += .4F;
     open_renderer(&renderer, &desc);
     desc.camera = there;
@@ -134,9 +127,6 @@ TEST(kept_lights) {
     renderer_render(&renderer);
     check_ok("layers", renderer_read_layers(&renderer, &again));
     assert_true(same_pixels(&fresh, &again));
-    images_free(&fresh, &again);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

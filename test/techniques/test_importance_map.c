@@ -37,9 +37,8 @@ static double mean_density(const float *densities, int width, int light, double 
 /* All fractions add up to one, and no place is left out: a quarter of the lights, a quarter of the
  * cells. */
 TEST(densities) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/courtyard.glb");
+    OWNED(stage) stage = open_stage("scenes/courtyard.glb");
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "clustered", "lights.importance=on", SIZE, SIZE);
     open_renderer(&renderer, &desc);
     const struct many_lights *technique = renderer.technique_state;
@@ -58,8 +57,6 @@ TEST(densities) {
     check_at_most("fractions of all lights, from 1", fabs(last - 1), 1e-5);
     check_at_most("density by flux alone over the least", 1 / least, 16.1);
     mem_free(densities, lights);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- sets of VPLs ----------------------------------------------------------------------------- */
@@ -84,7 +81,7 @@ static double add_pixels(const struct image *image, double *sums, double *square
 
 static struct sets measure_sets(const struct stage *stage, const char *importance) {
     static double sums[3 * SIZE * SIZE], squares[3 * SIZE * SIZE];
-    struct renderer renderer = {0};
+    OWNED(renderer) renderer = {0};
     struct sets sets = {0};
     double square = 0;
     memset(sums, 0, sizeof sums);
@@ -93,11 +90,10 @@ static struct sets measure_sets(const struct stage *stage, const char *importanc
         char *settings =
             mem_printf("lights.importance=%s lights.seed=%d lights.vpls=512", importance, seed);
         struct renderer_desc desc = desc_of(stage, "clustered", settings, SIZE, SIZE);
-        struct image image = follow_layers(&renderer, &desc);
+        OWNED(image) image = follow_layers(&renderer, &desc);
         double mean = add_pixels(&image, sums, squares);
         sets.mean += mean / SETS;
         square += mean * mean / SETS;
-        image_free(&image);
         free(settings);
     }
     sets.error = sqrt(fmax(square - sets.mean * sets.mean, 0) / (SETS - 1));
@@ -106,13 +102,12 @@ static struct sets measure_sets(const struct stage *stage, const char *importanc
     sets.spread /= 3 * SIZE * SIZE;
     printf("    importance=%-4s mean %.4f +- %.4f, spread over sets %.3f\n", importance, sets.mean,
            sets.error, sets.spread);
-    renderer_free(&renderer);
     return sets;
 }
 
 /* Under a sky most VPLs by flux lie on roofs and outer walls. */
 TEST(sky) {
-    struct stage stage;
+    OWNED(stage) stage;
     check_ok("stage", stage_init(&stage, &(struct stage_desc){.path = "scenes/atrium.glb",
                                                               .light = "sky",
                                                               .environment = {"scenes/day.hdr"}}));
@@ -120,31 +115,27 @@ TEST(sky) {
     double error = hypot(off.error, on.error);
     check_at_most("means apart, standard errors", fabs(on.mean - off.mean) / error, 3);
     check_at_most("spread, over that by flux alone", on.spread / off.spread, .9);
-    stage_free(&stage);
 }
 
 /* --- when ------------------------------------------------------------------------------------- */
 
 static bool same(const struct stage *stage, const char *technique, const char *a, const char *b) {
-    struct image of_a = render_stage(stage, technique, a, SIZE),
+    OWNED(image) of_a = render_stage(stage, technique, a, SIZE),
                  of_b = render_stage(stage, technique, b, SIZE);
     bool equal = same_pixels(&of_a, &of_b);
-    images_free(&of_a, &of_b);
     return equal;
 }
 
 /* By itself where light starts from several samples, and something tests visibility. */
 TEST(auto) {
-    struct stage box, courtyard;
-    open_stage(&box, "scenes/cornell-box.glb");
-    open_stage(&courtyard, "scenes/courtyard.glb");
+    OWNED(stage) box, courtyard;
+    box = open_stage("scenes/cornell-box.glb");
+    courtyard = open_stage("scenes/courtyard.glb");
     assert_true(same(&box, "clustered", "", "lights.importance=off"));
     assert_false(same(&box, "clustered", "", "lights.importance=on"));
     assert_true(same(&courtyard, "clustered", "", "lights.importance=on"));
     assert_false(same(&courtyard, "clustered", "", "lights.importance=off"));
     assert_true(same(&courtyard, "unshadowed", "", "lights.importance=off"));
-    stage_free(&box);
-    stage_free(&courtyard);
 }
 
 /* What follows shows no other bit than what begins there. */
@@ -163,9 +154,8 @@ static void check_followed(const char *what, struct renderer *renderer,
  * Indoors all of it does, and a renderer whose lamp moves there chooses anew. */
 TEST(next_door) {
     const float down[] = {0, -1, 0};
-    struct stage hall;
-    struct renderer renderer;
-    open_stage(&hall, "scenes/hall.glb");
+    OWNED(stage) hall = open_stage("scenes/hall.glb");
+    OWNED(renderer) renderer;
     assert_true(same(&hall, "clustered", "", "lights.importance=on"));
     assert_false(same(&hall, "clustered", "", "lights.importance=off"));
     assert_true(same(&hall, "unshadowed", "", "lights.importance=off"));
@@ -177,35 +167,27 @@ TEST(next_door) {
     assert_false(same(&hall, "clustered", "", "lights.importance=on"));
     desc.emitters = hall.emitters;
     check_followed("lamp indoors", &renderer, &desc);
-    renderer_free(&renderer);
-    stage_free(&hall);
 }
 
 /* More than a row of a texture holds. */
 TEST(many) {
-    struct stage hall;
-    struct renderer renderer;
-    open_stage(&hall, "scenes/hall.glb");
+    OWNED(stage) hall = open_stage("scenes/hall.glb");
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(
         &hall, "lightcuts", "lights.importance=on,lights.bounces=2,lights.vpls=20000", 8, 8);
     open_renderer(&renderer, &desc);
-    renderer_free(&renderer);
-    stage_free(&hall);
 }
 
 /* Lights that are kept while the camera moves are no others than those of a frame that begins
  * there. */
 TEST(kept) {
-    struct stage stage;
-    struct renderer renderer;
-    open_stage(&stage, "scenes/courtyard.glb");
+    OWNED(stage) stage = open_stage("scenes/courtyard.glb");
+    OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
     desc.keep_lights = true;
     open_renderer(&renderer, &desc);
     desc.camera.eye[0] += .1F;
     check_followed("a step", &renderer, &desc);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

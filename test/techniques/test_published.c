@@ -31,12 +31,11 @@ TEST(loses_to_no_visibility_nowhere) {
                                          "character",    "sphere"};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
         char path[64];
-        struct stage stage;
         struct image reference = {0};
         if (!is_tried_here(i, 2))
             continue;
         snprintf(path, sizeof path, "scenes/%s.glb", scenes[i]);
-        open_stage(&stage, path);
+        struct stage stage = open_stage(path);
         struct measure_desc desc = measure_default(&stage, SIZE, SIZE);
         check_ok(scenes[i],
                  reference_get(&(struct reference_desc){REFERENCE_PATH, scratch("references"), .08},
@@ -52,17 +51,14 @@ TEST(loses_to_no_visibility_nowhere) {
 
 /* No length is absolute: what maps resolve grows with what they see. */
 TEST(ten_times_as_large) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-animal.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     const char *settings = "path=paper vpls=256 map-size=128";
-    struct image small = render_stage(&stage, "clustered", settings, SIZE);
+    OWNED(image) small = render_stage(&stage, "clustered", settings, SIZE);
     scale_scene(&stage.scene, 10);
     pose_stage(&stage);
-    struct image large = render_stage(&stage, "clustered", settings, SIZE);
+    OWNED(image) large = render_stage(&stage, "clustered", settings, SIZE);
     check_at_most("ten times as large, relative RMSE", relative_rmse(&large, &small, "indirect"),
                   .005);
-    images_free(&small, &large);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -190,15 +190,14 @@ static void compare_rows(const float (*matrix)[4], int vpls, const struct image 
 /* All rows are the picture: what a row has of a VPL is what the gather takes. */
 TEST(rows) {
     enum { SIZE = 16, VPLS = 64 };
-    struct stage stage;
-    struct renderer renderer;
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(renderer) renderer;
     struct output_list outputs;
     struct rows_pass rows;
     struct vpl_views_pass views;
     struct buffer gather_params;
-    struct image picture;
+    OWNED(image) picture;
     static const struct gather_params zeros;
-    open_stage(&stage, "scenes/cornell-box.glb");
     struct renderer_desc desc =
         desc_of(&stage, "unshadowed", "vpls=64 interleave=1 clamp=none blur-radius=0", SIZE, SIZE);
     open_renderer(&renderer, &desc);
@@ -228,9 +227,6 @@ TEST(rows) {
     buffer_free(&gather_params);
     vpl_views_pass_free(&views);
     rows_pass_free(&rows);
-    image_free(&picture);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- pictures --------------------------------------------------------------------------------- */
@@ -239,41 +235,36 @@ TEST(rows) {
 
 /* As many columns as VPLs are all of them, whatever the rows; of two bounces, too. */
 TEST(all_columns) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     static const char *const more[] = {"", "bounces=2 paths=256"};
     for (int i = 0; i < 2; i++) {
         char settings[160];
         snprintf(settings, sizeof settings, PLAIN "%s", more[i]);
-        struct image reference = render_stage(&stage, "instant-radiosity", settings, 48);
+        OWNED(image) reference = render_stage(&stage, "instant-radiosity", settings, 48);
         snprintf(settings, sizeof settings, PLAIN "columns=320 rows=%d %s", i ? 10 : 1, more[i]);
-        struct image all = render_stage(&stage, name, settings, 48);
+        OWNED(image) all = render_stage(&stage, name, settings, 48);
         check_at_most("all columns, against instant radiosity",
                       relative_rmse(&all, &reference, "indirect"), 1e-4);
-        images_free(&reference, &all);
     }
-    stage_free(&stage);
 }
 
 /* The mean over choices is the picture of all VPLs; and the more columns, the less each is off. */
 TEST(mean) {
     enum { CHOICES = 12 };
-    struct stage stage;
     double sum = 0, squares = 0, errors[2] = {0};
-    open_stage(&stage, "scenes/cornell-animal.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     for (int i = 0; i < 2 * CHOICES; i++) {
         char all[80], settings[160];
         snprintf(all, sizeof all, PLAIN "seed=%d ", i);
         snprintf(settings, sizeof settings, "%scolumns=%d rows=36", all, i < CHOICES ? 12 : 32);
-        struct image reference = render_stage(&stage, "instant-radiosity", all, 32);
-        struct image image = render_stage(&stage, name, settings, 32);
+        OWNED(image) reference = render_stage(&stage, "instant-radiosity", all, 32);
+        OWNED(image) image = render_stage(&stage, name, settings, 32);
         double mean = layer_mean(&image, "indirect") / layer_mean(&reference, "indirect");
         if (i < CHOICES) {
             sum += mean;
             squares += mean * mean;
         }
         errors[i / CHOICES] += relative_rmse(&image, &reference, "indirect") / CHOICES;
-        images_free(&reference, &image);
     }
     double mean = sum / CHOICES;
     double sigma = sqrt((squares / CHOICES - mean * mean) / (CHOICES - 1));
@@ -281,13 +272,11 @@ TEST(mean) {
            sigma, errors[0], errors[1]);
     check_near("mean of pictures, over that of all VPLs", mean, 1, 3 * sigma);
     check_at_most("32 columns, over 12", errors[1] / errors[0], .75);
-    stage_free(&stage);
 }
 
 /* In a diffuse box chosen VPLs are as good as as many plain ones: all of them do alike. */
 TEST(against_plain) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     struct image plain =
         render_stage(&stage, "instant-radiosity", "vpls=40 interleave=1 map-size=64", 48);
     /* A driver that rounds sums otherwise makes another choice: the bound is of the mean of
@@ -298,18 +287,16 @@ TEST(against_plain) {
         char all[80], settings[120];
         snprintf(all, sizeof all, "vpls=256 interleave=1 map-size=64 seed=%d ", i);
         snprintf(settings, sizeof settings, "%srows=64 columns=40", all);
-        struct image reference = render_stage(&stage, "instant-radiosity", all, 48);
-        struct image chosen = render_stage(&stage, name, settings, 48);
+        OWNED(image) reference = render_stage(&stage, "instant-radiosity", all, 48);
+        OWNED(image) chosen = render_stage(&stage, name, settings, 48);
         double own = relative_rmse(&chosen, &reference, "indirect");
         if (i == 0)
             printf("  40 plain VPLs %.4f\n", relative_rmse(&plain, &reference, "indirect"));
         printf("  choice %d: %.4f\n", i, own);
         error += own / CHOICES;
-        images_free(&reference, &chosen);
     }
     check_at_most("40 columns of 256 VPLs", error, .15);
     image_free(&plain);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

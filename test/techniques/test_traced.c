@@ -106,9 +106,8 @@ static void check_rays(const char *path, const struct stage *stage, const struct
 
 /* At times one after the other, as a clip plays: the tree follows, and comes back to what it was */
 static void check_scene(const char *path, const double *times, int count) {
-    struct stage stage;
     const struct caster_bvh *tree;
-    open_stage(&stage, path);
+    OWNED(stage) stage = open_stage(path);
     struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
     check_ok("tree", caster_pool_acquire_tree(pool, &tree));
     for (int i = 0; i < count; i++) {
@@ -118,7 +117,6 @@ static void check_scene(const char *path, const double *times, int count) {
     }
     caster_pool_release_tree(pool, &tree);
     caster_pool_free(pool);
-    stage_free(&stage);
 }
 
 TEST(rays) {
@@ -156,13 +154,12 @@ static struct pair pair_through(const struct rays *rays, const struct stage *sta
 
 /* As holes are for Embree, but for their rims, which are a part wide. */
 TEST(masks) {
-    struct stage stage;
     struct rays rays;
     const struct caster_bvh *tree;
     static struct pair pairs[PAIRS];
     static uint32_t answers[PAIRS];
     int blocked = 0, other = 0;
-    open_stage(&stage, "scenes/materials.glb");
+    OWNED(stage) stage = open_stage("scenes/materials.glb");
     open_rays(&rays, &stage);
     struct caster_pool *pool = caster_pool_create(&stage.scene, &stage.geometry);
     check_ok("tree", caster_pool_acquire_tree(pool, &tree));
@@ -182,7 +179,6 @@ TEST(masks) {
     caster_pool_release_tree(pool, &tree);
     caster_pool_free(pool);
     close_rays(&rays);
-    stage_free(&stage);
 }
 
 /* --- a frame ---------------------------------------------------------------------------------- */
@@ -219,7 +215,7 @@ static void check_frame(const char *path, int size, int vpl_count) {
              "gather.adaptive=0 materials=diffuse",
              vpl_count);
     struct bench bench;
-    open_stage(&bench.stage, path);
+    bench.stage = open_stage(path);
     open_rays(&bench.rays, &bench.stage);
     struct renderer_desc desc = desc_of(&bench.stage, "clustered", settings, size, size);
     open_renderer(&bench.renderer, &desc);
@@ -275,40 +271,34 @@ static double block_difference(const struct image *a, const struct image *b) {
 /* Of the same VPLs: where two of twelve ask for all, the mean is that of all that ask, in shadows
  * of coloured light too, and it is not the same picture. */
 TEST(together) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
-    struct image each = render_stage(&stage, "clustered",
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
+    OWNED(image) each = render_stage(&stage, "clustered",
                                      "trace=on vpls=64 interleave=1 "
                                      "clamp=disk blur-radius=0 gather.adaptive=0",
                                      96);
-    struct image few = render_stage(
+    OWNED(image) few = render_stage(
         &stage, "instant-radiosity",
         "instant-radiosity.traced=on vpls=64 interleave=1 clamp=disk blur-radius=0", 96);
     assert_false(same_pixels(&each, &few));
     check_near("mean of those that ask together",
                layer_mean(&few, "indirect") / layer_mean(&each, "indirect"), 1, .005);
     check_at_most("worst block of red light", block_difference(&few, &each), .05);
-    images_free(&each, &few);
-    stage_free(&stage);
 }
 
 static void check_same(const struct stage *stage, const char *a, const char *b) {
-    struct image first = render_stage(stage, "clustered", a, 64),
+    OWNED(image) first = render_stage(stage, "clustered", a, 64),
                  second = render_stage(stage, "clustered", b, 64);
     printf("    '%s' as '%s'\n", a, b);
     assert_true(same_pixels(&first, &second));
-    images_free(&first, &second);
 }
 
 /* The default is a frame by rays, unless something that maps alone read is set. */
 TEST(default) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     check_same(&stage, "", "trace=on vpls=512 adaptive=3 adaptive-factor=1");
     check_same(&stage, "path=maps", "trace=off vpls=1024 adaptive=4 adaptive-factor=4");
     check_same(&stage, "vals=8", "path=maps vals=8");
     check_same(&stage, "vals=8 trace=on", "");
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

@@ -19,7 +19,7 @@ static struct stage stage;
 static int open_reference(void **state) {
     if (open_group_context(state) != 0)
         return -1;
-    open_stage(&stage, "scenes/cornell-box.glb");
+    stage = open_stage("scenes/cornell-box.glb");
     reference = render_stage(&stage, "instant-radiosity", "vpls=256", SIZE);
     unshadowed = render_stage(&stage, "unshadowed", "vpls=256", SIZE);
     return 0;
@@ -34,12 +34,11 @@ static int close_reference(void **state) {
 static double error_of(int vals, const char *more) {
     char settings[128];
     snprintf(settings, sizeof settings, "vpls=256 vals=%d %s", vals, more);
-    struct image image = render_stage(&stage, "clustered", settings, SIZE);
+    OWNED(image) image = render_stage(&stage, "clustered", settings, SIZE);
     double error = relative_rmse(&image, &reference, "indirect");
     printf("    M = %3d: relative RMSE %.4f, gradient error %.4f, mean %.4f\n", vals, error,
            gradient_error(&image, &reference, "indirect"),
            layer_mean(&image, "indirect") / layer_mean(&reference, "indirect"));
-    image_free(&image);
     return error;
 }
 
@@ -74,14 +73,11 @@ TEST(rays) {
 
 /* Of the frame whose pixels all ask by rays, through maps over through triangles. */
 static double error_of_map_rays(const char *scene, int size) {
-    struct stage asked;
-    open_stage(&asked, scene);
-    struct image maps = render_stage(&asked, "clustered", "visibility-block=0", size),
+    OWNED(stage) asked = open_stage(scene);
+    OWNED(image) maps = render_stage(&asked, "clustered", "visibility-block=0", size),
                  rays = render_stage(&asked, "clustered",
                                      "trace=on vpls=1024 adaptive=4 adaptive-factor=4", size);
     double error = relative_rmse(&maps, &rays, "indirect");
-    images_free(&maps, &rays);
-    stage_free(&asked);
     return error;
 }
 
@@ -99,17 +95,15 @@ TEST(map_rays) {
 /* Soft shadows hide that there are few of them: fewer bands than hard ones [Dong 2009 §7]. */
 TEST(banding) {
     const char *settings = "vpls=256 vals=8 interleave=1 visibility-block=0 visibility=%s";
-    struct image exact = render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1", SIZE);
+    OWNED(image) exact = render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1", SIZE);
     double gradients[2];
     for (int hard = 0; hard < 2; hard++) {
         char text[128];
         snprintf(text, sizeof text, settings, hard ? "hard" : "cssm");
-        struct image image = render_stage(&stage, "clustered", text, SIZE);
+        OWNED(image) image = render_stage(&stage, "clustered", text, SIZE);
         gradients[hard] = gradient_error(&image, &exact, "indirect");
-        image_free(&image);
     }
     check_at_most("gradient error, soft over hard, M = 8", gradients[0] / gradients[1], .8);
-    image_free(&exact);
 }
 
 /* Beside the wall that shines nothing is between: the other wall, within a texel of a map, is no
@@ -119,7 +113,7 @@ TEST(corner) {
     enum { LEFT = 84, RIGHT = 100, TOP = 95, BOTTOM = 150 }; /* of the wall at the back */
     struct image seen =
         render_stage(&stage, "clustered", "vpls=256 visibility=pcss visibility-block=0", WIDE);
-    struct image all = render_stage(&stage, "unshadowed", "vpls=256", WIDE);
+    OWNED(image) all = render_stage(&stage, "unshadowed", "vpls=256", WIDE);
     int red = image_find_channel(&seen, "indirect.R");
     double least = 1;
     for (int x = LEFT; x < RIGHT; x++) {
@@ -132,7 +126,7 @@ TEST(corner) {
     }
     printf("    beside the corner the least column has %.3f of what it has unshadowed\n", least);
     assert_true(least > .94);
-    images_free(&seen, &all);
+    image_free(&seen);
 }
 
 /* Smaller blocks come nearer to a lookup a pixel and VPL. At 200 pixels a block of 8 is as wide as
@@ -187,20 +181,18 @@ static const struct gltf_parts blocker_parts = {
 static double flat_error(const struct stage *flat, const struct image *exact, const char *more) {
     char settings[192];
     snprintf(settings, sizeof settings, "vpls=1024 interleave=1 clamp=none %s", more);
-    struct image image = render_stage(flat, "clustered", settings, 64);
+    OWNED(image) image = render_stage(flat, "clustered", settings, 64);
     double error = relative_rmse(&image, exact, "indirect");
     printf("    %-60s relative RMSE %.4f\n", more, error);
-    image_free(&image);
     return error;
 }
 
 /* One VAL. The exact penumbra is as wide as the light; a hard map of the centre has none. */
 TEST(flat_blocker) {
-    struct stage flat;
     struct scene scene;
     check_ok("scene", load_parts(&scene, "blocker.glb", &blocker_parts));
     scene_free(&scene);
-    open_stage(&flat, scratch("blocker.glb"));
+    struct stage flat = open_stage(scratch("blocker.glb"));
     struct image exact =
         render_stage(&flat, "instant-radiosity", "vpls=1024 interleave=1 clamp=none", 64);
 #define ONE_VAL "vals=1 " CSSM
@@ -261,15 +253,13 @@ static double light_of_leaning(const struct leaning *lit) {
         .extra = normals,
         .extra_size = sizeof normals,
     };
-    struct stage leaning;
+    OWNED(stage) leaning;
     struct scene scene;
     check_ok("scene", load_parts(&scene, "leaning.glb", &parts));
     scene_free(&scene);
-    open_stage(&leaning, scratch("leaning.glb"));
-    struct image image = render_stage(&leaning, "unshadowed", "vpls=256 clamp=none", 64);
+    leaning = open_stage(scratch("leaning.glb"));
+    OWNED(image) image = render_stage(&leaning, "unshadowed", "vpls=256 clamp=none", 64);
     double mean = layer_mean(&image, lit->layer);
-    image_free(&image);
-    stage_free(&leaning);
     return mean;
 }
 

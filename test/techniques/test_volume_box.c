@@ -7,14 +7,11 @@
 /* A room of 4 m keeps its light on a plain of 222 m: voxels that held the plain would be as wide as
  * the room. */
 TEST(plain) {
-    struct stage stage;
-    open_stage(&stage, "scenes/failures/plain.glb");
-    struct image volume = render_stage(&stage, "imperfect-volume", "", 48);
-    struct image clustered = render_stage(&stage, "clustered", "", 48);
+    OWNED(stage) stage = open_stage("scenes/failures/plain.glb");
+    OWNED(image) volume = render_stage(&stage, "imperfect-volume", "", 48);
+    OWNED(image) clustered = render_stage(&stage, "clustered", "", 48);
     check_near("light over that of VPLs",
                layer_mean(&volume, "indirect") / layer_mean(&clustered, "indirect"), 1, .2);
-    images_free(&volume, &clustered);
-    stage_free(&stage);
 }
 
 /* A room of 1 m around the origin without a floor, on a plain of so many metres that is
@@ -35,13 +32,11 @@ static void open_on_plain(struct stage *stage, float plain) {
 
 /* Points lie close on what of a huge triangle is in the room. */
 static double light_on_plain(float plain, const char *technique) {
-    struct stage stage;
+    OWNED(stage) stage;
     open_on_plain(&stage, plain);
-    struct image image = render_stage(&stage, technique, "", 48);
+    OWNED(image) image = render_stage(&stage, technique, "", 48);
     double mean = layer_mean(&image, "indirect");
     printf("  plain of %g m, %s: %.4f\n", (double)plain, technique, mean);
-    image_free(&image);
-    stage_free(&stage);
     return mean;
 }
 
@@ -79,35 +74,30 @@ static void slide(struct stage *stage, const char *name, bool others, float far)
 
 /* It keeps its light as it moves; a renderer that begins late has the same box. */
 TEST(moving_room) {
-    struct stage stage;
-    struct renderer renderer;
-    struct image after;
-    open_stage(&stage, "scenes/failures/plain.glb");
+    OWNED(stage) stage = open_stage("scenes/failures/plain.glb");
+    OWNED(renderer) renderer;
+    OWNED(image) after;
     slide(&stage, "plain", true, 10);
     struct renderer_desc desc = desc_of(&stage, "imperfect-volume", "", 48, 48);
-    struct image before = render_layers(&desc);
+    OWNED(image) before = render_layers(&desc);
     open_renderer(&renderer, &desc);
     check_ok("pose", stage_pose(&stage, 1));
     check_ok("follow", stage_show(&stage, &renderer));
     renderer_render(&renderer);
     check_ok("layers", renderer_read_layers(&renderer, &after));
     desc = desc_of(&stage, "imperfect-volume", "", 48, 48);
-    struct image fresh = render_layers(&desc);
+    OWNED(image) fresh = render_layers(&desc);
     check_at_most("difference of a renderer that begins late",
                   relative_rmse(&after, &fresh, "indirect"), .05);
     check_near("light over that of the first pose",
                layer_mean(&after, "indirect") / layer_mean(&before, "indirect"), 1, .2);
-    images_free(&before, &after, &fresh);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* Another part of a huge floor is in the box as the floor moves. */
 TEST(moving_floor) {
-    struct stage stage;
-    struct renderer renderer;
-    struct image before, after;
-    open_stage(&stage, "scenes/failures/giant-triangle.glb");
+    OWNED(stage) stage = open_stage("scenes/failures/giant-triangle.glb");
+    OWNED(renderer) renderer;
+    OWNED(image) before, after;
     slide(&stage, "floor", false, 100);
     struct renderer_desc desc = desc_of(&stage, "imperfect-volume", "", 48, 48);
     open_renderer(&renderer, &desc);
@@ -119,9 +109,6 @@ TEST(moving_floor) {
     check_ok("layers", renderer_read_layers(&renderer, &after));
     check_at_most("difference of what does not look different",
                   relative_rmse(&after, &before, "indirect"), .1);
-    images_free(&before, &after);
-    renderer_free(&renderer);
-    stage_free(&stage);
 }
 
 /* --- a triangle and a box --------------------------------------------------------------------- */

@@ -37,7 +37,7 @@ struct bench {
 static struct bench *open_bench(void) {
     struct bench *bench = mem_alloc(1, sizeof *bench);
     struct output_list outputs;
-    open_stage(&bench->stage, "scenes/cornell-animal.glb");
+    bench->stage = open_stage("scenes/cornell-animal.glb");
     struct renderer_desc desc =
         desc_of(&bench->stage, "unshadowed", "vpls=300 interleave=1 adaptive=0", SIZE, SIZE);
     open_renderer(&bench->renderer, &desc);
@@ -456,21 +456,18 @@ TEST(cuts) {
 
 /* A cut of all leaves is the sum of all VPLs. */
 TEST(all_leaves) {
-    struct stage stage;
-    open_stage(&stage, "scenes/cornell-animal.glb");
+    OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     static const char *const plain = "vpls=64 vals=8 map.size=64 interleave=1 blur.radius=0 "
                                      "shadow-size=256 near-samples=16";
     char cuts[256];
     snprintf(cuts, sizeof cuts, "%s nodes=64 tolerance=0", plain);
-    struct image all = render_stage(&stage, "clustered", plain, 32),
+    OWNED(image) all = render_stage(&stage, "clustered", plain, 32),
                  cut = render_stage(&stage, "lightcuts", cuts, 32);
     check_at_most("relative RMSE", relative_rmse(&cut, &all, "indirect"), 1e-3);
     image_free(&cut);
     snprintf(cuts, sizeof cuts, "%s nodes=8", plain);
     cut = render_stage(&stage, "lightcuts", cuts, 32);
     check_at_most("of few nodes, at least", .02, relative_rmse(&cut, &all, "indirect"));
-    images_free(&cut, &all);
-    stage_free(&stage);
 }
 
 RUN_TESTS(open_group_context, close_group_context)

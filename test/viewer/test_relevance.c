@@ -42,11 +42,10 @@ static bool changes(const char *name, const char *technique, const char *setting
     struct renderer_desc desc = desc_of(&stage, technique, settings, 64, 64);
     struct setting setting;
     check_ok(name, settings_find(&desc.settings, name, &setting));
-    struct image before = follow_layers(&renderer, &desc);
+    OWNED(image) before = follow_layers(&renderer, &desc);
     set_otherwise(&setting, &desc.settings);
-    struct image after = follow_layers(&renderer, &desc);
+    OWNED(image) after = follow_layers(&renderer, &desc);
     bool same = same_pixels(&before, &after);
-    images_free(&before, &after);
     return !same;
 }
 
@@ -194,7 +193,7 @@ TEST(needs) {
 
 static int open_all(void **state) {
     int status = open_group_context(state);
-    open_stage(&stage, "scenes/cornell-animal.glb");
+    stage = open_stage("scenes/cornell-animal.glb");
     return status;
 }
 

@@ -12,13 +12,12 @@
 
 /* How many pixels differ where no overlay lies: messages are below, the mouse in the middle. */
 static int count_on_screen(const struct bitmap *expected) {
-    struct bitmap screen = read_screen();
+    OWNED(bitmap) screen = read_screen();
     int different = 0;
     for (int y = 0; y < HEIGHT - 120; y++)
         for (int x = 0; x < WIDTH; x++)
             if (abs(x - WIDTH / 2) + abs(y - HEIGHT / 2) > 30)
                 different += memcmp(pixel(expected, x, y), pixel(&screen, x, y), 3) != 0;
-    bitmap_free(&screen);
     return different;
 }
 
@@ -28,7 +27,7 @@ TEST(first_picture) {
     /* And so it is on the screen, where no overlay lies. */
     xdo("key " F3 " key " F3);
     sync_viewer();
-    struct bitmap expected = offscreen(SCENE);
+    OWNED(bitmap) expected = offscreen(SCENE);
     int different = 1;
     for (int i = 0; i < PATIENCE_MS / 100 && different > 0;
          i++) { /* the server draws what it is sent in its own time */
@@ -37,7 +36,6 @@ TEST(first_picture) {
     }
     printf("    %-48s %d pixels differ\n", "on the screen", different);
     assert_int_equal(different, 0);
-    bitmap_free(&expected);
 }
 
 TEST(wipe) {

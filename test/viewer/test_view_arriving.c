@@ -23,7 +23,7 @@ static void wait_for_arrival(void) {
 
 /* How many different greens a texture has. */
 static int count_values(const struct texture *texture) {
-    struct bitmap bitmap;
+    OWNED(bitmap) bitmap;
     bool seen[256] = {false};
     int count = 0;
     texture_read_bitmap(texture, &bitmap);
@@ -31,7 +31,6 @@ static int count_values(const struct texture *texture) {
         count += !seen[bitmap.rgba[4 * i + 1]];
         seen[bitmap.rgba[4 * i + 1]] = true;
     }
-    bitmap_free(&bitmap);
     return count;
 }
 

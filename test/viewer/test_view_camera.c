@@ -59,11 +59,10 @@ TEST(orbit) {
 /* --- in the window ---------------------------------------------------------------------------- */
 
 static struct camera camera_of(const char *text) {
-    struct scene scene;
+    OWNED(scene) scene;
     struct camera camera;
     check_ok(BOX, scene_load(&scene, BOX));
     check_ok(text, camera_from_text(&camera, &scene, text, 0, NULL));
-    scene_free(&scene);
     return camera;
 }
 

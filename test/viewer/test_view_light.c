@@ -13,14 +13,13 @@
 
 /* What is saved of the lights, as text and as lights. */
 static struct emitters saved_lights(char *text, size_t size) {
-    struct scene scene;
+    OWNED(scene) scene;
     struct emitters emitters = {0};
     save_settings();
     read_setting("light", text, size);
     printf("    %s\n", text);
     check_ok(BOX, scene_load(&scene, BOX));
     check_ok(text, emitters_from_text(&emitters, &scene, text, 0));
-    scene_free(&scene);
     return emitters;
 }
 
@@ -38,12 +37,11 @@ TEST(add) {
     press("+ area");
     sync_viewer();
     press("Light");
-    struct emitters lights = saved_lights(text, sizeof text);
+    OWNED(emitters) lights = saved_lights(text, sizeof text);
     assert_int_equal(lights.count, 2);
     assert_int_equal(lights.items[1].type, EMITTER_AREA);
     assert_true(lights.items[1].size[0] > 0 && lights.items[1].size[1] > 0);
     check_picture("a light that was added", text);
-    emitters_free(&lights);
 }
 
 /* Where the handle of the width is: as far from the shape as viewer/scene/light_tool.c has it. */
@@ -69,20 +67,18 @@ LONG_TEST(size) {
     char text[600];
     float at[2];
     need_viewer();
-    struct emitters before = saved_lights(text, sizeof text);
+    OWNED(emitters) before = saved_lights(text, sizeof text);
     find_handle(&before.items[1], at);
     printf("    the handle of the width: %.0f %.0f\n", (double)at[0], (double)at[1]);
     xdo("mousemove %.0f %.0f mousedown 1 mousemove %.0f %.0f mouseup 1", (double)at[0],
         (double)at[1], (double)at[0] - 24, (double)at[1]);
-    struct emitters after = saved_lights(text, sizeof text);
+    OWNED(emitters) after = saved_lights(text, sizeof text);
     printf("    %.4g m wide, then %.4g m\n", (double)before.items[1].size[0],
            (double)after.items[1].size[0]);
     assert_true(after.items[1].size[0] < .85F * before.items[1].size[0]);
     assert_true(after.items[1].size[1] == before.items[1].size[1]);
     assert_memory_equal(after.items[1].position, before.items[1].position, 12);
     check_picture("a light that was made narrower", text);
-    emitters_free(&before);
-    emitters_free(&after);
 }
 
 /* The chosen light's watts, and its colour, of which the green is what lies in the row's middle:
@@ -94,7 +90,7 @@ LONG_TEST(power_and_color) {
     type_into("power, W", "7.5");
     type_into("colour", "0");
     press("Light");
-    struct emitters lights = saved_lights(text, sizeof text);
+    OWNED(emitters) lights = saved_lights(text, sizeof text);
     const struct emitter *light = &lights.items[1];
     double power = emitter_flux(light, 1);
     printf("    %.6g W, of %g %g %g\n", power, (double)light->intensity[0],
@@ -102,27 +98,24 @@ LONG_TEST(power_and_color) {
     assert_true(fabs(power / 7.5 - 1) < 1e-5);
     assert_true(light->intensity[1] == 0 && light->intensity[0] > 0 && light->intensity[2] > 0);
     check_picture("a light of other watts and colour", text);
-    emitters_free(&lights);
 }
 
 /* The type of the chosen light, which is the one that was added; its power stays. */
 TEST(type) {
     char text[600];
     need_viewer();
-    struct emitters before = saved_lights(text, sizeof text);
+    OWNED(emitters) before = saved_lights(text, sizeof text);
     press("Light");
     press("type");
     press("point");
     sync_viewer();
     press("Light");
-    struct emitters after = saved_lights(text, sizeof text);
+    OWNED(emitters) after = saved_lights(text, sizeof text);
     assert_int_equal(after.items[1].type, EMITTER_POINT);
     double power[2] = {emitter_flux(&before.items[1], 1), emitter_flux(&after.items[1], 1)};
     printf("    %.6g W, then %.6g W\n", power[0], power[1]);
     assert_true(fabs(power[1] / power[0] - 1) < 1e-5);
     check_picture("a light of another type", text);
-    emitters_free(&before);
-    emitters_free(&after);
 }
 
 LONG_TEST(cone) {
@@ -135,14 +128,13 @@ LONG_TEST(cone) {
     type_into("outer angle, \xc2\xb0", "40");
     type_into("inner angle, \xc2\xb0", "30");
     press("Light");
-    struct emitters lights = saved_lights(text, sizeof text);
+    OWNED(emitters) lights = saved_lights(text, sizeof text);
     const struct emitter *light = &lights.items[1];
     assert_int_equal(light->type, EMITTER_SPOT);
     double inner = acos((double)light->cos_inner), outer = acos((double)light->cos_outer);
     printf("    %.6g to %.6g degrees\n", inner * 180 / M_PI, outer * 180 / M_PI);
     assert_true(fabs(inner * 6 / M_PI - 1) < 1e-4 && fabs(outer * 4.5 / M_PI - 1) < 1e-4);
     check_picture("a spot of another cone", text);
-    emitters_free(&lights);
 }
 
 /* Where the chosen light's light ends; undone, and there again. */
@@ -152,7 +144,7 @@ LONG_TEST(range) {
     press("Light");
     type_into("range, m", "4");
     press("Light");
-    struct emitters lights = saved_lights(ranged, sizeof ranged);
+    OWNED(emitters) lights = saved_lights(ranged, sizeof ranged);
     printf("    the light ends after %g m\n", (double)lights.items[1].range);
     assert_true(lights.items[1].range == 4);
     assert_non_null(strstr(ranged, "range=4"));
@@ -172,7 +164,6 @@ LONG_TEST(range) {
     press("Light");
     lights = saved_lights(text, sizeof text);
     assert_true(lights.items[1].range == 0);
-    emitters_free(&lights);
 }
 
 TEST(remove) {

@@ -90,12 +90,12 @@ TEST(enlarged) {
 
 TEST(layouts) {
     need_viewer();
-    struct bitmap left = render_small("--technique unshadowed"), right = render_small("");
+    OWNED(bitmap) left = render_small("--technique unshadowed"), right = render_small("");
     xdo("key v");
-    struct bitmap beside = screenshot();
+    OWNED(bitmap) beside = screenshot();
     assert_int_equal(beside.width, 2 * SMALL_WIDTH);
     xdo("key v");
-    struct bitmap difference = screenshot();
+    OWNED(bitmap) difference = screenshot();
     int wrong = 0, apart = 0, wrong_beside = 0;
     for (int y = 0; y < SMALL_HEIGHT; y++)
         for (int x = 0; x < SMALL_WIDTH; x++)
@@ -114,14 +114,13 @@ TEST(layouts) {
     assert_int_equal(wrong, 0);
     assert_true(apart > SMALL_WIDTH * SMALL_HEIGHT / 20);
     xdo("key v"); /* the wipe again */
-    bitmaps_free(&left, &right, &beside, &difference);
 }
 
 /* The inspector tells what is in the files. */
 static void check_values(const char *name, const char *path, int x, int y) {
     char text[200];
     double told[3];
-    struct image image;
+    OWNED(image) image;
     find_text(name, text, sizeof text);
     printf("    %s\n", text);
     assert_int_equal(sscanf(text + strlen(name), "%lf %lf %lf", &told[0], &told[1], &told[2]), 3);
@@ -131,7 +130,6 @@ static void check_values(const char *name, const char *path, int x, int y) {
         printf("        %.5f in the file, %.5f told\n", expected, told[c]);
         assert_true(fabs(told[c] - expected) <= 1e-4 + .001 * fabs(expected));
     }
-    image_free(&image);
 }
 
 TEST(inspector) {

@@ -201,13 +201,12 @@ TEST(sky_of_moving_scene) {
 
 /* A grey picture of that size. */
 static const char *write_picture(const char *name, const char *channels, int width, int height) {
-    struct image image;
+    OWNED(image) image;
     const char *path = in_stage(name);
     image_init(&image, width, height, channels);
     for (int i = 0; i < width * height * image.channel_count; i++)
         image.pixels[i] = .5F;
     check_ok(name, image_write(&image, path));
-    image_free(&image);
     return path;
 }
 
@@ -215,13 +214,12 @@ static void check_sky(const char *name, bool is_sky) {
     char value[600];
     save_settings();
     read_setting("environment", value, sizeof value);
-    struct bitmap shown = screenshot();
+    OWNED(bitmap) shown = screenshot();
     const char *slash = strrchr(value, '/');
     printf("    %-12s environment %s, the picture %d x %d\n", name, slash ? slash + 1 : value,
            shown.width, shown.height);
     assert_true(is_sky == (strstr(value, name) != NULL));
     assert_true(is_sky == (shown.width == WIDTH && shown.height == HEIGHT));
-    bitmap_free(&shown);
 }
 
 /* A picture is a reference where it has layers or depth, or is no panorama; else it is a sky. */

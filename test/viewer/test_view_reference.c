@@ -25,9 +25,8 @@ TEST(trace) {
     viewer_trace(&viewer);
     turn_until(viewer.tracing.samples >= 8 || !viewer_is_tracing(&viewer));
     const struct image *traced = &viewer.shown.compare.reference.picture;
-    struct stage scene;
-    struct image other;
-    open_stage(&scene, SCENE);
+    OWNED(stage) scene = open_stage(SCENE);
+    OWNED(image) other;
     const struct path_tracer_desc desc = {
         .width = traced->width, .height = traced->height, .bounces = 1, .samples = 64, .seed = 7};
     check_ok("tracer", picture_trace_paths(&scene, &desc, &other, NULL));
@@ -37,8 +36,6 @@ TEST(trace) {
     assert_int_equal(viewer.shown.compare.mode, COMPARE_REFERENCE);
     check_at_most("of the reference of many samples", apart, 2 * viewer.tracing.noise);
     assert_true(viewer.shown.right);
-    image_free(&other);
-    stage_free(&scene);
 }
 
 /* Root of the mean square over the mean, of all pixels. */
@@ -81,7 +78,7 @@ TEST(error) {
  * the picture. */
 TEST(flip) {
     struct compare *compare = &viewer.shown.compare;
-    struct image frame = {0}, shown;
+    OWNED(image) frame = {0}, shown;
     const int flip = (int)(metric_find("ldr-flip") - metrics);
     if (!stage.server)
         skip();
@@ -113,7 +110,6 @@ TEST(flip) {
     assert_true(compare->values[flip] == by_hand);
     compare->flip = false;
     reference_tracer_pause(&viewer.tracing.tracer, false);
-    images_free(&frame, &shown);
 }
 
 /* Another view ends the tracing; taken back, it is the traced one again. */
@@ -162,13 +158,12 @@ TEST(chart) {
 TEST(take) {
     if (!stage.server)
         skip();
-    struct image frame = {0}, indirect;
+    OWNED(image) frame = {0}, indirect;
     viewer_take_dot(&viewer, 0);
     rest();
     check_ok("layers", renderer_read_layers(&viewer.shown.renderer, &frame));
     check_ok("indirect", layer_extract(&indirect, &frame, "indirect"));
     assert_true(same_pixels(&indirect, &viewer.tracing.chart.dots[0].indirect));
-    images_free(&frame, &indirect);
 }
 
 /* In the midst of all of it. */

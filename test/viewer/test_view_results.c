@@ -365,7 +365,7 @@ TEST(words) {
 TEST(exposure) {
     static const char *const names[] = {"R", "G", "B"};
     for (int bright = 1; bright <= 4; bright += 3) {
-        struct image image = {0};
+        OWNED(image) image = {0};
         image_init_named(&image, 100, 10, names, 3);
         for (int i = 0; i < 1000; i++)
             for (int c = 0; c < 3; c++)
@@ -377,7 +377,6 @@ TEST(exposure) {
             check_at_most("the lamp's place", 20 * exp2((double)ev), 2.75);
         else
             check_near("by the middle", (double)ev, .5, .01);
-        image_free(&image);
     }
 }
 

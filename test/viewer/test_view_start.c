@@ -15,7 +15,7 @@
 
 /* How many colours there are in a part of the screen about a place. */
 static int count_colors(int x, int y) {
-    struct bitmap screen = read_screen();
+    OWNED(bitmap) screen = read_screen();
     unsigned seen[64];
     int count = 0;
     for (int dy = -30; dy < 30; dy += 3)
@@ -28,7 +28,6 @@ static int count_colors(int x, int y) {
             if (i == count && count < 64)
                 seen[count++] = color;
         }
-    bitmap_free(&screen);
     return count;
 }
 
@@ -67,13 +66,12 @@ TEST(exposure) {
     assert_int_equal(shell("cd %s && %s -q", stage.folder, command), 0);
     char path[700];
     snprintf(path, sizeof path, "%s/picture.png", stage.folder);
-    struct bitmap expected = read_bitmap(path), got = screenshot();
+    OWNED(bitmap) expected = read_bitmap(path), got = screenshot();
     assert_int_equal(count_differences(&expected, &got), 0);
     bitmap_free(&got);
     xdo("key equal key equal key 0");
     got = screenshot();
     assert_int_equal(count_differences(&expected, &got), 0);
-    bitmaps_free(&got, &expected);
 }
 
 /* Behind the door that is shut at 0 s nothing is seen but what leaks past it. */

@@ -16,11 +16,10 @@
 
 /* Two pictures of the same view apart. */
 static void check_apart(const char *what, const char *one, const char *other) {
-    struct bitmap a = offscreen(one), b = offscreen(other);
+    OWNED(bitmap) a = offscreen(one), b = offscreen(other);
     int apart = count_differences(&a, &b);
     printf("    %-48s %d pixels differ\n", what, apart);
     assert_true(apart > WIDTH * HEIGHT / 50);
-    bitmaps_free(&a, &b);
 }
 
 TEST(play) {
@@ -103,11 +102,10 @@ TEST(copy) {
     assert_int_equal(shell("cd %s && %s -q", stage.folder, command), 0);
     char path[700];
     snprintf(path, sizeof path, "%s/picture.png", stage.folder);
-    struct bitmap expected = read_bitmap(path), got = screenshot();
+    OWNED(bitmap) expected = read_bitmap(path), got = screenshot();
     int different = count_differences(&expected, &got);
     printf("    %-48s %d pixels differ\n", "the copied command line's picture", different);
     assert_int_equal(different, 0);
-    bitmaps_free(&expected, &got);
 }
 
 TEST(end) {

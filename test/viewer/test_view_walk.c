@@ -127,13 +127,12 @@ static void paste(struct bitmap *sheet, const struct bitmap *step, int left, int
 static void write_sheet(void) {
     int wide = steps[0].width / 2, high = steps[0].height / 2;
     int rows = (step_count + COLUMNS - 1) / COLUMNS;
-    struct bitmap sheet = {COLUMNS * (wide + 8) - 8, rows * (high + 8) - 8, NULL};
+    OWNED(bitmap) sheet = {COLUMNS * (wide + 8) - 8, rows * (high + 8) - 8, NULL};
     sheet.rgba = calloc((size_t)sheet.width * (size_t)sheet.height, 4);
     memset(sheet.rgba, 255, (size_t)sheet.width * (size_t)sheet.height * 4);
     for (int i = 0; i < step_count; i++)
         paste(&sheet, &steps[i], i % COLUMNS * (wide + 8), i / COLUMNS * (high + 8));
     check_ok(sheet_path, bitmap_write(&sheet, sheet_path));
-    bitmap_free(&sheet);
 }
 
 static int close_walk(void **state) {
