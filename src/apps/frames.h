@@ -1,4 +1,4 @@
-/* Sequences: which frames, and the files they go to. */
+/* Parses the frames of a sequence and the names of their files. */
 #ifndef APPS_FRAMES_H
 #define APPS_FRAMES_H
 
@@ -13,28 +13,28 @@ struct frames {
 bool frames_parse(struct frames *frames, const char *text);
 void frames_free(struct frames *frames);
 
-/* Puts the numbers in order, and back into text that frames_parse reads; free() frees. False where
- * one is there twice, which is told. */
+/* Sorts the numbers. Returns false, with the number in *twice, if one is there twice.
+ * frames_text writes a text that frames_parse reads; the caller frees it. */
 bool frames_sort(struct frames *frames, int *twice);
 char *frames_text(const struct frames *frames);
 
-/* False if the file's name has a character of placeholders and none that is known: "p.{frame}.png"
- * would get every frame of a farm. */
+/* Returns false if the name has a character of placeholders but no known placeholder:
+ * "p.{frame}.png" would receive every frame of a farm. */
 bool frame_name_is_plain(const char *name);
 
-/* Whether a part of the name stands for a frame's number: ####, @@@@, %04d, %d, $F4 or $F. The last
- * one counts. */
+/* Returns true if the name has a placeholder of the frame's number: ####, @@@@, %04d, %d, $F4 or
+ * $F. The last one counts. */
 bool frame_name_is_numbered(const char *name);
 
-/* Sets the error that the part is not to be there, and why; false. */
+/* Sets the error that the placeholder is not allowed, with the reason. Returns false. */
 bool frame_name_refuse(const char *name, const char *reason);
 
-/* The name with the number in that place, with at least as many digits. free() frees. */
+/* Returns the name with the number, padded to the placeholder's digits. The caller frees it. */
 char *frame_name(const char *name, int frame);
 
 struct frame_rate {
     double fps;
-    char text[40]; /* as ffmpeg reads it: "24000/1001" */
+    char text[40]; /* for ffmpeg */
 };
 
 /* Parses "25", "24000/1001", or 23.976, 29.97 and 59.94, which are rates of NTSC. Error: names the

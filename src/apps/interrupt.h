@@ -1,4 +1,4 @@
-/* SIGINT and SIGTERM held back or remembered, so that nothing is left half done.
+/* Holds back or remembers SIGINT and SIGTERM, so that nothing is left half done.
  *
  * Held back while a sequence is rendered, so that it ends with its last whole frame. A process that
  * has not ended a second later, or when another signal comes, ends wherever it is: files appear
@@ -21,7 +21,7 @@
 void interrupts_hold(void);
 bool interrupt_came(void);
 
-/* The same for gl/cancel.h, which gives it NULL. */
+/* Same as interrupt_came, for gl/cancel.h, which passes NULL. */
 bool interrupt_asked(void *user);
 
 void interrupts_release(void);

@@ -1,12 +1,4 @@
-/* The options that several subcommands share, as rows for their tables.
- *
- *     struct values { struct common_values common; struct context_desc context; };
- *
- *     static const struct option options[] = {
- *         CONTEXT_OPTIONS(struct values, context),
- *         ...
- *     struct context *context = context_create(&values->context);
- */
+/* Rows of options that several subcommands share. */
 #ifndef APPS_OPTIONS_H
 #define APPS_OPTIONS_H
 
@@ -23,14 +15,14 @@ struct technique_values {
 };
 
 /* clang-format off */
-/* How full-screen passes run: the member is an int. */
+/* Shader type of full-screen passes: the member is an int. */
 #define SCREEN_OPTION(type, member)                                                                \
     {"screen-passes", 0, OPTION_CHOICE, offsetof(type, member), .choices = screen_way_names,       \
      .help = "shader type of full-screen passes, same picture; auto times both on a GPU and is\n"  \
              "fragment on software OpenGL",                                                        \
      .rare = true}
 
-/* Where OpenGL comes from: the member is a struct context_desc. */
+/* Source of OpenGL: the member is a struct context_desc. */
 #define CONTEXT_OPTIONS(type, member)                                                              \
     {"context", 0, OPTION_CHOICE, offsetof(type, member.kind), .choices = context_kind_names,      \
      .help = "source of the OpenGL context", .rare = true},                                        \
@@ -43,12 +35,12 @@ struct technique_values {
     {"gl-debug", 0, OPTION_FLAG, offsetof(type, member.debug),                                     \
      .help = "debug context, which prints messages of OpenGL to standard error", .rare = true}
 
-/* Of a size that may be 0. */
+/* Help of a size that may be 0. */
 #define SIZE_HELP                                                                                  \
     "size of the picture, pixels [800x800; 800 along the longer side for a camera with an\n"       \
     "aspect ratio]; the vertical field of view stays the camera's"
 
-/* Which parts of the file are shown: the member is a struct scene_choice. */
+/* Which parts of the file to show: the member is a struct scene_choice. */
 #define SCENE_OPTION(type, member)                                                                 \
     {"scene", 0, OPTION_TEXT, offsetof(type, member.scene), .value_name = "NAME|N",                \
      .help = "scene of the file by name or number [the file's default]"}
@@ -56,8 +48,8 @@ struct technique_values {
     {"variant", 0, OPTION_TEXT, offsetof(type, member.variant), .value_name = "NAME|N",            \
      .help = "material variant by name or number [none] (manylight info lists them)"}
 
-/* What of a scene is shown: the member has camera, light, environment, clip and time, as a struct
- * stage_desc. LIGHTING_OPTIONS are all but the camera. */
+/* Camera, lights, environment, clip and time: the member has the fields of a struct stage_desc.
+ * LIGHTING_OPTIONS are all but the camera. */
 #define STAGE_OPTIONS(type, member)                                                                \
     {"camera", 0, OPTION_TEXT, offsetof(type, member.camera), .value_name = "NAME|N",              \
      .help = "camera by name or number [the first], with changes:\n"                               \
@@ -87,7 +79,7 @@ struct technique_values {
     {"time", 0, OPTION_FLOAT, offsetof(type, member.time), 0, 0, 1e6,                              \
      .help = "time of the animation, seconds"}
 
-/* How a picture is made: the member is a struct technique_values. */
+/* Technique, direct method and settings: the member is a struct technique_values. */
 #define TECHNIQUE_OPTIONS(type, member)                                                            \
     {"technique", 0, OPTION_TEXT, offsetof(type, member.technique), .value_name = "NAME",          \
      .help = "technique for indirect light, listed below"},                                        \
@@ -97,18 +89,18 @@ struct technique_values {
      .help = "setting to change, listed below; repeatable"}
 /* clang-format on */
 
-/* What they name, with all settings; direct is NULL where none is named. Error: of a name or a
- * value. */
+/* Finds technique, direct method and all settings. *direct is NULL if --direct is not given.
+ * Error: an unknown name or an invalid value. */
 bool technique_values_resolve(const struct technique_values *values,
                               const struct technique **technique,
                               const struct direct_method **direct, struct settings *settings);
 
-/* Whether --set names the setting of that part. */
+/* Returns true if --set gives this setting. */
 bool technique_values_name(const struct technique_values *values, const struct settings_part *part,
                            const char *name);
 
-/* The end of --help: techniques, direct methods, and the settings of the named technique: the main
- * ones, or all. */
+/* Prints the end of --help: techniques, direct methods, and settings of the named technique: the
+ * main ones, or all. */
 void technique_values_print_help(FILE *out, const struct technique_values *values, bool all);
 
 #endif

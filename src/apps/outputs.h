@@ -1,4 +1,4 @@
-/* Where pictures go: files, and standard output, which is called "-".
+/* Checks outputs of pictures: files, and standard output, which is called "-".
  *
  *     struct values { const char *output, *format; };
  *     ...
@@ -20,25 +20,26 @@
     {"format", 0, OPTION_TEXT, offsetof(type, member), .value_name = "png|exr|...",                \
      .help = "format of outputs whose names have no known extension, for example - (standard\n"    \
              "output) or /dev/fd/63"}
-/* Of pictures with all layers. */
+/* For pictures with all layers. */
 #define EXR_FORMAT_OPTION(type, member)                                                            \
     {"format", 0, OPTION_TEXT, offsetof(type, member), .value_name = "exr",                        \
      .help = "exr: needed if the output's name does not end in .exr, for example - (standard\n"    \
              "output) or /dev/fd/63"}
 /* clang-format on */
 
-/* Call it before outputs are asked for their format; format is NULL without --format. Error: it is
- * not known, no output needs it, or two go to standard output. */
+/* Sets the format of outputs without a known extension. Call it before any function that asks
+ * for an output's format. NULL: no --format. Error: an unknown format, no output that needs it,
+ * or two outputs to standard output. */
 bool outputs_use_format(const char *const *paths, int count, const char *format);
 
-/* Whether a file is a whole picture of that size; else a note says that it is rendered again, where
- * there is one. */
+/* Returns true if the file is a complete picture of that size. Else a note says that an existing
+ * file is rendered again. */
 bool output_is_there(const char *path, int width, int height);
 
-/* The stream for tables and JSON: stderr where a picture goes to stdout. */
+/* Returns the stream for tables and JSON: stderr if a picture goes to stdout. */
 FILE *outputs_table_stream(const char *const *paths, int count);
 
-/* Whether standard input, "-", is one of the inputs at most. Error: it is not. */
+/* Returns true if at most one input is "-", standard input. Error: more than one. */
 bool inputs_check(const char *const *paths, int count);
 
 #endif

@@ -1,4 +1,4 @@
-/* Points that a light meter measures: a table of text, or a grid on a plane. */
+/* Reads the points that a light meter measures: a table of text, or a grid on a plane. */
 #ifndef APPS_POINTS_H
 #define APPS_POINTS_H
 

@@ -9,7 +9,7 @@
 #include "apps/videos.h"
 #include "apps/view_list.h"
 
-/* Values of the command line, and what frames share. */
+/* Values of the command line, and state that frames share. */
 struct render_values {
     struct common_values common;
     struct context_desc context;
@@ -20,19 +20,19 @@ struct render_values {
     int size[2];
     int layer;
     const char *format, *background, *frames, *glsl, *aov, *cameras;
-    struct view_list views; /* of cameras */
+    struct view_list views; /* of --cameras */
     int quality, passes, first_pass;
-    bool passes_given; /* by --passes, and not by a quality */
+    bool passes_given; /* --passes is given */
     float max_error, budget;
     const char *fps;
-    struct frame_rate rate; /* of fps */
+    struct frame_rate rate; /* parsed from fps */
     bool skip_existing, stats;
-    struct in_time in_time;    /* where budget */
-    int traced;                /* samples of a pixel, path-traced in place of frames; 0: frames */
-    struct image picture;      /* where traced */
+    struct in_time in_time;    /* if budget > 0 */
+    int traced;                /* samples per pixel of path tracing in place of frames; 0: frames */
+    struct image picture;      /* if traced > 0 */
     struct progress *progress; /* of the frames */
-    struct surface_motion motion; /* of the frame, where a layer has it */
-    char *choice;                 /* which quality was chosen, and why */
+    struct surface_motion motion; /* of the frame, if a layer shows motion */
+    char *choice;                 /* text: the chosen quality and the reason */
 };
 
 extern const struct arguments render_arguments;

@@ -1,12 +1,13 @@
-/* What a scene holds, as text or JSON: counts, materials' textures, lights, cameras, bounds. */
+/* Prints the contents of a scene as text or JSON: counts, textures of materials, lights,
+ * cameras, bounds. */
 #ifndef APPS_SCENE_SUMMARY_H
 #define APPS_SCENE_SUMMARY_H
 
 #include "base/json.h"
 #include "scene/choice.h"
 
-/* Members of json, or text on stdout where json->out is NULL. Error: the scene cannot be loaded, or
- * nothing in it can be drawn. */
+/* Writes members of json, or text on stdout if json->out is NULL. Error: the scene cannot be
+ * loaded, or has nothing to draw. */
 bool scene_summary_print(struct json *json, const char *path, const struct scene_choice *choice);
 
 #endif

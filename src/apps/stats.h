@@ -1,4 +1,4 @@
-/* What --stats prints. */
+/* Prints --stats. */
 #ifndef APPS_STATS_H
 #define APPS_STATS_H
 
@@ -6,7 +6,7 @@
 
 #include <stdio.h>
 
-/* Faces, VPLs and VALs in use where there are any, GPU memory by object, ms per pass of the last
+/* Prints faces, VPLs and VALs in use (if any), GPU memory by object, and ms per pass of the last
  * frame. */
 void stats_print(FILE *out, struct renderer *renderer);
 

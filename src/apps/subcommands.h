@@ -5,13 +5,13 @@
 
 struct subcommand {
     const char *name, *help;
-    int (*run)(int argc, char **argv); /* NULL: this build is without it */
+    int (*run)(int argc, char **argv); /* NULL: not part of this build */
 };
 
-/* Ends with a row whose name is NULL. */
+/* All subcommands; a row whose name is NULL ends the table. */
 extern const struct subcommand subcommands[];
 
-/* The row of that name, or NULL. */
+/* Returns the row of that name, or NULL. */
 const struct subcommand *subcommand_find(const char *name);
 
 int app_average(int argc, char **argv);

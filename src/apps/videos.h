@@ -1,4 +1,4 @@
-/* Outputs of render that are videos, beside its pictures. */
+/* Writes outputs of `render` that are videos. */
 #ifndef APPS_VIDEOS_H
 #define APPS_VIDEOS_H
 
@@ -12,21 +12,22 @@ struct videos {
     int begun;
 };
 
-/* Takes the names of videos out of the outputs. */
+/* Moves the paths of videos from `outputs` to `videos`. */
 void videos_take(struct videos *videos, struct text_list *outputs);
 
-/* Whether they go with --frames and --skip-existing, by whether these are given. Error: an
- * option's. */
+/* Checks that videos have --frames and no --skip-existing, given as flags. Error: names the
+ * option. */
 bool videos_check_use(const struct videos *videos, bool numbers, bool skips);
 
-/* Whether each can be written. Error: names the path and the reason. */
+/* Checks that each path can be written. Error: names the path and the reason. */
 bool videos_check(const struct videos *videos);
 
-/* Error: video_file_begin's and video_file_add's; videos_end is then to be called. */
+/* Begin all videos, and add a frame to each. Error: of video_file_begin and video_file_add; the
+ * caller must then call videos_end. */
 bool videos_begin(struct videos *videos, int width, int height, const char *rate);
 bool videos_add(struct videos *videos, const struct bitmap *frame);
 
-/* ok false: no video is kept, and no new error set. */
+/* Ends all videos. ok false: removes them and sets no new error. */
 bool videos_end(struct videos *videos, bool ok);
 
 #endif

@@ -16,10 +16,10 @@ struct view_list {
         int line;
     } * items;
     int count;
-    char all[32]; /* their numbers as frames: "0..9" */
+    char all[32]; /* their numbers, as --frames has them: */
 };
 
-/* Reads a file. Error: none there, a time that is no number, no view. */
+/* Reads a file. Error: no file, an invalid time, no view. */
 bool view_list_read(struct view_list *views, const char *path);
 void view_list_free(struct view_list *views);
 

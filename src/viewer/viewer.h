@@ -8,14 +8,14 @@
 
 #include "viewer/state.h"
 
-/* Runs until the window is closed, or for desc->frames. Error: no window, or where frames are
- * counted a file that fails. */
+/* Runs until the window is closed, or for desc->frames. Error: no window; if frames are counted,
+ * also a file that fails. */
 bool viewer_run(const struct viewer_desc *desc);
 
-/* The same step by step. viewer_begin: error: no window; nothing is left open. */
+/* Opens the viewer, to run it step by step. Error: no window; nothing is left open. */
 bool viewer_begin(struct viewer *viewer, const struct viewer_desc *desc);
 
-/* Error: as viewer_run. */
+/* Runs one turn of the loop. Error: as viewer_run. */
 bool viewer_turn(struct viewer *viewer);
 void viewer_end(struct viewer *viewer);
 

@@ -1,4 +1,5 @@
-/* Scenes as pictures to click: small ones, traced on a thread once and kept in the user's cache. */
+/* Shows scenes as small pictures to click. A thread traces each once and keeps it in the user's
+ * cache. */
 #ifndef VIEWER_GALLERY_H
 #define VIEWER_GALLERY_H
 
@@ -10,9 +11,8 @@
 enum { GALLERY_MAX = 40, GALLERY_WIDTH = 192, GALLERY_HEIGHT = 144 };
 
 struct gallery_item {
-    char *path, *picture; /* the scene's file; its picture's, which may not be there yet */
-    atomic_int
-        ready; /* by the thread: the picture is there, or (-1) none can be made, or is worth it */
+    char *path, *picture; /* files of the scene and of its picture, which may not exist yet */
+    atomic_int ready;     /* set by the thread. 1: the picture exists; -1: none, or of one colour */
     struct texture texture;
     bool has_texture;
 };
@@ -24,22 +24,22 @@ struct gallery {
     pthread_t thread;
     bool has_thread;
     atomic_bool cancelled;
-    void (*wake)(void); /* called on the thread when there is something new */
+    void (*wake)(void); /* called on the thread if there is news */
 };
 
-/* Adds the scenes that come with the program, where they are found. */
+/* Adds the scenes of the program's installation. */
 void gallery_add_own(struct gallery *gallery);
 
-/* Begins to make the pictures that are missing. */
+/* Starts a thread that makes the missing pictures. */
 void gallery_start(struct gallery *gallery, void (*wake)(void));
 
-/* Takes pictures that have been made into textures. */
+/* Uploads new pictures to textures. */
 void gallery_follow(struct gallery *gallery);
 
-/* Whether gallery_follow has something to do. */
+/* Returns true if gallery_follow has work to do. */
 bool gallery_has_news(struct gallery *gallery);
 
-/* Ends the thread and frees all. Accepts zeroed ones. */
+/* Ends the thread and frees everything. Accepts a zeroed gallery. */
 void gallery_free(struct gallery *gallery);
 
 #endif

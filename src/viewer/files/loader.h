@@ -1,4 +1,4 @@
-/* Loads scenes on a thread of its own, so that the window lives on while a large file is read. */
+/* Loads scenes on a thread of its own, so that the window reacts while a large file is read. */
 #ifndef VIEWER_LOADER_H
 #define VIEWER_LOADER_H
 
@@ -7,13 +7,13 @@
 #include <pthread.h>
 #include <stdatomic.h>
 
-/* A scene and its triangles. */
+/* A scene and its triangles */
 struct document {
     struct scene scene;
     struct geometry geometry;
 };
 
-/* Accepts zeroed ones. */
+/* Frees scene and triangles. Accepts a zeroed document. */
 void document_free(struct document *document);
 
 enum loader_state { LOADER_IDLE, LOADER_BUSY, LOADER_DONE, LOADER_FAILED };
@@ -23,26 +23,27 @@ struct loader {
     atomic_int state; /* enum loader_state */
     char *path;
     struct scene_open_desc desc;
-    char *next;        /* asked for meanwhile */
-    bool is_abandoned; /* what is being loaded is not wanted any more */
+    char *next;        /* path of the next scene to load; NULL: none */
+    bool is_abandoned; /* drop the scene that is being loaded */
     struct document document;
     char message[512];
 };
 
-/* While another one is being loaded, this one is next; of several the last. desc, unless NULL: how
- * it is opened; its texts must live on. */
+/* Loads a scene. If another one is being loaded, queues this one in place of an earlier queued
+ * one. desc (NULL: defaults) says how to open it; its texts must outlive the load. */
 void loader_start(struct loader *loader, const char *path, const struct scene_open_desc *desc);
 
-/* LOADER_DONE: *document is the caller's. LOADER_FAILED: error_get tells. Both are returned once */
+/* Returns the state. LOADER_DONE: the caller owns *document. LOADER_FAILED: sets the error. Both
+ * are returned once. */
 enum loader_state loader_poll(struct loader *loader, struct document *document);
 
-/* What is being loaded is let go when it is there, and nothing is next. */
+/* Drops the scene that is being loaded and the queued one. */
 void loader_abandon(struct loader *loader);
 
-/* Whether something that is wanted is being loaded, or is next. */
+/* Returns true if a wanted scene is being loaded or queued. */
 bool loader_is_busy(struct loader *loader);
 
-/* Waits for what is being loaded. Accepts a zeroed one. */
+/* Waits for the thread and frees everything. Accepts a zeroed loader. */
 void loader_free(struct loader *loader);
 
 #endif

@@ -1,5 +1,5 @@
-/* Scenes come and go: one is read on a thread, seen as a coarse picture while its shaders are
- * compiled, and then takes the place of the one before. */
+/* Opens scenes: a thread reads one, a coarse picture shows it while its shaders are compiled,
+ * and then it replaces the scene before. */
 #ifndef VIEWER_OPENING_H
 #define VIEWER_OPENING_H
 
@@ -7,31 +7,30 @@
 
 void viewer_open(struct viewer *viewer, const char *path);
 
-/* Opens the scene's file anew, with the scenes and variants that were chosen, and looks at it as
- * before. */
+/* Opens the scene's file again, with the chosen scenes and variants and the same view. */
 void viewer_reload(struct viewer *viewer);
 
-/* Does so where the file was changed and has rested since the last look; looks twice a second. */
+/* Calls viewer_reload if the file has changed and then rested. Looks twice a second. */
 void viewer_watch_file(struct viewer *viewer);
 
-/* Takes a scene that has been loaded, when its shaders are compiled. False: it cannot be shown; the
- * one before stays. */
+/* Shows a loaded scene once its shaders are compiled. Returns false if it cannot be shown; the
+ * scene before then stays. */
 bool viewer_poll_loader(struct viewer *viewer);
 
-/* Whether one is being read, or has been and is not shown yet, or a sky. */
+/* Returns true if a scene or a sky is being read, or has been read and is not shown yet. */
 bool viewer_is_opening(struct viewer *viewer);
 
-/* Lets go what is being opened; what was there before stays. */
+/* Stops opening; the scene before stays. */
 void viewer_stop_opening(struct viewer *viewer);
 
-/* What is done of that now, for how long, in words. */
+/* Writes the current step of opening and its seconds. */
 void viewer_tell_opening(struct viewer *viewer, char *text, size_t size);
 
-/* Shows the error, and lets the scene go, which cannot be drawn any more. */
+/* Shows the error and closes the scene, which cannot be drawn any more. */
 void viewer_close_scene(struct viewer *viewer);
 
-/* Opens a file that was dropped, typed or chosen: a scene, the sky of the one that is open, a
- * reference, or settings; the channels and the shape of a picture decide which it is. */
+/* Opens a file that was dropped, typed or chosen: a scene, a sky of the open scene, a reference,
+ * or settings. Channels and shape of a picture decide between sky and reference. */
 void viewer_take_file(struct viewer *viewer, const char *path);
 
 #endif

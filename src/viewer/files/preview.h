@@ -1,5 +1,4 @@
-/* A coarse picture of a scene that has been read, traced on a thread: it is there long before the
- * shaders are that render the scene. */
+/* Traces a coarse picture of a scene on a thread, to show it before its shaders are compiled. */
 #ifndef VIEWER_PREVIEW_H
 #define VIEWER_PREVIEW_H
 
@@ -10,14 +9,14 @@
 #include <stdatomic.h>
 
 struct preview_desc {
-    const struct scene *scene; /* must stay as they are until preview_stop */
+    const struct scene *scene; /* scene and geometry must not change until preview_stop */
     const struct geometry *geometry;
     struct camera camera;
-    struct emitters emitters; /* the preview takes a copy */
-    int width, height;        /* of the picture that it stands for */
+    struct emitters emitters; /* copied */
+    int width, height;        /* of the final picture, pixels */
     float exposure;           /* EV */
-    bool auto_exposure;       /* by what the picture shows instead */
-    void (*wake)(void);       /* called on the thread when there is a picture */
+    bool auto_exposure;       /* chosen from the picture instead */
+    void (*wake)(void);       /* called on the thread if there is a new picture */
 };
 
 /* Zeroed: none. */
@@ -32,19 +31,19 @@ struct preview {
     bool has_texture;
 };
 
-/* In place of what it has. */
+/* Starts to trace a picture, in place of the one before. */
 void preview_start(struct preview *preview, const struct preview_desc *desc);
 
-/* Whether preview_picture has something to do. */
+/* Returns true if preview_picture has work to do. */
 bool preview_has_news(struct preview *preview);
 
-/* The newest picture; NULL = none yet. */
+/* Returns the newest picture, or NULL if there is none yet. */
 const struct texture *preview_picture(struct preview *preview);
 
-/* Ends the tracing; the picture stays. */
+/* Ends the tracing and keeps the picture. */
 void preview_stop(struct preview *preview);
 
-/* Accepts zeroed ones. */
+/* Ends the tracing and frees everything. Accepts a zeroed preview. */
 void preview_free(struct preview *preview);
 
 #endif

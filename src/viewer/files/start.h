@@ -1,4 +1,4 @@
-/* The empty window's pictures of scenes to click, and the desktop's dialog of files. */
+/* Draws the empty window: pictures of scenes to click, and the dialog of files. */
 #ifndef VIEWER_START_H
 #define VIEWER_START_H
 
@@ -6,7 +6,7 @@
 
 void start_draw(struct viewer *viewer);
 
-/* Lets the user choose a file. */
+/* Opens the dialog of files. */
 void viewer_ask_file(struct viewer *viewer);
 
 #endif

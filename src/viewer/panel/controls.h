@@ -1,4 +1,4 @@
-/* Keys and mouse. The table of keys is also the help that is shown. */
+/* Handles keys and mouse. The table of keys is also the help page. */
 #ifndef VIEWER_CONTROLS_H
 #define VIEWER_CONTROLS_H
 

@@ -1,5 +1,5 @@
-/* The values of the pixel under the mouse: linear radiance, of the left picture, of the right one,
- * and the difference. */
+/* Draws the values of the pixel under the mouse: linear radiance of both pictures, and their
+ * difference. */
 #ifndef VIEWER_INSPECTOR_H
 #define VIEWER_INSPECTOR_H
 

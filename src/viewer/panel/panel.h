@@ -1,4 +1,4 @@
-/* The panel beside the picture, and its sections that have files of their own: panel_*.c. */
+/* Draws the panel beside the picture. Its sections lie in panel_*.c. */
 #ifndef VIEWER_PANEL_H
 #define VIEWER_PANEL_H
 

@@ -1,15 +1,14 @@
-/* The bar of an animation below the picture: where it is, in seconds and frames, and what to do
- * with it. */
+/* Draws the bar of an animation below the picture: time in seconds and frames, and buttons. */
 #ifndef VIEWER_TIMELINE_H
 #define VIEWER_TIMELINE_H
 
 #include "viewer/state.h"
 
-/* Below the pictures' area; 0 = it is not there. */
+/* Returns the bar's height below the pictures, pixels. 0: there is no bar. */
 float timeline_height(const struct viewer *viewer);
 void timeline_draw(struct viewer *viewer);
 
-/* Pauses, and goes so many frames on. */
+/* Pauses and steps by a number of frames. */
 void timeline_step(struct viewer *viewer, int frames);
 
 #endif

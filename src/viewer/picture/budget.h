@@ -1,15 +1,13 @@
-/* Frames in the time that they may take: settings that are wanted follow the budget's level
- * (quality/time_budget.h). */
+/* Adapts settings to a time per frame, by the levels of quality/time_budget.h. */
 #ifndef VIEWER_BUDGET_H
 #define VIEWER_BUDGET_H
 
 #include "viewer/state.h"
 
-/* What a frame may take, ms: settings then follow from how long frames took; 0: they stay as they
- * are. */
+/* Sets the time per frame, ms. 0: settings stay as they are. */
 void viewer_set_budget(struct viewer *viewer, float ms);
 
-/* After each frame. */
+/* Chooses the next level from the times of the frame. Call it after each frame. */
 void viewer_follow_budget(struct viewer *viewer);
 
 #endif

@@ -1,5 +1,5 @@
-/* Two pictures side by side at a wipe: another technique or other settings, or a reference from a
- * file; and how far apart they are. */
+/* Shows two pictures side by side at a wipe: another technique, other settings, or a reference
+ * from a file. Measures their difference. */
 #ifndef VIEWER_COMPARE_H
 #define VIEWER_COMPARE_H
 
@@ -13,14 +13,13 @@ enum compare_mode { COMPARE_OFF, COMPARE_TECHNIQUE, COMPARE_REFERENCE, COMPARE_M
 
 struct compare {
     enum compare_mode mode;
-    float split;     /* where the right picture begins */
-    bool only_right; /* toggled: the right picture alone */
-    bool heat;       /* the errors as a map, in place of the left picture */
-    int heat_metric; /* of metrics */
-    bool flip; /* metrics that look at neighbourhoods, too: they follow when the picture has rested
-                */
+    float split;     /* fraction of the width where the right picture begins */
+    bool only_right; /* show the right picture alone */
+    bool heat;       /* show a map of errors in place of the left picture */
+    int heat_metric; /* index into metrics */
+    bool flip;       /* also measure metrics of neighbourhoods, once the picture rests */
 
-    /* COMPARE_TECHNIQUE: the right picture's own. */
+    /* For COMPARE_TECHNIQUE: the right picture's own. */
     const struct technique *technique;
     struct settings settings;
     struct renderer other;
@@ -28,44 +27,43 @@ struct compare {
 
     struct reference reference; /* COMPARE_REFERENCE */
 
-    /* Of the left picture against the right one, when it rested last. */
+    /* Errors of the left picture against the right one, at its last rest. */
     bool measured;
-    bool heat_drawn; /* and its map, or it will be when the metric has been measured */
+    bool heat_drawn; /* the map is drawn, or will be once its metric is measured */
     double values[METRIC_COUNT];
-    bool is_known[METRIC_COUNT]; /* those that look at single pixels always are */
-    struct measuring measuring;  /* the others */
-    bool measures_again;         /* when what is measured, of an older picture, has ended */
-    struct heat_map heat_scale;  /* without values */
+    bool is_known[METRIC_COUNT]; /* always true for metrics of single pixels */
+    struct measuring measuring;  /* metrics of neighbourhoods */
+    bool measures_again;         /* begin again once the measuring of an older picture ends */
+    struct heat_map heat_scale;  /* scale without values */
     struct texture heat_map;
 };
 
-/* Accepts zeroed ones. */
+/* Frees everything. Accepts a zeroed struct. */
 void compare_free(struct compare *compare);
 
-/* Lets the other renderer go: shaders or scene are no more what they were. */
+/* Frees the other renderer, because shaders or scene have changed. */
 void compare_forget(struct compare *compare);
 
-/* Makes the other technique's renderer, or changes its settings; coarse: without antialiasing;
- * waits: as far as its technique and settings are what they were. Error: they are what they were,
- * or the comparison is off. */
+/* Makes or updates the other technique's renderer. coarse: without antialiasing. waits: keeps
+ * its technique and settings. Error: they stay as before, or the comparison is switched off. */
 bool compare_follow(struct compare *compare, const struct renderer *renderer, bool coarse,
                     bool waits);
 
-/* Renders the other technique's picture of the same, after compare_follow, where it has a renderer.
- * Error: the comparison is then off. */
+/* Renders the other technique's picture, if it has a renderer. Call it after compare_follow.
+ * Error: the comparison is switched off. */
 bool compare_render(struct compare *compare);
 
-/* Makes the right picture show that layer, LAYER_..., and says which it is; NULL = none. */
+/* Composes the right picture's layer (LAYER_...) and returns it. NULL: none. */
 const struct texture *compare_compose(struct compare *compare, const struct renderer *renderer,
                                       int layer);
 
-/* Measures the errors, and draws the map; begins with the metrics of whole neighbourhoods where
- * those are wanted. wake: called from another thread when those are there, and
- * compare_follow_measuring is to take them. Error: the sizes differ, or a value is not finite. */
+/* Measures the errors and draws the map. Starts the metrics of neighbourhoods if wanted; another
+ * thread then calls `wake`, and compare_follow_measuring takes the results. Error: different
+ * sizes, or a value that is not finite. */
 bool compare_measure(struct compare *compare, struct renderer *renderer, int layer,
                      void (*wake)(void));
 
-/* Takes what has been measured; whether there was something. */
+/* Takes new results of measuring. Returns true if there were any. */
 bool compare_follow_measuring(struct compare *compare);
 
 #endif

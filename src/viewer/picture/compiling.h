@@ -1,7 +1,7 @@
-/* Shaders are compiled in the background, so that the window lives on meanwhile: a thread with a
- * context of its own draws a stand-in of the scene as the picture will be drawn, but smaller. Its
- * programs are handed over as the driver has linked them; what software OpenGL compiles when it
- * first draws with them it keeps on disk, and finds there. */
+/* Compiles shaders in the background, so that the window reacts meanwhile. A thread with its own
+ * context draws a small stand-in of the scene as the picture will be drawn. The linked programs
+ * are handed over. Software OpenGL compiles at the first draw and keeps the result in a cache on
+ * disk. */
 #ifndef VIEWER_COMPILING_H
 #define VIEWER_COMPILING_H
 
@@ -17,43 +17,44 @@
 enum { COMPILING_KNOWN = 64 };
 
 struct compiling {
-    struct context *user; /* who takes what is compiled */
+    struct context *user; /* context that takes the programs */
     void (*wake)(void);
     struct program_store *store;
-    struct window *window;   /* never seen */
-    struct context *context; /* its own */
-    bool refused;            /* there is none */
+    struct window *window;   /* hidden */
+    struct context *context; /* of the hidden window */
+    bool refused;            /* no hidden window can be opened */
     pthread_t thread;
     atomic_int state;
     struct stand_in stand_in;
     struct renderer_desc desc;       /* of the stand-in */
-    int count_before;                /* of programs, when it began */
-    uint64_t sum;                    /* of what is compiled */
-    uint64_t known[COMPILING_KNOWN]; /* of what was, the oldest first */
+    int count_before;                /* programs when it began */
+    uint64_t sum;                    /* hash of the renderer_desc that is being compiled */
+    uint64_t known[COMPILING_KNOWN]; /* hashes of compiled ones, oldest first */
     int known_count;
 };
 
-/* For the context of the window; wake is called from another thread when there is news. */
+/* Prepares compiling for the window's context. Another thread calls `wake` on news. */
 void compiling_init(struct compiling *compiling, struct context *user, void (*wake)(void));
 
-/* Whether the shaders of such a picture have been compiled, or cannot be in the background; else
- * begins that, unless others are being compiled. What desc points to may go or change but for the
- * environment. */
+/* Returns true if the shaders of this picture are compiled, or cannot be compiled in the
+ * background. Else starts compiling, unless others are being compiled. What desc points to may
+ * change or go, except the environment. */
 bool compiling_has(struct compiling *compiling, const struct renderer_desc *desc);
 
-/* Whether it may be asked again. */
+/* Returns true if compiling_has may now return another answer. */
 bool compiling_has_news(struct compiling *compiling);
 
-/* Whether nothing is being compiled, and no environment is in use. */
+/* Returns true if nothing is being compiled and no environment is in use. */
 bool compiling_rests(struct compiling *compiling);
 
-/* How many programs have been compiled since it began. */
+/* Returns the number of programs compiled since it began. */
 int compiling_count(const struct compiling *compiling);
 
-/* Waits for what is being compiled: its environment goes. */
+/* Waits until compiling ends: the environment is about to be freed. */
 void compiling_wait(struct compiling *compiling);
 
-/* Accepts a zeroed one. From the thread that has the window, before that goes. */
+/* Frees everything. Call it on the window's thread before the window is freed. Accepts a zeroed
+ * struct. */
 void compiling_free(struct compiling *compiling);
 
 #endif

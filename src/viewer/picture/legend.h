@@ -1,10 +1,11 @@
-/* What the cells of a sheet and the colours of a VAL's shadow stand for. */
+/* Draws the legend of a sheet's cells and of the colours of a VAL's shadow. */
 #ifndef VIEWER_LEGEND_H
 #define VIEWER_LEGEND_H
 
 #include "viewer/state.h"
 
-/* What it takes below a sheet of VALs; 0 = nothing: on a single one it stands. */
+/* Returns its height below a sheet of VALs, pixels. 0 for a single VAL: the legend lies on the
+ * picture. */
 float legend_height(const struct viewer *viewer);
 void legend_draw(const struct viewer *viewer);
 

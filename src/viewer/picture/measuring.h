@@ -1,5 +1,5 @@
-/* Measures how far two pictures are apart by the metrics that look at neighbourhoods (FLIP), which
- * take their time, in the background. */
+/* Measures the difference of two pictures in the background, by slow metrics of neighbourhoods
+ * (FLIP). */
 #ifndef VIEWER_MEASURING_H
 #define VIEWER_MEASURING_H
 
@@ -10,33 +10,34 @@
 
 enum measuring_state { MEASURING_NONE, MEASURING_RUNS, MEASURING_DONE };
 
-/* Zeroed: nothing is measured. */
+/* A measurement. Zeroed: none. */
 struct measuring {
     pthread_t thread;
     atomic_int state; /* enum measuring_state */
     atomic_bool cancelled;
     struct image test, reference;
-    int map_of;         /* of metrics, whose errors are wanted of each pixel, too; -1 = none */
-    void (*wake)(void); /* called on the thread when it is done */
+    int map_of;         /* index of the metric whose error per pixel is wanted; -1: none */
+    void (*wake)(void); /* called on the thread at the end */
 
-    /* Once it is done. */
-    double values[METRIC_COUNT]; /* of those that measuring_is_slow tells */
-    float *map;                  /* NULL = none; height x width */
+    /* Valid once it is done. */
+    double values[METRIC_COUNT]; /* only of metrics with measuring_is_slow */
+    float *map;                  /* error per pixel, height x width; NULL: none */
 };
 
 bool measuring_is_slow(int metric);
 
-/* In place of what is measured: copies of the pictures, of one size. Error: no thread. */
+/* Copies both pictures, which have one size, and measures them in place of earlier ones. Error:
+ * no thread. */
 bool measuring_start(struct measuring *measuring, const struct comparison *comparison, int map_of,
                      void (*wake)(void));
 
-/* Whether it is done, and has not been taken: then measuring_stop follows. */
+/* Returns true if results wait; take them, then call measuring_stop. */
 bool measuring_has_news(struct measuring *measuring);
 
-/* Lets it end after the metric at hand; whether there was something to end. */
+/* Cancels after the current metric. Returns true if there was something to cancel. */
 bool measuring_cancel(struct measuring *measuring);
 
-/* Waits for the metric at hand; all is freed. Accepts a zeroed one. */
+/* Waits for the current metric and frees everything. Accepts a zeroed struct. */
 void measuring_stop(struct measuring *measuring);
 
 #endif

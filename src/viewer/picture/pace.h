@@ -1,5 +1,4 @@
-/* How fast frames come: times per pass over the last ones, and at which size to render while things
- * move. */
+/* Keeps times per pass of the last frames, and chooses the size of frames while things move. */
 #ifndef VIEWER_PACE_H
 #define VIEWER_PACE_H
 
@@ -10,51 +9,50 @@
 enum { PACE_HISTORY = 240, PACE_MEDIAN = 15 };
 
 struct pace {
-    /* Frames that were rendered, oldest first. */
+    /* Rendered frames, oldest first. */
     float frame_ms[PACE_HISTORY];
     float frame_pixels[PACE_HISTORY];
     int frame_count;
 
-    /* The last times of each timer, in a ring; in the order in which they run. */
+    /* The last times of each timer in a ring, in the order of passes. */
     struct pace_pass {
         char path[TIMER_PATH_SIZE];
         int depth;
-        bool idle; /* in the last frame */
-        bool kept; /* and what it made before was used */
+        bool idle; /* did not run in the last frame */
+        bool kept; /* its earlier result was used */
         float ms[PACE_MEDIAN];
         int count, next;
-        float history[PACE_HISTORY]; /* of the frames above; 0 = it did not run */
+        float history[PACE_HISTORY]; /* ms of the frames above; 0: did not run */
     } passes[TIMERS_MAX];
     int pass_count;
 
-    double shown[32]; /* when the last pictures were shown, in a ring */
+    double shown[32]; /* times of the last shown pictures, in a ring, seconds */
     int shown_count;
 
-    /* What a frame of the full size takes: a share that goes with the pixels, and one that does
-     * not. */
+    /* Time of a full-size frame: a part per pixel, and a fixed part. */
     double fixed_ms, ms_per_pixel;
-    double last_motion; /* time */
+    double last_motion; /* seconds */
 };
 
-/* After each rendered frame of so many pixels. */
+/* Adds a rendered frame of `pixels` pixels at time `now`, seconds. */
 void pace_add(struct pace *pace, struct timers *timers, double pixels, double now);
 
-/* Other passes. */
+/* Forgets all passes, because other passes follow. */
 void pace_forget(struct pace *pace);
 
-/* The same passes, but other times: of another size. */
+/* Forgets the times, because frames have another size. */
 void pace_begin_medians(struct pace *pace);
 
-/* Median milliseconds of a pass over the last frames. */
+/* Returns the median time of a pass over the last frames, ms. */
 float pace_median(const struct pace_pass *pass);
 
-/* A line a frame, the oldest first: its pixels, and what it and each of its passes took. */
+/* Writes a row per frame, oldest first: its pixels, its time and the time of each pass. */
 void pace_print_csv(const struct pace *pace, FILE *file);
 
-/* Pictures per second; 0 while there are none. */
+/* Returns pictures per second. 0: none yet. */
 double pace_fps(const struct pace *pace, double now);
 
-/* The share of width and height, 1 or less, at which a frame takes about so many milliseconds. */
+/* Returns the factor of width and height, at most 1, at which a frame takes about target_ms. */
 double pace_scale(const struct pace *pace, double full_pixels, double target_ms);
 
 #endif

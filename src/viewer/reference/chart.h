@@ -1,4 +1,4 @@
-/* Speed against accuracy of one view: a dot for each preset and technique. */
+/* Measures speed against accuracy of one view: a dot for each preset and technique. */
 #ifndef VIEWER_CHART_H
 #define VIEWER_CHART_H
 
@@ -12,7 +12,7 @@ struct chart_dot {
     struct settings settings;
     enum chart_state { DOT_WAITS, DOT_MEASURED, DOT_LEFT_OUT } state;
     double ms;
-    struct image indirect; /* what it makes of the view */
+    struct image indirect; /* its indirect light of the view */
     bool has_error;
     double error;
 };
@@ -20,21 +20,21 @@ struct chart_dot {
 struct chart {
     struct chart_dot dots[CHART_MAX];
     int count;
-    int next;          /* to be measured; count: all are */
-    bool is_announced; /* the panel has shown which is next: it may take a while */
+    int next;          /* dot to measure next; count: done */
+    bool is_announced; /* the panel has named the next dot, which may take a while */
 };
 
-/* All presets of the default technique, every other technique, and those of the picture, where they
- * are none of them. */
+/* Plans dots: presets of the default technique, other techniques, and the picture's own settings
+ * if they are none of these. */
 void chart_plan(struct chart *chart, const struct technique *technique,
                 const struct settings *settings);
 void chart_free(struct chart *chart);
 
-/* Times the next dot's frames and keeps the last. Settings that would take minutes here are left
- * out. Error: of a renderer; the dot is left out. */
+/* Times frames of the next dot and keeps the last. Leaves out settings that would take minutes.
+ * Error: of a renderer; the dot is left out. */
 bool chart_measure_next(struct chart *chart, const struct renderer_desc *shown);
 
-/* The fastest dot whose error is below that; -1: none is. */
+/* Returns the fastest dot with a smaller error, or -1. */
 int chart_cheapest(const struct chart *chart, double error);
 
 #endif

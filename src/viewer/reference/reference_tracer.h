@@ -1,5 +1,5 @@
-/* Traces the reference of a view in the background: the path tracer on spare threads, with a scene
- * of its own, so that the viewer may go on to another. */
+/* Traces the reference of a view in the background, on spare threads and with its own scene, so
+ * that the viewer may open another. */
 #ifndef VIEWER_REFERENCE_TRACER_H
 #define VIEWER_REFERENCE_TRACER_H
 
@@ -11,14 +11,14 @@
 
 enum reference_tracer_state { TRACER_NONE, TRACER_TRACING, TRACER_DONE, TRACER_FAILED };
 
-/* So far. */
+/* The picture traced so far */
 struct traced_picture {
     struct image image;
-    int samples;  /* a pixel */
+    int samples;  /* per pixel */
     double noise; /* standard error of the indirect layer, RMS over mean */
 };
 
-/* Zeroed: nothing is traced. */
+/* A tracer. Zeroed: nothing is traced. */
 struct reference_tracer {
     pthread_t thread;
     atomic_int state; /* enum reference_tracer_state */
@@ -27,39 +27,40 @@ struct reference_tracer {
     float punctual_scale;
     struct session session; /* the view */
     int bounces;
-    double noise;       /* to be reached */
-    void (*wake)(void); /* called on the thread when there is something new */
+    double noise;       /* target: relative standard error of the indirect layer */
+    void (*wake)(void); /* called on the thread on news */
 
-    pthread_mutex_t lock; /* of all that follows */
+    pthread_mutex_t lock; /* guards the members below */
     pthread_cond_t resumed;
     bool paused;
-    struct traced_picture newest; /* that nobody has taken yet, or none */
+    struct traced_picture newest; /* not taken yet; without pixels: none */
     char message[512];
 };
 
-/* What to trace: a view, in the session's size. */
+/* A view to trace, at the session's size */
 struct traced_view {
     const struct session *session;
     int bounces;
     double noise;
     void (*wake)(void);
-    float punctual_scale; /* that the scene was opened with */
+    float punctual_scale; /* of the opened scene */
 };
 
-/* In place of what is traced. Error: no thread. */
+/* Traces a view in place of the one before. Error: no thread. */
 bool reference_tracer_start(struct reference_tracer *tracer, const struct traced_view *view);
 
-/* Ends what is traced, and waits for that: some milliseconds. Accepts a zeroed one. */
+/* Ends the tracing and waits some milliseconds for it. Accepts a zeroed tracer. */
 void reference_tracer_stop(struct reference_tracer *tracer);
 
-/* Whether reference_tracer_poll has something to tell. */
+/* Returns true if reference_tracer_poll has news. */
 bool reference_tracer_has_news(struct reference_tracer *tracer);
 
-/* While times are taken nothing is to be traced but the rows that are begun. */
+/* Pauses or resumes. While paused, only begun rows are traced, so that times of frames are
+ * right. */
 void reference_tracer_pause(struct reference_tracer *tracer, bool paused);
 
-/* The newest picture is then the caller's; without pixels: there is none since the last call.
- * TRACER_DONE and TRACER_FAILED are returned once; of the latter error_get tells. */
+/* Moves the newest picture to the caller; without pixels: none since the last call. Returns the
+ * state; TRACER_DONE and TRACER_FAILED once, the latter with an error. */
 enum reference_tracer_state reference_tracer_poll(struct reference_tracer *tracer,
                                                   struct traced_picture *newest);
 

@@ -1,27 +1,26 @@
-/* Traces the reference of the view in the background, and holds the picture against it as it gets
- * cleaner. */
+/* Traces the reference of the view in the background and compares the picture with it as its
+ * noise falls. */
 #ifndef VIEWER_TRACING_H
 #define VIEWER_TRACING_H
 
 #include "viewer/state.h"
 
-/* Traces the reference of the view as it is, in place of the one before; viewer_follow_reference
- * takes what has been traced, each turn; viewer_forget_reference ends the comparison with it. */
+/* viewer_trace traces the present view in place of the reference before. viewer_follow_reference
+ * takes new pictures; call it each turn. viewer_forget_reference ends the comparison. */
 void viewer_trace(struct viewer *viewer);
 void viewer_follow_reference(struct viewer *viewer);
 void viewer_forget_reference(struct viewer *viewer);
 bool viewer_is_tracing(const struct viewer *viewer);
 
-/* Relative RMSE of the layer that is shown against the right picture, by the same definition: what
- * is known of a traced reference's noise, which is its indirect light's, is taken off. False: it
- * has not been measured. */
+/* Writes the relative RMSE of the shown layer against the right picture. Subtracts a traced
+ * reference's noise, which is that of its indirect light. Returns false if it is not measured. */
 bool viewer_compared_error(const struct viewer *viewer, double *error);
 
-/* That noise over the mean of the layer that is shown; 0: none is known. */
+/* Returns that noise over the mean of the shown layer. 0: unknown. */
 double viewer_reference_noise(const struct viewer *viewer);
 
-/* Measures presets and techniques on the view, and traces its reference where there is none;
- * viewer_take_dot makes the picture as one of them. */
+/* viewer_chart measures presets and techniques on the view, and traces its reference if there is
+ * none. viewer_take_dot applies the settings of dot i to the picture. */
 void viewer_chart(struct viewer *viewer);
 bool viewer_is_charting(const struct viewer *viewer);
 void viewer_take_dot(struct viewer *viewer, int i);

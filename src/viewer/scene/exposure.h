@@ -1,18 +1,19 @@
-/* How bright the picture is shown: by itself when a scene is opened, then as the user likes. */
+/* Sets the exposure: automatically when a scene is opened, then by the user. */
 #ifndef VIEWER_EXPOSURE_H
 #define VIEWER_EXPOSURE_H
 
 #include "viewer/state.h"
 
-/* For a scene that has been opened: it is exposed by itself where that is wanted, with its first
- * frame. */
+/* viewer_begin_exposure asks for the automatic exposure of a newly opened scene, if wanted.
+ * viewer_follow_exposure sets it after the first frame. */
 void viewer_begin_exposure(struct viewer *viewer);
 void viewer_follow_exposure(struct viewer *viewer);
 
-/* It stays as it is, and is the one that the scene began with. */
+/* Keeps the present exposure as the one that the scene began with. */
 void viewer_keep_exposure(struct viewer *viewer);
 
-/* Stops up or down; and back to where the scene began. */
+/* viewer_expose changes the exposure by stops. viewer_reset_exposure returns to the scene's
+ * first one. */
 void viewer_expose(struct viewer *viewer, float by);
 void viewer_reset_exposure(struct viewer *viewer);
 

@@ -1,5 +1,5 @@
-/* What was looked at and how, step by step, to be taken back: whole sessions, so that camera,
- * lights and settings, and whatever a session comes to hold, are taken back alike. */
+/* Keeps steps for undo as whole sessions: camera, lights, settings and all else that a session
+ * holds. */
 #ifndef VIEWER_HISTORY_H
 #define VIEWER_HISTORY_H
 
@@ -8,24 +8,24 @@
 enum { HISTORY_MAX = 100 };
 
 struct history {
-    struct session *steps; /* oldest first; of one scene */
-    int count, now;        /* steps[now] is the present one */
+    struct session *steps; /* of one scene, oldest first */
+    int count, now;        /* steps[now] is the current one */
 };
 
-/* Whether nothing was changed from one to the other; the picture's size and views that were kept
- * are no change. */
+/* Returns true if both are the same but for the picture's size and kept views. */
 bool history_same(const struct session *a, const struct session *b);
 
-/* Of another scene nothing can be taken back. Accepts zeroed ones. */
+/* Forgets all steps, because another scene is shown. Accepts a zeroed history. */
 void history_forget(struct history *history);
 
-/* Notes a session that is not the present one: a step that what had been taken back gives way to */
+/* Adds a session as a step, in place of steps that were undone. A session equal to the current
+ * step adds none. */
 void history_note(struct history *history, const struct session *session);
 
-/* The step before (-1) or after (1) the present one, which it then is; NULL = there is none. */
+/* Moves to the previous (-1) or next (1) step and returns it. NULL: there is none. */
 const struct session *history_step(struct history *history, int by);
 
-/* What came of the present step when it was shown: it may be a rounding away. */
+/* Replaces the current step by the session that is shown, which may differ by rounding. */
 void history_correct(struct history *history, const struct session *session);
 
 #endif

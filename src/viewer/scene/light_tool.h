@@ -1,4 +1,4 @@
-/* The lights as things in the picture that can be moved, turned and sized with the mouse. */
+/* Shows the lights in the picture, to be moved, turned and sized with the mouse. */
 #ifndef VIEWER_LIGHT_TOOL_H
 #define VIEWER_LIGHT_TOOL_H
 
@@ -8,7 +8,7 @@
 #include "scene/mesh/geometry.h"
 #include "viewer/window/window.h"
 
-/* Of the chosen light; a round one has a width alone, a spot a cone. */
+/* Handles of the chosen light. A round light has a width only, a spot a cone. */
 enum light_handle {
     HANDLE_NONE,
     HANDLE_POSITION,
@@ -24,7 +24,7 @@ struct light_tool {
     enum light_handle held;
 };
 
-/* What the tool works in. */
+/* Camera, triangles and place of the picture that the tool works in. */
 struct light_stage {
     const struct camera *camera;
     const struct geometry *geometry;
@@ -32,14 +32,13 @@ struct light_stage {
     float scale; /* of the monitor */
 };
 
-/* Grabs a handle that the mouse is pressed on and drags it, or chooses another light by its mark.
- * True while it holds one: the mouse is then its own. *moved tells whether the chosen light has
- * changed. */
+/* Drags the handle under the pressed mouse, or chooses another light by its mark. Returns true
+ * while it holds one, and the mouse has no other effect. *moved: the chosen light has changed. */
 bool light_tool_update(struct light_tool *tool, const struct light_stage *stage,
                        const struct input *input, struct emitters *lights, int *chosen,
                        bool *moved);
 
-/* Whether the mouse is on a handle, or holds one. */
+/* Returns true if the mouse is on a handle, or holds one. */
 bool light_tool_is_under(const struct light_tool *tool, const struct light_stage *stage,
                          const struct input *input, const struct emitters *lights, int chosen);
 

@@ -1,32 +1,34 @@
-/* Lights are chosen, changed, added and removed. */
+/* Chooses, changes, adds and removes lights. */
 #ifndef VIEWER_LIGHTS_H
 #define VIEWER_LIGHTS_H
 
 #include "viewer/state.h"
 
-/* Whether there is a light: there may be the sky alone. */
+/* Returns true if there is a light. There may be the sky alone. */
 bool viewer_has_light(const struct viewer *viewer);
 
-/* The light that is chosen, to be changed: then viewer_touch_light. viewer_reset_light takes the
- * scene's own. */
+/* viewer_light returns the chosen light. Call viewer_touch_light after a change.
+ * viewer_reset_light restores the scene's own light. */
 struct emitter *viewer_light(const struct viewer *viewer);
 void viewer_touch_light(struct viewer *viewer);
 void viewer_reset_light(struct viewer *viewer);
 
-/* Whether an animation leaves it alone. */
+/* Returns true if no animation moves light i: the user has moved or added it. */
 bool viewer_light_is_moved(const struct viewer *viewer, int i);
 
-/* W; of a directional light what crosses the scene's sphere. */
+/* Get and set the power of a light, W. For a directional light: the power through the scene's
+ * bounding sphere. */
 double viewer_light_power(const struct viewer *viewer, const struct emitter *light);
 void viewer_set_light_power(struct viewer *viewer, struct emitter *light, double power);
 
-/* Of the chosen light, whose power stays. */
+/* Changes the type of the chosen light and keeps its power. */
 void viewer_retype_light(struct viewer *viewer, enum emitter_type type);
 
-/* The new one is chosen. */
+/* Adds a light and chooses it. */
 void viewer_add_light(struct viewer *viewer, enum emitter_type type);
 
-/* Removes the chosen light; something must go on shining. */
+/* viewer_remove_light removes the chosen light. viewer_can_remove_light is false if nothing else
+ * shines. */
 bool viewer_can_remove_light(const struct viewer *viewer);
 void viewer_remove_light(struct viewer *viewer);
 

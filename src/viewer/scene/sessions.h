@@ -1,20 +1,20 @@
-/* What is looked at and how, as sessions: shown, loaded, undone. */
+/* Shows, loads and undoes sessions. */
 #ifndef VIEWER_SESSIONS_H
 #define VIEWER_SESSIONS_H
 
 #include "viewer/state.h"
 
-/* What is looked at and how; the texts are the session's. */
+/* Returns the present session, which owns its texts. */
 struct session viewer_session(const struct viewer *viewer);
 bool viewer_load_session(struct viewer *viewer, const char *path);
 
-/* Shows a session as it was: of the same scene. Error: a camera or a light is not understood. */
+/* Shows a session of the same scene. Error: an invalid camera or light. */
 bool viewer_show_session(struct viewer *viewer, const struct session *session);
 
-/* Notes where the user has come to, once nothing is on its way. */
+/* Adds an undo step, once no change is in progress. */
 void viewer_note_step(struct viewer *viewer);
 
-/* One step back (-1) or forth again (1). */
+/* Undoes (-1) or redoes (1) a step. */
 void viewer_undo(struct viewer *viewer, int by);
 
 #endif

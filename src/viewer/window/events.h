@@ -10,25 +10,24 @@ enum { EVENTS_OF_TURN = 32 }; /* at most */
 
 struct event {
     enum event_kind { EVENT_KEY, EVENT_TEXT, EVENT_BUTTON, EVENT_CURSOR, EVENT_SCROLL } kind;
-    int code; /* the key, button or character, as the system has it */
+    int code; /* key, button or character of the system */
     int modifiers;
     bool down;
-    double x, y; /* of the cursor, or by how much was scrolled */
+    double x, y; /* place of the cursor, or steps of the wheel */
 };
 
-/* Zeroed: none. */
+/* A queue. Zeroed: empty. */
 struct events {
     struct event *items;
     int count, capacity;
 };
 
-/* Cursor and wheel go on where the last event was theirs, too. */
+/* Adds an event. Merges it with the last one if both are of the cursor or the wheel. */
 void events_add(struct events *events, const struct event *event);
 
-/* How many of the first belong to one turn, at least one where there is one: the cursor goes to one
- * place; a button, or the wheel, comes alone, when the cursor is known to be there; keys come
- * together, each once and none after one that is pressed, and text after them. events_drop lets
- * them go. */
+/* Returns how many of the first events make one turn, at least one if there is any. The cursor
+ * moves to one place; a button or the wheel comes alone, after the cursor; keys come together,
+ * each once and none after one that is pressed, and text after them. events_drop removes them. */
 int events_of_turn(const struct events *events);
 void events_drop(struct events *events, int count);
 

@@ -1,4 +1,4 @@
-/* The window's icon, drawn: a lamp, and points of light on the floor and walls about it. */
+/* Draws the window's icon: a lamp, and points of light on the floor and walls around it. */
 #ifndef VIEWER_WINDOW_ICON_H
 #define VIEWER_WINDOW_ICON_H
 

@@ -1,4 +1,4 @@
-/* Messages for the user in the window: errors, warnings and notes, from any thread. */
+/* Shows messages in the window: errors, warnings and notes, from any thread. */
 #ifndef VIEWER_MESSAGES_H
 #define VIEWER_MESSAGES_H
 
@@ -10,7 +10,7 @@ enum { MESSAGES_MAX = 24, MESSAGES_SHOWN = 6, MESSAGE_SIZE = 512 };
 
 struct message {
     enum ui_tone tone; /* UI_ERROR, UI_WARNING, UI_NORMAL */
-    double time;       /* of window_time */
+    double time;       /* as window_time */
     double lasts;      /* seconds */
     char text[MESSAGE_SIZE];
 };
@@ -21,22 +21,22 @@ struct messages {
     int count;
 };
 
-/* Also listens to the log. One at a time. */
+/* Prepares the list and listens to the log. Only one list may exist at a time. */
 void messages_init(struct messages *messages);
 void messages_free(struct messages *messages);
 
 void messages_add(struct messages *messages, enum ui_tone tone, const char *format, ...)
     __attribute__((format(printf, 3, 4)));
 
-/* What was written where, which stays long enough to be read or typed. */
+/* Adds a message about a written file, which stays long enough to be read or typed. */
 void messages_add_result(struct messages *messages, const char *format, ...)
     __attribute__((format(printf, 2, 3)));
 
-/* Errors go: they were of what the user has left. */
+/* Removes errors, because the user has left what they were about. */
 void messages_forget_errors(struct messages *messages);
 
-/* Those that are to be seen: the newest ones of the last seconds (errors stay longer, and results),
- * oldest first; how many. */
+/* Copies the messages to show, oldest first: the newest of the last seconds; errors and results
+ * stay longer. Returns their number. */
 int messages_recent(struct messages *messages, struct message recent[MESSAGES_SHOWN]);
 
 #endif

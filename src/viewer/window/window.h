@@ -1,11 +1,11 @@
-/* A window with an OpenGL 4.5 core context, and what the user does to it: the only place that names
+/* Opens a window with an OpenGL 4.5 core context and collects its input. Only this file names
  * GLFW. */
 #ifndef VIEWER_WINDOW_WINDOW_H
 #define VIEWER_WINDOW_WINDOW_H
 
 #include "viewer/window/events.h"
 
-/* Letters, digits and punctuation are their own ASCII characters, letters in upper case. */
+/* Keys. Letters, digits and punctuation are their ASCII characters, letters in upper case. */
 enum window_key {
     KEY_NONE,
     KEY_SPACE = ' ',
@@ -25,9 +25,9 @@ enum window_key {
     KEY_F11,
     KEY_F12,
     KEY_COUNT,
-    KEY_WITH_CONTROL = 1 << 10, /* added to a key that is pressed while Ctrl is held */
-    KEY_WITH_ALT = 1 << 12,     /* the same of Alt */
-    KEY_WITH_SHIFT = 1 << 11,   /* and Shift, too */
+    KEY_WITH_CONTROL = 1 << 10, /* added to a key pressed with Ctrl */
+    KEY_WITH_ALT = 1 << 12,     /* the same for Alt */
+    KEY_WITH_SHIFT = 1 << 11,   /* the same for Shift */
 };
 
 /* Keys of widgets: Dear ImGui's name, and GLFW's. */
@@ -64,69 +64,69 @@ enum widget_key {
 
 enum window_button { BUTTON_LEFT, BUTTON_RIGHT, BUTTON_MIDDLE, BUTTON_COUNT };
 
-/* What happened in a turn: as much as has no order (viewer/window/events.h). Positions are in
+/* Input of one turn, in which order does not matter (viewer/window/events.h). Positions are in
  * pixels of the framebuffer, y down. */
 struct input {
     int width, height; /* of the framebuffer; 0 while minimised */
-    float scale;       /* of widgets: 2 = twice as many pixels an inch */
+    float scale;       /* of widgets; 2: twice as many pixels per inch */
     double x, y, dx, dy, scroll;
-    double press_x, press_y; /* where a button was pressed last */
+    double press_x, press_y; /* place of the last press */
     bool inside;             /* the mouse is over the window */
     bool held[BUTTON_COUNT], pressed[BUTTON_COUNT], released[BUTTON_COUNT];
     bool shift, control, alt;
-    bool key_held[KEY_COUNT]; /* but those pressed with Ctrl or Alt, which are commands */
+    bool key_held[KEY_COUNT]; /* without keys pressed with Ctrl or Alt, which are commands */
     int keys[EVENTS_OF_TURN]; /* pressed, in order */
     int key_count;
     unsigned text[EVENTS_OF_TURN]; /* characters typed */
     int text_count;
     bool widget_keys[WIDGET_KEY_COUNT]; /* held */
-    char *dropped;                      /* a file's path, or NULL */
-    bool any;                           /* anything at all happened */
-    bool close;                         /* asked for by the window manager */
+    char *dropped;                      /* path of a dropped file, or NULL */
+    bool any;                           /* at least one event */
+    bool close;                         /* requested by the window manager */
 };
 
 struct window_desc {
     const char *title;
     int width, height; /* of the picture, pixels */
-    int margin;        /* beside it, pixels of a monitor of scale 1 */
-    float scale;       /* in place of the monitor's; 0 = that */
+    int margin;        /* beside the picture, pixels of a monitor of scale 1 */
+    float scale;       /* of widgets; 0: the monitor's */
     bool debug;        /* a debug context */
 };
 
 struct window;
 
-/* Opens the window; its context is current. Error: no display, or no such context. */
+/* Opens a window and makes its context current. Error: no display, or no such context. */
 struct window *window_create(const struct window_desc *desc);
 
-/* Lets it be seen no more. Accepts NULL. */
+/* Hides the window. Accepts NULL. */
 void window_hide(struct window *window);
 
-/* Accepts NULL. */
+/* Closes the window. Accepts NULL. */
 void window_free(struct window *window);
 
-/* One that is never seen: for its context, which is like the window's and shares nothing with it.
- * From the thread that has the window. Error: as above. */
+/* Opens a hidden window for its context, which is like the window's and shares nothing with it.
+ * Call it on the window's thread. Error: as window_create. */
 struct window *window_create_hidden(void);
 void window_free_hidden(struct window *window);
 
-/* Makes the context the calling thread's, or lets it go. */
+/* Bind the context to the calling thread, and unbind it. */
 void window_bind(struct window *window);
 void window_unbind(void);
 
-/* For context_adopt. */
+/* Returns the address of an OpenGL function, for context_adopt. */
 void *window_getproc(const char *name);
 
-/* GLFW's own, for the user interface. */
+/* Returns GLFW's window, for the user interface. */
 void *window_native(struct window *window);
 
-/* What happened in the next turn; where nothing has yet, waits up to so many seconds for it. holds:
- * what happened is kept for later turns. Valid until the next poll. */
+/* Returns the input of the next turn. Waits up to `wait` seconds for input. holds: keeps further
+ * events for later turns. Valid until the next poll. */
 const struct input *window_poll(struct window *window, double wait, bool holds);
 
-/* Ends a window_poll that waits; from any thread. */
+/* Ends a waiting window_poll. Any thread may call it. */
 void window_wake(void);
 
-/* Shows what was drawn; with vertical sync waits for the monitor. */
+/* Shows the drawn frame; with vertical sync, waits for the monitor. */
 void window_swap(struct window *window);
 
 void window_set_title(struct window *window, const char *title);
@@ -134,11 +134,11 @@ void window_set_size(struct window *window, int width, int height);
 bool window_is_full_screen(const struct window *window);
 void window_toggle_full_screen(struct window *window);
 
-/* Of widgets, in place of the monitor's; 0 = that. */
+/* Sets the scale of widgets. 0: the monitor's. */
 void window_set_scale(struct window *window, float scale);
 void window_set_clipboard(struct window *window, const char *text);
 
-/* Seconds since some point in the past. */
+/* Returns seconds since a fixed point in the past. */
 double window_time(void);
 
 #endif
