@@ -69,7 +69,7 @@ TEST(ranges) {
     renderer_settings_init(&settings);
     for (struct setting setting = {0}; settings_next(&settings, &setting);) {
         const struct option *row = setting.option;
-        char range[96], text[64];
+        char text[64];
         if (row->type != OPTION_INT && row->type != OPTION_FLOAT)
             continue;
         for (int end = 0; end < 2; end++) {
@@ -78,8 +78,8 @@ TEST(ranges) {
             check_ok(row->name, setting_parse(&setting, &settings, text));
             snprintf(text, sizeof text, "%.10g", limit + (end ? 1 : -1) * (1 + fabs(limit)));
             assert_false(setting_parse(&setting, &settings, text));
-            snprintf(range, sizeof range, row->type == OPTION_INT ? "%.0f to %.0f" : "%g to %g",
-                     row->minimum, row->maximum);
+            const char *range = form(row->type == OPTION_INT ? "%.0f to %.0f" : "%g to %g",
+                                     row->minimum, row->maximum);
             if (!strstr(error_get(), range))
                 fail_msg("'%s' is not in: %s", range, error_get());
         }
@@ -147,11 +147,11 @@ TEST(own_texture) {
     /* Named so, used or not, it is the scene's. */
     static const char *const names[] = {"own.png", "./own.png", "nowhere/../own.png", "%6fwn.png"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        char arguments[1024], images[128];
-        snprintf(images, sizeof images, "\"images\": [{\"uri\": \"%s\"}],", names[i]);
-        snprintf(arguments, sizeof arguments, "%s --size 8x8 -o %s",
-                 write_parts("own.glb", &(struct gltf_parts){.more = images}), scratch("own.png"));
-        expect_command(1, "render", arguments);
+        const char *images = form("\"images\": [{\"uri\": \"%s\"}],", names[i]);
+        expect_command(1, "render",
+                       form("%s --size 8x8 -o %s",
+                            write_parts("own.glb", &(struct gltf_parts){.more = images}),
+                            scratch("own.png")));
         expect_text("own.png: it is the input");
     }
     check_ok("read again", file_read(&after, scratch("own.png")));
@@ -315,12 +315,11 @@ TEST(passes_progress) {
 TEST(strips) {
     static const char *const sizes[] = {"8x9000", "9000x8", "7x8193"};
     for (int i = 0; i < 3; i++) {
-        char arguments[256];
         if (!is_tried_here((size_t)i, 2))
             continue;
-        snprintf(arguments, sizeof arguments, "scenes/moving-spot.glb --size %s -o %s", sizes[i],
-                 scratch("strip.png"));
-        expect_command(0, "render", arguments);
+        expect_command(
+            0, "render",
+            form("scenes/moving-spot.glb --size %s -o %s", sizes[i], scratch("strip.png")));
     }
 }
 
@@ -359,7 +358,7 @@ static struct image append_layers(const struct stage *stage, const char *techniq
                                   struct renderer *renderer) {
     struct renderer_desc desc = desc_of(stage, technique, settings, 64, 64);
     struct image image;
-    open_renderer(renderer, &desc);
+    open_renderer(renderer, desc);
     check_ok("layers", renderer_read_layers(renderer, &image));
     check_ok("more layers", aov_append(renderer, names, NULL, &image));
     return image;

@@ -22,12 +22,9 @@ static const float colour[3] = {.5F, .25F, .8F}; /* of the square */
 
 /* Renders the square with more arguments: back.exr and back.EXTENSION. */
 static void render(const char *scene, const char *extension, const char *more) {
-    char arguments[1024];
-    snprintf(arguments, sizeof arguments,
-             "%% render @/%s -o @/back.exr -o @/back.%s --size 20x20 -q "
-             "--set vpls=16,vals=2,map-size=32,rsm-size=32,shadow-size=64,interleave=1 %s",
-             scene, extension, more);
-    expect(0, arguments);
+    expect(0, form("%% render @/%s -o @/back.exr -o @/back.%s --size 20x20 -q "
+                   "--set vpls=16,vals=2,map-size=32,rsm-size=32,shadow-size=64,interleave=1 %s",
+                   scene, extension, more));
 }
 
 /* The row in the middle of the picture, colours and alpha as they are stored. */
@@ -187,9 +184,7 @@ TEST(sky) {
     static const char *const backgrounds[] = {"", "--background none", "--background 1,0,0"};
     float lit[3][4], outside[3][4], edge[3][4];
     for (int i = 0; i < 3; i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "--environment @/sky.exr --light sky %s",
-                 backgrounds[i]);
+        const char *arguments = form("--environment @/sky.exr --light sky %s", backgrounds[i]);
         render("white.glb", "png", arguments);
         read_pixel(MIDDLE, lit[i]);
         read_pixel(OUTSIDE, outside[i]);
@@ -225,15 +220,15 @@ TEST(reference) {
 
 TEST(refusals) {
     static const char *const formats[] = {"jpg", "bmp", "ppm", "hdr", "pfm", "gif", "webp"};
-    char arguments[256], message[256];
+    char arguments[256];
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
         if (!knows_format(formats[i]))
             continue;
         snprintf(arguments, sizeof arguments, "%% render a.glb -o a.png -o b.%s --background none",
                  formats[i]);
         expect(2, arguments);
-        snprintf(message, sizeof message, "--background none: b.%s: %s is written without alpha",
-                 formats[i], formats[i]);
+        const char *message =
+            form("--background none: b.%s: %s is written without alpha", formats[i], formats[i]);
         expect_text(message);
     }
     static const char *const wrong[] = {"red", "#12345",  "#1234567", "1,2,3",

@@ -53,7 +53,6 @@ TEST(size) {
 /* Options of check, which is a script: mistakes are told before anything is done. */
 TEST(check_options) {
     const char *folder = scratch("not-a-report");
-    char command[700];
     need_file("bundle/check");
     expect(0, "bundle/check --help");
     expect_text("--minutes N");
@@ -63,10 +62,8 @@ TEST(check_options) {
     expect_text("there is no part 'all'");
     expect(2, "bundle/check --device");
     expect_text("--device needs a value");
-    snprintf(command, sizeof command,
-             "mkdir -p %s && touch %s/mine && bundle/check -o %s; s=$?; ls %s; exit $s", folder,
-             folder, folder, folder);
-    expect(2, command);
+    expect(2, form("mkdir -p %s && touch %s/mine && bundle/check -o %s; s=$?; ls %s; exit $s",
+                   folder, folder, folder, folder));
     expect_text("is not empty, and no earlier report");
     expect_text("mine");
 }
@@ -74,9 +71,9 @@ TEST(check_options) {
 /* A test that passes, one that fails and one that lacks: each has its row, and the report is
  * packed. */
 TEST(check_report) {
-    char command[1200], folder[512];
+    char command[1200];
     need_file(BUNDLE);
-    snprintf(folder, sizeof folder, "%s", scratch("report"));
+    const char *folder = form("%s", scratch("report"));
     snprintf(command, sizeof command,
              "rm -rf %s && " BUNDLE "/check --minutes 2 --tests test_options,test_nothing -o %s",
              folder, folder);

@@ -160,8 +160,7 @@ static void print_kinds(const struct trial *trial) {
 }
 
 static void break_all(const struct victim *victim) {
-    char faults[512];
-    snprintf(faults, sizeof faults, "%s/test/faults.so", getenv("MANYLIGHT_BUILD"));
+    const char *faults = form("%s/test/faults.so", getenv("MANYLIGHT_BUILD"));
     need_file(faults);
     if (HAS_OWN_MALLOC)
         skip();

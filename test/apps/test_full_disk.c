@@ -17,9 +17,8 @@
 static const char *folder;
 
 static void make_folder(void) {
-    char command[600];
     folder = scratch("full-disk");
-    snprintf(command, sizeof command, "rm -rf '%s' && mkdir '%s'", folder, folder);
+    const char *command = form("rm -rf '%s' && mkdir '%s'", folder, folder);
     assert_int_equal(run_command(command, output, sizeof output), 0);
 }
 
@@ -36,9 +35,9 @@ static void write_pictures(void) {
 
 /* Runs `BINARY ARGUMENTS` behind a shell's preamble; @ is the scratch folder. */
 static int run(const char *before, const char *arguments, const char *after) {
-    char filled[1024], command[2048];
+    char filled[1024];
     in_scratch(filled, sizeof filled, arguments);
-    snprintf(command, sizeof command, "(%s %s %s %s)", before, binary_path(), filled, after);
+    const char *command = form("(%s %s %s %s)", before, binary_path(), filled, after);
     int status = run_command(command, output, sizeof output);
     printf("    %s %s -> %d %.300s\n", filled, after, status, output);
     return status;
@@ -90,8 +89,7 @@ TEST(closed_streams) {
     if (run("", arguments, ">/dev/null") != 0)
         skip();
     assert_int_equal(run("", arguments, "<&- >&- 2>&-"), 0);
-    char path[512];
-    snprintf(path, sizeof path, "%s/closed.exr", folder);
+    const char *path = form("%s/closed.exr", folder);
     check_ok("whole", image_is_whole(path));
 }
 
@@ -166,10 +164,9 @@ static void check_real_disk(const char *before) {
 
 /* Without /proc a file must have a name from the start, as on file systems that know no other. */
 TEST(real_disk) {
-    char command[1024];
     make_folder();
     write_pictures();
-    snprintf(command, sizeof command, "unshare -rm mount -t tmpfs none %s", folder);
+    const char *command = form("unshare -rm mount -t tmpfs none %s", folder);
     if (run_command(command, output, sizeof output) != 0) {
         printf("    skipped: no disk can be mounted here: %s", output);
         skip();

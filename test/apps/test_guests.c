@@ -11,11 +11,9 @@
 
 /* Runs the guests' program and looks for the words in what it says. */
 static void expect_words(int status, const char *words, const char *format, const char *argument) {
-    char command[1024], arguments[768];
     const char *build = getenv("MANYLIGHT_BUILD");
-    snprintf(arguments, sizeof arguments, format, argument);
-    snprintf(command, sizeof command, "%s/test/guests/manylight %s", build ? build : "build",
-             arguments);
+    const char *arguments = form(format, argument);
+    const char *command = form("%s/test/guests/manylight %s", build ? build : "build", arguments);
     int actual = run_command(command, output, sizeof output);
     if (actual != status || !strstr(output, words))
         fail_msg("%s: status %d, expected %d with '%s':\n%s", arguments, actual, status, words,
@@ -63,14 +61,13 @@ TEST(lists) {
 /* What it makes can be had as a layer; what it lacks is refused by name. */
 TEST(outputs) {
     const char *path = scratch("guests-aov.exr");
-    char arguments[640];
     static const char *const lacking[] = {"val", "vpl", "visibility", "gathered", "val-depth"};
-    snprintf(arguments, sizeof arguments,
-             "render scenes/cornell-box.glb -o %s --size 32x24 --technique ambient --aov", path);
+    const char *arguments =
+        form("render scenes/cornell-box.glb -o %s --size 32x24 --technique ambient --aov", path);
     for (size_t i = 0; i < sizeof lacking / sizeof *lacking; i++) {
-        char all[700], words[128];
+        char all[700];
         snprintf(all, sizeof all, "%s %s", arguments, lacking[i]);
-        snprintf(words, sizeof words, "technique 'ambient' has no layer '%s'", lacking[i]);
+        const char *words = form("technique 'ambient' has no layer '%s'", lacking[i]);
         expect_words(1, words, "%s", all);
     }
     char all[700];
@@ -101,15 +98,13 @@ TEST(view) {
 }
 
 TEST(compare) {
-    char other[512], arguments[1100];
-    snprintf(other, sizeof other, "%s", scratch("guests-other.exr"));
+    const char *other = form("%s", scratch("guests-other.exr"));
     expect_words(
         0, "",
         "render scenes/cornell-box.glb -o %s --size 64x48 --technique ambient --direct headlamp "
         "--set ambient.level=1 --quiet",
         other);
-    snprintf(arguments, sizeof arguments, "compare %s %s -l indirect", scratch("guests.exr"),
-             other);
+    const char *arguments = form("compare %s %s -l indirect", scratch("guests.exr"), other);
     expect_words(0, "relative-bias", "%s", arguments);
     const char *bias = strstr(output, "relative-bias");
     check_near("half the level: relative bias", atof(bias + 13), -.5, 1e-4);

@@ -91,8 +91,8 @@ TEST(aspect) {
         {"--camera '1 eye=0,0,3'", "800x50", ""},
         {"--camera 1 --size 16x8", "16x8", ""},
     };
-    char path[512];
-    snprintf(path, sizeof path, "%s",
+    const char *path =
+        form("%s",
              write_parts(
                  "aspect.glb",
                  &(struct gltf_parts){
@@ -112,14 +112,14 @@ TEST(aspect) {
     expect_text("  4                       perspective, 57.3 degrees high, at");
     expect_text("  5                       perspective, 57.3 degrees high, at");
     for (size_t i = 0; i < 2 * sizeof rows / sizeof *rows; i++) {
-        char command[1024], size[32];
+        char command[1024];
         int pixels[2];
         if (run_program("%s %s -q -o %s %s",
                         i % 2 ? "reference --spp 1" : "render --set vpls=16,vals=2,interleave=1",
                         path, scratch("aspect.exr"), rows[i / 2].camera) != 0)
             fail_msg("%s: %s", command, output);
         check_ok("aspect.exr", image_size(scratch("aspect.exr"), pixels));
-        snprintf(size, sizeof size, "%dx%d", pixels[0], pixels[1]);
+        const char *size = form("%dx%d", pixels[0], pixels[1]);
         printf("    %-9s %-24s %s\n", i % 2 ? "reference" : "render", rows[i / 2].camera, size);
         assert_string_equal(size, rows[i / 2].size);
     }

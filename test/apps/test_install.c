@@ -62,17 +62,16 @@ TEST(thumbnailer) {
     need_default_build();
     static const int sizes[] = {128, 512};
     for (size_t i = 0; i < 2; i++) {
-        char line[512];
         int size[2] = {0};
         if (!is_tried_here(i, 2))
             continue;
-        snprintf(line, sizeof line,
-                 "cp scenes/cornell-box.glb '@/a scene.glb' && PATH=@/dest/opt/here/bin:$PATH && "
+        expect(
+            0,
+            form("cp scenes/cornell-box.glb '@/a scene.glb' && PATH=@/dest/opt/here/bin:$PATH && "
                  "command=$(sed -n 's,^Exec=,,p' @/dest/opt/here/share/thumbnailers/*) && "
                  "eval \"$(echo \"$command\" | sed \"s,%%i,'@/a scene.glb',;s,%%s,%d,;"
                  "s,%%o,@/thumbnail,\")\"",
-                 sizes[i]);
-        expect(0, line);
+                 sizes[i]));
         assert_string_equal(output, "");
         check_ok("thumbnail", image_size(scratch("thumbnail"), size));
         check_near("width", size[0], sizes[i], 0);

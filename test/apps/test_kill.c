@@ -24,8 +24,7 @@
 enum { FRAMES = 12 };
 
 static void make_folder(const char *folder) {
-    char command[600];
-    snprintf(command, sizeof command, "rm -rf '%s' && mkdir '%s'", folder, folder);
+    const char *command = form("rm -rf '%s' && mkdir '%s'", folder, folder);
     assert_int_equal(run_command(command, output, sizeof output), 0);
 }
 
@@ -37,9 +36,8 @@ static void wait_ms(long ms) {
 
 /* Starts a sequence into the folder; its messages go to FOLDER.log. */
 static pid_t start(const char *folder, const char *more) {
-    char command[1024];
-    snprintf(command, sizeof command,
-             "exec %s render scenes/metaballs.glb --size 64x48 --set vpls=64 --set map-size=32 "
+    char *command =
+        form("exec %s render scenes/metaballs.glb --size 64x48 --set vpls=64 --set map-size=32 "
              "--set rsm-size=64 --set shadow-size=128 --frames 0..%d -o %s/f.##.png %s "
              "</dev/null >>%s.log 2>&1",
              binary_path(), FRAMES - 1, folder, more, folder);
@@ -242,10 +240,9 @@ static void check_one_letter(const char *path) {
 /* Three writers of one file, killed in the midst: it is of one of them, and whole. */
 TEST(killed_writers) {
     const char *folder = scratch("writers");
-    char path[600];
     int rounds = 60;
     make_folder(folder);
-    snprintf(path, sizeof path, "%s/letters", folder);
+    const char *path = form("%s/letters", folder);
     void *first = memset(mem_alloc(SIZE, 1), 'z', SIZE);
     check_ok("first", output_file_write(path, first, SIZE));
     free(first);

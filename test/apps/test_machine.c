@@ -21,11 +21,11 @@
 
 /* Renders behind a shell's preamble, in which @ is the scratch folder; the picture is the file. */
 static int render(const char *before, const char *options, const char *picture) {
-    char filled[1024], command[2048];
+    char filled[1024];
     in_scratch(filled, sizeof filled, before);
     remove(scratch(picture));
-    snprintf(command, sizeof command, "%s %s " RENDER "%s %s", filled, binary_path(),
-             scratch(picture), options);
+    const char *command =
+        form("%s %s " RENDER "%s %s", filled, binary_path(), scratch(picture), options);
     int status = run_command(command, output, sizeof output);
     printf("    %-60s %d %s\n", filled, status, output);
     return status;
@@ -76,10 +76,9 @@ TEST(environment) {
 static bool make_comma_locale(void) {
     static const char text[] = "comment_char %\nescape_char /\nLC_NUMERIC\ndecimal_point \",\"\n"
                                "thousands_sep \".\"\ngrouping 3;3\nEND LC_NUMERIC\n";
-    char command[1024];
     check_ok("locale", output_file_write(scratch("comma"), text, sizeof text - 1));
-    snprintf(command, sizeof command,
-             "cd %s && localedef -c -i comma -f ANSI_X3.4-1968 ./xx_XX 2>/dev/null; "
+    const char *command =
+        form("cd %s && localedef -c -i comma -f ANSI_X3.4-1968 ./xx_XX 2>/dev/null; "
              "LOCPATH=. LC_ALL=xx_XX env printf %%.1f 1,5",
              scratch(""));
     run_command(command, output, sizeof output);
@@ -90,10 +89,10 @@ static bool make_comma_locale(void) {
 static void check_print(const char *arguments) {
     static char expected[sizeof output];
     for (int comma = 0; comma < 2; comma++) {
-        char filled[1024], command[2048];
+        char filled[1024];
         in_scratch(filled, sizeof filled, arguments);
-        snprintf(command, sizeof command, "LOCPATH=%s LC_ALL=%s %s %s", scratch(""),
-                 comma ? "xx_XX" : "C", binary_path(), filled);
+        const char *command = form("LOCPATH=%s LC_ALL=%s %s %s", scratch(""), comma ? "xx_XX" : "C",
+                                   binary_path(), filled);
         assert_int_equal(run_command(command, comma ? output : expected, sizeof output), 0);
     }
     printf("%.300s\n", output);
@@ -120,11 +119,10 @@ TEST(comma) {
 static void make_bad_libraries(void) {
     static const char *const names[] = {"no-egl", "no-osmesa", "neither"};
     for (int i = 0; i < 3; i++) {
-        char path[512];
         mkdir(scratch(names[i]), 0777);
         for (int k = 0; k < 2; k++) {
-            snprintf(path, sizeof path, "%s/%s", scratch(names[i]),
-                     k ? "libOSMesa.so.8" : "libEGL.so.1");
+            const char *path =
+                form("%s/%s", scratch(names[i]), k ? "libOSMesa.so.8" : "libEGL.so.1");
             if (i == k || i == 2)
                 check_ok(path, output_file_write(path, "", 0));
         }
@@ -160,8 +158,7 @@ TEST(opengl) {
 /* --- the display ------------------------------------------------------------------------------ */
 
 static void check_viewer_log(const char *message) {
-    char path[700];
-    snprintf(path, sizeof path, "%s/viewer.log", stage.folder);
+    const char *path = form("%s/viewer.log", stage.folder);
     char *log = file_read_text(path);
     assert_non_null(log);
     printf("    %s\n", log);
@@ -170,10 +167,9 @@ static void check_viewer_log(const char *message) {
 }
 
 TEST(no_display) {
-    char command[700];
     /* libwayland has words of its own where that folder is not named. */
-    snprintf(command, sizeof command,
-             "XDG_RUNTIME_DIR=/none DISPLAY=:9999 %s view scenes/cornell-box.glb", binary_path());
+    const char *command =
+        form("XDG_RUNTIME_DIR=/none DISPLAY=:9999 %s view scenes/cornell-box.glb", binary_path());
     assert_int_equal(run_command(command, output, sizeof output), 1);
     printf("    %s", output);
     expect_text("no window");

@@ -91,9 +91,8 @@ static bool may_change_nothing(const char *option) {
 }
 
 static const char *find_value(const char *command, const char *option) {
-    char own[96];
     const char *found = NULL;
-    snprintf(own, sizeof own, "%s:%s", command, option);
+    const char *own = form("%s:%s", command, option);
     for (size_t i = 0; i < sizeof values / sizeof *values; i++) {
         if (strcmp(values[i][0], own) == 0)
             return values[i][1];
@@ -129,9 +128,8 @@ static int make_inputs(void **state) {
 
 /* Exit status; what is written and told, as one text. Times that are told become a letter. */
 static int run_place(const struct place *place, const char *more, char *told, size_t size) {
-    char line[1024];
-    snprintf(line, sizeof line,
-             "rm -rf @/out && mkdir @/out && (%% %s %s %s; echo \"status $?\") 2>&1 | "
+    const char *line =
+        form("rm -rf @/out && mkdir @/out && (%% %s %s %s; echo \"status $?\") 2>&1 | "
              "sed -E '/^manylight: (note: )?(start|level)|milliseconds/d; s/[0-9.]+ m?s//g' && "
              "cd @/out && find . -type f | sort | xargs -r md5sum",
              place->command, place->base, more);

@@ -36,9 +36,7 @@ static void read_table(const char *name) {
 
 /* Writes and measures points. */
 static void probe(const char *arguments) {
-    char line[1024];
-    snprintf(line, sizeof line, "-q -o @/table.csv %s", arguments);
-    expect_command(0, "probe", line);
+    expect_command(0, "probe", form("-q -o @/table.csv %s", arguments));
     read_table("table.csv");
 }
 
@@ -104,8 +102,7 @@ TEST(sphere) {
     static const char *const ways[] = {"--bounces 8 --spp 256", "--by frame --bounces 1"};
     write_text(scratch("sphere.csv"), ".2,.1,.6,0,0,-1\n-.3,.3,-.2,1,1,1\n0,-.5,.2,.3,-1,0\n");
     for (int way = 0; way < 2; way++) {
-        char line[256];
-        snprintf(line, sizeof line, "scenes/sphere.glb @/sphere.csv %s", ways[way]);
+        const char *line = form("scenes/sphere.glb @/sphere.csv %s", ways[way]);
         probe(line);
         double indirect = GLM_PI * (way ? .5 : 1 - pow(.5, 8));
         for (int i = 0; i < row_count; i++) {
@@ -124,11 +121,9 @@ TEST(sphere) {
 TEST(even_sky) {
     static const char *const ways[] = {"--bounces 0", "--by frame --bounces 1"};
     for (int way = 0; way < 2; way++) {
-        char line[256];
-        snprintf(line, sizeof line,
-                 "@/floor.glb --environment cie:5 --light sky --unit W/m2 "
-                 "--grid -2,0,2,4,0,0,0,0,-4,3x1 %s",
-                 ways[way]);
+        const char *line = form("@/floor.glb --environment cie:5 --light sky --unit W/m2 "
+                                "--grid -2,0,2,4,0,0,0,0,-4,3x1 %s",
+                                ways[way]);
         probe(line);
         for (int i = 0; i < row_count; i++)
             check_near("W/m2", total(i), GLM_PI, .02 * GLM_PI);
@@ -201,8 +196,7 @@ TEST(refusals) {
         expect_text(files[i].says);
     }
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
-        char line[512];
-        snprintf(line, sizeof line, "%s -o @/none.csv", lines[i].arguments);
+        const char *line = form("%s -o @/none.csv", lines[i].arguments);
         expect_command(lines[i].status, "probe", line);
         expect_text(lines[i].says);
     }

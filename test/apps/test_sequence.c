@@ -90,9 +90,8 @@ static int render(const char *more) {
 
 /* The program's pictures of some frames as scratch files PREFIX.N.exr; true where GL is there. */
 static bool render_frames(const char *prefix, const char *frames) {
-    char more[512], name[64];
-    snprintf(name, sizeof name, "%s.##.exr", prefix);
-    snprintf(more, sizeof more, "--frames %s --fps 2 -o %s", frames, scratch(name));
+    const char *name = form("%s.##.exr", prefix);
+    const char *more = form("--frames %s --fps 2 -o %s", frames, scratch(name));
     if (render(more) == 0)
         return true;
     printf("    %s\n", output);
@@ -100,8 +99,7 @@ static bool render_frames(const char *prefix, const char *frames) {
 }
 
 static size_t read_frame(const char *prefix, int frame, char *bytes, size_t size) {
-    char name[64];
-    snprintf(name, sizeof name, "%s.%02d.exr", prefix, frame);
+    const char *name = form("%s.%02d.exr", prefix, frame);
     FILE *file = fopen(scratch(name), "rb");
     assert_non_null(file);
     size_t got = fread(bytes, 1, size, file);
@@ -136,11 +134,9 @@ static long size_of(const char *path) {
 
 /* A frame that is there and whole is left alone; one that is cut, or of another size, is not. */
 TEST(resume) {
-    char more[512];
-    snprintf(more, sizeof more, "--frames 0..2 --skip-existing -o %s", scratch("resumed.#.png"));
+    const char *more = form("--frames 0..2 --skip-existing -o %s", scratch("resumed.#.png"));
     for (int frame = 0; frame < 3; frame++) {
-        char name[64];
-        snprintf(name, sizeof name, "resumed.%d.png", frame);
+        const char *name = form("resumed.%d.png", frame);
         remove(scratch(name));
     }
     unsigned char grey[24 * 16 * 4];
@@ -199,8 +195,7 @@ static void pose(struct stage *stage, struct renderer *renderer, double time) {
 
 /* A frame after others, whose metaballs outgrew their room, equals the one of a fresh renderer. */
 static bool same_files(const char *a, const char *b) {
-    char line[256];
-    snprintf(line, sizeof line, "cmp @/%s @/%s", a, b);
+    const char *line = form("cmp @/%s @/%s", a, b);
     return run_line(line) == 0;
 }
 
@@ -226,10 +221,9 @@ TEST_WITH(views, open_group_context, close_group_context) {
     assert_true(same_files("v.0.exr", "0.exr") && same_files("v.1.exr", "1.exr"));
     assert_false(same_files("0.exr", "1.exr"));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        char line[256];
         write_text(scratch("views.txt"), wrong[i].lines);
-        snprintf(line, sizeof line,
-                 "%% render scenes/door.glb -o @/w.#.exr --cameras @/views.txt %s", wrong[i].more);
+        const char *line =
+            form("%% render scenes/door.glb -o @/w.#.exr --cameras @/views.txt %s", wrong[i].more);
         expect(wrong[i].status, line);
         expect_text(wrong[i].error);
     }
@@ -244,7 +238,7 @@ TEST_WITH(any_start, open_group_context, close_group_context) {
     stage.scene.metaballs[0].cell = .5f;
     pose_stage(&stage);
     struct renderer_desc desc = desc_of(&stage, "clustered", small, 32, 32);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     stage.scene.metaballs[0].cell = cell;
     for (double time = 2.5; time < 20; time += 2.5)
         pose(&stage, &renderer, time);
@@ -254,7 +248,7 @@ TEST_WITH(any_start, open_group_context, close_group_context) {
     renderer_free(&renderer);
     pose_stage(&stage);
     desc.emitters = stage.emitters; /* those before are gone */
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     pose(&stage, &renderer, 6);
     check_ok("layers", renderer_read_layers(&renderer, &image[1]));
     renderer_free(&renderer);
@@ -266,8 +260,7 @@ TEST_WITH(any_start, open_group_context, close_group_context) {
 TEST_WITH(memory, open_group_context, close_group_context) {
     OWNED(stage) stage = open_stage(scene_path);
     OWNED(renderer) renderer;
-    struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "clustered", small, 16, 16));
     size_t bytes = 0;
     int objects = 0;
     for (int frame = 0; frame < 250; frame++) {
@@ -287,11 +280,9 @@ TEST_WITH(memory, open_group_context, close_group_context) {
 static int least_vals(const char *start) {
     OWNED(stage) stage;
     OWNED(renderer) renderer;
-    char settings[128];
-    snprintf(settings, sizeof settings, "%s vpls=256 vals=13 iterations=5 start=%s", small, start);
+    const char *settings = form("%s vpls=256 vals=13 iterations=5 start=%s", small, start);
     stage = open_stage("scenes/moving-spot.glb");
-    struct renderer_desc desc = desc_of(&stage, "clustered", settings, 16, 16);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "clustered", settings, 16, 16));
     int least = 13;
     for (int frame = 0; frame < 40; frame++) {
         pose(&stage, &renderer, frame * .25);

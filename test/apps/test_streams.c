@@ -13,9 +13,7 @@
 
 /* Runs the line in bash, where each part of a pipe must end well. */
 static void in_bash(int status, const char *line) {
-    char command[4096];
-    snprintf(command, sizeof command, "bash -c 'set -o pipefail; %s'", line);
-    expect(status, command);
+    expect(status, form("bash -c 'set -o pipefail; %s'", line));
 }
 
 /* Whether script can make a terminal. */
@@ -149,13 +147,11 @@ TEST(picture_to_stdout) {
     if (knows_format("webp"))
         in_bash(0, "% render @/quad.glb -o @/one.webp -q " QUICK);
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
-        char line[1024];
         if (!knows_format(formats[i]))
             continue;
-        snprintf(line, sizeof line,
-                 "%% render @/quad.glb -o - --format %s --stats " QUICK
-                 " 2>@/said | cmp - @/one.%s",
-                 formats[i], formats[i]);
+        const char *line = form("%% render @/quad.glb -o - --format %s --stats " QUICK
+                                " 2>@/said | cmp - @/one.%s",
+                                formats[i], formats[i]);
         in_bash(0, line);
         in_bash(0, "grep -c \"time per pass\" @/said");
     }

@@ -11,20 +11,15 @@
 
 /* Entries of the video's stream as ffprobe prints them. */
 static void check_stream(const char *video, const char *entries, const char *expected) {
-    char line[512];
-    snprintf(line, sizeof line,
-             "ffprobe -v error -count_frames -show_entries stream=%s -of csv=p=0 @/%s", entries,
-             video);
-    expect(0, line);
+    expect(0, form("ffprobe -v error -count_frames -show_entries stream=%s -of csv=p=0 @/%s",
+                   entries, video));
     output[strcspn(output, "\n")] = '\0';
     assert_string_equal(output, expected);
 }
 
 static double psnr(const char *a, const char *b) {
     double value = NAN;
-    char line[256];
-    snprintf(line, sizeof line, "%% compare @/%s @/%s -m psnr -q", a, b);
-    expect(0, line);
+    expect(0, form("%% compare @/%s @/%s -m psnr -q", a, b));
     assert_int_equal(sscanf(output, "psnr %lf", &value), 1);
     return value;
 }
@@ -43,12 +38,11 @@ static void halve_colours(int frame) {
 }
 
 static void check_picture(int frame, int other) {
-    char name[32], decoded[32], wrong[32], halved[32], others[32];
-    snprintf(name, sizeof name, "frame.%d.png", frame);
-    snprintf(others, sizeof others, "frame.%d.png", other);
-    snprintf(decoded, sizeof decoded, "decoded.%d.png", frame);
-    snprintf(wrong, sizeof wrong, "wrong.%d.png", frame);
-    snprintf(halved, sizeof halved, "halved.%d.png", frame);
+    const char *name = form("frame.%d.png", frame);
+    const char *others = form("frame.%d.png", other);
+    const char *decoded = form("decoded.%d.png", frame);
+    const char *wrong = form("wrong.%d.png", frame);
+    const char *halved = form("halved.%d.png", frame);
     halve_colours(frame);
     double own = psnr(decoded, name);
     /* The encoder adds at most as much error as half the colours: twice the power is 3.01 dB. */
@@ -97,11 +91,9 @@ TEST(containers) {
     static const char *const names[] = {"a.mkv", "a.webm", "a.MOV"};
     need_command("command -v ffprobe");
     for (size_t i = 0; i < 3; i++) {
-        char line[256];
         if (!is_tried_here(i, 3))
             continue;
-        snprintf(line, sizeof line, "%s--size 32x32 --frames 0..2 -o @/%s", CLIP, names[i]);
-        expect(0, line);
+        expect(0, form("%s--size 32x32 --frames 0..2 -o @/%s", CLIP, names[i]));
         check_stream(names[i], "width,height,nb_read_frames", "32,32,3");
     }
 }
@@ -117,9 +109,7 @@ TEST(refusals) {
         {"-o @/a.mp4 --frames 0..2 --aov val", "--aov is for formats that hold all layers"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char line[256];
-        snprintf(line, sizeof line, "%s%s", CLIP, rows[i].arguments);
-        expect(2, line);
+        expect(2, form("%s%s", CLIP, rows[i].arguments));
         expect_text(rows[i].message);
         assert_int_equal(count_text(output, "\n"), 1);
     }
@@ -139,12 +129,9 @@ TEST(missing) {
 
 /* An ffmpeg that ends so: the old video stays, and nothing lies beside it. */
 static void check_failing(const char *script, const char *message) {
-    char line[512];
-    snprintf(line, sizeof line,
-             "rm -rf @/fails && mkdir -p @/fails/bin && cd @/fails && echo old >a.mp4 && "
-             "printf '#!/bin/sh\\n%s\\n' >bin/ffmpeg && chmod +x bin/ffmpeg",
-             script);
-    expect(0, line);
+    expect(0, form("rm -rf @/fails && mkdir -p @/fails/bin && cd @/fails && echo old >a.mp4 && "
+                   "printf '#!/bin/sh\\n%s\\n' >bin/ffmpeg && chmod +x bin/ffmpeg",
+                   script));
     expect(1, "PATH=@/fails/bin:$PATH " CLIP "--size 128x128 --frames 0..3 -o @/fails/a.mp4");
     expect_text(message);
     assert_int_equal(count_text(output, "manylight render"), 1);

@@ -36,8 +36,7 @@ TEST(threads) {
 
 /* Whether a run of the program loads OpenImageIO. */
 static void expect_loads(bool loads, const char *arguments) {
-    char line[512];
-    snprintf(line, sizeof line, "LD_DEBUG=files LD_DEBUG_OUTPUT=@/loaded %% %s", arguments);
+    const char *line = form("LD_DEBUG=files LD_DEBUG_OUTPUT=@/loaded %% %s", arguments);
     expect(0, "rm -f @/loaded.*");
     expect(0, line);
     expect(loads ? 0 : 1, "grep -hm1 'calling init: .*/libOpenImageIO\\.so' @/loaded.*");
@@ -256,8 +255,8 @@ TEST(others) {
     need_command("oiiotool --help");
     need_command("convert -version");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char line[512];
-        snprintf(line, sizeof line, "%s%s@/%s", cases[i].made_by,
+        const char *line =
+            form("%s%s@/%s", cases[i].made_by,
                  cases[i].made_by[strlen(cases[i].made_by) - 1] == ':' ? "" : " ", cases[i].file);
         if (run_line(line) != 0) /* of another version of the tool */
             continue;

@@ -306,11 +306,10 @@ static size_t find_table(const struct file_bytes *bytes) {
 /* Each byte of the chunks and of their table is another: the checksums of what is compressed tell.
  * What has no checksum is where a chunk begins. */
 TEST(damage) {
-    char path[512];
     struct image whole, image;
     struct file_bytes bytes;
     int refused = 0, same = 0, other = 0;
-    snprintf(path, sizeof path, "%s", scratch("damaged.exr"));
+    const char *path = form("%s", scratch("damaged.exr"));
     write_noise(path, &whole);
     check_ok(path, file_read(&bytes, path));
     size_t table = find_table(&bytes);

@@ -68,13 +68,13 @@ TEST(refusals) {
     write_pictures();
     write_scenes();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char command[1024], arguments[512];
+        char arguments[512];
         bool other = strstr(cases[i].arguments, ".ppm") || strstr(cases[i].arguments, "texture");
         if (other && !knows_format("tga"))
             continue;
         in_scratch(arguments, sizeof arguments, cases[i].arguments);
-        snprintf(command, sizeof command, "ulimit -v %s; exec %s %s", cases[i].limit, binary_path(),
-                 arguments);
+        const char *command =
+            form("ulimit -v %s; exec %s %s", cases[i].limit, binary_path(), arguments);
         int status = run_command(command, output, sizeof output);
         printf("    %s -> %d %s", cases[i].arguments, status, output);
         assert_int_equal(status, 1);
@@ -132,10 +132,10 @@ TEST(low_limits) {
          "bench times: too little memory: ulimit -d leaves "},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char command[1024], arguments[512];
+        char arguments[512];
         in_scratch(arguments, sizeof arguments, cases[i].arguments);
-        snprintf(command, sizeof command, "(ulimit -c 0; %s; exec %s %s 2>&1 >/dev/null)",
-                 cases[i].limit, binary_path(), arguments);
+        const char *command = form("(ulimit -c 0; %s; exec %s %s 2>&1 >/dev/null)", cases[i].limit,
+                                   binary_path(), arguments);
         int status = run_command(command, output, sizeof output);
         printf("    %s -> %d %s\n", cases[i].limit, status, output);
         assert_int_equal(status, cases[i].message != NULL);

@@ -60,8 +60,7 @@ TEST(options) {
                                       "colour=blue", "size=4x", "size=0x4",   "scale=1e99",
                                       "flag=maybe",  "scale=%", "scale=300%", "scale=1%%"};
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
-        char name[16];
-        snprintf(name, sizeof name, "%.*s", (int)strcspn(bad[i], "="), bad[i]);
+        const char *name = form("%.*s", (int)strcspn(bad[i], "="), bad[i]);
         const struct option *option = option_find(table, name);
         assert_non_null(option);
         assert_false(option_parse(option, &values, bad[i] + strcspn(bad[i], "=") + 1));

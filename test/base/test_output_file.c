@@ -27,8 +27,8 @@ enum { EXTENSIONS = sizeof extensions / sizeof *extensions, SIDE = 64 };
 /* An empty folder; the name lasts until the next but seven. */
 static const char *fresh_folder(const char *name) {
     const char *folder = scratch(name);
-    char command[600], output[64];
-    snprintf(command, sizeof command, "rm -rf '%s' && mkdir '%s'", folder, folder);
+    char output[64];
+    const char *command = form("rm -rf '%s' && mkdir '%s'", folder, folder);
     assert_int_equal(run_command(command, output, sizeof output), 0);
     return folder;
 }
@@ -76,10 +76,9 @@ static void expect_refused(bool written, const char *path, const char *reason) {
 
 /* Nothing is left where nothing was, and what was there stays. */
 static void check_full(const char *folder, const char *extension) {
-    char path[512], other[512];
     struct file_bytes old;
-    snprintf(path, sizeof path, "%s/picture.%s", folder, extension);
-    snprintf(other, sizeof other, "%s/new.%s", folder, extension);
+    const char *path = form("%s/picture.%s", folder, extension);
+    const char *other = form("%s/new.%s", folder, extension);
     check_ok(path, write_noise(path, 1));
     check_ok("whole", image_is_whole(path));
     check_ok("read", file_read(&old, path));
@@ -160,8 +159,7 @@ TEST(unknown_formats) {
 
 TEST(text) {
     const char *folder = fresh_folder("text");
-    char path[512];
-    snprintf(path, sizeof path, "%s/rows.csv", folder);
+    const char *path = form("%s/rows.csv", folder);
     struct output_text text;
     output_text_init(&text);
     fprintf(text.stream, "a,b\n");
@@ -179,13 +177,12 @@ TEST(text) {
 
 TEST(session) {
     const char *folder = fresh_folder("session");
-    char path[512];
     struct session session = {.scene = "scenes/cornell-box.glb",
                               .technique = technique_default,
                               .camera = "0",
                               .lights = mem_strdup("0")};
     renderer_settings_init(&session.settings);
-    snprintf(path, sizeof path, "%s/view.txt", folder);
+    const char *path = form("%s/view.txt", folder);
     check_ok("save", session_save(&session, path));
     limit_files(10);
     bool saved = session_save(&session, path);
@@ -201,11 +198,11 @@ TEST(session) {
 /* --- names ------------------------------------------------------------------------------------ */
 
 TEST(refused_names) {
-    char long_name[400], path[1024];
+    char long_name[400];
     const char *folder = fresh_folder("names");
     memset(long_name, 'n', sizeof long_name);
     snprintf(long_name + 256, 5, ".png");
-    snprintf(path, sizeof path, "%s/%s", folder, long_name);
+    const char *path = form("%s/%s", folder, long_name);
     const struct {
         const char *path, *reason;
     } cases[] = {
@@ -226,10 +223,10 @@ TEST(refused_names) {
 
 /* The longest name that a folder takes leaves no room for a longer one beside it. */
 TEST(longest_name) {
-    char path[1024], name[256];
+    char name[256];
     memset(name, 'n', 255);
     name[255] = '\0';
-    snprintf(path, sizeof path, "%s/%s", fresh_folder("longest"), name);
+    const char *path = form("%s/%s", fresh_folder("longest"), name);
     check_ok("write", output_file_write(path, "x", 1));
     check_ok("again", output_file_write(path, "y", 1));
     assert_true(holds(path, &(struct file_bytes){(unsigned char *)"y", 1}));
@@ -238,11 +235,10 @@ TEST(longest_name) {
 /* What another program fills takes a name, in place of an old file; where it may not, the old one
  * stays alone. */
 TEST(part) {
-    char path[512], below[600];
     struct output_part part;
     const char *folder = fresh_folder("part");
-    snprintf(path, sizeof path, "%s/file", folder);
-    snprintf(below, sizeof below, "%s/below", path);
+    const char *path = form("%s/file", folder);
+    const char *below = form("%s/below", path);
     check_ok("old", output_file_write(path, "old", 3));
     expect_refused(output_part_begin(&part, below), below, "Not a directory");
     for (int ok = 0; ok < 2; ok++) {
@@ -259,9 +255,8 @@ TEST(read_only) {
         printf("    root may write anywhere\n");
         skip();
     }
-    char path[512];
     const char *folder = fresh_folder("read-only");
-    snprintf(path, sizeof path, "%s/file", folder);
+    const char *path = form("%s/file", folder);
     check_ok("write", output_file_write(path, "old", 3));
     assert_int_equal(chmod(path, 0444), 0);
     expect_refused(output_file_write(path, "new", 3), path, "Permission denied");
@@ -274,11 +269,10 @@ TEST(read_only) {
 
 /* A link stays a link, a file's mode stays its mode, a device stays a device. */
 TEST(what_is_replaced) {
-    char file[512], link[512];
     struct stat status;
     const char *folder = fresh_folder("replaced");
-    snprintf(file, sizeof file, "%s/file", folder);
-    snprintf(link, sizeof link, "%s/link", folder);
+    const char *file = form("%s/file", folder);
+    const char *link = form("%s/link", folder);
     check_ok("write", output_file_write(file, "old", 3));
     assert_int_equal(chmod(file, 0600), 0);
     assert_int_equal(symlink("file", link), 0);

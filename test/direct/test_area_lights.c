@@ -226,8 +226,7 @@ TEST(vpl_flux) {
         OWNED(renderer) renderer;
         stage.emitters.items[0] = lights[i];
         glm_vec3_copy((vec3){.1F, .2F, -.1F}, stage.emitters.items[0].position);
-        struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 16, 16);
-        open_renderer(&renderer, &desc);
+        open_renderer(&renderer, desc_of(&stage, "unshadowed", "vpls=4096", 16, 16));
         struct vpl *vpls = read_vpls(&renderer);
         double sum = 0;
         for (int v = 0; v < 4096; v++)

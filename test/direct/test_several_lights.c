@@ -273,10 +273,9 @@ TEST(map_share) {
 }
 
 TEST(case) {
-    char path[512];
     if (!shared_path())
         return;
-    snprintf(path, sizeof path, "%s/cases/lights-43/points.gltf", shared_path());
+    const char *path = form("%s/cases/lights-43/points.gltf", shared_path());
     if (!file_can_be_read(path))
         return;
     struct stage stage = open_stage(path);

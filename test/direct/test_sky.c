@@ -35,8 +35,7 @@ static void paint_day(const float direction[3], float radiance[3]) {
 }
 
 static void open_quads(struct stage *stage, const char *camera, const char *nodes) {
-    char all[4096];
-    snprintf(all, sizeof all, "[{\"camera\": 0, %s}, %s]", camera, nodes);
+    const char *all = form("[{\"camera\": 0, %s}, %s]", camera, nodes);
     const char *path = write_parts(
         "sky.glb", &(struct gltf_parts){.nodes = all,
                                         .more = "\"cameras\": [{\"type\": \"perspective\","
@@ -61,7 +60,7 @@ static struct shares measure_shares(struct stage *stage, const char *settings,
     struct image layers;
     struct shares shares = {0};
     int count = 0;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     check_ok("layers", renderer_read_layers(&renderer, &layers));
     int direct = image_find_channel(&layers, "direct.R"), alpha = image_find_channel(&layers, "A");
     for (int y = 0; y < SIZE; y++)
@@ -302,7 +301,7 @@ static void check_passes(const struct stage *stage, const struct image *referenc
     struct renderer_desc desc = desc_of(stage, "clustered", "", SIZE, SIZE);
     int passes = is_long_run() ? 16 : 4;
     desc.progressive = true;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     for (int pass = 0; pass < passes; pass++)
         renderer_add_pass(&renderer, pass);
     check_ok("layers", renderer_read_layers(&renderer, &got));

@@ -55,9 +55,8 @@ static double seen_share(const struct stand *stand, const float p[3]) {
 
 static void open_stand(struct stage *stage, const struct stand *stand, double height) {
     char nodes[2048];
-    char more[1024];
-    snprintf(more, sizeof more,
-             "\"extensionsUsed\": [\"EXT_lights_area\"], \"cameras\": [{\"type\": \"perspective\","
+    const char *more =
+        form("\"extensionsUsed\": [\"EXT_lights_area\"], \"cameras\": [{\"type\": \"perspective\","
              " \"perspective\": {\"yfov\": 2.1, \"znear\": 0.01}}], \"extensions\":"
              " {\"EXT_lights_area\": {\"lights\": [%s]}},",
              stand->light);
@@ -78,7 +77,7 @@ static struct image render_method(const struct stage *stage, const char *method,
     struct image layers;
     struct renderer_desc desc = desc_of(stage, "unshadowed", settings, SIZE, SIZE);
     desc.direct = direct_find(method);
-    open_renderer(renderer, &desc);
+    open_renderer(renderer, desc);
     check_ok("layers", renderer_read_layers(renderer, &layers));
     return layers;
 }

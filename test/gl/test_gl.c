@@ -248,9 +248,9 @@ TEST(devices) {
 
 /* A machine without GPU drivers: the message tells what was tried. */
 TEST(no_driver) {
-    char command[512], output[4096];
-    snprintf(command, sizeof command, "__EGL_VENDOR_LIBRARY_DIRS=/nowhere %s info --context egl",
-             binary_path());
+    char output[4096];
+    const char *command =
+        form("__EGL_VENDOR_LIBRARY_DIRS=/nowhere %s info --context egl", binary_path());
     assert_int_equal(run_command(command, output, sizeof output), 1);
     assert_non_null(strstr(output, "manylight info: no OpenGL 4.5 core context: EGL: "));
 }

@@ -29,8 +29,7 @@ static const char *shader_folder(void) {
 }
 
 static void write_shader(const char *name, const char *text) {
-    char path[640];
-    snprintf(path, sizeof path, "%s/%s", shader_folder(), name);
+    const char *path = form("%s/%s", shader_folder(), name);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fputs(text, file);
@@ -39,10 +38,9 @@ static void write_shader(const char *name, const char *text) {
 
 static int use_shader_folder(void **state) {
     (void)state;
-    char path[640];
     static const char *const folders[] = {"lib", "../src", "../src/techniques", "../src/direct"};
     for (size_t i = 0; i < sizeof folders / sizeof *folders; i++) {
-        snprintf(path, sizeof path, "%s/%s", shader_folder(), folders[i]);
+        const char *path = form("%s/%s", shader_folder(), folders[i]);
         mkdir(path, 0777);
     }
     glsl_set_folder(shader_folder());
@@ -266,7 +264,6 @@ TEST(out_of_memory) {
     struct context *context = open_context(CONTEXT_AUTO);
     struct texture texture;
     GLint size, layers;
-    char what[64];
     gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &size);
     gl.GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &layers);
     struct texture_desc desc = {.label = "vast",
@@ -276,8 +273,8 @@ TEST(out_of_memory) {
                                 .height = size,
                                 .layers = layers};
     assert_false(texture_init(&texture, &desc));
-    snprintf(what, sizeof what, "(%dx%dx%d, %.1f MiB)", size, size, layers,
-             (double)size * size * layers / (1 << 16));
+    const char *what =
+        form("(%dx%dx%d, %.1f MiB)", size, size, layers, (double)size * size * layers / (1 << 16));
     expect_error("texture 'vast': out of GPU memory ");
     expect_error(what);
     texture_free(&texture);
@@ -406,13 +403,11 @@ TEST_WITH(volume_wrap, use_shader_folder, use_embedded_shaders) {
 TEST(volume_limit) {
     struct texture texture;
     GLint size;
-    char limit[64];
     gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &size);
     struct texture_desc desc = {
         .label = "wide", .target = GL_TEXTURE_3D, .format = GL_R8, .width = size + 1};
     assert_false(texture_init(&texture, &desc));
-    snprintf(limit, sizeof limit, "%dx1x1 is above the limit of %dx%dx%d", size + 1, size, size,
-             size);
+    const char *limit = form("%dx1x1 is above the limit of %dx%dx%d", size + 1, size, size, size);
     expect_error(limit);
 }
 

@@ -64,11 +64,10 @@ static const struct shader {
 };
 
 static int open_shaders(void **state) {
-    char folder[512], path[640];
-    snprintf(folder, sizeof folder, "%s", scratch("pass_glsl"));
+    const char *folder = form("%s", scratch("pass_glsl"));
     mkdir(folder, 0777);
     for (size_t i = 0; i < sizeof shaders / sizeof *shaders; i++) {
-        snprintf(path, sizeof path, "%s/%s", folder, shaders[i].name);
+        const char *path = form("%s/%s", folder, shaders[i].name);
         FILE *file = fopen(path, "w");
         if (!file || fputs(shaders[i].text, file) < 0 || fclose(file) != 0)
             return -1;

@@ -51,7 +51,7 @@ static struct image render(const struct renderer_desc *desc, enum screen_way way
     struct renderer renderer;
     struct image layers;
     screen_set_way(way);
-    open_renderer(&renderer, desc);
+    open_renderer(&renderer, *desc);
     texture_read_bitmap(&renderer.composite.display, display);
     check_ok("layers", renderer_read_layers(&renderer, &layers));
     renderer_free(&renderer);
@@ -67,8 +67,7 @@ static int differing(const void *a, const void *b, size_t size) {
 }
 
 static void check_picture(const struct picture *picture) {
-    char path[128];
-    snprintf(path, sizeof path, "scenes/%s.glb", picture->scene);
+    const char *path = form("scenes/%s.glb", picture->scene);
     OWNED(stage) stage = open_stage(path);
     struct renderer_desc desc =
         desc_of(&stage, picture->technique, picture->settings, picture->width, picture->height);
@@ -174,8 +173,7 @@ static const char *write_bodies(void) {
     snprintf(folder, sizeof folder, "%s", scratch("screen_glsl"));
     mkdir(folder, 0777);
     for (size_t i = 0; i < sizeof bodies / sizeof *bodies; i++) {
-        char path[640];
-        snprintf(path, sizeof path, "%s/%s", folder, bodies[i].name);
+        const char *path = form("%s/%s", folder, bodies[i].name);
         FILE *file = fopen(path, "w");
         if (!file || fputs(bodies[i].text, file) < 0 || fclose(file) != 0)
             fail_msg("cannot write %s", path);
@@ -190,8 +188,7 @@ struct masked_picture {
 };
 
 static void open_masked(struct masked_picture *picture, int width, int height, int every) {
-    char defines[32];
-    snprintf(defines, sizeof defines, "EVERY %d", every);
+    const char *defines = form("EVERY %d", every);
     check_ok("masked picture",
              pixel_mask_init(&picture->mask, "marked", width, height) &&
                  texture_init(&picture->target, &(struct texture_desc){.label = "places",

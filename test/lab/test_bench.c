@@ -54,10 +54,9 @@ static int check_csv(const char *text) {
 }
 
 TEST(times) {
-    char arguments[1024];
     const char *csv = scratch("bench.csv");
-    snprintf(arguments, sizeof arguments,
-             "times scenes/cornell-box.glb --size 24x16 --frames 2 --set map-size=32 --set vals=4 "
+    const char *arguments =
+        form("times scenes/cornell-box.glb --size 24x16 --frames 2 --set map-size=32 --set vals=4 "
              "--variant paper --variant fast --variant none:technique=unshadowed --csv %s",
              csv);
     check_runs(arguments);
@@ -92,10 +91,9 @@ TEST(times) {
 
 /* Whole frames alone: the clock and the CPU, and no pass. */
 TEST(times_of_whole_frames) {
-    char arguments[1024];
     const char *csv = scratch("whole.csv");
-    snprintf(arguments, sizeof arguments,
-             "times scenes/cornell-box.glb --size 24x16 --frames 2 --whole-frames "
+    const char *arguments =
+        form("times scenes/cornell-box.glb --size 24x16 --frames 2 --whole-frames "
              "--set map-size=32 --set vals=4 --variant fast --csv %s",
              csv);
     check_runs(arguments);
@@ -117,10 +115,8 @@ TEST(picture_of_times) {
     /* Their headers differ: that of render tells its making. */
     static const char *const layers[] = {"beauty", "indirect", "direct", "albedo", "normal"};
     for (size_t i = 0; i < sizeof layers / sizeof *layers; i++) {
-        char line[256];
-        snprintf(line, sizeof line,
-                 "%% compare @/timed.exr @/rendered.exr -l %s --max mrse=0 -m mrse", layers[i]);
-        expect(0, line);
+        expect(0,
+               form("%% compare @/timed.exr @/rendered.exr -l %s --max mrse=0 -m mrse", layers[i]));
     }
     expect(1, "% bench times scenes/cornell-box.glb --picture @/none.exr -q");
     expect_text("--picture is of one SCENE and one --variant");
@@ -146,12 +142,11 @@ LONG_TEST(times_by_light) {
 
 /* A sweep measures errors against a reference that the second run finds where the first put it. */
 TEST(sweep_and_cache) {
-    char arguments[1024], remove[600];
     const char *cache = scratch("bench-cache"), *csv = scratch("sweep.csv");
-    snprintf(remove, sizeof remove, "rm -rf %s", cache);
+    const char *remove = form("rm -rf %s", cache);
     assert_int_equal(run_command(remove, output, sizeof output), 0);
-    snprintf(arguments, sizeof arguments,
-             "sweep scenes/cornell-box.glb --size 24x16 --frames 1 --set map-size=32 "
+    const char *arguments =
+        form("sweep scenes/cornell-box.glb --size 24x16 --frames 1 --set map-size=32 "
              "--vary M=2,8 --vary visibility=cssm,hard --variant fast --tracer --noise .1 "
              "--cache %s --csv %s",
              cache, csv);
@@ -173,11 +168,10 @@ TEST(sweep_and_cache) {
 
 /* More voxels err less, at the same distance. */
 LONG_TEST(ambient_occlusion) {
-    char arguments[1024];
     double error[2] = {0};
     const char *csv = scratch("ao.csv");
-    snprintf(arguments, sizeof arguments,
-             "sweep scenes/cornell-box.glb --size 40x40 --frames 1 --variant "
+    const char *arguments =
+        form("sweep scenes/cornell-box.glb --size 40x40 --frames 1 --variant "
              "u:technique=unshadowed,volume.ao-distance=.2 --vary volume.size=16,64 --reference ao "
              "--noise .1 --cache %s --csv %s",
              scratch("ao-cache"), csv);
@@ -198,13 +192,12 @@ LONG_TEST(ambient_occlusion) {
 
 /* Draws a file of the scratch folder into a folder there; the test is skipped without gnuplot. */
 static void draw(const char *csv, const char *folder) {
-    char line[4096], from[512], to[512];
     if (run_command("gnuplot --version", output, sizeof output) != 0)
         skip();
-    snprintf(from, sizeof from, "%s", scratch(csv));
-    snprintf(to, sizeof to, "%s", scratch(folder));
-    snprintf(line, sizeof line,
-             "rm -rf %s && mkdir -p %s && LC_ALL=C.UTF-8 gnuplot -e \"csv='%s'; folder='%s'\" "
+    const char *from = form("%s", scratch(csv));
+    const char *to = form("%s", scratch(folder));
+    const char *line =
+        form("rm -rf %s && mkdir -p %s && LC_ALL=C.UTF-8 gnuplot -e \"csv='%s'; folder='%s'\" "
              "bench/chart.gp && find %s -type f",
              to, to, from, to, to);
     assert_int_equal(run_command(line, output, sizeof output), 0);
@@ -257,8 +250,7 @@ TEST(front) {
     /* gnuplot's sixth mark is the ring's, with which the seventh is made. */
     assert_int_equal(count_of(text, "'#gpPt5' transform"), 3);
     for (int i = 1; i <= 5; i++) {
-        char label[16];
-        snprintf(label, sizeof label, "M=%d", i);
+        const char *label = form("M=%d", i);
         assert_non_null(strstr(text, label));
     }
     free(text);
@@ -322,10 +314,9 @@ static double number_of(const char *text, const char *row, int column) {
 
 /* The chain from the reference to the frame. Bounds are loose: 48 x 48 pixels, 10 % noise. */
 TEST(budget) {
-    char arguments[1024];
     const char *csv = scratch("budget.csv");
-    snprintf(arguments, sizeof arguments,
-             "budget scenes/cornell-box.glb --size 48x48 --noise .1 --cache %s --csv %s -q",
+    const char *arguments =
+        form("budget scenes/cornell-box.glb --size 48x48 --noise .1 --cache %s --csv %s -q",
              scratch("bench-cache"), csv);
     check_runs(arguments);
     const char *so_far = strstr(output, "against the reference: ");
@@ -351,10 +342,9 @@ TEST(budget) {
 /* What is chosen for an error is no slower than all that errs no more, and errs as was estimated.
  * Bounds are loose: 32 x 32 pixels, 10 % noise. */
 TEST(quality) {
-    char arguments[1024];
     const char *csv = scratch("quality.csv");
-    snprintf(arguments, sizeof arguments,
-             "quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s --csv %s -q "
+    const char *arguments =
+        form("quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s --csv %s -q "
              "--passes %d --set vpls=64,map.size=32,vals=4",
              scratch("bench-cache"), csv, is_long_run() ? 4 : 1);
     check_runs(arguments);
@@ -374,9 +364,8 @@ TEST(quality) {
 
 /* A camera that is nearer changes the estimate as it changes the error. */
 LONG_TEST(quality_closer) {
-    char arguments[1024];
-    snprintf(arguments, sizeof arguments,
-             "quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s -q --passes 1 "
+    const char *arguments =
+        form("quality scenes/cornell-box.glb --size 32x32 --noise .1 --cache %s -q --passes 1 "
              "--set vpls=64,map.size=32,vals=4 --estimates --camera \"0 fov=.5\"",
              scratch("bench-cache"));
     check_runs(arguments);
@@ -389,10 +378,9 @@ LONG_TEST(quality_closer) {
 /* Soft shadows see of a lamp what the tracer sees, hard ones less; and what is seen of it
  * is drawn. */
 TEST(direct) {
-    char arguments[1024];
     const char *csv = scratch("direct.csv");
-    snprintf(arguments, sizeof arguments,
-             "direct scenes/table.glb --size 64x64 --frames 1 --noise .03 --set texels=256 "
+    const char *arguments =
+        form("direct scenes/table.glb --size 64x64 --frames 1 --noise .03 --set texels=256 "
              "--set shadow-size=512 --variant hard:direct=hard,technique=unshadowed "
              "--variant msm:direct=msm,technique=unshadowed --variant "
              "pcss:direct=pcss,technique=unshadowed --cache %s --csv %s -q",

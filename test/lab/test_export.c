@@ -23,12 +23,10 @@ TEST(formats_are_the_scene) {
     need_command("python3 -c 1");
     for (size_t s = 0; s < sizeof scenes / sizeof *scenes; s++)
         for (size_t f = 0; f < sizeof formats / sizeof *formats; f++) {
-            char line[512];
-            snprintf(line, sizeof line,
-                     "%% export scenes/%s.glb -o @/out --format %s --size 300x200 -q &&"
-                     " python3 test/apps/check_export.py %s @/out scenes/%s.glb && rm -r @/out",
-                     scenes[s], formats[f], formats[f], scenes[s]);
-            expect(0, line);
+            expect(0,
+                   form("%% export scenes/%s.glb -o @/out --format %s --size 300x200 -q &&"
+                        " python3 test/apps/check_export.py %s @/out scenes/%s.glb && rm -r @/out",
+                        scenes[s], formats[f], formats[f], scenes[s]));
         }
 }
 
@@ -62,10 +60,9 @@ TEST(checker_sees_changes) {
     need_command("python3 -c 1");
     expect(0, "% export scenes/cornell-box.glb -o @/seen --format mitsuba -q");
     for (size_t i = 0; i < sizeof changes / sizeof *changes; i++) {
-        char line[512];
         bool is_last = i + 1 == sizeof changes / sizeof *changes;
-        snprintf(line, sizeof line,
-                 "rm -rf @/changed; cp -r @/seen @/changed && sed -i '%s' @/changed/scene.xml &&"
+        const char *line =
+            form("rm -rf @/changed; cp -r @/seen @/changed && sed -i '%s' @/changed/scene.xml &&"
                  " python3 test/apps/check_export.py mitsuba @/changed scenes/cornell-box.glb",
                  changes[i]);
         expect(is_last ? 0 : 1, line);

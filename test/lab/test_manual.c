@@ -30,8 +30,7 @@ static int free_manual(void **state) {
 
 /* The page as it is read, without roff's backslashes; to be freed. */
 static char *read_page(const char *command) {
-    char file[128];
-    snprintf(file, sizeof file, "manual/manylight-%.*s.1", (int)strcspn(command, " "), command);
+    const char *file = form("manual/manylight-%.*s.1", (int)strcspn(command, " "), command);
     char *page = file_read_text(scratch(file)), *to = page;
     assert_non_null(page);
     for (const char *from = page; *from; from++)
@@ -43,8 +42,7 @@ static char *read_page(const char *command) {
 
 /* The function of the command in a completion, to be freed. */
 static char *function_of(const char *script, const char *command) {
-    char head[64];
-    snprintf(head, sizeof head, "_manylight_%s() {\n", command);
+    char *head = form("_manylight_%s() {\n", command);
     for (char *c = head; *c != '('; c++)
         if (*c == ' ')
             *c = '_';
@@ -117,8 +115,7 @@ TEST(options) {
             check_command(names[i]);
     for (int i = 0; i < mode_count; i++)
         if (is_tried_here((size_t)i, 4)) {
-            char command[48];
-            snprintf(command, sizeof command, "bench %s", modes[i]);
+            const char *command = form("bench %s", modes[i]);
             check_command(command);
         }
 }
@@ -189,9 +186,7 @@ enum { COMPLETIONS = sizeof completions / sizeof *completions };
 
 static void check_completions(const char *command) {
     for (int i = 0; i < COMPLETIONS; i++) {
-        char line[512];
-        snprintf(line, sizeof line, command, completions[i].line);
-        expect(0, line);
+        expect(0, form(command, completions[i].line));
         expect_text(completions[i].has);
         assert_null(strstr(output, completions[i].lacks));
     }

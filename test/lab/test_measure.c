@@ -197,8 +197,7 @@ TEST_WITH(lights, open_group_context, close_group_context) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     OWNED(renderer) renderer;
     struct lights lights;
-    struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "clustered", small, 16, 16));
     check_ok("lights", lights_read(&lights, &renderer));
     assert_int_equal(lights.vpl_count, 64);
     assert_int_equal(lights.val_count, 6);
@@ -225,8 +224,7 @@ TEST_WITH(without_vpls, open_group_context, close_group_context) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     OWNED(renderer) renderer;
     struct lights lights;
-    struct renderer_desc desc = desc_of(&stage, "unshadowed", small, 16, 16);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", small, 16, 16));
     const struct technique *own = renderer.technique;
     renderer.technique = &voxels;
     check_refused(lights_read(&lights, &renderer), "technique 'voxels' has no VPLs");

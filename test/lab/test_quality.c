@@ -323,12 +323,11 @@ TEST(words) {
 /* A path-traced picture is `reference`'s, in each format; what speaks of frames keeps them. */
 TEST(traced) {
     static const char scene[] = "scenes/cornell-box.glb --size 40x40";
-    char exr[256], png[256], reference[256];
     if (!gl.software)
         skip();
-    snprintf(exr, sizeof exr, "%s", scratch("traced.exr"));
-    snprintf(png, sizeof png, "%s", scratch("traced.png"));
-    snprintf(reference, sizeof reference, "%s", scratch("reference.exr"));
+    const char *exr = form("%s", scratch("traced.exr"));
+    const char *png = form("%s", scratch("traced.png"));
+    const char *reference = form("%s", scratch("reference.exr"));
     assert_int_equal(
         run_program("render %s -o %s -o %s --budget 600000ms --stats --set seed=5 2>&1", scene, exr,
                     png),

@@ -17,10 +17,9 @@ enum { WIDTH = 96, HEIGHT = 72 };
 static struct image truth, frame, fine;
 
 static void write_entry(const struct image *image, const char *file, const char *method) {
-    char path[64];
     expect(0, "rm -rf @/entry && mkdir -p @/entry");
     write_text(scratch("entry/method.json"), method);
-    snprintf(path, sizeof path, "entry/%s", file);
+    const char *path = form("entry/%s", file);
     check_ok(file, image_write(image, scratch(path)));
 }
 
@@ -210,15 +209,14 @@ TEST(sums_and_standard_output) {
 TEST(figures_are_those_of_compare) {
     static const char *const techniques[] = {"clustered", "unshadowed", "lightcuts"};
     for (int i = 0; i < 3; i++) {
-        char line[512], of_score[4096];
         write_entry(&frame, NAME, "{\"name\": \"test\", \"layers\": [\"indirect\"]}");
-        snprintf(line, sizeof line,
-                 "%% render scenes/cornell-box.glb --size 96x72 --technique %s -q -o @/entry/" NAME,
-                 techniques[i]);
-        expect(0, line);
+        expect(
+            0,
+            form("%% render scenes/cornell-box.glb --size 96x72 --technique %s -q -o @/entry/" NAME,
+                 techniques[i]));
         expect(0, "% score @/entry @/references -o @/score.json && cat @/score.json");
         assert_int_equal(count_text(output, "fault: "), 0);
-        snprintf(of_score, sizeof of_score, "%s", strstr(output, "\"scores\""));
+        const char *of_score = form("%s", strstr(output, "\"scores\""));
         expect(0, "% compare @/entry/" NAME " @/references/" NAME
                   " --json -m relative-rmse -m mrse -m smape -m hdr-flip -m relative-bias"
                   " -l indirect | grep -o '\"[a-z-]*\": [-0-9.e]*[0-9]' | grep -v "

@@ -61,11 +61,8 @@ TEST(same_bits_as_program) {
         if (!is_tried_here(i, 4))
             continue;
         struct row row = rows[i];
-        char line[512];
         row.view.size = sizeof row.view;
-        snprintf(line, sizeof line, "%% render %s %s -o @/program.exr --size 48x40", row.scene,
-                 row.arguments);
-        expect(0, line);
+        expect(0, form("%% render %s %s -o @/program.exr --size 48x40", row.scene, row.arguments));
         /* Lights of a view are those of the scene, as --light names them. */
         struct manylight_scene *scene;
         const struct manylight_scene_desc desc = {.size = sizeof desc,

@@ -20,10 +20,8 @@ static int install_library(void **state) {
 static void check_same_layers(const char *file) {
     static const char *const layers[] = {"beauty", "direct", "indirect", "albedo", "normal", "Z"};
     for (size_t i = 0; i < sizeof layers / sizeof *layers; i++) {
-        char line[256];
-        snprintf(line, sizeof line, "%% compare %s @/program.exr --layer %s -m rmse --max rmse=0",
-                 file, layers[i]);
-        expect(0, line);
+        expect(0, form("%% compare %s @/program.exr --layer %s -m rmse --max rmse=0", file,
+                       layers[i]));
     }
 }
 

@@ -100,9 +100,7 @@ TEST(json) {
     assert_int_equal(output[0], '{');
     expect_text("\"layer\": \"beauty\", \"width\": 16, \"height\": 8");
     check_near("mae", value_of("mae"), .125, 1e-6);
-    char same[1200];
-    snprintf(same, sizeof same, "%s %s --json -m psnr", test_exr, test_exr);
-    expect_command(0, "compare", same);
+    expect_command(0, "compare", form("%s %s --json -m psnr", test_exr, test_exr));
     expect_text("\"psnr\": null}}\n");
 }
 
@@ -148,25 +146,22 @@ TEST(bounds) {
     expect_command(1, "compare", with_pictures("--max relative-rmse=24%")); /* it is a quarter */
     expect_command(0, "compare", with_pictures("--max relative-rmse=25.1%"));
     /* The bound of a signed metric holds on both sides. */
-    char swapped[1200];
-    snprintf(swapped, sizeof swapped, "%s %s -m bias --max bias=0.1", reference_exr, test_exr);
-    expect_command(1, "compare", swapped);
+    expect_command(1, "compare", form("%s %s -m bias --max bias=0.1", reference_exr, test_exr));
     expect_text("bias is -0.125, above 0.1");
 }
 
 /* The same picture beside channels that other programs made. */
 TEST(foreign_channels) {
     static const char *const names[] = {"R", "G", "B", "A mask", "my mask", " z"};
-    char arguments[1200];
     struct image image;
     image_init_named(&image, 16, 8, names, 6);
     for (int i = 0; i < 16 * 8 * 6; i++)
         image.pixels[i] = i % 6 < 3 ? .5f : (float)i;
     check_ok("write", image_write(&image, scratch("compare-masked.exr")));
     image_free(&image);
-    snprintf(arguments, sizeof arguments, "%s %s -m mae --max mae=0 -m rmse",
-             scratch("compare-masked.exr"), reference_exr);
-    expect_command(0, "compare", arguments);
+    expect_command(
+        0, "compare",
+        form("%s %s -m mae --max mae=0 -m rmse", scratch("compare-masked.exr"), reference_exr));
     check_near("mae", value_of("mae"), 0, 0);
     check_near("rmse", value_of("rmse"), 0, 0);
 }
@@ -198,14 +193,13 @@ TEST(pictures_of_the_error) {
 TEST(encoded_files) {
     unsigned char pixels[2][16] = {{188, 188, 188, 255, 188, 188, 188, 255},
                                    {255, 255, 255, 255, 255, 255, 255, 255}};
-    char arguments[1200], paths[2][512];
+    char paths[2][512];
     for (int i = 0; i < 2; i++) {
         struct bitmap bitmap = {.width = 2, .height = 1, .rgba = pixels[i]};
         snprintf(paths[i], sizeof paths[0], "%s", scratch(i ? "white.png" : "grey.png"));
         check_ok("write", bitmap_write(&bitmap, paths[i]));
     }
-    snprintf(arguments, sizeof arguments, "%s %s", paths[0], paths[1]);
-    expect_command(0, "compare", arguments);
+    expect_command(0, "compare", form("%s %s", paths[0], paths[1]));
     check_near("rmse in linear light", value_of("rmse"), 1 - .502886, 1e-5);
     check_near("psnr as encoded", value_of("psnr"), -20 * log10((255 - 188) / 255.), 1e-3);
     expect_text("ldr-flip");

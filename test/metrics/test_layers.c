@@ -286,9 +286,9 @@ TEST(two_names) {
                                         {0, 0, 6, 4},
                                         .base = 1},
                                  two = {0, "B G R Z", {0, 0, 6, 4}, {0, 0, 6, 4}, .base = 1.5f};
-    char arguments[1200], paths[1100];
-    snprintf(paths, sizeof paths, "%s %s -m rmse", exr_write("one.exr", &one, 1),
-             exr_write("two.exr", &two, 1));
+    char arguments[1200];
+    const char *paths =
+        form("%s %s -m rmse", exr_write("one.exr", &one, 1), exr_write("two.exr", &two, 1));
     snprintf(arguments, sizeof arguments, "%s -l L.x --reference-layer beauty --json", paths);
     compare(0, arguments);
     check_near("rmse", strtod(strstr(output, "rmse\": ") + 7, NULL), .5, 1e-6);

@@ -24,8 +24,7 @@ struct adaptive_bench {
 static void open_bench(struct adaptive_bench *bench, const char *scene, const char *settings,
                        float share) {
     bench->stage = open_stage(scene);
-    struct renderer_desc desc = desc_of(&bench->stage, "unshadowed", settings, SIZE, SIZE);
-    open_renderer(&bench->renderer, &desc);
+    open_renderer(&bench->renderer, desc_of(&bench->stage, "unshadowed", settings, SIZE, SIZE));
     check_ok("adaptive",
              adaptive_pass_init(&bench->adaptive, &(struct adaptive_desc){.width = SIZE,
                                                                           .height = SIZE,

@@ -75,8 +75,7 @@ static struct polygon front_outline(const struct renderer *renderer) {
 static double coverage_error(const struct stage *stage, const char *settings) {
     struct renderer renderer;
     struct image image;
-    struct renderer_desc desc = desc_of(stage, "unshadowed", settings, SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(stage, "unshadowed", settings, SIZE, SIZE));
     check_ok("layers", renderer_read_layers(&renderer, &image));
     struct polygon outline = front_outline(&renderer);
     int channel = image_find_channel(&image, "A"), edges = 0;
@@ -150,7 +149,7 @@ TEST(slivers) {
     OWNED(renderer) renderer;
     int slivers = 0, missed = 0;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=64 samples=12", SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     for (int i = 0; i < ZOOMS; i++) {
         desc.camera.fov_y = stage.camera.fov_y * (1 + .002F * (float)i);
         check_ok("zoom", renderer_follow(&renderer, &desc));

@@ -24,9 +24,8 @@ static void open_blur(struct blur_bench *bench, const struct blur_desc *desc, in
     bench->width = desc->width;
     bench->height = desc->height;
     bench->stage = open_stage("scenes/cornell-box.glb");
-    struct renderer_desc renderer_desc =
-        desc_of(&bench->stage, "unshadowed", "vpls=1 interleave=1", desc->width, desc->height);
-    open_renderer(&bench->renderer, &renderer_desc);
+    open_renderer(&bench->renderer, desc_of(&bench->stage, "unshadowed", "vpls=1 interleave=1",
+                                            desc->width, desc->height));
     check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
     check_ok("blur", blur_pass_init(&bench->blur, desc));
     check_ok("source", irradiance_init(&bench->source, "source", GL_RGBA16F, desc->width,

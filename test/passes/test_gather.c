@@ -25,8 +25,7 @@ struct bench {
 };
 
 static void run_frame(struct bench *bench, const char *technique, const char *settings, int size) {
-    struct renderer_desc desc = desc_of(&bench->stage, technique, settings, size, size);
-    open_renderer(&bench->renderer, &desc);
+    open_renderer(&bench->renderer, desc_of(&bench->stage, technique, settings, size, size));
     check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
 }
 
@@ -449,9 +448,8 @@ static double share_of_unshadowed(const struct stage_desc *desc, const char *tec
 
 /* Brightest pixel over the mean, of near light from a shadow map of so many texels a side. */
 static double brightest_from(const struct stage *stage, int texels) {
-    char settings[128];
-    snprintf(settings, sizeof settings,
-             "vpls=64 interleave=1 samples=1 near-samples=256 facets=on rsm-size=%d", texels);
+    const char *settings =
+        form("vpls=64 interleave=1 samples=1 near-samples=256 facets=on rsm-size=%d", texels);
     OWNED(image) frame = render_stage(stage, "unshadowed", settings, 128);
     int channel = image_find_channel(&frame, "indirect.G");
     double sum = 0, most = 0;
@@ -500,9 +498,8 @@ TEST(near_occlusion) {
 static void check_map_of_vpl(const char *scene, int seed) {
     enum { SIZE = 64 };
     struct bench bench;
-    char settings[96];
     open_bench(&bench, scene);
-    snprintf(settings, sizeof settings, "vpls=1 interleave=1 clamp=disk seed=%d", seed);
+    const char *settings = form("vpls=1 interleave=1 clamp=disk seed=%d", seed);
     run_frame(&bench, "instant-radiosity", settings, SIZE);
     struct vpl *vpl = read_vpls(&bench.renderer);
     int wrong = 0, count = 0, blocked = 0;

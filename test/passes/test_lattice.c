@@ -16,9 +16,7 @@ static void read_numbers(float *numbers) {
     GLuint program;
     struct buffer buffer;
     struct timers untimed = {0};
-    char defines[96];
-    snprintf(defines, sizeof defines, "SIDE %d;APART %d;RECEIVERS 0;RECEIVERS_ADAPTIVE 1", SIDE,
-             APART);
+    const char *defines = form("SIDE %d;APART %d;RECEIVERS 0;RECEIVERS_ADAPTIVE 1", SIDE, APART);
     glsl_set_folder("glsl");
     check_ok(
         "numbers",

@@ -56,10 +56,9 @@ static double spread(const struct frame_of_vals *frame) {
 
 static void open_vals(struct frame_of_vals *frame, const char *scene, const char *settings) {
     frame->stage = open_stage(scene);
-    char by_maps[256];
-    snprintf(by_maps, sizeof by_maps, "path=maps %s", settings);
+    const char *by_maps = form("path=maps %s", settings);
     struct renderer_desc desc = desc_of(&frame->stage, "clustered", by_maps, 32, 32);
-    open_renderer(&frame->renderer, &desc);
+    open_renderer(&frame->renderer, desc);
     struct output_list outputs;
     renderer_outputs(&frame->renderer, &outputs);
     frame->vals = output_vals(&outputs);
@@ -423,10 +422,9 @@ TEST(cracks) {
     for (int i = 0; i < 4; i++) {
         struct frame_of_vals frame;
         struct rays rays;
-        char settings[96];
         int cracks = 0, size = 128;
-        snprintf(settings, sizeof settings, "vals=32 caster-error=0 map-size=%d caster-long=%d",
-                 size, longest[i]);
+        const char *settings =
+            form("vals=32 caster-error=0 map-size=%d caster-long=%d", size, longest[i]);
         open_vals(&frame, "scenes/sphere.glb", settings);
         open_rays(&rays, &frame.stage);
         for (int k = 0; k < frame.val_count; k++)

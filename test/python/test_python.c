@@ -41,11 +41,9 @@ static void need_python(void) {
 
 /* Runs a script of test/python with the module of a folder. */
 static void run_script_of(const char *folder, const char *script) {
-    char line[1000];
     need_python();
-    snprintf(line, sizeof line, FIND_PYTHON WITH_SANITIZER "PYTHONPATH=%s $PYTHON test/python/%s",
-             folder, folder, script);
-    expect(0, line);
+    expect(0, form(FIND_PYTHON WITH_SANITIZER "PYTHONPATH=%s $PYTHON test/python/%s", folder,
+                   folder, script));
 }
 
 static void run_script(const char *script) {

@@ -12,8 +12,7 @@
 enum { SIZE = 80 };
 
 static int reference(const char *arguments, char *output, size_t output_size) {
-    char command[1024];
-    snprintf(command, sizeof command, "%s reference %s", binary_path(), arguments);
+    const char *command = form("%s reference %s", binary_path(), arguments);
     int status = run_command(command, output, output_size);
     printf("    %s -> %d: %.160s\n", arguments, status, output);
     return status;
@@ -83,10 +82,9 @@ TEST(light_paths) {
 
 /* Scene file to picture file: 0.5 direct, 0.25 bounced radiance in every pixel. */
 TEST(sphere_file) {
-    char arguments[700], output[4096];
+    char output[4096];
     const char *path = scratch("reference-sphere.exr");
-    snprintf(arguments, sizeof arguments, "scenes/sphere.glb -o %s --size 16x12 --noise 1%% -q",
-             path);
+    const char *arguments = form("scenes/sphere.glb -o %s --size 16x12 --noise 1%% -q", path);
     assert_int_equal(reference(arguments, output, sizeof output), 0);
     assert_string_equal(output, "");
     OWNED(image) image;
@@ -118,11 +116,11 @@ TEST(ao_file) {
     } cases[] = {{"2.1", 0}, {"1m", .75}, {"auto", 1 - .2711864 * .2711864}};
     const char *path = scratch("reference-ao.exr");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char arguments[700], output[4096];
+        char output[4096];
         OWNED(image) image;
         int channels[3];
-        snprintf(arguments, sizeof arguments,
-                 "scenes/sphere.glb -o %s --size 16x12 --spp 64 --bounces 0 -q --ao %s", path,
+        const char *arguments =
+            form("scenes/sphere.glb -o %s --size 16x12 --spp 64 --bounces 0 -q --ao %s", path,
                  cases[i].distance);
         assert_int_equal(reference(arguments, output, sizeof output), 0);
         check_ok("read", image_read(&image, path) && image_find_layer(&image, "ao", channels));
@@ -173,14 +171,14 @@ static struct difference compare_layer(const struct image *test, const struct im
  * pixels: what differs is our noise, which the indirect layer knows, and the sampling of shadow
  * edges. */
 static void compare_with_given(const char *name) {
-    char arguments[700], output[4096], given_path[256];
+    char output[4096];
     if (!shared_path())
         skip();
     const char *path = scratch("reference-given.exr");
-    snprintf(arguments, sizeof arguments, "%s/scenes/%s.glb -o %s --size %dx%d --spp 32",
-             shared_path(), name, path, SIZE, SIZE);
+    const char *arguments =
+        form("%s/scenes/%s.glb -o %s --size %dx%d --spp 32", shared_path(), name, path, SIZE, SIZE);
     assert_int_equal(reference(arguments, output, sizeof output), 0);
-    snprintf(given_path, sizeof given_path, "%s/reference/%s.exr", shared_path(), name);
+    const char *given_path = form("%s/reference/%s.exr", shared_path(), name);
     OWNED(image) test, given;
     check_ok("read", image_read(&test, path));
     check_ok("read", image_read(&given, given_path));

@@ -40,8 +40,7 @@ TEST(every_technique) {
     OWNED(image) first = {0};
     for (const struct technique *const *t = techniques; *t; t++) {
         OWNED(renderer) renderer;
-        struct renderer_desc desc = desc_of(&stage, (*t)->name, small, SIZE, SIZE);
-        open_renderer(&renderer, &desc);
+        open_renderer(&renderer, desc_of(&stage, (*t)->name, small, SIZE, SIZE));
         struct image before, with, after;
         check_ok("layers", renderer_read_layers(&renderer, &before));
         assert_null(renderer.ambient_occlusion);
@@ -73,7 +72,7 @@ TEST(traced) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=64 samples=12", SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     OWNED(image) drawn = layers_with_ao(&renderer);
     OWNED(image) traced = trace(&stage, volume_ao_distance(&desc.settings, &stage.geometry));
     int ao = image_find_channel(&traced, "ao.Y"), covered = 0;
@@ -98,7 +97,7 @@ static void check_as_fresh(const char *what, struct renderer *renderer,
     struct renderer fresh;
     check_ok(what, renderer_follow(renderer, desc));
     renderer_render(renderer);
-    open_renderer(&fresh, desc);
+    open_renderer(&fresh, *desc);
     struct image changed = layers_with_ao(renderer), expected = layers_with_ao(&fresh);
     printf("  %s\n", what);
     check_near("less a new renderer's", worst_difference(&changed, &expected), 0, 0);
@@ -112,7 +111,7 @@ TEST(changes) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     OWNED(image) before = layers_with_ao(&renderer);
     desc.camera.eye[0] += .2F;
     check_as_fresh("another camera", &renderer, &desc, &before);
@@ -129,13 +128,13 @@ TEST(poses) {
     OWNED(stage) stage = open_stage("scenes/door.glb");
     OWNED(renderer) moved, fresh;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
-    open_renderer(&moved, &desc);
+    open_renderer(&moved, desc);
     OWNED(image) before = layers_with_ao(&moved);
     check_ok("pose", stage_pose(&stage, 2) && stage_show(&stage, &moved));
     renderer_render(&moved);
     desc =
         desc_of(&stage, "unshadowed", small, SIZE, SIZE); /* the lights are elsewhere in memory */
-    open_renderer(&fresh, &desc);
+    open_renderer(&fresh, desc);
     OWNED(image) after = layers_with_ao(&moved), expected = layers_with_ao(&fresh);
     check_near("less a new renderer's", worst_difference(&after, &expected), 0, 0);
     assert_true(worst_difference(&after, &before) > .01);
@@ -160,8 +159,7 @@ static void mark(const struct texture *texture) {
 TEST(kept) {
     OWNED(stage) stage = open_stage("scenes/door.glb");
     OWNED(renderer) renderer;
-    struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", small, SIZE, SIZE));
     double drawn = (double)shown_ao(&renderer);
     mark(&renderer_ambient_occlusion(&renderer)->texture);
     check_near("asked again", (double)shown_ao(&renderer), .25, 0);
@@ -182,7 +180,7 @@ TEST(refusal) {
     OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "unshadowed", small, SIZE, SIZE);
     check_ok("setting", settings_assign(&desc.settings, "volume.size=2000"));
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     check_refused(aov_check(&renderer, "ao"), "volume.size 2000: up to ");
 }
 

@@ -42,7 +42,7 @@ static void check_technique(const struct stage *stage, const char *name, bool ke
     int asked = 0, all;
     desc.keep_lights = keeps;
     OWNED(image) expected = render_layers(&desc);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     assert_true(render_until(&renderer, 2, &asked));
     assert_false(render_until(&renderer, 1 << 20, &all));
     renderer_forget_frame(&renderer);
@@ -69,8 +69,7 @@ TEST(watched_frame) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     OWNED(renderer) renderer;
     int asked;
-    struct renderer_desc desc = desc_of(&stage, "instant-radiosity", "vpls=64", 24, 24);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "instant-radiosity", "vpls=64", 24, 24));
     OWNED(image) expected = read_frame(&renderer), watched;
     assert_false(render_until(&renderer, 1 << 20, &asked));
     check_ok("layers", renderer_read_layers(&renderer, &watched));

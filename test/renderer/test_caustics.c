@@ -78,7 +78,6 @@ TEST(no_refraction) {
         with.scene.materials[SMOOTH].absorption[c] = .17F;
     for (size_t i = 0; i < (is_long_run() ? sizeof rows / sizeof *rows : 3); i++) {
         struct camera *camera = &with.camera;
-        char settings[128];
         camera->fov_y = rows[i].field;
         memcpy(camera->right, (float[]){cosf(rows[i].roll), sinf(rows[i].roll), 0},
                sizeof camera->right);
@@ -87,8 +86,8 @@ TEST(no_refraction) {
         without.camera = *camera;
         set_medium(&with, .15F, .02F, rows[i].g);
         set_medium(&without, .15F, .02F, rows[i].g);
-        snprintf(settings, sizeof settings,
-                 CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=%d"
+        const char *settings =
+            form(CHEAP "caustics.surface=patches caustics.medium=lines caustics.size=%d"
                        " medium.steps=128",
                  rows[i].rays);
         OWNED(image) a = render_stage(&with, "unshadowed", settings, rows[i].size);
@@ -122,9 +121,8 @@ static struct image draw_between(const struct between *between) {
     float from = between->from, to = between->to;
     static const float down[] = {1, 0, -1};
     OWNED(stage) stage;
-    char nodes[768];
-    snprintf(nodes, sizeof nodes,
-             "[" FLOOR_NODE ", " UP_NODE
+    const char *nodes =
+        form("[" FLOOR_NODE ", " UP_NODE
              ", {\"mesh\": %d, \"translation\": [-4, 4, 3], \"rotation\": [1, 0, 0, 0],"
              " \"scale\": [8, 8, 1]},"
              " {\"mesh\": %d, \"translation\": [4, -2, 1], \"scale\": [4, 4, 1]}]",
@@ -429,7 +427,7 @@ TEST(passes) {
     struct renderer_desc desc =
         desc_of(&stage, "clustered", PATCHES "caustics.medium=lines", SIZE, SIZE);
     desc.progressive = true;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     check_ok("layers", renderer_read_layers(&renderer, &one));
     for (int pass = 0; pass < PASSES; pass++)
         renderer_add_pass(&renderer, pass);

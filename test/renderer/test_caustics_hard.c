@@ -71,11 +71,10 @@ TEST(hard) {
         {"few rays", "caustics.size=8", NULL},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char settings[256];
         OWNED(stage) stage = open_stage("scenes/gem.glb");
         if (rows[i].set)
             rows[i].set(&stage);
-        snprintf(settings, sizeof settings, PATCHES "caustics.medium=lines %s", rows[i].settings);
+        const char *settings = form(PATCHES "caustics.medium=lines %s", rows[i].settings);
         OWNED(image) drawn = draw(&stage, settings);
         printf("    %s: caustic %.3g, volume %.3g\n", rows[i].what, mean_of(&drawn, "caustic"),
                mean_of(&drawn, "volume"));
@@ -119,10 +118,10 @@ TEST(open) {
 TEST(note) {
     static const char *const scenes[] = {"scenes/gem.glb", "scenes/cornell-box.glb"};
     for (int i = 0; i < 2; i++) {
-        char command[512], output[4096];
+        char output[4096];
         for (int shown = 0; shown < 2; shown++) {
-            snprintf(command, sizeof command,
-                     "%s render %s --size 16x16 --technique unshadowed --set vpls=64,rsm-size=64%s"
+            const char *command =
+                form("%s render %s --size 16x16 --technique unshadowed --set vpls=64,rsm-size=64%s"
                      " -o %s 2>&1",
                      binary_path(), scenes[i], shown ? ",caustics.surface=patches" : "",
                      scratch("note.png"));

@@ -215,10 +215,9 @@ TEST_WITH(failures, set_up, tear_down) {
     assert_int_equal(context_message_count(fixture->context), 0);
 
     char output[256];
-    char command[1200];
     const char *tree = scratch("tree");
-    snprintf(command, sizeof command,
-             "rm -rf %s && mkdir -p %s/src && cp -r glsl %s && cp -r src/passes src/techniques "
+    const char *command =
+        form("rm -rf %s && mkdir -p %s/src && cp -r glsl %s && cp -r src/passes src/techniques "
              "src/direct src/inspect %s/src",
              tree, tree, tree, tree);
     run_command(command, output, sizeof output);

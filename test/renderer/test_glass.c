@@ -324,8 +324,7 @@ TEST(two_renderers) {
     open_slab(&stage, 1.5F, 4, 1);
     place_light(&stage, 2);
     for (int i = 0; i < 2; i++) {
-        struct renderer_desc desc = desc_of(&stage, "unshadowed", settings[i], SIZE, SIZE);
-        open_renderer(&renderers[i], &desc);
+        open_renderer(&renderers[i], desc_of(&stage, "unshadowed", settings[i], SIZE, SIZE));
     }
     for (int i = 0; i < 2; i++) {
         OWNED(image) alone = draw(&stage, settings[i]), beside;

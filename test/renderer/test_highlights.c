@@ -41,20 +41,18 @@ static void write_ball(const char *name) {
 
 /* A white metal, seen from +z by an orthographic camera of 1 x 1 m. */
 static void open_ellipsoid(struct stage *stage, const char *radii) {
-    char buffers[128], views[256], accessors[256], nodes[128];
     write_ball("ball.bin");
-    snprintf(buffers, sizeof buffers,
-             "[{\"byteLength\": 320}, {\"uri\": \"ball.bin\", \"byteLength\": %d}]",
+    const char *buffers =
+        form("[{\"byteLength\": 320}, {\"uri\": \"ball.bin\", \"byteLength\": %d}]",
              12 * VERTICES + 2 * INDICES);
-    snprintf(views, sizeof views,
-             "[{\"buffer\": 1, \"byteLength\": %d},"
-             " {\"buffer\": 1, \"byteOffset\": %d, \"byteLength\": %d}]",
-             12 * VERTICES, 12 * VERTICES, 2 * INDICES);
-    snprintf(accessors, sizeof accessors,
-             "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": %d, \"type\": \"VEC3\"},"
+    const char *views = form("[{\"buffer\": 1, \"byteLength\": %d},"
+                             " {\"buffer\": 1, \"byteOffset\": %d, \"byteLength\": %d}]",
+                             12 * VERTICES, 12 * VERTICES, 2 * INDICES);
+    const char *accessors =
+        form("[{\"bufferView\": 0, \"componentType\": 5126, \"count\": %d, \"type\": \"VEC3\"},"
              " {\"bufferView\": 1, \"componentType\": 5123, \"count\": %d, \"type\": \"SCALAR\"}]",
              VERTICES, INDICES);
-    snprintf(nodes, sizeof nodes, "[{\"mesh\": 0, \"scale\": [%s]}]", radii);
+    const char *nodes = form("[{\"mesh\": 0, \"scale\": [%s]}]", radii);
     *stage = open_stage(write_parts(
         "ball.glb",
         &(struct gltf_parts){.buffers = buffers,
@@ -104,7 +102,6 @@ TEST(suns) {
     for (int i = 0; i < 36; i++) {
         struct emitter sun = {.type = EMITTER_DIRECTIONAL, .number = -1};
         float angle = angles[i / 12];
-        char what[64];
         if (!is_tried_here((size_t)i, 13))
             continue;
         emitter_aim(&sun, (float[]){-.6F * sinf(glm_rad(angle)), -.8F * sinf(glm_rad(angle)),
@@ -113,8 +110,8 @@ TEST(suns) {
         stage.scene.materials[0].roughness = roughnesses[i / 4 % 3];
         struct renderer_desc desc = desc_of(&stage, "unshadowed", "", sizes[i % 4], sizes[i % 4]);
         desc.emitters = (struct emitters){.items = &sun, .count = 1};
-        snprintf(what, sizeof what, "roughness %.1f, %d pixels, %.0f degrees",
-                 (double)roughnesses[i / 4 % 3], sizes[i % 4], (double)angle);
+        const char *what = form("roughness %.1f, %d pixels, %.0f degrees",
+                                (double)roughnesses[i / 4 % 3], sizes[i % 4], (double)angle);
         check_ball(&desc, what);
     }
 }
@@ -131,12 +128,11 @@ TEST(needle) {
         struct emitter sun = {.type = EMITTER_DIRECTIONAL, .number = -1};
         double up = sin((double)glm_rad(angles[i]) / 2), y2 = up * up;
         double inverse = across * along * across / pow(across * (1 - y2) + along * y2, 2);
-        char what[64];
         emitter_aim(&sun, (float[]){0, -sinf(glm_rad(angles[i])), -cosf(glm_rad(angles[i]))});
         glm_vec3_broadcast(GLM_PIf, sun.intensity);
         struct renderer_desc desc = desc_of(&stage, "unshadowed", "", 64, 64);
         desc.emitters = (struct emitters){.items = &sun, .count = 1};
-        snprintf(what, sizeof what, "needle, %.0f degrees", (double)angles[i]);
+        const char *what = form("needle, %.0f degrees", (double)angles[i]);
         check_mean(&desc, GLM_PI * inverse / 4, .3, what);
     }
 }

@@ -19,7 +19,7 @@ static void open_frame(struct stage *stage, struct renderer *renderer, const cha
     snprintf(all, sizeof all, "%s %s", small, settings);
     *stage = open_stage("scenes/cornell-box.glb");
     struct renderer_desc desc = desc_of(stage, technique, all, 48, 32);
-    open_renderer(renderer, &desc);
+    open_renderer(renderer, desc);
 }
 
 static void close_frame(struct stage *stage, struct renderer *renderer) {

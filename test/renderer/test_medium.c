@@ -23,8 +23,7 @@
 static void open_wall(struct stage *stage, float distance, float radius) {
     static const char nodes[] =
         "[{\"mesh\": 0, \"translation\": [-20, -20, %g], \"scale\": [40, 40, 1]}]";
-    char text[sizeof nodes + 16];
-    snprintf(text, sizeof text, nodes, (double)-distance);
+    const char *text = form(nodes, (double)-distance);
     *stage = open_stage(write_parts("wall.glb", &(struct gltf_parts){.nodes = text}));
     stage->camera =
         (struct camera){.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .fov_y = 1e-3F};
@@ -172,8 +171,7 @@ TEST(phase) {
     } rows[] = {{.5F, 30}, {-.5F, 30}, {.99F, 3}, {-.99F, 150}, {.99F, 60}, {-.99F, 30}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OWNED(stage) stage;
-        char what[64];
-        snprintf(what, sizeof what, "g = %g, %g degrees", (double)rows[i].g, rows[i].angle);
+        const char *what = form("g = %g, %g degrees", (double)rows[i].g, rows[i].angle);
         open_wall(&stage, 5, 50);
         set_medium(&stage, .3F, .1F, rows[i].g);
         place_light(&stage, 2, rows[i].angle);
@@ -313,7 +311,7 @@ TEST(passes) {
     OWNED(renderer) renderer;
     OWNED(image) mean;
     desc.progressive = true;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     OWNED(image) one;
     check_ok("layers", renderer_read_layers(&renderer, &one));
     for (int pass = 0; pass < PASSES; pass++)
@@ -371,8 +369,7 @@ TEST(scenes) {
     check_scene("scenes/table.glb", "medium.scatter=.3", 64);
     check_scene("scenes/hall.glb", "", 64);
     if (shared_path()) {
-        char path[512];
-        snprintf(path, sizeof path, "%s/scenes/sponza-98k.glb", shared_path());
+        const char *path = form("%s/scenes/sponza-98k.glb", shared_path());
         check_scene(path, "medium.scatter=.5", 64);
     }
 }
@@ -404,11 +401,10 @@ TEST(indirect) {
         {"scenes/gloss.glb", "clustered", "", "indirect.specular", 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char settings[128];
         if (!is_tried_here(i, 4))
             continue;
         struct stage stage = open_stage(rows[i].path);
-        snprintf(settings, sizeof settings, "medium.scatter=.6 absorb=.2 %s", rows[i].settings);
+        const char *settings = form("medium.scatter=.6 absorb=.2 %s", rows[i].settings);
         double clear = drawn_over_traced(&stage, rows[i].technique, rows[i].settings, rows[i].layer,
                                          rows[i].bounces);
         double ratio =
@@ -429,8 +425,7 @@ TEST(extremes) {
     };
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         OWNED(stage) stage = open_stage("scenes/three-lights.glb");
-        char settings[128];
-        snprintf(settings, sizeof settings, CHEAP "%s", all[i]);
+        const char *settings = form(CHEAP "%s", all[i]);
         struct renderer_desc desc = desc_of(&stage, "clustered", settings, SIZE, SIZE);
         OWNED(image) drawn = render_layers(&desc);
         stage.scene.medium = medium_of(&stage.scene, &desc.settings, stage.geometry.radius);
@@ -464,10 +459,9 @@ TEST(files) {
         {"[1, 2]", "extras: medium: it is no object"},
     };
     OWNED(scene) scene;
-    char more[256];
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
-        snprintf(more, sizeof more,
-                 "\"scenes\": [{\"nodes\": [0], \"extras\": {\"medium\": %s}}], ", refused[i][0]);
+        const char *more =
+            form("\"scenes\": [{\"nodes\": [0], \"extras\": {\"medium\": %s}}], ", refused[i][0]);
         bool loaded = load_parts(&scene, "refused.glb", &(struct gltf_parts){.more = more});
         check_refused(loaded, refused[i][1]);
         assert_non_null(strstr(error_get(), "refused.glb"));

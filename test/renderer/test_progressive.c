@@ -198,9 +198,9 @@ TEST(convergence) {
 /* --- split ------------------------------------------------------------------------------------ */
 
 static int manylight(const char *arguments, char *output, size_t output_size) {
-    char command[2048], placed[1500];
+    char placed[1500];
     in_scratch(placed, sizeof placed, arguments);
-    snprintf(command, sizeof command, "%s %s", binary_path(), placed);
+    const char *command = form("%s %s", binary_path(), placed);
     int status = run_command(command, output, output_size);
     printf("    %.60s ... -> %d: %.120s\n", arguments, status, output);
     return status;

@@ -50,9 +50,8 @@ TEST(twice) {
     for (int i = 0; i < RECIPES; i++) {
         struct image images[3];
         struct renderer renderer;
-        struct renderer_desc desc =
-            desc_of(&stage, recipes[i].technique, recipes[i].settings, SIZE, SIZE);
-        open_renderer(&renderer, &desc);
+        open_renderer(&renderer,
+                      desc_of(&stage, recipes[i].technique, recipes[i].settings, SIZE, SIZE));
         check_ok("layers", renderer_read_layers(&renderer, &images[0]));
         renderer_render(&renderer);
         check_ok("layers", renderer_read_layers(&renderer, &images[1]));
@@ -73,9 +72,8 @@ TEST(neighbours) {
     for (int i = 0; i < RECIPES; i++)
         alone[i] = render_recipe(&stage, &recipes[i]);
     for (int i = 0; i < RECIPES; i++) {
-        struct renderer_desc desc =
-            desc_of(&stage, recipes[i].technique, recipes[i].settings, SIZE, SIZE);
-        open_renderer(&renderers[i], &desc);
+        open_renderer(&renderers[i],
+                      desc_of(&stage, recipes[i].technique, recipes[i].settings, SIZE, SIZE));
     }
     for (int i = 0; i < RECIPES; i++)
         renderer_render(&renderers[i]);
@@ -308,8 +306,7 @@ static void check_order(struct renderer *renderer, int interleave, int run) {
 TEST(hue) {
     OWNED(stage) stage = open_stage(cornell_animal);
     OWNED(renderer) renderer;
-    struct renderer_desc desc = desc_of(&stage, "clustered", "vpls=1024", SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "clustered", "vpls=1024", SIZE, SIZE));
     struct output_list outputs;
     renderer_outputs(&renderer, &outputs);
     float sums[4];
@@ -327,8 +324,7 @@ TEST(hue) {
 TEST(order) {
     OWNED(stage) stage = open_stage(cornell_animal);
     OWNED(renderer) renderer;
-    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=1024", SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", "vpls=1024", SIZE, SIZE));
     check_order(&renderer, 1, 1024);
     check_order(&renderer, 8, 16);
     check_order(&renderer, 4, 64);
@@ -341,9 +337,8 @@ TEST(seeds) {
         bool map_per_vpl = strcmp(recipes[i].technique, "instant-radiosity") == 0;
         struct image images[2];
         for (int k = 0; k < 2; k++) {
-            char text[192];
-            snprintf(text, sizeof text, "%s vpls=%d interleave=1 seed=%d", recipes[i].settings,
-                     map_per_vpl ? 256 : 1024, 7 * k);
+            const char *text = form("%s vpls=%d interleave=1 seed=%d", recipes[i].settings,
+                                    map_per_vpl ? 256 : 1024, 7 * k);
             images[k] = render_stage(&stage, recipes[i].technique, text, 48);
         }
         double mean = layer_mean(&images[1], "indirect") / layer_mean(&images[0], "indirect");
@@ -363,8 +358,7 @@ TEST(more_vpls) {
         render_stage(&stage, "unshadowed", "vpls=16384 interleave=1 near-samples=100", 48);
     double first = 0, last = 0;
     for (int n = 128; n <= 2048; n *= 2) {
-        char settings[64];
-        snprintf(settings, sizeof settings, "vpls=%d interleave=1 near-samples=100", n);
+        const char *settings = form("vpls=%d interleave=1 near-samples=100", n);
         OWNED(image) image = render_stage(&stage, "unshadowed", settings, 48);
         last = relative_rmse(&image, &many, "indirect");
         first = n == 128 ? last : first;

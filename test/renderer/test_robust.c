@@ -57,8 +57,7 @@ TEST(own_scenes) {
     static const char *const names[] = {"cornell-box", "cornell-animal", "sphere", "metaballs",
                                         "atrium"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        char path[128];
-        snprintf(path, sizeof path, "scenes/%s.glb", names[i]);
+        const char *path = form("scenes/%s.glb", names[i]);
         if (is_tried_here(i, 4))
             check_scene(path, 100);
     }
@@ -69,8 +68,7 @@ TEST(shared_scenes) {
     if (!shared_path())
         skip();
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        char path[256];
-        snprintf(path, sizeof path, "%s/scenes/%s.glb", shared_path(), names[i]);
+        const char *path = form("%s/scenes/%s.glb", shared_path(), names[i]);
         if (is_tried_here(i, 2) && access(path, R_OK) == 0)
             check_scene(path, 100);
     }

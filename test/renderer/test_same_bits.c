@@ -12,10 +12,9 @@
 
 /* The bytes of the scene's picture, rendered or traced, with these variables of the environment. */
 static struct file_bytes picture(const char *arguments, const char *environment) {
-    char command[1024];
     struct file_bytes bytes;
-    snprintf(command, sizeof command, "%s %s %s -o %s --size 64x64 -q", environment, binary_path(),
-             arguments, scratch("bits.exr"));
+    const char *command = form("%s %s %s -o %s --size 64x64 -q", environment, binary_path(),
+                               arguments, scratch("bits.exr"));
     assert_int_equal(run_command(command, output, sizeof output), 0);
     check_ok("picture", file_read(&bytes, scratch("bits.exr")));
     return bytes;
@@ -54,8 +53,7 @@ TEST(rendered) {
     };
     skip_without_llvmpipe();
     for (int i = 0; i < 2; i++) {
-        char arguments[256];
-        snprintf(arguments, sizeof arguments, "render scenes/%s.glb", scenes[i]);
+        const char *arguments = form("render scenes/%s.glb", scenes[i]);
         check_same(arguments, environments,
                    i == 0 || is_long_run() ? sizeof environments / sizeof *environments : 2);
     }

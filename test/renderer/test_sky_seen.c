@@ -44,8 +44,7 @@ static void paint_even(const float direction[3], float radiance[3]) {
 
 /* The camera looks down from the middle of the ceiling. */
 static void open_nodes(struct stage *stage, const char *nodes) {
-    char all[4096];
-    snprintf(all, sizeof all, "[{\"camera\": 0, \"translation\": [0, 0, 0.95]}, %s]", nodes);
+    const char *all = form("[{\"camera\": 0, \"translation\": [0, 0, 0.95]}, %s]", nodes);
     *stage = open_stage(write_parts(
         "room.glb",
         &(struct gltf_parts){.nodes = all,
@@ -157,8 +156,7 @@ TEST(light) {
         OWNED(image) reference = trace_stage(&stage, SIZE, is_long_run() ? 4096 : 1024);
         double mean = layer_mean(&reference, "indirect");
         for (int seed = 0; seed < SEEDS; seed++) {
-            char settings[64];
-            snprintf(settings, sizeof settings, "path=traced lights.seed=%d", seed);
+            const char *settings = form("path=traced lights.seed=%d", seed);
             OWNED(image) image = render_stage(&stage, "clustered", settings, SIZE);
             double share = layer_mean(&image, "indirect") / mean;
             check_near(settings, share, 1, .35);

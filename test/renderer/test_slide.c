@@ -180,11 +180,10 @@ TEST(caustic) {
                                        " caustics.size=256 medium.steps=128");
     OWNED(image) b = draw(&without, CHEAP "medium.steps=128");
     for (int c = 0; c < 3; c++) {
-        char direct[16], caustic[16], airlight[16], volume[16];
-        snprintf(direct, sizeof direct, "direct.%s", channels[c]);
-        snprintf(caustic, sizeof caustic, "caustic.%s", channels[c]);
-        snprintf(airlight, sizeof airlight, "airlight.%s", channels[c]);
-        snprintf(volume, sizeof volume, "volume.%s", channels[c]);
+        const char *direct = form("direct.%s", channels[c]);
+        const char *caustic = form("caustic.%s", channels[c]);
+        const char *airlight = form("airlight.%s", channels[c]);
+        const char *volume = form("volume.%s", channels[c]);
         printf("    %s\n", channels[c]);
         check_near("on surfaces, with over without",
                    (channel_mean(&a, direct) + channel_mean(&a, caustic)) /
@@ -285,7 +284,7 @@ TEST(passes) {
     set_slide(&stage, false);
     struct renderer_desc desc = desc_of(&stage, "clustered", CHEAP, SIZE, SIZE);
     desc.progressive = true;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     check_ok("layers", renderer_read_layers(&renderer, &one));
     for (int pass = 0; pass < PASSES; pass++)
         renderer_add_pass(&renderer, pass);

@@ -25,7 +25,7 @@ static struct image draw(const struct stage *stage, const struct camera *camera)
     OWNED(renderer) renderer;
     struct image image;
     desc.camera = *camera;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     check_ok("read", renderer_read_layers(&renderer, &image));
     check_ok("append", aov_append(&renderer, all, NULL, &image));
     return image;
@@ -170,7 +170,6 @@ static void check_motion(const char *path, double time, const char *layer) {
     struct surface_motion motion;
     struct rays rays;
     float(*now)[3];
-    char name[32];
     int moved = 0, met = 0, apart = 0;
     printf("    %s, %s\n", path, layer);
     OWNED(stage) stage = open_stage(path);
@@ -190,7 +189,7 @@ static void check_motion(const char *path, double time, const char *layer) {
             struct hit hit;
             float weights[3], point[3] = {0}, place[2], way[2];
             for (int axis = 0; axis < 2; axis++) {
-                snprintf(name, sizeof name, "motion.%s.%c", layer, "XY"[axis]);
+                const char *name = form("motion.%s.%c", layer, "XY"[axis]);
                 way[axis] = value_at(&image, x, y, name);
             }
             if (fabsf(way[0]) + fabsf(way[1]) < .05F)
@@ -229,8 +228,7 @@ TEST(motion) {
 /* Integers of a file, and the names in its header. */
 TEST(file) {
     OWNED(image) drawn, read;
-    char path[512];
-    snprintf(path, sizeof path, "%s", scratch("ids.exr"));
+    const char *path = form("%s", scratch("ids.exr"));
     expect(0, "% render scenes/pawns.glb --size 60x40 --passes 2 -q -o @/ids.exr "
               "--aov id.node,id.material");
     expect(0, "% reference scenes/pawns.glb --size 60x40 --spp 1 --centers -q -o @/rays.exr "

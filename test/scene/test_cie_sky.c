@@ -26,9 +26,8 @@ static double at(const struct environment *sky, double azimuth, double elevation
 TEST(integral) {
     enum { SAMPLES = 20000 };
     for (int type = 1; type <= 16; type++) {
-        char text[64];
         double sum = 0;
-        snprintf(text, sizeof text, "cie:%d,horizontal=10000,elevation=35", type);
+        const char *text = form("cie:%d,horizontal=10000,elevation=35", type);
         struct environment *sky = make(text);
         for (int i = 0; i < SAMPLES; i++) {
             double elevation = asin(sqrt((i + .5) / SAMPLES)) * 180 / GLM_PI;

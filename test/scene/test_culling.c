@@ -112,8 +112,7 @@ TEST(triangles) {
     for (size_t p = 0; p < sizeof paths / sizeof *paths; p++) {
         OWNED(stage) stage = open_stage(paths[p]);
         OWNED(renderer) renderer;
-        struct renderer_desc desc = desc_of(&stage, "clustered", small, 16, 16);
-        open_renderer(&renderer, &desc);
+        open_renderer(&renderer, desc_of(&stage, "clustered", small, 16, 16));
         check_views(&stage, &renderer.scene.culling);
         check_ok("pose", stage_pose(&stage, 3));
         check_ok("show", stage_show(&stage, &renderer));
@@ -141,9 +140,7 @@ TEST(pictures) {
             OWNED(stage) stage = open_stage(paths[p]);
             OWNED(renderer) renderer;
             OWNED(image) culled, whole;
-            struct renderer_desc desc =
-                desc_of(&stage, "clustered", small, sizes[i][0], sizes[i][1]);
-            open_renderer(&renderer, &desc);
+            open_renderer(&renderer, desc_of(&stage, "clustered", small, sizes[i][0], sizes[i][1]));
             check_ok("layers", renderer_read_layers(&renderer, &culled));
             see_all(&renderer.scene.culling);
             renderer_render(&renderer);

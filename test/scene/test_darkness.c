@@ -81,15 +81,15 @@ static const struct row {
 
 static const char *write_row(const struct row *row) {
     struct cube_bytes cube = make_cube();
-    char materials[512], nodes[1024], more[256];
+    char materials[512];
     snprintf(
         materials, sizeof materials,
         "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0}}, {\"emissiveFactor\": [%s, %s, %s],"
         " \"extensions\": {\"KHR_materials_emissive_strength\": {\"emissiveStrength\": %s}}}]",
         row->emission, row->emission, row->emission, row->strength);
-    snprintf(nodes, sizeof nodes, "[%s]", row->nodes);
-    snprintf(more, sizeof more,
-             "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"point\","
+    const char *nodes = form("[%s]", row->nodes);
+    const char *more =
+        form("\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"point\","
              " \"intensity\": %s}]}},",
              row->intensity ? row->intensity : "1");
     return write_parts("row.glb", &(struct gltf_parts){.accessors = ACCESSORS,
@@ -168,9 +168,8 @@ TEST(mirrors) {
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         struct cube_bytes cube = make_cube();
-        char materials[512], nodes[256];
-        snprintf(materials, sizeof materials, "[{%s}, {}]", cases[i].material);
-        snprintf(nodes, sizeof nodes, "[%s]", cases[i].nodes);
+        const char *materials = form("[{%s}, {}]", cases[i].material);
+        const char *nodes = form("[%s]", cases[i].nodes);
         const char *path =
             write_parts("metal.glb", &(struct gltf_parts){.accessors = ACCESSORS,
                                                           .materials = materials,
@@ -247,13 +246,11 @@ TEST(emission_map) {
                                        /* all of 128 */};
     static const float uv[8] = {0, 0, 1, 0, 1, 1, 0, 1};
     for (int i = 0; i < 2; i++) {
-        char more[512];
         OWNED(scene) scene;
         OWNED(geometry) geometry;
-        snprintf(more, sizeof more,
-                 "\"images\": [{\"uri\": \"data:image/png;base64,%s\"}],"
-                 "\"textures\": [{\"source\": 0}],",
-                 maps[i]);
+        const char *more = form("\"images\": [{\"uri\": \"data:image/png;base64,%s\"}],"
+                                "\"textures\": [{\"source\": 0}],",
+                                maps[i]);
         const char *path = write_parts(
             "map.glb",
             &(struct gltf_parts){

@@ -294,8 +294,7 @@ TEST(scene_refusals) {
          "extras: environmentStrength: it is not above 0"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char asset[256];
-        snprintf(asset, sizeof asset, "{\"version\": \"2.0\", \"extras\": %s}", rows[i][0]);
+        const char *asset = form("{\"version\": \"2.0\", \"extras\": %s}", rows[i][0]);
         check_scene_refused(&(struct gltf_parts){.asset = asset}, &(struct environment_desc){0},
                             rows[i][1]);
     }

@@ -48,8 +48,7 @@ static void open_cubes(struct stage *stage, const char *name, const char *nodes,
 /* The picture, kept for the eye too. What is covered is neither black nor burnt out. */
 static void check_picture(const struct stage *stage, const char *name) {
     OWNED(image) image = render_stage(stage, "clustered", "vpls=64 vals=8", PICTURE);
-    char file[64];
-    snprintf(file, sizeof file, "%s.exr", name);
+    const char *file = form("%s.exr", name);
     check_ok("write", image_write(&image, scratch(file)));
     int r = image_find_channel(&image, "R"), a = image_find_channel(&image, "A");
     double sum = 0;
@@ -125,8 +124,7 @@ TEST(objects) {
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OWNED(stage) stage;
-        char file[64];
-        snprintf(file, sizeof file, "%s.glb", rows[i].name);
+        const char *file = form("%s.glb", rows[i].name);
         open_cubes(&stage, file, rows[i].nodes, rows[i].more);
         check_near("reach in the picture", reach_in_picture(&stage), .95, .03);
         check_at_most("outside of the bounds", 1.2, place_in_bounds(&stage, stage.camera.eye));
@@ -148,8 +146,7 @@ TEST(rooms) {
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OWNED(stage) stage;
-        char file[64];
-        snprintf(file, sizeof file, "%s.glb", rows[i].name);
+        const char *file = form("%s.glb", rows[i].name);
         open_cubes(&stage, file, rows[i].nodes, NULL);
         check_at_most("the camera is within", place_in_bounds(&stage, stage.camera.eye), .99);
         assert_int_equal(stage.emitters.count, 2);

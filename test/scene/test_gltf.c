@@ -61,9 +61,8 @@ TEST(component_types) {
         unsigned char extra[64] = {0};
         for (int k = 0; k < 16; k++)
             memcpy(extra + (size_t)k * size, rows[i].bytes, size);
-        char accessors[1024];
-        snprintf(accessors, sizeof accessors,
-                 "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+        const char *accessors =
+            form("[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
                  " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": %d, \"count\": 4,"
                  " \"normalized\": %s, \"type\": \"VEC4\"}]",
                  rows[i].type, rows[i].normalized ? "true" : "false");
@@ -74,8 +73,7 @@ TEST(component_types) {
                                           " \"COLOR_0\": 1}, \"mode\": 5}]}]",
                                 .extra = extra,
                                 .extra_size = sizeof extra});
-        char what[64];
-        snprintf(what, sizeof what, "component type %d", rows[i].type);
+        const char *what = form("component type %d", rows[i].type);
         check_near(what, first_primitive(&scene)->color[0][3], rows[i].expected, 1e-7);
     }
 }
@@ -87,9 +85,8 @@ TEST(index_types) {
     const void *const extras[] = {bytes, shorts, words};
     static const int types[] = {5121, 5123, 5125};
     for (int i = 0; i < 3; i++) {
-        char accessors[1024];
-        snprintf(accessors, sizeof accessors,
-                 "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+        const char *accessors =
+            form("[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
                  " {\"bufferView\": 0, \"byteOffset\": 64, \"componentType\": %d, \"count\": 3,"
                  " \"type\": \"SCALAR\"}]",
                  types[i]);
@@ -252,9 +249,8 @@ TEST(texture) {
 TEST(embedded_texture) {
     unsigned char extra[256] = {0};
     size_t size = make_png(extra + 33, sizeof extra - 33);
-    char views[256];
-    snprintf(views, sizeof views,
-             "[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 97,"
+    const char *views =
+        form("[{\"buffer\": 0, \"byteLength\": 320}, {\"buffer\": 0, \"byteOffset\": 97,"
              " \"byteLength\": %zu}]",
              size);
     OWNED(scene) scene = load(

@@ -132,10 +132,8 @@ TEST(lengths) {
                               (uint32_t)size + 1000,
                               UINT32_MAX};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        char note[128];
         set_word(8, wrong[i]);
-        snprintf(note, sizeof note, LENGTHS "the header says %u bytes, there are %zu", wrong[i],
-                 size);
+        const char *note = form(LENGTHS "the header says %u bytes, there are %zu", wrong[i], size);
         check_bytes_mended("length in the header", size, note);
     }
     check_bytes_refused("cut between chunks", 20 + json_size,

@@ -255,13 +255,13 @@ TEST(cost) {
         const struct hostile *hostile = &cases[i];
         if (!is_tried_here(i, 2))
             continue;
-        char name[64], path[512], command[4096], arguments[512], output[1 << 16];
+        char arguments[512], output[1 << 16];
         size_t size;
-        snprintf(name, sizeof name, "hostile-%s.gltf", hostile->name);
-        snprintf(path, sizeof path, "%s", scratch(name));
+        const char *name = form("hostile-%s.gltf", hostile->name);
+        const char *path = form("%s", scratch(name));
         write_case(hostile, path, &size);
         in_scratch(arguments, sizeof arguments, hostile->arguments);
-        snprintf(command, sizeof command, "exec %s %s%s", binary_path(), arguments, path);
+        const char *command = form("exec %s %s%s", binary_path(), arguments, path);
         struct cost cost = run(command, scratch("hostile.txt"));
         FILE *file = fopen(scratch("hostile.txt"), "r");
         output[fread(output, 1, sizeof output - 1, file)] = '\0';
@@ -284,10 +284,10 @@ TEST(cost) {
 
 /* Told or refused in one line; in the time and the memory that a small file may take. */
 static void check_stranger(const char *path, double least_mib) {
-    char command[4096], output[1 << 12];
+    char output[1 << 12];
     struct stat info;
     assert_int_equal(stat(path, &info), 0);
-    snprintf(command, sizeof command, "exec %s info '%s'", binary_path(), path);
+    const char *command = form("exec %s info '%s'", binary_path(), path);
     struct cost cost = run(command, scratch("stranger.txt"));
     FILE *file = fopen(scratch("stranger.txt"), "r");
     output[fread(output, 1, sizeof output - 1, file)] = '\0';
@@ -309,16 +309,13 @@ static void check_stranger(const char *path, double least_mib) {
 TEST(strangers) {
     const char *strangers = getenv("MANYLIGHT_STRANGERS");
     const char *folder = strangers ? strangers : "test/fuzz/seeds/scene";
-    char command[1024];
-    snprintf(command, sizeof command, "exec %s info test/fuzz/seeds/scene/triangle.glb",
-             binary_path());
+    const char *command = form("exec %s info test/fuzz/seeds/scene/triangle.glb", binary_path());
     double least_mib = run(command, "/dev/null").mib;
     struct dirent **entries;
     int count = scandir(folder, &entries, NULL, alphasort);
     assert_true(count > 2);
     for (int i = 0; i < count; i++) {
-        char path[512];
-        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+        const char *path = form("%s/%s", folder, entries[i]->d_name);
         if (entries[i]->d_name[0] != '.')
             check_stranger(path, least_mib);
         free(entries[i]);

@@ -68,15 +68,13 @@ static double worst_indirect(const struct renderer *renderer, const struct image
 }
 
 static void check_sphere(const struct stage *stage, const struct sphere_case *row) {
-    char settings[128];
     OWNED(renderer) renderer;
     OWNED(image) image;
     /* Any bound of the geometry term, also the disk's, takes light away that is exact here. */
-    snprintf(settings, sizeof settings, "vpls=%d vals=%d interleave=%d clamp=none %s", row->vpls,
-             row->vals, row->interleave, row->more);
+    const char *settings = form("vpls=%d vals=%d interleave=%d clamp=none %s", row->vpls, row->vals,
+                                row->interleave, row->more);
     printf("  %s %s\n", row->technique, settings);
-    struct renderer_desc desc = desc_of(stage, row->technique, settings, 64, 64);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(stage, row->technique, settings, 64, 64));
     check_ok("layers", renderer_read_layers(&renderer, &image));
     check_direct(&image);
     check_near("one bounce, mean", layer_mean(&image, "indirect") / exact_indirect, 1, row->mean);
@@ -120,8 +118,7 @@ TEST(sphere_pcss) {
 }
 
 static double mean_with(const struct stage *stage, const char *clamp, int vpls) {
-    char settings[64];
-    snprintf(settings, sizeof settings, "vpls=%d interleave=1 clamp=%s", vpls, clamp);
+    const char *settings = form("vpls=%d interleave=1 clamp=%s", vpls, clamp);
     OWNED(image) image = render_stage(stage, "unshadowed", settings, 64);
     double mean = layer_mean(&image, "indirect") / exact_indirect;
     return mean;
@@ -158,7 +155,7 @@ static void vpl_fluxes(const struct stage *stage, double sums[LIGHTS]) {
     for (int i = 0; i < stage->emitters.count; i++)
         weights[i] = emitter_flux(&stage->emitters.items[i], stage->geometry.radius);
     deal(weights, stage->emitters.count, dealt, ENERGY_VPLS, NULL);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     struct vpl *vpls = read_vpls(&renderer);
     memset(sums, 0, LIGHTS * sizeof *sums);
     for (int i = 0; i < ENERGY_VPLS; i++)

@@ -106,8 +106,7 @@ TEST(flux) {
         OWNED(stage) stage = open_stage("scenes/sphere.glb");
         OWNED(renderer) renderer;
         stage.emitters.items[0] = lights[i];
-        struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 16, 16);
-        open_renderer(&renderer, &desc);
+        open_renderer(&renderer, desc_of(&stage, "unshadowed", "vpls=4096", 16, 16));
         assert_int_equal(renderer.plan.sample_layout.lights, 4);
         assert_int_equal(renderer.plan.sample_layout.groups, 1);
         struct vpl *vpls = read_vpls(&renderer);

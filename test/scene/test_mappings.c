@@ -72,8 +72,7 @@ static const char *write_square(const char *material) {
              " {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"directional\", \"intensity\":"
              " 3.14159265}]}},",
              textures);
-    char materials[1024];
-    snprintf(materials, sizeof materials, "[%s]", material);
+    const char *materials = form("[%s]", material);
     snprintf(name, sizeof name, "square%d.glb", count++);
     return write_parts(
         name,
@@ -470,9 +469,8 @@ TEST(cases) {
                  {"second-uv/metal-transform.gltf", "R", .49},
                  {"gloss-texture/diffuse.gltf", "R", .5}};
     for (size_t i = 0; shared_path() && i < sizeof cases / sizeof *cases; i++) {
-        char path[512];
         struct pictures pictures;
-        snprintf(path, sizeof path, "%s/cases/%s", shared_path(), cases[i].file);
+        const char *path = form("%s/cases/%s", shared_path(), cases[i].file);
         FILE *file = fopen(path, "rb");
         if (!file)
             continue;
@@ -505,10 +503,8 @@ TEST(dark_albedo) {
     for (int texture = 7; texture <= 8; texture++)
         for (int quarter = 0; quarter <= 1; quarter++) {
             const unsigned char *code = texels[texture][quarter];
-            char material[256];
-            snprintf(material, sizeof material,
-                     "{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": %d}}}",
-                     texture + 2);
+            const char *material = form(
+                "{\"pbrMetallicRoughness\": {\"baseColorTexture\": {\"index\": %d}}}", texture + 2);
             check_albedo(material, quarter,
                          (double[]){decoded(code[0]), decoded(code[1]), decoded(code[2])});
         }

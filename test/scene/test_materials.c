@@ -320,8 +320,7 @@ static void find_mean(const unsigned char color[3], unsigned char mean[4]) {
     int holes = 0;
     int number = prepare_holes(&stage, color, &holes);
     assert_true(holes > 0);
-    struct renderer_desc desc = desc_of(&stage, "unshadowed", "", 8, 8);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", "", 8, 8));
     const struct texture *texture = &renderer.scene.textures[number];
     assert_true(texture->desc.levels > 1);
     gl.GetTextureImage(texture->id, texture->desc.levels - 1, GL_RGBA, GL_UNSIGNED_BYTE, 4, mean);

@@ -116,9 +116,9 @@ static const struct keys good_keys = {
 
 static void check_clip(const char *what, const struct keys *keys, const char *output,
                        const char *sampler, const char *target, const char *note) {
-    char accessors[1024], more[1024];
-    snprintf(accessors, sizeof accessors,
-             "[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
+    char more[1024];
+    const char *accessors =
+        form("[{\"bufferView\": 0," VECTORS "}, {\"bufferView\": 0, \"byteOffset\": 48," INDEX_TYPE
              "}, " FLOATS("64", "2", "SCALAR") ", " FLOATS("72", "2", "VEC3") ", " FLOATS(
                  "96", "3", "SCALAR") ", %s]",
              output);

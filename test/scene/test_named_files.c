@@ -153,7 +153,7 @@ TEST(paths) {
 }
 
 TEST(other_machines) {
-    char uri[8192], hint[8192], real[4096];
+    char real[4096];
     const char nowhere[] = "(--root DIR names another)";
     make_folders();
     check_elsewhere("/etc/passwd", nowhere);
@@ -168,9 +168,9 @@ TEST(other_machines) {
     check_elsewhere("https://example.org/a/tex.png?x=1", "is a URL, which is not fetched");
     static const char *const names[] = {"outside-of-named-files.png", "no-such-file.png"};
     assert_non_null(realpath(scratch(".."), real));
-    snprintf(hint, sizeof hint, "(--root %s allows it)", real);
+    const char *hint = form("(--root %s allows it)", real);
     for (int i = 0; i < 2; i++) {
-        snprintf(uri, sizeof uri, "%s/%s", absolute(".."), names[i]);
+        const char *uri = form("%s/%s", absolute(".."), names[i]);
         check_elsewhere(uri, hint);
     }
     check_elsewhere(absolute("textures/none.png"), "No such file");
@@ -181,7 +181,6 @@ TEST(hub) {
     static const char *const folders[] = {"hub", "hub/blobs", "hub/snapshots",
                                           "hub/snapshots/0a1b"};
     struct scene scene;
-    char root[4096];
     for (int i = 0; i < 4; i++)
         mkdir(scratch(folders[i]), 0777);
     write_colour(scratch("hub/tex.png"));
@@ -194,7 +193,7 @@ TEST(hub) {
     assert_false(scene_load(&scene, path));
     printf("    %s\n", error_get());
     check_hint(error_get(), "hub");
-    snprintf(root, sizeof root, "%s", absolute("hub"));
+    const char *root = form("%s", absolute("hub"));
     check_ok("hub", read_rules_set(true, root));
     check_ok("links", scene_load(&scene, path));
     check_ok("its own", read_rules_set(false, NULL));
@@ -204,13 +203,12 @@ TEST(hub) {
 }
 
 TEST(root) {
-    char root[4096];
     make_folders();
     check_ok("narrow", read_rules_set(false, scratch("model")));
     check_shown("a/y.png");
     check_outside("../textures/x.png", "");
     check_outside("link.png", "");
-    snprintf(root, sizeof root, "%s", absolute(".."));
+    const char *root = form("%s", absolute(".."));
     check_ok("wide", read_rules_set(false, root));
     check_shown("../../outside-of-named-files.png");
     check_shown("out.png");
@@ -380,9 +378,8 @@ TEST(options) {
     assert_int_equal(run("bench times --strict --size 8x8", none), 1);
     assert_int_equal(run("info --root /no-such-folder", none), 1);
     expect_text("--root: /no-such-folder: No such file or directory");
-    char arguments[4096];
     make_folders();
-    snprintf(arguments, sizeof arguments, "info --root %s", scratch("model"));
+    const char *arguments = form("info --root %s", scratch("model"));
     assert_int_equal(run(arguments, write_textured("../textures/x.png")), 1);
     expect_text(" allows it)");
     assert_int_equal(run("compare --strict a.exr", "b.exr"), 2);

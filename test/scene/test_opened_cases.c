@@ -133,17 +133,16 @@ TEST(shown) {
 
 TEST(skies) {
     static const char *const skies[] = {"negative", "inf", "odd"};
-    char plane[512], sky[512], options[1024];
+    char plane[512], sky[512];
     if (!find_case("sky-values/plane.gltf", plane))
         skip();
     for (int i = 0; i < 3; i++) {
-        char name[64];
         struct image image;
-        snprintf(name, sizeof name, "sky-values/%s.exr", skies[i]);
+        const char *name = form("sky-values/%s.exr", skies[i]);
         if (!find_case(name, sky))
             continue;
         printf("  %s\n", name);
-        snprintf(options, sizeof options, "--light sky --environment %s", sky);
+        const char *options = form("--light sky --environment %s", sky);
         render(plane, options, &image);
         if (strcmp(skies[i], "negative") == 0)
             check_layer(&image, "direct", (float[]){1, 1, 1}, .05);

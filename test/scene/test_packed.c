@@ -273,13 +273,10 @@ static const unsigned char sequential[] = {
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x40, 0x40, 0x0e};
 
 static bool load_draco(struct scene *scene, const unsigned char *bytes, size_t size, int indices) {
-    char views[128], accessors[256];
-    snprintf(views, sizeof views, "[{\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu}]",
-             size);
-    snprintf(accessors, sizeof accessors,
-             "[{\"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
-             " {\"componentType\": 5121, \"count\": %d, \"type\": \"SCALAR\"}]",
-             indices);
+    const char *views = form("[{\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu}]", size);
+    const char *accessors = form("[{\"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+                                 " {\"componentType\": 5121, \"count\": %d, \"type\": \"SCALAR\"}]",
+                                 indices);
     return load_parts(
         scene, "draco.glb",
         &(struct gltf_parts){
@@ -371,9 +368,8 @@ TEST(draco_header) {
 }
 
 static bool load_draco_with(struct scene *scene, const char *accessors, const char *primitive) {
-    char views[128];
-    snprintf(views, sizeof views, "[{\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu}]",
-             sizeof edgebreaker);
+    const char *views =
+        form("[{\"buffer\": 0, \"byteOffset\": 64, \"byteLength\": %zu}]", sizeof edgebreaker);
     return load_parts(
         scene, "draco.glb",
         &(struct gltf_parts){.views = views,

@@ -129,8 +129,7 @@ TEST(numbers) {
         {"/materials/1/emissiveFactor", UNLIT, SURFACE(emission), 3, {1, 1, 1, 1, 1, 1}, 0},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        char channel[256];
-        snprintf(channel, sizeof channel, TARGET("%s"), rows[i].pointer);
+        const char *channel = form(TARGET("%s"), rows[i].pointer);
         hear_notes();
         OWNED(stage) stage = open_stage(write_clip(channel, rows[i].values, rows[i].width));
         end_notes();
@@ -155,9 +154,8 @@ TEST(punctual_scale) {
         static const char *const generators[] = {"v3.3.32", "v3.6.6", "v4.2.1"};
         static const char *const extras[] = {"", ", \"extras\": {\"punctual_scale\": 0.25}"};
         bool emits = i / 6;
-        char asset[160];
-        snprintf(asset, sizeof asset,
-                 "{\"version\": \"2.0\", \"generator\": \"Khronos glTF Blender I/O %s\"%s}",
+        const char *asset =
+            form("{\"version\": \"2.0\", \"generator\": \"Khronos glTF Blender I/O %s\"%s}",
                  generators[i % 3], extras[i / 3 % 2]);
         desc.path = write_parts(
             "blender.glb",
@@ -243,8 +241,7 @@ TEST(notes) {
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         OWNED(scene) scene;
-        char channel[256];
-        snprintf(channel, sizeof channel, TARGET("%s"), rows[i].pointer);
+        const char *channel = form(TARGET("%s"), rows[i].pointer);
         hear_notes();
         check_ok(rows[i].pointer, scene_load(&scene, write_clip(channel, values, 1)));
         end_notes();
@@ -276,7 +273,7 @@ static void check_followed(const char *pointer, const float *values, int width,
     const char *path = write_clip(channel, values, width);
     stage = open_stage(path);
     struct renderer_desc desc = desc_of(&stage, technique, settings, SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     for (int step = 1; step >= 0; step--) {
         OWNED(image) followed, expected;
         double time = step ? 2 : .5;

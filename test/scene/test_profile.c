@@ -159,18 +159,17 @@ TEST(files) {
  * light, lights: extensions of its node and of the file. A clip has the time 0 and the value 3. */
 static void write_scene(const char *name, const char *light, const char *lights, double albedo) {
     static const float clip[] = {0, 3};
-    char nodes[2048], materials[256], more[2048];
-    snprintf(materials, sizeof materials,
-             "[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorFactor\":"
+    const char *materials =
+        form("[{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"baseColorFactor\":"
              " [%g, %g, %g, 1]}, \"doubleSided\": true}]",
              albedo, albedo, albedo);
-    snprintf(nodes, sizeof nodes,
-             "[{\"mesh\": 0, \"matrix\": [12,0,0,0, 0,0,-12,0, 0,12,0,0, -6,0,6,1]},"
+    const char *nodes =
+        form("[{\"mesh\": 0, \"matrix\": [12,0,0,0, 0,0,-12,0, 0,12,0,0, -6,0,6,1]},"
              " {\"mesh\": 0, \"matrix\": [12,0,0,0, 0,12,0,0, 0,0,12,0, -6,0,-2,1]},"
              " {\"translation\": [0, 3, 0], \"rotation\": [-0.70710678, 0, 0, 0.70710678],"
              " \"extensions\": %s}]",
              light);
-    snprintf(more, sizeof more, "\"extensions\": %s,", lights);
+    const char *more = form("\"extensions\": %s,", lights);
     write_parts(name, &(struct gltf_parts){.accessors = PARTS_CLIP,
                                            .materials = materials,
                                            .nodes = nodes,

@@ -22,13 +22,12 @@ enum { SIZE = 48 };
 
 /* A white square of 2 m below a light at 2 m; the camera at 5 m. */
 static void open_square(struct stage *stage, const char *light, const char *more_nodes) {
-    char more[512], nodes[512];
-    snprintf(more, sizeof more,
-             "\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 0.2, \"znear\":"
+    const char *more =
+        form("\"cameras\": [{\"type\": \"perspective\", \"perspective\": {\"yfov\": 0.2, \"znear\":"
              " 0.1}}], \"extensions\": {\"KHR_lights_punctual\": {\"lights\": [%s]}},",
              light);
-    snprintf(nodes, sizeof nodes,
-             "[{\"mesh\": 0, \"scale\": [2, 2, 2], \"translation\": [-1, -1, 0]},"
+    const char *nodes =
+        form("[{\"mesh\": 0, \"scale\": [2, 2, 2], \"translation\": [-1, -1, 0]},"
              "{\"camera\": 0, \"translation\": [0, 0, 5]}," LIGHT("[0, 0, 2]") "%s]",
              more_nodes);
     *stage =
@@ -155,13 +154,11 @@ TEST(text) {
 
 /* Squares of 4 m at 5 m and of 1 m at 2 m of a camera of that kind. */
 static void open_squares(struct stage *stage, const char *kind, const char *range) {
-    char more[512];
     bool flat = strcmp(kind, "orthographic") == 0;
-    snprintf(more, sizeof more,
-             "\"cameras\": [{\"type\": \"%s\", \"%s\": {%s, %s}}],"
-             "\"extensions\": {\"KHR_lights_punctual\": {\"lights\":"
-             " [{\"type\": \"directional\", \"intensity\": 3.14159265}]}},",
-             kind, kind, flat ? "\"xmag\": 1, \"ymag\": 1" : "\"yfov\": 0.6", range);
+    const char *more = form("\"cameras\": [{\"type\": \"%s\", \"%s\": {%s, %s}}],"
+                            "\"extensions\": {\"KHR_lights_punctual\": {\"lights\":"
+                            " [{\"type\": \"directional\", \"intensity\": 3.14159265}]}},",
+                            kind, kind, flat ? "\"xmag\": 1, \"ymag\": 1" : "\"yfov\": 0.6", range);
     *stage = open_stage(write_parts(
         "squares.glb",
         &(struct gltf_parts){
@@ -253,8 +250,7 @@ TEST(cases) {
                 {"light-range/range-1.5.gltf", "direct.R", 0},
                 {"light-range/range-4.gltf", "direct.R", .9375}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows && shared_path(); i++) {
-        char path[512];
-        snprintf(path, sizeof path, "%s/cases/%s", shared_path(), rows[i].file);
+        const char *path = form("%s/cases/%s", shared_path(), rows[i].file);
         if (!file_can_be_read(path))
             continue;
         struct stage stage = open_stage(path);

@@ -285,9 +285,8 @@ TEST(brightness) {
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         struct scene scene;
         struct geometry geometry;
-        char more[256];
-        snprintf(more, sizeof more,
-                 "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{%s}]}},", rows[i].light);
+        const char *more =
+            form("\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{%s}]}},", rows[i].light);
         load(&scene, &geometry,
              &(struct gltf_parts){.nodes =
                                       "[{\"mesh\": 0, \"extensions\": {\"KHR_lights_punctual\":"
@@ -330,17 +329,16 @@ TEST(far_clip) {
     for (int i = 0; i < 2; i++) {
         struct scene scene;
         struct geometry geometry;
-        char accessors[700], more[400];
-        snprintf(accessors, sizeof accessors,
-                 "[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
+        const char *accessors =
+            form("[{\"bufferView\": 0, \"componentType\": 5126, \"count\": 4, \"type\": \"VEC3\"},"
                  " {\"bufferView\": 0, \"byteOffset\": 48, \"componentType\": 5123, \"count\": 6,"
                  " \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 64, "
                  "\"componentType\": 5126,"
                  " \"count\": 2, \"type\": \"SCALAR\"}, {\"bufferView\": 0, \"byteOffset\": 72,"
                  " \"componentType\": 5126, \"count\": %d, \"type\": \"VEC3\"}]",
                  i ? 6 : 2);
-        snprintf(more, sizeof more,
-                 "\"animations\": [{\"samplers\": [{\"input\": 2, \"output\": 3, \"interpolation\":"
+        const char *more =
+            form("\"animations\": [{\"samplers\": [{\"input\": 2, \"output\": 3, \"interpolation\":"
                  " \"%s\"}], \"channels\": [{\"sampler\": 0, \"target\": {\"node\": 0, \"path\":"
                  " \"translation\"}}]}],",
                  kinds[i]);
@@ -405,8 +403,7 @@ TEST(shared_scenes) {
     if (!shared_path())
         skip();
     for (int i = 0; i < 4; i++) {
-        char path[256];
-        snprintf(path, sizeof path, "%s/scenes/%s", shared_path(), expected[i].name);
+        const char *path = form("%s/scenes/%s", shared_path(), expected[i].name);
         struct scene scene;
         struct geometry geometry;
         check_ok("load", scene_load(&scene, path));
@@ -450,8 +447,7 @@ TEST(stand_in) {
 TEST(shared_cornell_box) {
     if (!shared_path())
         skip();
-    char path[256];
-    snprintf(path, sizeof path, "%s/scenes/cornell-box.glb", shared_path());
+    const char *path = form("%s/scenes/cornell-box.glb", shared_path());
     OWNED(scene) scene;
     check_ok("load", scene_load(&scene, path));
     struct emitter light;

@@ -56,9 +56,8 @@ enum { SCENE_COUNT = sizeof expectations / sizeof expectations[0] };
 
 static int run_tool(const char *folder, const char *names, char *output, size_t size) {
     const char *build = getenv("MANYLIGHT_BUILD");
-    char command[1024];
-    snprintf(command, sizeof command, "mkdir -p %s/failures && %s/scenes/make_scenes %s %s", folder,
-             build ? build : "build", folder, names);
+    const char *command = form("mkdir -p %s/failures && %s/scenes/make_scenes %s %s", folder,
+                               build ? build : "build", folder, names);
     return run_command(command, output, size);
 }
 

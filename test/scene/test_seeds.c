@@ -27,8 +27,7 @@ static void feed_folder(void (*fuzz)(const uint8_t *, size_t), const char *folde
     struct dirent **entries;
     int count = scandir(folder, &entries, NULL, alphasort), fed = 0;
     for (int i = 0; i < count; i++) {
-        char path[512];
-        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+        const char *path = form("%s/%s", folder, entries[i]->d_name);
         if (entries[i]->d_name[0] != '.')
             feed(fuzz, path), fed++;
         free(entries[i]);

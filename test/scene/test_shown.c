@@ -165,8 +165,7 @@ TEST(choice) {
 
 static void check_name(const char *name, const char *expected, const char *note) {
     struct opened opened;
-    char nodes[256];
-    snprintf(nodes, sizeof nodes, "[{\"name\": \"%s\", \"mesh\": 0}]", name);
+    const char *nodes = form("[{\"name\": \"%s\", \"mesh\": 0}]", name);
     check_ok(name, open_parts(&opened, &(struct gltf_parts){.nodes = nodes}, "", ""));
     assert_string_equal(opened.scene.nodes[0].name, expected);
     if (*note ? !strstr(notes, note) : strstr(notes, "UTF-8") != NULL)
@@ -198,8 +197,7 @@ TEST(file_names) {
     write_bytes(scratch("B\xFCro.bin"), bin, sizeof bin);
     for (int i = 0; i < 3; i++) {
         struct opened opened;
-        char buffers[128];
-        snprintf(buffers, sizeof buffers, "[{\"uri\" : \"%s\", \"byteLength\": 320}]", uris[i]);
+        const char *buffers = form("[{\"uri\" : \"%s\", \"byteLength\": 320}]", uris[i]);
         check_ok(uris[i], open_parts(&opened, &(struct gltf_parts){.buffers = buffers}, "", ""));
         close_parts(&opened);
     }

@@ -200,15 +200,15 @@ struct renderer_desc desc_of(const struct stage *stage, const char *technique, c
     return desc;
 }
 
-void open_renderer(struct renderer *renderer, const struct renderer_desc *desc) {
-    check_ok("renderer", renderer_init(renderer, desc));
+void open_renderer(struct renderer *renderer, struct renderer_desc desc) {
+    check_ok("renderer", renderer_init(renderer, &desc));
     renderer_render(renderer);
 }
 
 struct image render_layers(const struct renderer_desc *desc) {
     OWNED(renderer) renderer;
     struct image image;
-    open_renderer(&renderer, desc);
+    open_renderer(&renderer, *desc);
     check_ok("layers", renderer_read_layers(&renderer, &image));
     return image;
 }

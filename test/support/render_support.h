@@ -60,7 +60,7 @@ struct renderer_desc desc_of(const struct stage *stage, const char *technique, c
                              int width, int height);
 
 /* A renderer that has rendered one frame. */
-void open_renderer(struct renderer *renderer, const struct renderer_desc *desc);
+void open_renderer(struct renderer *renderer, struct renderer_desc desc);
 
 /* All layers of the frame that a renderer of this desc renders. */
 struct image render_layers(const struct renderer_desc *desc);

@@ -92,6 +92,18 @@ bool is_tried_here(size_t index, size_t step) {
     return is_long_run() || index % step == 0;
 }
 
+char *form(const char *format, ...) {
+    static char *texts[1000];
+    static int next;
+    char **text = &texts[next++ % 1000];
+    va_list arguments;
+    va_start(arguments, format);
+    free(*text);
+    assert_true(vasprintf(text, format, arguments) >= 0);
+    va_end(arguments);
+    return *text;
+}
+
 int run_command(const char *command, char *output, size_t output_size) {
     char line[4096];
     snprintf(line, sizeof line, "%s 2>&1 </dev/null", command);

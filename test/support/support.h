@@ -65,6 +65,9 @@ void check_refused(bool done, const char *message);
 /* Whether this run tries the row of that index: one in step of them, or all. */
 bool is_tried_here(size_t index, size_t step);
 
+/* The text of printf. It is kept for the next 1000 texts. */
+char *form(const char *format, ...) __attribute__((format(printf, 1, 2)));
+
 /* Runs a shell command; its exit status, its stdout and stderr together in output (truncated). */
 int run_command(const char *command, char *output, size_t output_size);
 

@@ -180,7 +180,7 @@ static inline void see_occlusion(struct seen *seen, const struct stage *stage, c
     struct renderer_desc desc = desc_of(stage, "imperfect-volume", settings, size, size);
     struct ambient_occlusion ao;
     seen->size = size;
-    open_renderer(&seen->renderer, &desc);
+    open_renderer(&seen->renderer, desc);
     check_ok("layers", renderer_read_layers(&seen->renderer, &seen->layers));
     struct frame frame = renderer_frame(&seen->renderer);
     check_ok("ambient occlusion",
@@ -253,7 +253,7 @@ static inline void light_volume(struct lit *lit) {
 static inline void open_lit(struct lit *lit, const struct stage *stage, const char *settings,
                             int bounces) {
     struct renderer_desc desc = desc_of(stage, "imperfect-volume", settings, 32, 32);
-    open_renderer(&lit->renderer, &desc);
+    open_renderer(&lit->renderer, desc);
     lit->frame = renderer_frame(&lit->renderer);
     check_ok("shadow maps", shadow_map_pass_init(
                                 &lit->shadows, &(struct shadow_map_desc){512, lit->frame.layout}));

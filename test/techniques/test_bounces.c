@@ -92,8 +92,7 @@ static struct vpl *read_buffer(const struct vpl_buffer *buffer) {
 static struct vpl *read_later(const struct stage *stage, const char *settings, int *count) {
     OWNED(renderer) renderer;
     struct output_list outputs;
-    struct renderer_desc desc = desc_of(stage, "unshadowed", settings, 32, 32);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(stage, "unshadowed", settings, 32, 32));
     renderer_outputs(&renderer, &outputs);
     const struct vpl_buffer *buffer = output_find(&outputs, "bounce-vpl")->source;
     struct vpl *vpls = read_buffer(buffer);
@@ -109,7 +108,7 @@ static void read_fluxes(const struct stage *stage, int bounces, double *first, d
     struct output_list outputs;
     snprintf(settings, sizeof settings, "bounces=%d vpls=1024 vals=8 map-size=64", bounces);
     struct renderer_desc desc = desc_of(stage, "clustered", settings, 32, 32);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     renderer_outputs(&renderer, &outputs);
     const struct output *output = output_find(&outputs, "bounce-vpl");
     assert_non_null(output);
@@ -192,9 +191,8 @@ TEST(shared) {
     for (int n = 0; n < 3; n++) {
         double squares[2] = {0};
         for (int seed = 1; seed <= SETS; seed++) {
-            char settings[64];
             int count;
-            snprintf(settings, sizeof settings, "bounces=2 paths=%d seed=%d", counts[n], seed);
+            const char *settings = form("bounces=2 paths=%d seed=%d", counts[n], seed);
             struct vpl *vpls = read_later(&stage, settings, &count);
             add_eighths(vpls, count, squares, &lights[n]);
             free(vpls);
@@ -226,13 +224,12 @@ TEST(shared) {
 
 /* Below a ceiling that a spot lights a white board and beside it a dark floor. */
 static void open_board(struct stage *stage, const char *board) {
-    char nodes[1024];
-    snprintf(nodes, sizeof nodes,
-             "[%s" PLACED("1", "0", "0", "2", "2", "-") PLACED(
-                 "0", "-2", "3", "-2", "4",
-                 "") "{\"translation\": [0, 1, 0], \"rotation\": [0.70710678, 0, 0, 0.70710678],"
-                     " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
-             board);
+    const char *nodes = form(
+        "[%s" PLACED("1", "0", "0", "2", "2", "-")
+            PLACED("0", "-2", "3", "-2", "4",
+                   "") "{\"translation\": [0, 1, 0], \"rotation\": [0.70710678, 0, 0, 0.70710678],"
+                       " \"extensions\": {\"KHR_lights_punctual\": {\"light\": 0}}}]",
+        board);
     struct gltf_parts parts = {
         .materials = "[" MATERIAL("0.8") ", " MATERIAL("0.1") "]",
         .meshes = "[" MESH("0") ", " MESH("1") "]",
@@ -277,12 +274,10 @@ static void check_shared(const char *board) {
     OWNED(stage) stage;
     open_board(&stage, board);
     for (int seed = 1; seed <= SETS; seed++) {
-        char settings[64];
         OWNED(renderer) renderer;
         struct output_list outputs;
-        snprintf(settings, sizeof settings, "bounces=2 paths=4096 seed=%d", seed);
-        struct renderer_desc desc = desc_of(&stage, "unshadowed", settings, 32, 32);
-        open_renderer(&renderer, &desc);
+        const char *settings = form("bounces=2 paths=4096 seed=%d", seed);
+        open_renderer(&renderer, desc_of(&stage, "unshadowed", settings, 32, 32));
         renderer_outputs(&renderer, &outputs);
         const struct bounce_pass *pass = bounce_pass_of(&outputs);
         add_left(pass, left);
@@ -350,8 +345,7 @@ TEST(seen) {
     OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     stage.camera.fov_y *= .6F;
     open_rays(&rays, &stage);
-    struct renderer_desc desc = desc_of(&stage, "unshadowed", "bounces=3 paths=1024", 32, 32);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", "bounces=3 paths=1024", 32, 32));
     renderer_outputs(&renderer, &outputs);
     const struct bounce_pass *pass = bounce_pass_of(&outputs);
     struct row places = read_row(&pass->positions, 0), nexts = read_row(&pass->nexts, 0),
@@ -422,7 +416,7 @@ static void read_powers(struct stage *stage, const char *settings, struct powers
     struct renderer renderer;
     struct output_list outputs;
     struct renderer_desc desc = desc_of(stage, "unshadowed", settings, 32, 32);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     renderer_outputs(&renderer, &outputs);
     const char *bounce = (const void *)bounce_pass_of(&outputs);
     const struct many_lights *lights =
@@ -471,7 +465,7 @@ TEST(frames) {
         struct renderer_desc desc = desc_of(&stage, techniques[t], "bounces=3", 48, 48);
         struct emitter light = stage.emitters.items[0];
         OWNED(image) fresh = render_layers(&desc), again;
-        open_renderer(&renderer, &desc);
+        open_renderer(&renderer, desc);
         stage.emitters.items[0].position[0] += .5F;
         check_ok("a light elsewhere", renderer_follow(&renderer, &desc));
         renderer_render(&renderer);

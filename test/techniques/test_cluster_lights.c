@@ -343,8 +343,7 @@ static void check_falls(const char *scene, double of_128) {
     OWNED(image) all = render_stage(&stage, "unshadowed", EVERY_VPL, 48);
     double last = 1;
     for (int lights = 8; lights <= 128; lights *= 4) {
-        char settings[160];
-        snprintf(settings, sizeof settings, "shadows=none area-lights=%d", lights);
+        const char *settings = form("shadows=none area-lights=%d", lights);
         OWNED(image) image = render_stage(&stage, "cluster-lights", settings, 48);
         double error = relative_rmse(&image, &all, "indirect");
         printf("  %s: %d lights: %.2f %%\n", scene, lights, 100 * error);
@@ -392,11 +391,10 @@ static void see_pixels(struct published *p, const struct renderer *renderer,
 }
 
 static void open_published(struct published *p, const struct stage *stage, const char *settings) {
-    struct renderer_desc desc = desc_of(stage, "cluster-lights", settings, 64, 64);
     OWNED(renderer) renderer;
     struct output_list outputs;
     OWNED(image) layers;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(stage, "cluster-lights", settings, 64, 64));
     check_ok("layers", renderer_read_layers(&renderer, &layers));
     renderer_outputs(&renderer, &outputs);
     const struct vpl_buffer *lights = output_find(&outputs, "light")->source;

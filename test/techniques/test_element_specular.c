@@ -176,8 +176,7 @@ TEST(layers) {
         "radiosity.specular=direct bounces=2"};
     OWNED(stage) stage = open_stage("scenes/gloss.glb");
     for (size_t i = 0; i < sizeof settings / sizeof *settings; i++) {
-        char text[256];
-        snprintf(text, sizeof text, "elements=500 radiosity.bins=6 %s", settings[i]);
+        const char *text = form("elements=500 radiosity.bins=6 %s", settings[i]);
         struct renderer_desc desc = desc_of(&stage, "implicit-visibility", text, SIZE, SIZE);
         OWNED(image) layers = render_layers(&desc);
         const int beauty = image_find_channel(&layers, "R"),

@@ -207,8 +207,7 @@ TEST(solid_angle) {
     struct surface_points points;
     struct splat_pass splat;
     struct vpl_views_pass views;
-    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=16 interleave=4", 16, 16);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", "vpls=16 interleave=4", 16, 16));
     renderer_outputs(&renderer, &outputs);
     struct splat_desc small = {
         .points = {&stage.scene, &stage.geometry, POINTS, 1},
@@ -343,8 +342,7 @@ static void check_nearer(struct filling *filling) {
 TEST(filling) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     OWNED(renderer) renderer;
-    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=1 interleave=1", 16, 16);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", "vpls=1 interleave=1", 16, 16));
     struct filling *filling = mem_alloc(1, sizeof *filling);
     filling->renderer = &renderer;
     check_wall(filling);
@@ -404,7 +402,7 @@ TEST(frames) {
     struct renderer_desc desc =
         desc_of(&stage, name, "vpls=64 imperfect-shadow-maps.map-points=512", 32, 32);
     OWNED(image) fresh = render_layers(&desc);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     for (int back = 0; back < 2; back++) {
         check_ok("pose", geometry_pose(&stage.geometry, &stage.scene, back ? 0 : 1.5));
         check_ok("moved", renderer_follow(&renderer, &desc));

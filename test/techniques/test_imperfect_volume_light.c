@@ -100,11 +100,9 @@ TEST(random_occupancy) {
         int squares, points; /* of each triangle */
     } cases[] = {{4, 25}, {4, 100}, {8, 50}, {8, 100}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        char settings[96];
         int triangles = 2 * cases[i].squares * cases[i].squares;
         double k = triangles * cases[i].points / (59. * 59), expected = random_share(k);
-        snprintf(settings, sizeof settings, "volume.size=64 published=on voxel-points=%d",
-                 cases[i].points);
+        const char *settings = form("volume.size=64 published=on voxel-points=%d", cases[i].points);
         printf("  k = %.3f\n", k);
         check_near("filled", filled_share(settings, cases[i].squares), expected,
                    3 * sigma_of(expected));
@@ -115,9 +113,8 @@ TEST(random_occupancy) {
 TEST(occupancy) {
     static const double means[] = {1, 3};
     for (size_t i = 0; i < sizeof means / sizeof *means; i++) {
-        char settings[64];
         double expected = random_share(means[i]);
-        snprintf(settings, sizeof settings, "volume.size=64 voxel-points=%g", means[i]);
+        const char *settings = form("volume.size=64 voxel-points=%g", means[i]);
         double filled = filled_share(settings, 1);
         printf("  k = %g: %.4f filled, random points %.4f\n", means[i], filled, expected);
         check_at_most("random points over these", expected - 3 * sigma_of(expected), filled);
@@ -149,8 +146,7 @@ TEST(flux) {
     OWNED(stage) stage = open_stage("scenes/cornell-box.glb");
     open_lit(&lit, &stage, "voxel-points=20", 1);
     struct renderer renderer;
-    struct renderer_desc desc = desc_of(&stage, "unshadowed", "vpls=4096", 32, 32);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed", "vpls=4096", 32, 32));
     struct vpl *vpls = read_vpls(&renderer);
     for (int i = 0; i < 4096; i++)
         flux += (double)(vpls[i].flux[0] + vpls[i].flux[1] + vpls[i].flux[2]);
@@ -187,8 +183,7 @@ TEST(bounces) {
 /* Inside a sphere of albedo 1/2 the direct layer is 1 everywhere, and so many bounces add 1 -
  * 1/2^b. */
 static double furnace_error(const struct stage *stage, const char *size, int bounces) {
-    char settings[96];
-    snprintf(settings, sizeof settings, "%s lights.bounces=%d", size, bounces);
+    const char *settings = form("%s lights.bounces=%d", size, bounces);
     OWNED(image) image = render_stage(stage, "imperfect-volume", settings, 48);
     double mean = layer_mean(&image, "indirect"), exact = 1 - pow(.5, bounces);
     printf("  %s: %.4f, exact %.4f\n", settings, mean, exact);
@@ -330,8 +325,7 @@ TEST(voxels) {
     add_room(shape, at(.5F, .5F, .5F), at(-.5F, -.5F, -.5F)); /* seen from without */
     open_shape(&stage, shape, .5, false, at(0, 3, 0));
     look(&stage, at(0, .5F, 0), at(0, -1, 0), at(0, 0, -1), 2);
-    struct renderer_desc desc = desc_of(&stage, "imperfect-volume", "volume.size=32", 64, 64);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "imperfect-volume", "volume.size=32", 64, 64));
     check_ok("layers", renderer_read_layers(&renderer, &image));
     check_ok("voxels", aov_append(&renderer, "voxels", NULL, &image));
     int channel = image_find_channel(&image, "voxels.R");

@@ -443,9 +443,8 @@ TEST(start) {
         stage = open_stage("scenes/character.glb");
         if (i == 1)
             check_ok("pose", stage_pose(&stage, 1));
-        struct renderer_desc desc =
-            desc_of(&stage, "implicit-visibility", "elements=500 radiosity.bins=8", 32, 32);
-        open_renderer(&renderer, &desc);
+        open_renderer(&renderer, desc_of(&stage, "implicit-visibility",
+                                         "elements=500 radiosity.bins=8", 32, 32));
         check_ok("pose", stage_pose(&stage, 1));
         check_ok("show", stage_show(&stage, &renderer));
         renderer_render(&renderer);

@@ -77,8 +77,7 @@ static double spread(struct renderer *renderer) {
 
 static double spread_of(const struct stage *stage, const char *settings) {
     struct renderer renderer;
-    struct renderer_desc desc = desc_of(stage, "clustered", settings, 64, 64);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(stage, "clustered", settings, 64, 64));
     double metres = spread(&renderer);
     renderer_free(&renderer);
     printf("    %-24s VPLs are %.3f m from the middle of their VAL's\n", settings, metres);
@@ -121,7 +120,7 @@ TEST(kept_lights) {
     desc.keep_lights = true;
     OWNED(image) fresh = render_layers(&desc);
     desc.camera.eye[0] += .4F;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     desc.camera = there;
     check_ok("a camera elsewhere", renderer_follow(&renderer, &desc));
     renderer_render(&renderer);

@@ -39,8 +39,7 @@ static double mean_density(const float *densities, int width, int light, double 
 TEST(densities) {
     OWNED(stage) stage = open_stage("scenes/courtyard.glb");
     OWNED(renderer) renderer;
-    struct renderer_desc desc = desc_of(&stage, "clustered", "lights.importance=on", SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "clustered", "lights.importance=on", SIZE, SIZE));
     const struct many_lights *technique = renderer.technique_state;
     const struct importance_map *map = &technique->importance.map;
     float *densities = read_texels(&map->densities, GL_RED, 1),
@@ -160,7 +159,7 @@ TEST(next_door) {
     assert_false(same(&hall, "clustered", "", "lights.importance=off"));
     assert_true(same(&hall, "unshadowed", "", "lights.importance=off"));
     struct renderer_desc desc = desc_of(&hall, "clustered", "", SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     memcpy(hall.emitters.items[0].position, (float[]){0, 4, 0}, sizeof(float[3]));
     emitter_aim(&hall.emitters.items[0], down);
     assert_true(same(&hall, "clustered", "", "lights.importance=off"));
@@ -173,9 +172,9 @@ TEST(next_door) {
 TEST(many) {
     OWNED(stage) hall = open_stage("scenes/hall.glb");
     OWNED(renderer) renderer;
-    struct renderer_desc desc = desc_of(
-        &hall, "lightcuts", "lights.importance=on,lights.bounces=2,lights.vpls=20000", 8, 8);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer,
+                  desc_of(&hall, "lightcuts",
+                          "lights.importance=on,lights.bounces=2,lights.vpls=20000", 8, 8));
 }
 
 /* Lights that are kept while the camera moves are no others than those of a frame that begins
@@ -185,7 +184,7 @@ TEST(kept) {
     OWNED(renderer) renderer;
     struct renderer_desc desc = desc_of(&stage, "clustered", "", SIZE, SIZE);
     desc.keep_lights = true;
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     desc.camera.eye[0] += .1F;
     check_followed("a step", &renderer, &desc);
 }

@@ -30,11 +30,10 @@ TEST(loses_to_no_visibility_nowhere) {
                                          "three-lights", "moving-spot",    "table",     "creatures",
                                          "character",    "sphere"};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {
-        char path[64];
         struct image reference = {0};
         if (!is_tried_here(i, 2))
             continue;
-        snprintf(path, sizeof path, "scenes/%s.glb", scenes[i]);
+        const char *path = form("scenes/%s.glb", scenes[i]);
         struct stage stage = open_stage(path);
         struct measure_desc desc = measure_default(&stage, SIZE, SIZE);
         check_ok(scenes[i],

@@ -198,9 +198,8 @@ TEST(rows) {
     struct buffer gather_params;
     OWNED(image) picture;
     static const struct gather_params zeros;
-    struct renderer_desc desc =
-        desc_of(&stage, "unshadowed", "vpls=64 interleave=1 clamp=none blur-radius=0", SIZE, SIZE);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "unshadowed",
+                                     "vpls=64 interleave=1 clamp=none blur-radius=0", SIZE, SIZE));
     check_ok("layers", renderer_read_layers(&renderer, &picture));
     renderer_outputs(&renderer, &outputs);
     const struct vpl_buffer *vpls = output_vpls(&outputs);
@@ -254,9 +253,8 @@ TEST(mean) {
     double sum = 0, squares = 0, errors[2] = {0};
     OWNED(stage) stage = open_stage("scenes/cornell-animal.glb");
     for (int i = 0; i < 2 * CHOICES; i++) {
-        char all[80], settings[160];
-        snprintf(all, sizeof all, PLAIN "seed=%d ", i);
-        snprintf(settings, sizeof settings, "%scolumns=%d rows=36", all, i < CHOICES ? 12 : 32);
+        const char *all = form(PLAIN "seed=%d ", i);
+        const char *settings = form("%scolumns=%d rows=36", all, i < CHOICES ? 12 : 32);
         OWNED(image) reference = render_stage(&stage, "instant-radiosity", all, 32);
         OWNED(image) image = render_stage(&stage, name, settings, 32);
         double mean = layer_mean(&image, "indirect") / layer_mean(&reference, "indirect");
@@ -284,9 +282,8 @@ TEST(against_plain) {
     enum { CHOICES = 6 };
     double error = 0;
     for (int i = 0; i < CHOICES; i++) {
-        char all[80], settings[120];
-        snprintf(all, sizeof all, "vpls=256 interleave=1 map-size=64 seed=%d ", i);
-        snprintf(settings, sizeof settings, "%srows=64 columns=40", all);
+        const char *all = form("vpls=256 interleave=1 map-size=64 seed=%d ", i);
+        const char *settings = form("%srows=64 columns=40", all);
         OWNED(image) reference = render_stage(&stage, "instant-radiosity", all, 48);
         OWNED(image) chosen = render_stage(&stage, name, settings, 48);
         double own = relative_rmse(&chosen, &reference, "indirect");

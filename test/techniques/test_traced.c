@@ -209,16 +209,13 @@ static double light_of(const struct bench *bench, const struct vpl *vpl, vec3s p
 
 /* Each pixel is the sum over the VPLs that it sees. */
 static void check_frame(const char *path, int size, int vpl_count) {
-    char settings[200];
-    snprintf(settings, sizeof settings,
-             "trace=on vpls=%d interleave=1 clamp=none blur-radius=0 "
-             "gather.adaptive=0 materials=diffuse",
-             vpl_count);
+    const char *settings = form("trace=on vpls=%d interleave=1 clamp=none blur-radius=0 "
+                                "gather.adaptive=0 materials=diffuse",
+                                vpl_count);
     struct bench bench;
     bench.stage = open_stage(path);
     open_rays(&bench.rays, &bench.stage);
-    struct renderer_desc desc = desc_of(&bench.stage, "clustered", settings, size, size);
-    open_renderer(&bench.renderer, &desc);
+    open_renderer(&bench.renderer, desc_of(&bench.stage, "clustered", settings, size, size));
     check_ok("layers", renderer_read_layers(&bench.renderer, &bench.layers));
     struct vpl *vpls = read_vpls(&bench.renderer);
     int alpha = image_find_channel(&bench.layers, "A"), wrong = 0, count = 0;

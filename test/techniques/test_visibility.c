@@ -32,8 +32,7 @@ static int close_reference(void **state) {
 }
 
 static double error_of(int vals, const char *more) {
-    char settings[128];
-    snprintf(settings, sizeof settings, "vpls=256 vals=%d %s", vals, more);
+    const char *settings = form("vpls=256 vals=%d %s", vals, more);
     OWNED(image) image = render_stage(&stage, "clustered", settings, SIZE);
     double error = relative_rmse(&image, &reference, "indirect");
     printf("    M = %3d: relative RMSE %.4f, gradient error %.4f, mean %.4f\n", vals, error,
@@ -98,8 +97,7 @@ TEST(banding) {
     OWNED(image) exact = render_stage(&stage, "instant-radiosity", "vpls=256 interleave=1", SIZE);
     double gradients[2];
     for (int hard = 0; hard < 2; hard++) {
-        char text[128];
-        snprintf(text, sizeof text, settings, hard ? "hard" : "cssm");
+        const char *text = form(settings, hard ? "hard" : "cssm");
         OWNED(image) image = render_stage(&stage, "clustered", text, SIZE);
         gradients[hard] = gradient_error(&image, &exact, "indirect");
     }
@@ -179,8 +177,7 @@ static const struct gltf_parts blocker_parts = {
 };
 
 static double flat_error(const struct stage *flat, const struct image *exact, const char *more) {
-    char settings[192];
-    snprintf(settings, sizeof settings, "vpls=1024 interleave=1 clamp=none %s", more);
+    const char *settings = form("vpls=1024 interleave=1 clamp=none %s", more);
     OWNED(image) image = render_stage(flat, "clustered", settings, 64);
     double error = relative_rmse(&image, exact, "indirect");
     printf("    %-60s relative RMSE %.4f\n", more, error);
@@ -230,11 +227,10 @@ static double light_of_leaning(const struct leaning *lit) {
     float normals[4][3];
     for (int i = 0; i < 4; i++)
         memcpy(normals[i], (float[]){(float)sin(lean), 0, (float)cos(lean)}, sizeof normals[i]);
-    char nodes[1024], more[512];
-    snprintf(nodes, sizeof nodes, leaning_nodes, lit->wall[0], lit->wall[1], lit->light[0],
-             lit->light[1]);
-    snprintf(more, sizeof more,
-             "\"extensionsUsed\": [\"KHR_lights_punctual\"],"
+    const char *nodes =
+        form(leaning_nodes, lit->wall[0], lit->wall[1], lit->light[0], lit->light[1]);
+    const char *more =
+        form("\"extensionsUsed\": [\"KHR_lights_punctual\"],"
              "\"extensions\": {\"KHR_lights_punctual\": {\"lights\": [{\"type\": \"%s\","
              " \"intensity\": 10, \"spot\": {\"innerConeAngle\": 0.4,"
              " \"outerConeAngle\": 0.42}}]}},"

@@ -80,7 +80,7 @@ TEST(moving_room) {
     slide(&stage, "plain", true, 10);
     struct renderer_desc desc = desc_of(&stage, "imperfect-volume", "", 48, 48);
     OWNED(image) before = render_layers(&desc);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc);
     check_ok("pose", stage_pose(&stage, 1));
     check_ok("follow", stage_show(&stage, &renderer));
     renderer_render(&renderer);
@@ -99,8 +99,7 @@ TEST(moving_floor) {
     OWNED(renderer) renderer;
     OWNED(image) before, after;
     slide(&stage, "floor", false, 100);
-    struct renderer_desc desc = desc_of(&stage, "imperfect-volume", "", 48, 48);
-    open_renderer(&renderer, &desc);
+    open_renderer(&renderer, desc_of(&stage, "imperfect-volume", "", 48, 48));
     renderer_render(&renderer);
     check_ok("layers", renderer_read_layers(&renderer, &before));
     check_ok("pose", stage_pose(&stage, 1));

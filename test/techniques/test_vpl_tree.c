@@ -38,9 +38,8 @@ static struct bench *open_bench(void) {
     struct bench *bench = mem_alloc(1, sizeof *bench);
     struct output_list outputs;
     bench->stage = open_stage("scenes/cornell-animal.glb");
-    struct renderer_desc desc =
-        desc_of(&bench->stage, "unshadowed", "vpls=300 interleave=1 adaptive=0", SIZE, SIZE);
-    open_renderer(&bench->renderer, &desc);
+    open_renderer(&bench->renderer, desc_of(&bench->stage, "unshadowed",
+                                            "vpls=300 interleave=1 adaptive=0", SIZE, SIZE));
     check_ok("layers", renderer_read_layers(&bench->renderer, &bench->layers));
     bench->vpls = read_vpls(&bench->renderer);
     renderer_outputs(&bench->renderer, &outputs);

@@ -133,8 +133,8 @@ TEST(presets) {
 
 /* The saved settings' camera, for a command line. */
 static void read_camera(char *text, size_t size) {
-    char path[700], line[600];
-    snprintf(path, sizeof path, "%s/manylight.settings", stage.folder);
+    char line[600];
+    const char *path = form("%s/manylight.settings", stage.folder);
     for (int i = 0; i < PATIENCE_MS / 10 && access(path, R_OK) != 0; i++)
         pause_ms(10);
     FILE *file = fopen(path, "r");
@@ -159,12 +159,12 @@ TEST(orbit) {
 
     press("Settings");
     press("Save");
-    char camera[400], arguments[700];
+    char camera[400];
     read_camera(camera, sizeof camera);
     printf("    %s\n", camera);
     assert_non_null(strstr(camera, "eye="));
-    snprintf(arguments, sizeof arguments,
-             SCENE " --set vpls=96 --technique unshadowed --camera \"%s\"", camera);
+    const char *arguments =
+        form(SCENE " --set vpls=96 --technique unshadowed --camera \"%s\"", camera);
     check_same("an orbit, rendered by the saved camera", arguments);
 }
 
@@ -198,8 +198,7 @@ TEST(end) {
 TEST(script) {
     if (!stage.server)
         skip();
-    char path[700];
-    snprintf(path, sizeof path, "%s/script.png", stage.folder);
+    const char *path = form("%s/script.png", stage.folder);
     /* GLFW unloads the driver at the end, and with it the names of what the driver loses;
      * test_view_leaks looks for ours. */
     assert_int_equal(shell("ASAN_OPTIONS=detect_leaks=0 %s view " SCENE " --size %dx%d " CHEAP

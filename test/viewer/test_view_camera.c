@@ -123,11 +123,11 @@ TEST(views) {
     xdo("key alt+3");
     struct camera again = saved_camera();
     assert_true(cameras_same(&kept, &again));
-    char view[600], camera[600], arguments[700];
+    char view[600], camera[600];
     read_setting("view3", view, sizeof view);
     read_setting("camera", camera, sizeof camera);
     assert_string_equal(view, camera);
-    snprintf(arguments, sizeof arguments, BOX " --camera \"%s\"", view);
+    const char *arguments = form(BOX " --camera \"%s\"", view);
     check_same("a view that was kept", arguments);
 }
 

@@ -33,8 +33,8 @@ TEST(idle) {
 
 /* A script's places have the sign in the frame before what takes long. */
 static bool saw(const char *text) {
-    char command[700], output[64];
-    snprintf(command, sizeof command, "grep -q %s %s/places", text, stage.folder);
+    char output[64];
+    const char *command = form("grep -q %s %s/places", text, stage.folder);
     for (int i = 0; i < PATIENCE_MS / 10; i++) {
         if (run_command(command, output, sizeof output) == 0)
             return true;

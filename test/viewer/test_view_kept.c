@@ -19,8 +19,7 @@ static void open_box(void) {
 
 /* By Ctrl S. */
 static void read_camera(char camera[600]) {
-    char path[700];
-    snprintf(path, sizeof path, "%s/manylight.settings", stage.folder);
+    const char *path = form("%s/manylight.settings", stage.folder);
     sync_viewer();
     remove(path);
     xdo("key ctrl+s");
@@ -31,9 +30,9 @@ static void read_camera(char camera[600]) {
 }
 
 static int count_states(void) {
-    char command[800], output[64];
-    snprintf(command, sizeof command,
-             "echo $(ls %s/manylight/scenes/*.settings 2>/dev/null | wc -l)", stage.folder);
+    char output[64];
+    const char *command =
+        form("echo $(ls %s/manylight/scenes/*.settings 2>/dev/null | wc -l)", stage.folder);
     assert_int_equal(run_command(command, output, sizeof output), 0);
     return atoi(output);
 }

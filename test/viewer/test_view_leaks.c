@@ -246,8 +246,7 @@ static void check_kept(const char *what, void (*step)(int round), int least) {
         step(i);
     go_back();
     struct holdings after = take_stock();
-    char when[64];
-    snprintf(when, sizeof when, "after %d", count);
+    const char *when = form("after %d", count);
     print_holdings(when, &after);
     for (int i = 0; i < 5; i++)
         if (after.objects[i] != before.objects[i])
@@ -331,8 +330,7 @@ static int open_all(const char *folder) {
     struct dirent **entries;
     int count = scandir(folder, &entries, NULL, alphasort), opened = 0;
     for (int i = 0; i < count; i++) {
-        char path[700];
-        snprintf(path, sizeof path, "%s/%s", folder, entries[i]->d_name);
+        const char *path = form("%s/%s", folder, entries[i]->d_name);
         if (entries[i]->d_name[0] != '.') {
             load(path);
             opened++;

@@ -24,8 +24,7 @@ static struct emitters saved_lights(char *text, size_t size) {
 }
 
 static void check_picture(const char *what, const char *lights) {
-    char arguments[700];
-    snprintf(arguments, sizeof arguments, BOX " --light \"%s\"", lights);
+    const char *arguments = form(BOX " --light \"%s\"", lights);
     check_same(what, arguments);
 }
 

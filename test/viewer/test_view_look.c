@@ -25,8 +25,7 @@ static void render_reference(const char *arguments, char *path, size_t size) {
 }
 
 static struct bitmap render_small(const char *arguments) {
-    char path[700];
-    snprintf(path, sizeof path, "%s/small.png", stage.folder);
+    const char *path = form("%s/small.png", stage.folder);
     assert_int_equal(shell("%s render --size %dx%d %s " BOX " %s -q -o %s", stage.binary,
                            SMALL_WIDTH, SMALL_HEIGHT, CHEAP, arguments, path),
                      0);
@@ -35,8 +34,8 @@ static struct bitmap render_small(const char *arguments) {
 
 /* The name of a label or a line of values that begins so; "" = there is none. */
 static void find_text(const char *begin, char *text, size_t size) {
-    char path[700], line[300];
-    snprintf(path, sizeof path, "%s/places", stage.folder);
+    char line[300];
+    const char *path = form("%s/places", stage.folder);
     FILE *file = fopen(path, "r");
     assert_non_null(file);
     *text = '\0';
@@ -51,11 +50,11 @@ static void find_text(const char *begin, char *text, size_t size) {
 }
 
 static void begin(void) {
-    char path[700], arguments[800];
+    char path[700];
     if (!stage.server)
         skip();
     render_reference("", path, sizeof path);
-    snprintf(arguments, sizeof arguments, "--technique unshadowed --reference %s", path);
+    const char *arguments = form("--technique unshadowed --reference %s", path);
     start_viewer(BOX, arguments);
     sync_viewer();
     xdo("key " F3 " key " F3); /* no times */
@@ -133,15 +132,14 @@ static void check_values(const char *name, const char *path, int x, int y) {
 }
 
 TEST(inspector) {
-    char reference[700], own[700], command[1600], text[200];
+    char text[200];
     need_viewer();
     xdo("key i mousemove %d %d", WIDTH / 4 + 1, HEIGHT / 2 + 201);
     sync_viewer();
-    snprintf(reference, sizeof reference, "%s/reference.exr", stage.folder);
-    snprintf(own, sizeof own, "%s/own.exr", stage.folder);
-    snprintf(command, sizeof command,
-             "%s render --size %dx%d %s " BOX " --technique unshadowed -q -o %s", stage.binary,
-             SMALL_WIDTH, SMALL_HEIGHT, CHEAP, own);
+    const char *reference = form("%s/reference.exr", stage.folder);
+    const char *own = form("%s/own.exr", stage.folder);
+    const char *command = form("%s render --size %dx%d %s " BOX " --technique unshadowed -q -o %s",
+                               stage.binary, SMALL_WIDTH, SMALL_HEIGHT, CHEAP, own);
     assert_int_equal(shell("%s", command), 0);
     const int x = (WIDTH / 4 + 1) / 2, y = (HEIGHT / 2 + 201) / 2;
     int left, above, below;
@@ -242,9 +240,8 @@ TEST(sheet) {
     sync_viewer();
     struct bitmap screen = read_screen();
     for (int i = 0; i < 4; i++) {
-        char number[16];
         unsigned char expected[3];
-        snprintf(number, sizeof number, "%d", i);
+        const char *number = form("%d", i);
         find_place(number, &x, &y);
         marks_cluster_color(i, expected);
         const unsigned char *got = pixel(&screen, x + 19, y);

@@ -76,9 +76,8 @@ TEST(broken_keeps_scene) {
 /* A file that is not there, a folder and a broken file: the start page, and the reason on stderr */
 TEST(start_page) {
     static const char *const names[] = {"nosuch.glb", "sub", "broken.glb"};
-    char arguments[64];
     for (int i = 0; i < 3; i++) {
-        snprintf(arguments, sizeof arguments, "%s --size %dx%d", names[i], WIDTH, HEIGHT);
+        const char *arguments = form("%s --size %dx%d", names[i], WIDTH, HEIGHT);
         start_empty_viewer(arguments);
         assert_true(log_has(names[i]));
         printf("    %s: the start page\n", names[i]);
@@ -162,9 +161,9 @@ static void empty_sky_field(void) {
  * sky is removed; the copied line says it all. */
 TEST(sky_of_unlit_scene) {
     need_viewer();
-    char unlit[700], under_sky[800], command[3000];
-    snprintf(unlit, sizeof unlit, "%s", write_unlit());
-    snprintf(under_sky, sizeof under_sky, "%s --environment scenes/day.hdr", unlit);
+    char command[3000];
+    const char *unlit = form("%s", write_unlit());
+    const char *under_sky = form("%s --environment scenes/day.hdr", unlit);
     drop(unlit);
     wait_for_scene("unlit.gltf");
     drop("scenes/day.hdr");

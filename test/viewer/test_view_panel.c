@@ -17,9 +17,9 @@ static void begin(const char *arguments) {
 
 /* Whether a label or a line of values begins so. */
 static bool is_told(const char *start, char *text, size_t size) {
-    char path[700], line[300];
+    char line[300];
     bool found = false;
-    snprintf(path, sizeof path, "%s/places", stage.folder);
+    const char *path = form("%s/places", stage.folder);
     FILE *file = fopen(path, "r");
     assert_non_null(file);
     while (!found && fgets(line, sizeof line, file)) {

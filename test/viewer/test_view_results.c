@@ -28,8 +28,7 @@
 static int told_passes; /* --passes */
 
 static void begin(const char *scene) {
-    char path[640];
-    snprintf(path, sizeof path, "%s/%s", stage.here, scene);
+    const char *path = form("%s/%s", stage.here, scene);
     begin_viewer(
         &(struct viewer_desc){.scene = path, .width = 96, .height = 96, .passes = told_passes});
 }
@@ -114,8 +113,7 @@ TEST(free_number) {
 /* Names of 1 to 9999 in the working folder. */
 static void take_names(const char *format) {
     for (int i = 1; i < 10000; i++) {
-        char name[64];
-        snprintf(name, sizeof name, format, i);
+        const char *name = form(format, i);
         FILE *file = fopen(name, "w");
         assert_non_null(file);
         fclose(file);
@@ -229,8 +227,7 @@ TEST(timeline) {
 /* --- how scenes were left --------------------------------------------------------------------- */
 
 static void open_scene(const char *scene) {
-    char path[640];
-    snprintf(path, sizeof path, "%s/%s", stage.here, scene);
+    const char *path = form("%s/%s", stage.here, scene);
     viewer_open(&viewer, path);
     turn_until(!viewer_is_opening(&viewer) && strcmp(viewer.document.scene.path, path) == 0);
     turn();
@@ -264,9 +261,8 @@ TEST(second_scene) {
 }
 
 TEST(settings_name_no_clip) {
-    char path[700];
     begin("scenes/gloss.glb");
-    snprintf(path, sizeof path, "%s/old.settings", stage.folder);
+    const char *path = form("%s/old.settings", stage.folder);
     assert_int_equal(shell("printf 'clip = 0\\npasses = 3\\n' > %s", path), 0);
     assert_int_equal(viewer.document.scene.clip_count, 0);
     check_ok("clip 0 of none", viewer_load_session(&viewer, path));
@@ -277,9 +273,8 @@ TEST(settings_name_no_clip) {
 
 /* All but the sky is as it was left, and its file keeps the sky. */
 TEST(sky_is_gone) {
-    char sky[700];
     begin("scenes/sphere.glb");
-    snprintf(sky, sizeof sky, "%s/gone.hdr", stage.folder);
+    const char *sky = form("%s/gone.hdr", stage.folder);
     assert_int_equal(shell("cp %s/scenes/overcast.hdr %s", stage.here, sky), 0);
     assert_true(viewer_open_sky(&viewer, sky));
     turn_until(viewer.document.scene.environment);

@@ -64,8 +64,7 @@ TEST(exposure) {
     assert_non_null(exposure);
     assert_true(atof(exposure + strlen("picture.exposure=")) != 0);
     assert_int_equal(shell("cd %s && %s -q", stage.folder, command), 0);
-    char path[700];
-    snprintf(path, sizeof path, "%s/picture.png", stage.folder);
+    const char *path = form("%s/picture.png", stage.folder);
     OWNED(bitmap) expected = read_bitmap(path), got = screenshot();
     assert_int_equal(count_differences(&expected, &got), 0);
     bitmap_free(&got);
@@ -77,8 +76,8 @@ TEST(exposure) {
 /* Behind the door that is shut at 0 s nothing is seen but what leaks past it. */
 TEST(darkness) {
     need_viewer();
-    char path[700], command[2000];
-    snprintf(path, sizeof path, "%s/scenes/door.glb", stage.here);
+    char command[2000];
+    const char *path = form("%s/scenes/door.glb", stage.here);
     assert_int_equal(run_command("xdotool search --name manylight", command, sizeof command), 0);
     assert_true(desktop_drop(strtoul(command, NULL, 10), path));
     wait_for_scene("door.glb");
@@ -133,14 +132,13 @@ TEST(letters) {
 TEST(desktop_dialog) {
     if (!stage.server)
         skip();
-    char path[8000];
     assert_int_equal(shell("cp %s/scenes/sphere.glb %s/here.glb", stage.here, stage.folder), 0);
     assert_int_equal(shell("mkdir -p %s/bin && printf '#!/bin/sh\\nsleep .5; echo %s/here.glb\\n' "
                            "> %s/bin/zenity && "
                            "chmod +x %s/bin/zenity",
                            stage.folder, stage.folder, stage.folder, stage.folder),
                      0);
-    snprintf(path, sizeof path, "%s/bin:%s", stage.folder, getenv("PATH"));
+    const char *path = form("%s/bin:%s", stage.folder, getenv("PATH"));
     setenv("PATH", path, 1);
     start_empty_viewer(SIZE CHEAP_LIGHTS);
     press("Open a file ...");
@@ -152,8 +150,7 @@ TEST(desktop_dialog) {
 TEST(options) {
     if (!stage.server)
         skip();
-    char path[700];
-    snprintf(path, sizeof path, "%s/told.settings", stage.folder);
+    const char *path = form("%s/told.settings", stage.folder);
     FILE *file = fopen(path, "w");
     assert_non_null(file);
     fputs("layer = indirect\nvpls = 64\nvals = 4\nmap-size = 32\nrsm-size = 64\n"
@@ -195,12 +192,11 @@ static void expect_field(const char *name, const char *words) {
 TEST(fields) {
     if (!stage.server)
         skip();
-    char path[700], arguments[800];
-    snprintf(path, sizeof path, "%s/reference.exr", stage.folder);
+    const char *path = form("%s/reference.exr", stage.folder);
     assert_int_equal(shell("%s render --size %dx%d %s scenes/sphere.glb -q -o %s", stage.binary,
                            WIDTH, HEIGHT, CHEAP, path),
                      0);
-    snprintf(arguments, sizeof arguments, "--reference %s", path);
+    const char *arguments = form("--reference %s", path);
     start_viewer("scenes/sphere.glb", arguments);
     expect_field("open", "/scenes/sphere.glb");
     press("What it holds");

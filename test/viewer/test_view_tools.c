@@ -26,12 +26,12 @@ TEST(play) {
     start_viewer(MOVING, "--time 1.5");
     check_same("at a time", MOVING " --time 1.5");
     xdo("key space sleep 2 key space");
-    char time[64], arguments[200];
+    char time[64];
     press_in_settings("Save");
     read_setting("time", time, sizeof time);
     printf("    paused at %s s\n", time);
     assert_true(atof(time) > 1.6 || atof(time) < 1.4);
-    snprintf(arguments, sizeof arguments, MOVING " --time %s", time);
+    const char *arguments = form(MOVING " --time %s", time);
     check_same("paused", arguments);
     check_apart("and what moved", arguments, MOVING " --time 1.5");
 }
@@ -82,8 +82,7 @@ TEST(times) {
     char output[4000];
     press_in_settings("Save times");
     assert_int_equal(shell("cd %s && test -s manylight.settings.csv", stage.folder), 0);
-    char command[700];
-    snprintf(command, sizeof command, "head -3 %s/manylight.settings.csv", stage.folder);
+    const char *command = form("head -3 %s/manylight.settings.csv", stage.folder);
     assert_int_equal(run_command(command, output, sizeof output), 0);
     printf("%s", output);
     assert_int_equal(strncmp(output, "number,pixels,frame ms,frame/", 29), 0);
@@ -100,8 +99,7 @@ TEST(copy) {
     printf("    %s\n", command);
     assert_int_equal(strncmp(command, stage.binary, strlen(stage.binary)), 0); /* not on the path */
     assert_int_equal(shell("cd %s && %s -q", stage.folder, command), 0);
-    char path[700];
-    snprintf(path, sizeof path, "%s/picture.png", stage.folder);
+    const char *path = form("%s/picture.png", stage.folder);
     OWNED(bitmap) expected = read_bitmap(path), got = screenshot();
     int different = count_differences(&expected, &got);
     printf("    %-48s %d pixels differ\n", "the copied command line's picture", different);
@@ -117,12 +115,11 @@ TEST(end) {
 TEST(reference) {
     if (!stage.server)
         skip();
-    char path[700], arguments[800];
-    snprintf(path, sizeof path, "%s/reference.exr", stage.folder);
+    const char *path = form("%s/reference.exr", stage.folder);
     assert_int_equal(shell("%s render --size %dx%d %s " BOX " -q -o %s", stage.binary, WIDTH,
                            HEIGHT, CHEAP, path),
                      0);
-    snprintf(arguments, sizeof arguments, "--technique unshadowed --reference %s", path);
+    const char *arguments = form("--technique unshadowed --reference %s", path);
     start_viewer(BOX, arguments);
     struct bitmap left = offscreen(BOX " --technique unshadowed"), right = offscreen(BOX),
                   shown = screenshot();

@@ -55,8 +55,7 @@ static void click_on(const char *name) {
 }
 
 TEST(start) {
-    char arguments[64];
-    snprintf(arguments, sizeof arguments, "--size %dx%d", width, HEIGHT);
+    const char *arguments = form("--size %dx%d", width, HEIGHT);
     start_empty_viewer(arguments);
     if (sheet_path)
         pause_ms(20000); /* all pictures are there */
@@ -92,12 +91,11 @@ TEST(save) {
     click_on("Save command line");
     keep();
     struct bitmap shown = screenshot();
-    char path[700];
     assert_int_equal(shell("cd %s && mkdir -p bin && ln -sf %s bin/manylight && PATH=bin:$PATH sh "
                            "./manylight.settings.sh >render.log",
                            stage.folder, stage.binary),
                      0);
-    snprintf(path, sizeof path, "%s/picture.png", stage.folder);
+    const char *path = form("%s/picture.png", stage.folder);
     struct bitmap made = read_bitmap(path);
     int different = 0;
     for (int py = 0; py < HEIGHT; py++)
