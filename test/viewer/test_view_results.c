@@ -9,7 +9,7 @@
 #include "renderer/settings.h"
 #include "viewer/files/kept.h"
 #include "viewer/files/screenshot.h"
-#include "viewer/panel/timeline.h"
+#include "viewer/panel/panel.h"
 #include "viewer/picture/preset.h"
 #include "viewer/reference/comparing.h"
 #include "viewer/reference/tracing.h"

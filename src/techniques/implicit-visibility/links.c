@@ -333,6 +333,12 @@ int links_stride(int side) {
     return 3 * side * side + 6 * side + 8;
 }
 
+static size_t bytes_of(const struct links *links) {
+    size_t each = (size_t)links->stride * sizeof *links->items + 3 * sizeof *links->counts +
+                  sizeof *links->filled + sizeof *links->buried + sizeof *links->sky;
+    return (size_t)links->leaf_count * each;
+}
+
 bool links_init(struct links *links, const struct links_desc *desc, int leaf_count) {
     const size_t count = (size_t)leaf_count;
     *links = (struct links){.desc = *desc, .leaf_count = leaf_count};
@@ -340,7 +346,7 @@ bool links_init(struct links *links, const struct links_desc *desc, int leaf_cou
     bins_init(&links->bins, desc->side);
     links->stride = links_stride(desc->side);
     size_t pairs = desc->pairs ? pairs_bytes(2 * count, links->bins.count) : 0;
-    if (!mem_check(links_bytes(links) + pairs))
+    if (!mem_check(bytes_of(links) + pairs))
         return error_prefix("links of %d surface elements, %d bins each", leaf_count,
                             links->bins.count);
     assert(2 * count <= 1 << LINK_NODE_BITS && BINS_MAX <= 1 << LINK_BIN_BITS);
@@ -359,12 +365,6 @@ void links_free(struct links *links) {
     mem_free(links->items, links->counts, links->open_counts, links->lamp_counts, links->filled,
              links->buried, links->sky);
     *links = (struct links){0};
-}
-
-size_t links_bytes(const struct links *links) {
-    size_t each = (size_t)links->stride * sizeof *links->items + 3 * sizeof *links->counts +
-                  sizeof *links->filled + sizeof *links->buried + sizeof *links->sky;
-    return (size_t)links->leaf_count * each;
 }
 
 static bool is_lamp(const float emission[4]) {

@@ -71,8 +71,6 @@ mat3s links_to_world(const struct links *links, int leaf);
 /* Returns the most links and empty bins of a leaf, for bins of `side`. */
 int links_stride(int side);
 
-size_t links_bytes(const struct links *links);
-
 /* Return the irradiance of a leaf from node values: over all links, or over links to lamps. */
 vec3s links_gather(const struct links *links, int leaf, const float (*radiance)[4]);
 vec3s links_gather_lamps(const struct links *links, int leaf, const float (*emission)[4]);

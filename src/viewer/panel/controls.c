@@ -1,11 +1,10 @@
-#include "viewer/panel/controls.h"
+#include "viewer/panel/panel.h"
 
 #include "shared/composite.h"
 #include "viewer/files/kept.h"
 #include "viewer/files/opening.h"
 #include "viewer/files/screenshot.h"
 #include "viewer/files/start.h"
-#include "viewer/panel/timeline.h"
 #include "viewer/picture/look.h"
 #include "viewer/picture/picture.h"
 #include "viewer/reference/comparing.h"

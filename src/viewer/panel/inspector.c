@@ -1,7 +1,6 @@
-#include "viewer/panel/inspector.h"
+#include "viewer/panel/panel.h"
 
 #include "metrics/layer.h"
-#include "viewer/panel/overlay.h"
 #include "viewer/picture/look.h"
 #include "viewer/window/ui.h"
 

@@ -1,4 +1,4 @@
-#include "viewer/panel/overlay.h"
+#include "viewer/panel/panel.h"
 
 #include "base/file/folder.h"
 #include "gl/memory.h"
@@ -6,8 +6,6 @@
 #include "passes/maps.h"
 #include "passes/vpls.h"
 #include "viewer/files/start.h"
-#include "viewer/panel/controls.h"
-#include "viewer/panel/timeline.h"
 #include "viewer/picture/legend.h"
 #include "viewer/picture/look.h"
 #include "viewer/picture/picture.h"

@@ -1,4 +1,4 @@
-#include "viewer/panel/timeline.h"
+#include "viewer/panel/panel.h"
 
 #include "scene/animation.h"
 #include "viewer/scene/animation.h"
