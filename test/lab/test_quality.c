@@ -293,8 +293,7 @@ TEST(given) {
     assert_int_equal((int)settings_number(&settings, "vpls"), 1024);
     assert_string_equal(find(box, "path=fast vals=4 map.size=64 vpls=256", .5, 1).choice.settings,
                         "");
-    assert_false(quality_settings(&draft, technique_find("unshadowed"), &vals, 1, &settings));
-    printf("    %s\n", error_get());
+    check_refused(quality_settings(&draft, technique_find("unshadowed"), &vals, 1, &settings), "");
 }
 
 /* The words, in a shell. */

@@ -195,8 +195,7 @@ TEST(cube) {
 
 static void check_sky_refused(const char *path, const char *message) {
     struct environment sky;
-    assert_false(environment_load(&sky, path));
-    printf("    %s\n", error_get());
+    check_refused(environment_load(&sky, path), "");
     if (!strstr(error_get(), path) || !strstr(error_get(), message) || strchr(error_get(), '\n'))
         fail_msg("expected '%s'", message);
 }
@@ -277,9 +276,7 @@ static void check_scene_refused(const struct gltf_parts *parts, const struct env
     struct scene scene;
     struct geometry geometry;
     const struct scene_open_desc open = {.environment = *desc};
-    assert_false(scene_open(&scene, &geometry, write_parts("scene.glb", parts), &open));
-    printf("    %s\n", error_get());
-    assert_non_null(strstr(error_get(), message));
+    check_refused(scene_open(&scene, &geometry, write_parts("scene.glb", parts), &open), message);
 }
 
 TEST(scene_refusals) {

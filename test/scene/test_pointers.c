@@ -176,8 +176,7 @@ TEST(punctual_scale) {
         stage_free(&stage);
     }
     desc = (struct stage_desc){.path = "scenes/table.glb", .punctual_scale = 2};
-    assert_false(stage_init(&stage, &desc));
-    assert_non_null(strstr(error_get(), "no punctual light"));
+    check_refused(stage_init(&stage, &desc), "no punctual light");
 }
 
 TEST(nodes) {
