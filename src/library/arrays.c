@@ -1,101 +1,20 @@
 #include "library/arrays.h"
 
 #include "base/error.h"
+#include "base/file/image_file.h"
 #include "base/memory.h"
-#include "base/text.h"
 #include "base/unit.h"
 #include "library/desc.h"
 #include "library/door.h"
 #include "library/scene.h"
+#include "scene/material.h"
+#include "scene/mesh/primitive.h"
+#include "scene/read_rules.h"
+#include "scene/texture.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { GL_FLOAT_TYPE = 5126, GL_UNSIGNED_INT_TYPE = 5125 };
-
-/* A GLB in the making: its lists as JSON, and the bytes behind. */
-struct glb {
-    struct text views, accessors, meshes, nodes, materials, pictures, textures, lights, areas,
-        cameras;
-    struct text bytes;
-    int view_count, accessor_count, node_count, texture_count, light_count, area_count;
-};
-
-static const char *comma(const struct text *list) {
-    return list->length ? "," : "";
-}
-
-static const char *text_of(const struct text *text) {
-    return text->data ? text->data : "";
-}
-
-static void print_floats(struct text *to, const char *name, const float *values, int count) {
-    text_print(to, "\"%s\":[", name);
-    for (int i = 0; i < count; i++)
-        text_print(to, "%s%.9g", i ? "," : "", (double)values[i]);
-    text_print(to, "]");
-}
-
-/* --- arrays ----------------------------------------------------------------------------------- */
-
-/* The index of a view of so many bytes, which are padded to a multiple of 4. */
-static int add_view(struct glb *glb, const void *bytes, size_t size) {
-    static const char zeros[4];
-    text_print(&glb->views, "%s{\"buffer\":0,\"byteOffset\":%zu,\"byteLength\":%zu}",
-               comma(&glb->views), glb->bytes.length, size);
-    text_append(&glb->bytes, bytes, size);
-    text_append(&glb->bytes, zeros, (4 - size % 4) % 4);
-    return glb->view_count++;
-}
-
-static int add_accessor(struct glb *glb, const void *elements, size_t count, int width, int type) {
-    static const char *const types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
-    int view = add_view(glb, elements, count * (size_t)width * 4);
-    text_print(&glb->accessors,
-               "%s{\"bufferView\":%d,\"componentType\":%d,\"count\":%zu,\"type\":\"%s\"",
-               comma(&glb->accessors), view, type, count, types[width]);
-    return glb->accessor_count++;
-}
-
-/* Positions have bounds, which other readers want. */
-static int add_positions(struct glb *glb, const float *positions, size_t count) {
-    float bounds[2][3] = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (size_t i = 0; i < 3 * count; i++) {
-        bounds[0][i % 3] = fminf(bounds[0][i % 3], positions[i]);
-        bounds[1][i % 3] = fmaxf(bounds[1][i % 3], positions[i]);
-    }
-    int accessor = add_accessor(glb, positions, count, 3, GL_FLOAT_TYPE);
-    if (isfinite(bounds[0][0] + bounds[0][1] + bounds[0][2] + bounds[1][0] + bounds[1][1] +
-                 bounds[1][2])) {
-        text_print(&glb->accessors, ",");
-        print_floats(&glb->accessors, "min", bounds[0], 3);
-        text_print(&glb->accessors, ",");
-        print_floats(&glb->accessors, "max", bounds[1], 3);
-    }
-    text_print(&glb->accessors, "}");
-    return accessor;
-}
-
-static void add_attribute(struct glb *glb, const char *name, const float *elements, size_t count,
-                          int width) {
-    if (!elements)
-        return;
-    text_print(&glb->meshes, ",\"%s\":%d", name,
-               add_accessor(glb, elements, count, width, GL_FLOAT_TYPE));
-    text_print(&glb->accessors, "}");
-}
-
-static bool refuse(const char *noun, size_t i, const char *reason) {
-    error_set("%s %zu: %s", noun, i, reason);
-    return door_blame(MANYLIGHT_BAD_SCENE);
-}
-
-/* The error at hand is of this part. */
-static bool blame(const char *noun, size_t i) {
-    error_prefix("%s %zu", noun, i);
-    return door_blame(MANYLIGHT_BAD_SCENE);
-}
 
 static bool is_zero(const float *values, int count) {
     for (int i = 0; i < count; i++)
@@ -104,49 +23,115 @@ static bool is_zero(const float *values, int count) {
     return true;
 }
 
+/* Adds a node with the identity as its transform. */
+static struct node *add_node(struct scene *scene) {
+    struct node *node = &scene->nodes[scene->node_count++];
+    *node = (struct node){.parent = -1,
+                          .mesh = -1,
+                          .light = -1,
+                          .camera = -1,
+                          .skin = -1,
+                          .metaballs = -1,
+                          .rotation = {0, 0, 0, 1},
+                          .scale = {1, 1, 1}};
+    return node;
+}
+
+/* Places a node that looks along a direction. wanted: what shall be up; 0: chosen. Error: it is
+ * along the direction. */
+static bool aim_node(struct node *node, const float eye[3], const float direction[3],
+                     const float wanted[3], const char *name) {
+    vec3 above, right, up, forward;
+    vec3_unit_to((float *)direction, forward);
+    glm_vec3_copy((float *)wanted, above);
+    if (is_zero(above, 3))
+        above[fabsf(forward[1]) > .999F ? 2 : 1] = 1;
+    vec3_unit_cross(forward, above, right);
+    glm_vec3_cross(right, forward, up);
+    const float matrix[] = {right[0],    right[1],    right[2],    0, up[0],  up[1],  up[2],  0,
+                            -forward[0], -forward[1], -forward[2], 0, eye[0], eye[1], eye[2], 1};
+    node->has_matrix = true;
+    memcpy(node->matrix, matrix, sizeof matrix);
+    return !is_zero(right, 3) || error_set("up is along %s", name);
+}
+
+/* --- meshes ----------------------------------------------------------------------------------- */
+
 /* Error: names the vertex. Numbers above 1 are 0 .. 255, most often. */
 static bool check_vertices(const struct manylight_mesh *mesh) {
     bool ok = true;
     for (size_t v = 0; ok && v < mesh->vertex_count; v++) {
         const float *normal = mesh->normals ? mesh->normals + 3 * v : NULL;
         const float *color = mesh->colors ? mesh->colors + 4 * v : NULL;
+        const float *uv = mesh->uvs ? mesh->uvs + 2 * v : NULL;
         ok = (!normal || desc_check_all("normals", normal, 3, -INFINITY, INFINITY)) &&
              (!normal || !is_zero(normal, 3) || error_set("normals: it has no length")) &&
-             (!color || desc_check_all("colors", color, 4, 0, SHARE_MOST));
+             (!color || desc_check_all("colors", color, 4, 0, SHARE_MOST)) &&
+             (!uv || desc_check_all("uvs", uv, 2, -INFINITY, INFINITY));
         ok = ok || error_prefix("vertex %zu", v);
     }
     return ok;
 }
 
-static bool check_mesh(const struct manylight_mesh *mesh, size_t i) {
+static bool check_mesh(const struct scene *scene, const struct manylight_mesh *mesh) {
     const size_t most = (size_t)1 << 31;
     if (!mesh->positions)
-        return refuse("mesh", i, "positions is NULL");
+        return error_set("positions is NULL");
     if (mesh->vertex_count >= most || mesh->index_count >= most)
-        return refuse("mesh", i, "it has more than 2147483647 vertices or indices");
-    return check_vertices(mesh) || blame("mesh", i);
+        return error_set("it has more than 2147483647 vertices or indices");
+    /* The last material is the default of files. */
+    if (mesh->material < 0 || mesh->material >= scene->material_count - 1)
+        return error_set("material: %d is not from 0 to %d", mesh->material,
+                         scene->material_count - 2);
+    /* A flat mesh has three vertices of its own for each triangle. */
+    size_t count = mesh->indices ? mesh->index_count : mesh->vertex_count;
+    return mem_check(48 * ((uint64_t)mesh->vertex_count + 2 * (uint64_t)count)) &&
+           check_vertices(mesh);
 }
 
-static bool add_mesh(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
+static void *copy(const void *elements, size_t count, size_t size) {
+    void *to = elements ? mem_alloc(count, size) : NULL;
+    if (to)
+        memcpy(to, elements, count * size);
+    return to;
+}
+
+static bool fill_primitive(struct primitive *to, const struct manylight_mesh *mesh,
+                           bool has_picture) {
+    size_t count = mesh->vertex_count;
+    to->material = mesh->material;
+    to->vertex_count = (int)count;
+    to->position = copy(mesh->positions, count, sizeof *to->position);
+    to->normal = copy(mesh->normals, count, sizeof *to->normal);
+    to->uv[0] = has_picture ? copy(mesh->uvs, count, sizeof *to->uv[0]) : NULL;
+    to->color = copy(mesh->colors, count, sizeof *to->color);
+    to->index_count = (int)(mesh->indices ? mesh->index_count : count);
+    to->indices = mesh->indices ? copy(mesh->indices, mesh->index_count, sizeof *to->indices)
+                                : mem_alloc(count, sizeof *to->indices);
+    for (size_t i = 0; !mesh->indices && i < count; i++)
+        to->indices[i] = (uint32_t)i;
+    if (!primitive_check(to) || !primitive_unroll(to, PRIMITIVE_TRIANGLES))
+        return false;
+    if (to->normal)
+        primitive_repair_normals(to);
+    else
+        primitive_flatten(to, 0);
+    return true;
+}
+
+static bool fill_mesh(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
     struct manylight_mesh mesh;
     if (!desc_take_element(&mesh, sizeof mesh, desc->meshes, i, "manylight_mesh") ||
-        !check_mesh(&mesh, i))
+        !check_mesh(scene, &mesh))
         return false;
-    text_print(&glb->meshes, "%s{\"primitives\":[{\"attributes\":{\"POSITION\":%d",
-               comma(&glb->meshes), add_positions(glb, mesh.positions, mesh.vertex_count));
-    add_attribute(glb, "NORMAL", mesh.normals, mesh.vertex_count, 3);
-    add_attribute(glb, "TEXCOORD_0", mesh.uvs, mesh.vertex_count, 2);
-    add_attribute(glb, "COLOR_0", mesh.colors, mesh.vertex_count, 4);
-    text_print(&glb->meshes, "}");
-    if (mesh.indices) {
-        text_print(&glb->meshes, ",\"indices\":%d",
-                   add_accessor(glb, mesh.indices, mesh.index_count, 1, GL_UNSIGNED_INT_TYPE));
-        text_print(&glb->accessors, "}");
-    }
-    text_print(&glb->meshes, ",\"material\":%d}]}", mesh.material);
-    text_print(&glb->nodes, "%s{\"mesh\":%zu}", comma(&glb->nodes), i);
-    glb->node_count++;
-    return true;
+    struct mesh *to = &scene->meshes[scene->mesh_count++];
+    to->primitives = mem_alloc(1, sizeof *to->primitives);
+    add_node(scene)->mesh = (int)i;
+    if ((mesh.indices ? mesh.index_count : mesh.vertex_count) == 0)
+        return !read_rules_are_strict() || error_set("it has no triangle");
+    to->primitive_count = 1;
+    return fill_primitive(to->primitives, &mesh,
+                          scene->materials[mesh.material].base_color_texture >= 0);
 }
 
 /* --- materials -------------------------------------------------------------------------------- */
@@ -162,112 +147,52 @@ static bool picture_is_encoded(const struct manylight_material *material) {
     return picture_begins(material, png_start) || picture_begins(material, jpeg_start);
 }
 
-static int add_picture(struct glb *glb, const struct manylight_material *material) {
-    bool is_png = picture_begins(material, png_start);
-    text_print(&glb->pictures, "%s{\"bufferView\":%d,\"mimeType\":\"image/%s\"}",
-               comma(&glb->pictures), add_view(glb, material->picture, material->picture_bytes),
-               is_png ? "png" : "jpeg");
-    text_print(&glb->textures, "%s{\"source\":%d}", comma(&glb->textures), glb->texture_count);
-    return glb->texture_count++;
-}
-
-/* Factors above 1 take a strength, as files have them. */
-static void print_emission(struct text *to, const float emission[3]) {
-    float most = fmaxf(1, fmaxf(emission[0], fmaxf(emission[1], emission[2])));
-    const float factor[] = {emission[0] / most, emission[1] / most, emission[2] / most};
-    if (is_zero(emission, 3))
-        return;
-    text_print(to, ",");
-    print_floats(to, "emissiveFactor", factor, 3);
-    if (most > 1)
-        text_print(
-            to, ",\"extensions\":{\"KHR_materials_emissive_strength\":{\"emissiveStrength\":%.9g}}",
-            (double)most);
-}
-
-/* Refuses what the reader of files would clamp: 255 for white is a mistake. */
+/* Refuses numbers that files would clamp: 255 for white is a mistake. */
 static bool check_material(const struct manylight_material *material) {
     bool is_smooth = material->roughness == MANYLIGHT_ZERO;
     return desc_check_all("base_color", material->base_color, 4, 0, SHARE_MOST) &&
            desc_check("metalness", (double)material->metalness, 0, SHARE_MOST) &&
            (is_smooth || desc_check("roughness", (double)material->roughness, 0, SHARE_MOST)) &&
-           desc_check_all("emission", material->emission, 3, 0, INFINITY) &&
+           desc_check_all("emission", material->emission, 3, 0, (double)SCENE_LIGHT_MOST) &&
            (!material->picture || picture_is_encoded(material) ||
             error_set("picture: its bytes are neither PNG nor JPEG"));
 }
 
-static bool add_material(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
-    static const float white[4] = {1, 1, 1, 1};
-    struct manylight_material material;
-    if (!desc_take_element(&material, sizeof material, desc->materials, i, "manylight_material"))
-        return false;
-    if (!check_material(&material))
-        return blame("material", i);
-    float roughness = material.roughness == 0                ? 1
-                      : material.roughness == MANYLIGHT_ZERO ? 0
-                                                             : material.roughness;
-    struct text *to = &glb->materials;
-    text_print(to, "%s{\"pbrMetallicRoughness\":{", comma(to));
-    print_floats(to, "baseColorFactor",
-                 is_zero(material.base_color, 4) ? white : material.base_color, 4);
-    text_print(to, ",\"metallicFactor\":%.9g,\"roughnessFactor\":%.9g", (double)material.metalness,
-               (double)roughness);
-    if (material.picture)
-        text_print(to, ",\"baseColorTexture\":{\"index\":%d}", add_picture(glb, &material));
-    text_print(to, "},\"doubleSided\":%s", material.double_sided ? "true" : "false");
-    print_emission(to, material.emission);
-    text_print(to, "}");
+static bool fill_picture(struct scene *scene, const struct manylight_material *material) {
+    struct scene_texture *texture = &scene->textures[scene->texture_count];
+    uint64_t memory;
+    if (!bitmap_measure(material->picture, material->picture_bytes, &memory) ||
+        !mem_check(memory) ||
+        !bitmap_decode(&texture->bitmap, material->picture, material->picture_bytes))
+        return error_prefix("picture");
+    texture_shrink(texture, TEXTURE_SIDE_MAX);
+    scene->texture_count++;
     return true;
 }
 
+static bool fill_material(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
+    struct manylight_material material;
+    struct material *to = &scene->materials[i];
+    if (!desc_take_element(&material, sizeof material, desc->materials, i, "manylight_material") ||
+        !check_material(&material))
+        return false;
+    material_init(to, "");
+    if (!is_zero(material.base_color, 4))
+        memcpy(to->base_color, material.base_color, sizeof to->base_color);
+    to->metalness = material.metalness;
+    to->roughness = material.roughness == 0                ? 1
+                    : material.roughness == MANYLIGHT_ZERO ? 0
+                                                           : material.roughness;
+    to->double_sided = material.double_sided != 0;
+    memcpy(to->emission, material.emission, sizeof to->emission);
+    memcpy(to->emissive_factor, material.emission, sizeof to->emission);
+    if (!material.picture)
+        return true;
+    to->base_color_texture = scene->texture_count;
+    return fill_picture(scene, &material);
+}
+
 /* --- lights and cameras ----------------------------------------------------------------------- */
-
-/* A node that looks along a direction. */
-static void add_node(struct glb *glb, const float eye[3], const float right[3], const float up[3],
-                     const float forward[3], const char *carries) {
-    const float matrix[] = {right[0],    right[1],    right[2],    0, up[0],  up[1],  up[2],  0,
-                            -forward[0], -forward[1], -forward[2], 0, eye[0], eye[1], eye[2], 1};
-    text_print(&glb->nodes, "%s{", comma(&glb->nodes));
-    print_floats(&glb->nodes, "matrix", matrix, 16);
-    text_print(&glb->nodes, ",%s}", carries);
-    glb->node_count++;
-}
-
-/* An orthonormal frame of a direction and of what shall be up; 0: chosen. False: up is along the
- * direction. */
-static bool make_frame(const float direction[3], const float wanted[3], vec3 right, vec3 up,
-                       vec3 forward) {
-    vec3 above;
-    vec3_unit_to((float *)direction, forward);
-    glm_vec3_copy((float *)wanted, above);
-    if (is_zero(above, 3))
-        above[fabsf(forward[1]) > .999F ? 2 : 1] = 1;
-    vec3_unit_cross(forward, above, right);
-    glm_vec3_cross(right, forward, up);
-    return !is_zero(right, 3);
-}
-
-/* Extents as the extras and the extension of files have them. */
-static void print_extent(struct text *to, const struct manylight_light *light) {
-    const float *extent = light->extent;
-    if (is_zero(extent, 2))
-        return;
-    if (light->type == MANYLIGHT_DIRECTIONAL)
-        text_print(to, ",\"extras\":{\"angle\":%.9g}", (double)extent[0]);
-    else if (light->type == MANYLIGHT_SPOT && extent[1] != 0)
-        text_print(to, ",\"extras\":{\"size\":[%.9g,%.9g]}", (double)extent[0], (double)extent[1]);
-    else
-        text_print(to, ",\"extras\":{\"radius\":%.9g}", (double)extent[0] / 2);
-}
-
-static void print_area(struct text *to, const struct manylight_light *light) {
-    const float *extent = light->extent;
-    if (extent[1] != 0)
-        text_print(to, ",\"type\":\"rect\",\"size\":%.9g,\"rect\":{\"aspect\":%.9g}",
-                   (double)extent[1], (double)extent[0] / (double)extent[1]);
-    else
-        text_print(to, ",\"type\":\"disk\",\"size\":%.9g", (double)extent[0]);
-}
 
 /* m2 */
 static double area_of(const struct manylight_light *light) {
@@ -275,199 +200,124 @@ static double area_of(const struct manylight_light *light) {
     return high != 0 ? across * high : GLM_PI / 4 * across * across;
 }
 
-/* Files have the radiance of an area light. */
-static void print_light(struct text *to, const struct manylight_light *light) {
-    static const char *const types[] = {"spot", "point", "directional"};
+/* An area light has radiance. */
+static void fill_intensity(const struct manylight_light *light, struct scene_light *to) {
     double area = light->type == MANYLIGHT_AREA ? area_of(light) : 1;
-    text_print(to, "%s{", comma(to));
-    float most = fmaxf(light->intensity[0], fmaxf(light->intensity[1], light->intensity[2]));
-    most = most > 0 ? most : 1; /* what is negative is refused as in a file */
-    float color[3];
+    to->strength = to->scale = 1;
     for (int c = 0; c < 3; c++)
-        color[c] = light->intensity[c] / most;
-    print_floats(to, "color", color, 3);
-    text_print(to, ",\"intensity\":%.9g", (double)most / area);
-    if (light->type == MANYLIGHT_AREA) {
-        print_area(to, light);
-    } else {
-        text_print(to, ",\"type\":\"%s\"", types[light->type]);
-        if (light->type == MANYLIGHT_SPOT)
-            text_print(to, ",\"spot\":{\"innerConeAngle\":%.9g,\"outerConeAngle\":%.9g}",
-                       (double)light->inner_angle,
-                       light->outer_angle == 0 ? GLM_PI_4 : (double)light->outer_angle);
-        print_extent(to, light);
-    }
-    text_print(to, "}");
+        to->intensity[c] = to->color[c] = (float)((double)light->intensity[c] / area);
 }
 
 static bool check_light(const struct manylight_light *light) {
     if ((unsigned)light->type > MANYLIGHT_AREA)
         return error_set("type: %d is none of enum manylight_light_type", (int)light->type);
+    bool is_angle = light->type == MANYLIGHT_DIRECTIONAL;
+    double outer = light->outer_angle == 0 ? GLM_PI_4 : (double)light->outer_angle;
     return desc_check_all("position", light->position, 3, -INFINITY, INFINITY) &&
            desc_check_all("direction", light->direction, 3, -INFINITY, INFINITY) &&
            desc_check_all("up", light->up, 3, -INFINITY, INFINITY) &&
            desc_check_all("intensity", light->intensity, 3, 0, INFINITY) &&
-           desc_check_all("extent", light->extent, 2, 0, INFINITY) &&
-           desc_check("inner_angle", (double)light->inner_angle, 0, INFINITY) &&
-           desc_check("outer_angle", (double)light->outer_angle, 0, INFINITY) &&
-           (light->type != MANYLIGHT_AREA || light->extent[0] > 0 ||
-            error_set("extent: an area light has a width"));
+           desc_check_all("extent", light->extent, 2, 0, is_angle ? 3.1416 : 1e9) &&
+           desc_check("outer_angle", outer, 0, 1.5708) &&
+           desc_check("inner_angle", (double)light->inner_angle, 0, outer * 1.00001) &&
+           (light->extent[0] > 0 || (light->type != MANYLIGHT_AREA && light->extent[1] == 0) ||
+            error_set("extent: an area light has a width, and so has one with a height"));
 }
 
-static bool add_light(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
+static bool fill_light(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
+    static const enum emitter_type types[] = {EMITTER_SPOT, EMITTER_POINT, EMITTER_DIRECTIONAL,
+                                              EMITTER_AREA};
     struct manylight_light light;
-    char carries[96];
-    vec3 right, up, forward;
-    if (!desc_take_element(&light, sizeof light, desc->lights, i, "manylight_light"))
+    if (!desc_take_element(&light, sizeof light, desc->lights, i, "manylight_light") ||
+        !check_light(&light))
         return false;
-    if (!check_light(&light))
-        return blame("light", i);
-    bool is_area = light.type == MANYLIGHT_AREA;
+    struct scene_light *to = &scene->lights[scene->light_count++];
+    struct node *node = add_node(scene);
+    bool is_area = light.type == MANYLIGHT_AREA, is_spot = light.type == MANYLIGHT_SPOT;
+    node->light = (int)i;
+    to->type = types[light.type];
+    to->range = INFINITY;
+    to->scaling = is_area ? LIGHT_SCALED_ALIKE : LIGHT_NOT_SCALED;
+    to->outer = light.outer_angle == 0 ? GLM_PI_4f : fminf(light.outer_angle, GLM_PI_2f);
+    to->outer = is_area ? GLM_PI_2f : is_spot ? to->outer : 0;
+    to->inner = is_spot ? fminf(light.inner_angle, to->outer) : 0;
+    to->size[0] = light.extent[0];
+    to->size[1] = is_area || is_spot ? light.extent[1] : 0;
+    fill_intensity(&light, to);
     if (is_zero(light.direction, 3))
         light.direction[1] = -1;
-    if (!make_frame(light.direction, light.up, right, up, forward))
-        return refuse("light", i, "up is along direction");
-    print_light(is_area ? &glb->areas : &glb->lights, &light);
-    snprintf(carries, sizeof carries, "\"extensions\":{\"%s\":{\"light\":%d}}",
-             is_area ? "EXT_lights_area" : "KHR_lights_punctual",
-             is_area ? glb->area_count++ : glb->light_count++);
-    add_node(glb, light.position, right, up, forward, carries);
-    return true;
+    return desc_check_all("intensity", to->intensity, 3, 0, (double)SCENE_LIGHT_MOST) &&
+           aim_node(node, light.position, light.direction, light.up, "direction");
 }
 
-static bool add_camera(struct glb *glb, const struct manylight_scene_desc *desc, size_t i) {
+static bool check_scene_camera(const struct manylight_camera *camera, const struct node *node) {
+    if (!is_zero(camera->right, 3) &&
+        glm_vec3_distance((float *)camera->right, (float *)node->matrix) > 2e-3F)
+        return error_set("right is not that of forward and up");
+    return is_zero(camera->shift, 2) || error_set("shift: for cameras of views, not of scenes");
+}
+
+static bool fill_camera(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
     struct manylight_camera camera;
-    char carries[32];
-    vec3 right, up, forward;
-    if (!desc_take_element(&camera, sizeof camera, desc->cameras, i, "manylight_camera"))
+    if (!desc_take_element(&camera, sizeof camera, desc->cameras, i, "manylight_camera") ||
+        !check_camera(&camera))
         return false;
-    if (!check_camera(&camera))
-        return blame("camera", i);
     if (is_zero(camera.forward, 3))
         camera.forward[2] = -1;
-    bool has_frame = make_frame(camera.forward, camera.up, right, up, forward);
-    if (!has_frame)
-        return refuse("camera", i, "up is along forward");
-    if (!is_zero(camera.right, 3) && glm_vec3_distance(camera.right, right) > 2e-3F)
-        return refuse("camera", i, "right is not that of forward and up");
-    if (camera.shift[0] != 0 || camera.shift[1] != 0)
-        return refuse("camera", i, "shift: for cameras of views, not of scenes");
-    struct text *to = &glb->cameras;
-    bool orthographic = camera.fov_y == 0 && camera.y_extent != 0;
-    double fov_y = camera.fov_y == 0 ? .8 : (double)camera.fov_y, extent = (double)camera.y_extent;
-    if (orthographic)
-        text_print(to,
-                   "%s{\"type\":\"orthographic\",\"orthographic\":{\"xmag\":%.9g,\"ymag\":%.9g,",
-                   comma(to), extent, extent);
-    else
-        text_print(to, "%s{\"type\":\"perspective\",\"perspective\":{\"yfov\":%.9g,", comma(to),
-                   fov_y);
-    text_print(to, "\"znear\":%.9g", (double)camera.near_plane);
-    if (camera.far_plane != 0 || orthographic)
-        text_print(to, ",\"zfar\":%.9g", camera.far_plane != 0 ? (double)camera.far_plane : 1e30);
-    text_print(to, "}}");
-    snprintf(carries, sizeof carries, "\"camera\":%zu", i);
-    add_node(glb, camera.eye, right, up, forward, carries);
-    return true;
+    struct scene_camera *to = &scene->cameras[scene->camera_count++];
+    struct node *node = add_node(scene);
+    node->camera = (int)i;
+    to->orthographic = camera.fov_y == 0 && camera.y_extent != 0;
+    to->fov_y = to->orthographic ? 0 : camera.fov_y == 0 ? .8F : camera.fov_y;
+    to->y_extent = to->orthographic ? camera.y_extent : 0;
+    to->aspect = to->orthographic;
+    to->near = camera.near_plane;
+    to->far = camera.far_plane;
+    return aim_node(node, camera.eye, camera.forward, camera.up, "forward") &&
+           check_scene_camera(&camera, node);
 }
 
 /* --- the whole -------------------------------------------------------------------------------- */
 
-static void print_list(struct text *json, const char *name, const struct text *list) {
-    if (list->length)
-        text_print(json, ",\"%s\":[%s]", name, text_of(list));
-}
+typedef bool fill_one(struct scene *scene, const struct manylight_scene_desc *desc, size_t i);
 
-static void print_json(const struct glb *glb, struct text *json) {
-    text_print(json,
-               "{\"asset\":{\"version\":\"2.0\"},\"extensionsUsed\":[\"KHR_lights_punctual\","
-               "\"EXT_lights_area\",\"KHR_materials_emissive_strength\"],\"extensions\":{"
-               "\"KHR_lights_punctual\":{\"lights\":[%s]},\"EXT_lights_area\":{\"lights\":[%s]}}",
-               text_of(&glb->lights), text_of(&glb->areas));
-    print_list(json, "materials", &glb->materials);
-    print_list(json, "meshes", &glb->meshes);
-    print_list(json, "nodes", &glb->nodes);
-    print_list(json, "cameras", &glb->cameras);
-    print_list(json, "images", &glb->pictures);
-    print_list(json, "textures", &glb->textures);
-    print_list(json, "accessors", &glb->accessors);
-    print_list(json, "bufferViews", &glb->views);
-    text_print(json, ",\"buffers\":[{\"byteLength\":%zu}],\"scene\":0,\"scenes\":[{\"nodes\":[",
-               glb->bytes.length);
-    for (int i = 0; i < glb->node_count; i++)
-        text_print(json, "%s%d", i ? "," : "", i);
-    text_print(json, "]}]}");
-    while (json->length % 4)
-        text_print(json, " ");
-}
-
-static void append_word(struct text *to, size_t number) {
-    uint32_t word = (uint32_t)number;
-    text_append(to, &word, sizeof word);
-}
-
-static bool pack(struct glb *glb, struct file_bytes *bytes) {
-    struct text json = {0}, file = {0};
-    print_json(glb, &json);
-    size_t size = 28 + json.length + glb->bytes.length;
-    if (size > UINT32_MAX) {
-        free(json.data);
-        return error_set("arrays: %zu bytes are more than the 4 GiB of a scene", size);
-    }
-    text_append(&file, "glTF", 4);
-    append_word(&file, 2);
-    append_word(&file, size);
-    append_word(&file, json.length);
-    text_append(&file, "JSON", 4);
-    text_append(&file, json.data, json.length);
-    append_word(&file, glb->bytes.length);
-    text_append(&file, "BIN", 4);
-    text_append(&file, text_of(&glb->bytes), glb->bytes.length);
-    free(json.data);
-    *bytes = (struct file_bytes){(unsigned char *)file.data, file.length};
-    return true;
-}
-
-typedef bool add_one(struct glb *glb, const struct manylight_scene_desc *desc, size_t i);
-
-static bool add_all(struct glb *glb, const struct manylight_scene_desc *desc, const void *array,
-                    size_t count, add_one *add) {
+static bool fill_all(struct scene *scene, const struct manylight_scene_desc *desc,
+                     const void *array, size_t count, const char *noun, fill_one *fill) {
     bool ok = true;
     if (count > 0 && !array) {
         error_set("manylight_scene_desc: a list of %zu parts is NULL", count);
         return door_blame(MANYLIGHT_BAD_ARGUMENT);
     }
     for (size_t i = 0; ok && i < count; i++)
-        ok = add(glb, desc, i);
+        ok = fill(scene, desc, i) || error_prefix("%s %zu", noun, i);
     return ok;
 }
 
-/* What the arrays take twice, as GLB and as it grows. */
-static bool check_memory(const struct manylight_scene_desc *desc) {
-    uint64_t bytes = 0;
-    for (size_t i = 0; i < desc->mesh_count; i++) {
-        struct manylight_mesh mesh;
-        if (!desc_take_element(&mesh, sizeof mesh, desc->meshes, i, "manylight_mesh"))
-            return false;
-        bytes += 48 * (uint64_t)mesh.vertex_count + 4 * (uint64_t)mesh.index_count;
-    }
-    return mem_check(3 * bytes) || error_prefix("arrays");
+/* White, if there are none; and the default of files, behind them. */
+static void make_materials(struct scene *scene, size_t count) {
+    scene->material_count = (int)(count ? count : 1) + 1;
+    scene->materials = mem_alloc((size_t)scene->material_count, sizeof *scene->materials);
+    scene->textures = mem_alloc(count, sizeof *scene->textures);
+    material_init(&scene->materials[0], "");
+    scene->materials[0].metalness = 0;
+    material_init(&scene->materials[scene->material_count - 1], "default");
 }
 
-bool arrays_to_glb(const struct manylight_scene_desc *desc, struct file_bytes *bytes) {
-    struct glb glb = {.view_count = 0};
-    struct text *lists[] = {&glb.views,     &glb.accessors, &glb.meshes,   &glb.nodes,
-                            &glb.materials, &glb.pictures,  &glb.textures, &glb.lights,
-                            &glb.areas,     &glb.cameras,   &glb.bytes};
-    if (desc->material_count == 0) /* that of files without any is a metal */
-        text_print(&glb.materials, "{\"pbrMetallicRoughness\":{\"metallicFactor\":0}}");
-    bool ok = check_memory(desc) &&
-              add_all(&glb, desc, desc->materials, desc->material_count, add_material) &&
-              add_all(&glb, desc, desc->meshes, desc->mesh_count, add_mesh) &&
-              add_all(&glb, desc, desc->lights, desc->light_count, add_light) &&
-              add_all(&glb, desc, desc->cameras, desc->camera_count, add_camera) &&
-              pack(&glb, bytes);
-    for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
-        free(lists[i]->data);
-    return ok;
+bool arrays_fill(const struct manylight_scene_desc *desc, struct scene *scene) {
+    size_t nodes = desc->mesh_count + desc->light_count + desc->camera_count;
+    const size_t most = (size_t)1 << 24;
+    *scene = (struct scene){.path = mem_strdup("arrays")};
+    if (nodes > most || desc->material_count > most)
+        return error_set("arrays: more than %zu parts", most);
+    scene->nodes = mem_alloc(nodes, sizeof *scene->nodes);
+    scene->meshes = mem_alloc(desc->mesh_count, sizeof *scene->meshes);
+    scene->lights = mem_alloc(desc->light_count, sizeof *scene->lights);
+    scene->cameras = mem_alloc(desc->camera_count, sizeof *scene->cameras);
+    make_materials(scene, desc->material_count);
+    return (fill_all(scene, desc, desc->materials, desc->material_count, "material",
+                     fill_material) &&
+            fill_all(scene, desc, desc->meshes, desc->mesh_count, "mesh", fill_mesh) &&
+            fill_all(scene, desc, desc->lights, desc->light_count, "light", fill_light) &&
+            fill_all(scene, desc, desc->cameras, desc->camera_count, "camera", fill_camera)) ||
+           error_prefix("arrays");
 }

@@ -1,13 +1,11 @@
-/* Encodes a scene of arrays as a GLB in memory, so arrays pass the same checks and repairs as
- * files. */
+/* Makes a scene of a caller's arrays. Normals are repaired as those of files. */
 #ifndef LIBRARY_ARRAYS_H
 #define LIBRARY_ARRAYS_H
 
-#include "base/file/file.h"
 #include "library/manylight.h"
+#include "scene/scene.h"
 
-/* Encodes the arrays of desc. The caller frees bytes->data with free(). Error: names the mesh,
- * light or member that a GLB cannot hold. */
-bool arrays_to_glb(const struct manylight_scene_desc *desc, struct file_bytes *bytes);
+/* Fills a scene, for scene_open_desc.filled; free it in any case. Error: names part and member. */
+bool arrays_fill(const struct manylight_scene_desc *desc, struct scene *scene);
 
 #endif

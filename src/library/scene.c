@@ -34,6 +34,8 @@ static bool refuse(const char *reason) {
 }
 
 static bool check_sources(const struct manylight_scene_desc *desc) {
+    if (desc->mesh_count > 0 && (desc->scene || desc->variant))
+        return refuse("manylight_scene_desc: it has meshes, and scene or variant of a file");
     int count = (desc->memory ? 1 : desc->path != NULL) + (desc->mesh_count > 0);
     if (count == 0)
         return refuse("manylight_scene_desc: it has no path, memory and meshes");
@@ -53,12 +55,13 @@ static bool check_sources(const struct manylight_scene_desc *desc) {
 }
 
 static bool open_stage(struct manylight_scene *scene, const struct manylight_scene_desc *desc,
-                       const struct file_bytes *bytes) {
+                       const struct file_bytes *bytes, struct scene *filled) {
     struct stage_desc stage = {
         .path = desc->path     ? desc->path
                 : desc->memory ? "memory"
                                : "arrays",
         .bytes = bytes->data ? bytes : NULL,
+        .filled = filled,
         .choice = {desc->scene, desc->variant},
         .light = scene->light,
         .clip = desc->clip,
@@ -68,15 +71,13 @@ static bool open_stage(struct manylight_scene *scene, const struct manylight_sce
     return stage_init(&scene->stage, &stage);
 }
 
-/* The triangles of arrays are freed as soon as they are read. */
 static bool read_scene(struct manylight_scene *scene, const struct manylight_scene_desc *desc) {
-    struct file_bytes bytes = {(unsigned char *)(uintptr_t)desc->memory, desc->memory_bytes};
+    const struct file_bytes bytes = {(unsigned char *)(uintptr_t)desc->memory, desc->memory_bytes};
+    struct scene filled = {0};
     if (desc->mesh_count == 0)
-        return open_stage(scene, desc, &bytes);
-    bool ok = arrays_to_glb(desc, &bytes);
-    ok = ok && open_stage(scene, desc, &bytes);
-    if (bytes.data != desc->memory)
-        free(bytes.data);
+        return open_stage(scene, desc, &bytes, NULL);
+    bool ok = arrays_fill(desc, &filled) && open_stage(scene, desc, &bytes, &filled);
+    scene_free(&filled);
     return ok;
 }
 

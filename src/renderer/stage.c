@@ -25,6 +25,7 @@ bool stage_init(struct stage *stage, const struct stage_desc *desc) {
     *stage = (struct stage){.camera_text = desc->camera, .light_text = desc->light};
     name_after(stage, desc->path);
     const struct scene_open_desc open = {.bytes = desc->bytes,
+                                         .filled = desc->filled,
                                          .choice = desc->choice,
                                          .light = desc->light,
                                          .clip = desc->clip,

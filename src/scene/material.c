@@ -4,6 +4,7 @@
 #include "shared/brdf.h"
 
 #include <math.h>
+#include <stdio.h>
 
 const char *const materials_names[] = {"full", "diffuse", NULL};
 
@@ -17,6 +18,22 @@ static const struct option table[] = {
 
 const struct settings_part material_part = {"surface", "surfaces", table,
                                             sizeof(struct material_settings)};
+
+void material_init(struct material *material, const char *name) {
+    *material = (struct material){.base_color = {1, 1, 1, 1},
+                                  .metalness = 1,
+                                  .roughness = 1,
+                                  .specular_f0 = {DIELECTRIC_F0, DIELECTRIC_F0, DIELECTRIC_F0},
+                                  .specular_f90 = 1,
+                                  .index_of_refraction = 1.5F,
+                                  .base_color_texture = -1,
+                                  .metal_roughness_texture = -1,
+                                  .emission_texture = -1,
+                                  .normal_texture = -1,
+                                  .normal_scale = 1,
+                                  .emissive_strength = 1};
+    snprintf(material->name, sizeof material->name, "%s", name);
+}
 
 static bool has_reflectance(const struct material *material, float f0, float f90) {
     for (int c = 0; c < 3; c++)

@@ -22,6 +22,9 @@ struct material_settings {
 
 extern const struct settings_part material_part;
 
+/* Makes the default material of glTF: white, rough and a metal. */
+void material_init(struct material *material, const char *name);
+
 /* True if the material is Lambertian with either setting. It is not metallic and has no specular
  * reflectance, or it has roughness 1 and glTF's default reflectance. */
 bool material_is_diffuse(const struct material *material);

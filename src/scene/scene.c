@@ -32,16 +32,25 @@ bool scene_load(struct scene *scene, const char *path) {
     return scene_load_bytes(scene, path, NULL, &(struct scene_choice){0});
 }
 
-bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes,
-                      const struct scene_choice *choice) {
-    *scene = (struct scene){0};
-    bool ok = gltf_load(scene, path, bytes, choice);
-    if (ok)
+static bool finish(struct scene *scene, bool is_filled) {
+    if (is_filled)
         add_lights(scene);
-    if (ok && check_worlds(scene))
+    if (is_filled && check_worlds(scene))
         return true;
     scene_free(scene);
     return false;
+}
+
+bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes,
+                      const struct scene_choice *choice) {
+    *scene = (struct scene){0};
+    return finish(scene, gltf_load(scene, path, bytes, choice));
+}
+
+bool scene_take(struct scene *scene, struct scene *filled) {
+    *scene = *filled;
+    *filled = (struct scene){0};
+    return finish(scene, true);
 }
 
 bool scene_check_output(const struct scene *scene, const char *path) {

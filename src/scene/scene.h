@@ -257,6 +257,10 @@ struct file_bytes;
 bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes,
                       const struct scene_choice *choice);
 
+/* Moves a scene that a caller has filled, and adds its emissive surfaces' lights. Error: a node too
+ * far away; the scene is then zeroed. */
+bool scene_take(struct scene *scene, struct scene *filled);
+
 /* Accepts zeroed and half-built scenes. */
 void scene_free(struct scene *scene);
 

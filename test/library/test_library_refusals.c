@@ -65,15 +65,20 @@ TEST(broken_arrays) {
     const struct manylight_scene_desc desc = {
         .size = sizeof desc, .meshes = &mesh, .mesh_count = 1};
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "arrays: mesh 0");
+    mesh.index_count = 2;
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "arrays: mesh 0: 2 indices make no whole triangles");
     mesh.indices = NULL;
     mesh.positions = bad;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "arrays: ");
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "arrays: mesh 0: the position of vertex 1 is not finite");
     mesh.positions = NULL;
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
                  "mesh 0: positions is NULL");
     mesh.positions = good;
     mesh.material = 3;
-    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "arrays: mesh 0");
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "arrays: mesh 0: material: 3 is not from 0 to 0");
     mesh.material = 0;
     mesh.size = 0;
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_ARGUMENT,
@@ -105,6 +110,8 @@ TEST(broken_parts) {
         .size = sizeof material, .picture = "not a picture", .picture_bytes = 13};
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
                  "material 0: picture: its bytes are neither PNG nor JPEG");
+    material.picture = "\x89PNG, cut off";
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE, "material 0: picture: ");
     material = (struct manylight_material){.size = sizeof material};
     desc.lights = &light;
     desc.light_count = 1;
@@ -113,6 +120,9 @@ TEST(broken_parts) {
     light = (struct manylight_light){.size = sizeof light, .type = MANYLIGHT_AREA};
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
                  "light 0: extent: an area light has a width");
+    light = (struct manylight_light){.size = sizeof light, .inner_angle = 1};
+    check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
+                 "light 0: inner_angle: 1 is not from 0 to 0.7854");
     light = (struct manylight_light){.size = sizeof light, .up = {0, 1, 0}};
     check_failed(manylight_scene_open(&desc, &scene), MANYLIGHT_BAD_SCENE,
                  "light 0: up is along direction");

@@ -336,19 +336,6 @@ Alphas of_vertices(const struct scene &scene, int material) {
     return alphas;
 }
 
-/* The standard's default: white, rough and, as it is, a metal. */
-void make_default(struct material &to) {
-    copy_name(to.name, "default");
-    for (float &c : to.base_color)
-        c = 1;
-    for (float &c : to.specular_f0)
-        c = DIELECTRIC_F0;
-    to.metalness = to.roughness = to.specular_f90 = to.normal_scale = 1;
-    to.index_of_refraction = 1.5F;
-    to.base_color_texture = to.metal_roughness_texture = -1;
-    to.emission_texture = to.normal_texture = -1;
-}
-
 } // namespace
 
 /* What blends with an alpha of 1 throughout is opaque. Leaves, whose alphas are 0 or 1 but for
@@ -383,7 +370,7 @@ bool load_materials(Loader &loader) {
                            scene->materials[i], loader.mappings[i]))
             return error_prefix("%s", label("material", i, from[i].name).c_str());
     }
-    make_default(scene->materials[from.size()]);
+    material_init(&scene->materials[from.size()], "default");
     return true;
 }
 

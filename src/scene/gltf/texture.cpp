@@ -122,14 +122,11 @@ bool is_needed(const Model &model, const char *format) {
            std::find(names.begin(), names.end(), format) != names.end();
 }
 
-/* Every driver of OpenGL 4.5 takes textures up to this size. */
-const int side_most = 16384;
-
 void limit_size(const Loader &loader, const std::string &object, struct scene_texture &made) {
     const struct bitmap before = made.bitmap;
-    if (before.width <= side_most && before.height <= side_most)
+    if (before.width <= TEXTURE_SIDE_MAX && before.height <= TEXTURE_SIDE_MAX)
         return;
-    texture_shrink(&made, side_most);
+    texture_shrink(&made, TEXTURE_SIDE_MAX);
     log_note("%s: %s: its %dx%d pixels are scaled down to %dx%d", loader.scene->path,
              object.c_str(), before.width, before.height, made.bitmap.width, made.bitmap.height);
 }
