@@ -227,15 +227,20 @@ MAKERS = {"mesh": (Mesh, _mesh), "material": (Material, _material), "light": (Li
           "camera": (Camera, camera_desc)}
 
 
-def _made(kind: str, i: int, part: Any) -> Descriptor:
+def made_part(kind: str, part: Any) -> Descriptor:
+    """A part for the library."""
     of, maker = MAKERS[kind]
+    if not isinstance(part, of):
+        raise ArgumentError(f"{described(part)} is not a manylight.{of.__name__}")
+    for member in dataclasses.fields(part):
+        if getattr(part, member.name) is None and member.default is not None:
+            raise ArgumentError(f"{member.name}: None")
+    return maker(part)
+
+
+def _made(kind: str, i: int, part: Any) -> Descriptor:
     try:
-        if not isinstance(part, of):
-            raise ArgumentError(f"{described(part)} is not a manylight.{of.__name__}")
-        for member in dataclasses.fields(part):
-            if getattr(part, member.name) is None and member.default is not None:
-                raise ArgumentError(f"{member.name}: None")
-        return maker(part)
+        return made_part(kind, part)
     except ArgumentError as error:
         raise ArgumentError(f"{kind} {i}: {error}") from None
 

@@ -6,12 +6,13 @@ from functools import partial
 from itertools import count
 from typing import Any, Dict, Iterable, NamedTuple, Optional, Sequence, Tuple
 
-from ._call import Descriptor, Progress, Work, call, described, encode, made, run, whole, width_and_height
+from ._call import (Descriptor, Progress, Work, call, described, encode, made, real, real_array, run, whole,
+                    width_and_height)
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, text_of
 from ._image import SURFACE_LAYERS, Layers, listed, to_layers
 from ._names import settings_text
-from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc, camera_of
+from ._parts import Camera, Light, Material, Mesh, add_parts, camera_desc, camera_of, made_part
 
 
 class SceneInfo(NamedTuple):
@@ -30,8 +31,15 @@ class SceneInfo(NamedTuple):
 KINDS_OF_IDS = ("node", "mesh", "material")
 
 
+def number(part: str, value: Any) -> int:
+    """The number of a part."""
+    if not 0 <= whole(part, value) < 1 << 32:
+        raise ArgumentError(f"{part}: {value} is no number of a part")
+    return whole(part, value)
+
+
 class Scene:
-    """A scene: a glTF file, its bytes, or arrays. It does not change, so any threads may use it at once.
+    """A scene: a glTF file, its bytes, or arrays. Any threads may use it at once; its parts change between calls.
 
     Parameters
     ----------
@@ -83,6 +91,43 @@ class Scene:
         part = KINDS_OF_IDS.index(kind)
         name = partial(lib.manylight_scene_name, self._handle, part)
         return {i: text_of(text) for i, text in enumerate(iter(map(name, count(1)).__next__, ffi.NULL), 1)}
+
+    def set_node(self, node: int, matrix: Any) -> None:
+        """Places a node, by its number in the layer "id.node": `matrix` (4, 4) from the node to its parent.
+
+        Renderers and `reference` show changes from the next frame on, with the bits of a scene opened with them. The
+        first frame after changes costs a new layout of the scene. Scenes with clips do not change. A change is refused
+        while another thread's call uses the scene.
+        """
+        array = real_array("matrix", matrix)
+        if array.shape != (4, 4):
+            raise ArgumentError(f"matrix: {described(matrix)} is not of shape (4, 4)")
+        numbers = ffi.new("double[16]", array.astype(float).ravel().tolist())
+        call(lib.manylight_scene_set_node, self._handle, number("node", node), numbers)
+
+    def set_mesh(self, mesh: int, to: Mesh) -> None:
+        """Replaces the triangles of a mesh, by its number in the layer "id.mesh". It keeps its material."""
+        self._set(lib.manylight_scene_set_mesh, "mesh", mesh, to)
+
+    def _set(self, function: Any, kind: str, part: int, to: Any) -> None:
+        desc = made_part(kind, to)  # which keeps the arrays
+        call(function, self._handle, number(kind, part), desc.pointer)
+
+    def set_material(self, material: int, to: Material) -> None:
+        """Replaces the numbers of a material, by its number in the layer "id.material". It keeps its pictures."""
+        self._set(lib.manylight_scene_set_material, "material", material, to)
+
+    def set_light(self, light: int, to: Light) -> None:
+        """Replaces a light, by its number as in `light=` of `Device.render`, counted from 0."""
+        self._set(lib.manylight_scene_set_light, "light", light, to)
+
+    def set_sky(self, path: "str | os.PathLike[str] | None" = None, *, turn: float = 0, strength: float = 1) -> None:
+        """Replaces the environment, or turns it (degrees) and makes it stronger from how it was opened, if `path` is
+        None."""
+        if strength == 0:
+            raise ArgumentError("strength: 0 is not above 0")
+        call(lib.manylight_scene_set_sky, self._handle, ffi.NULL if path is None else ffi.new("char[]", encode(path)),
+             real("turn", turn), real("strength", strength))
 
     def camera(self, text: Optional[str] = None, time: float = 0) -> Camera:
         """Where a camera is at a time (s): `text` as of `manylight render --camera`; None: the first."""

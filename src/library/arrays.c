@@ -73,16 +73,12 @@ static bool check_vertices(const struct manylight_mesh *mesh) {
     return ok;
 }
 
-static bool check_mesh(const struct scene *scene, const struct manylight_mesh *mesh) {
+static bool check_mesh(const struct manylight_mesh *mesh) {
     const size_t most = (size_t)1 << 31;
     if (!mesh->positions)
         return error_set("positions is NULL");
     if (mesh->vertex_count >= most || mesh->index_count >= most)
         return error_set("it has more than 2147483647 vertices or indices");
-    /* The last material is the default of files. */
-    if (mesh->material < 0 || mesh->material >= scene->material_count - 1)
-        return error_set("material: %d is not from 0 to %d", mesh->material,
-                         scene->material_count - 2);
     /* A flat mesh has three vertices of its own for each triangle. */
     size_t count = mesh->indices ? mesh->index_count : mesh->vertex_count;
     return mem_check(48 * ((uint64_t)mesh->vertex_count + 2 * (uint64_t)count)) &&
@@ -99,7 +95,6 @@ static void *copy(const void *elements, size_t count, size_t size) {
 static bool fill_primitive(struct primitive *to, const struct manylight_mesh *mesh,
                            bool has_picture) {
     size_t count = mesh->vertex_count;
-    to->material = mesh->material;
     to->vertex_count = (int)count;
     to->position = copy(mesh->positions, count, sizeof *to->position);
     to->normal = copy(mesh->normals, count, sizeof *to->normal);
@@ -119,19 +114,37 @@ static bool fill_primitive(struct primitive *to, const struct manylight_mesh *me
     return true;
 }
 
+bool arrays_set_mesh(struct mesh *to, const struct manylight_mesh *mesh, int material,
+                     bool has_picture) {
+    struct primitive filled = {.material = material};
+    size_t indices = mesh->indices ? mesh->index_count : mesh->vertex_count;
+    if (!check_mesh(mesh))
+        return false;
+    if (indices == 0 && read_rules_are_strict())
+        return error_set("it has no triangle");
+    if (indices > 0 && !fill_primitive(&filled, mesh, has_picture)) {
+        primitive_free(&filled, 0);
+        return false;
+    }
+    primitive_free(to->primitives, 0);
+    *to->primitives = filled;
+    to->primitive_count = indices > 0;
+    return true;
+}
+
 static bool fill_mesh(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
     struct manylight_mesh mesh;
-    if (!desc_take_element(&mesh, sizeof mesh, desc->meshes, i, "manylight_mesh") ||
-        !check_mesh(scene, &mesh))
+    if (!desc_take_element(&mesh, sizeof mesh, desc->meshes, i, "manylight_mesh"))
         return false;
+    /* The last material is the default of files. */
+    if (mesh.material < 0 || mesh.material >= scene->material_count - 1)
+        return error_set("material: %d is not from 0 to %d", mesh.material,
+                         scene->material_count - 2);
     struct mesh *to = &scene->meshes[scene->mesh_count++];
     to->primitives = mem_alloc(1, sizeof *to->primitives);
     add_node(scene)->mesh = (int)i;
-    if ((mesh.indices ? mesh.index_count : mesh.vertex_count) == 0)
-        return !read_rules_are_strict() || error_set("it has no triangle");
-    to->primitive_count = 1;
-    return fill_primitive(to->primitives, &mesh,
-                          scene->materials[mesh.material].base_color_texture >= 0);
+    return arrays_set_mesh(to, &mesh, mesh.material,
+                           scene->materials[mesh.material].base_color_texture >= 0);
 }
 
 /* --- materials -------------------------------------------------------------------------------- */
@@ -170,22 +183,30 @@ static bool fill_picture(struct scene *scene, const struct manylight_material *m
     return true;
 }
 
+bool arrays_set_material(struct material *to, const struct manylight_material *material) {
+    static const float white[4] = {1, 1, 1, 1};
+    if (!check_material(material))
+        return false;
+    memcpy(to->base_color, is_zero(material->base_color, 4) ? white : material->base_color,
+           sizeof to->base_color);
+    to->metalness = material->metalness;
+    to->roughness = material->roughness == 0                ? 1
+                    : material->roughness == MANYLIGHT_ZERO ? 0
+                                                            : material->roughness;
+    to->double_sided = material->double_sided != 0;
+    memcpy(to->emission, material->emission, sizeof to->emission);
+    memcpy(to->emissive_factor, material->emission, sizeof to->emission);
+    to->emissive_strength = 1;
+    return true;
+}
+
 static bool fill_material(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
     struct manylight_material material;
     struct material *to = &scene->materials[i];
-    if (!desc_take_element(&material, sizeof material, desc->materials, i, "manylight_material") ||
-        !check_material(&material))
-        return false;
     material_init(to, "");
-    if (!is_zero(material.base_color, 4))
-        memcpy(to->base_color, material.base_color, sizeof to->base_color);
-    to->metalness = material.metalness;
-    to->roughness = material.roughness == 0                ? 1
-                    : material.roughness == MANYLIGHT_ZERO ? 0
-                                                           : material.roughness;
-    to->double_sided = material.double_sided != 0;
-    memcpy(to->emission, material.emission, sizeof to->emission);
-    memcpy(to->emissive_factor, material.emission, sizeof to->emission);
+    if (!desc_take_element(&material, sizeof material, desc->materials, i, "manylight_material") ||
+        !arrays_set_material(to, &material))
+        return false;
     if (!material.picture)
         return true;
     to->base_color_texture = scene->texture_count;
@@ -224,30 +245,34 @@ static bool check_light(const struct manylight_light *light) {
             error_set("extent: an area light has a width, and so has one with a height"));
 }
 
-static bool fill_light(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
+bool arrays_set_light(struct scene_light *to, struct node *node,
+                      const struct manylight_light *light) {
     static const enum emitter_type types[] = {EMITTER_SPOT, EMITTER_POINT, EMITTER_DIRECTIONAL,
                                               EMITTER_AREA};
-    struct manylight_light light;
-    if (!desc_take_element(&light, sizeof light, desc->lights, i, "manylight_light") ||
-        !check_light(&light))
+    static const float down[3] = {0, -1, 0};
+    if (!check_light(light))
         return false;
-    struct scene_light *to = &scene->lights[scene->light_count++];
-    struct node *node = add_node(scene);
-    bool is_area = light.type == MANYLIGHT_AREA, is_spot = light.type == MANYLIGHT_SPOT;
-    node->light = (int)i;
-    to->type = types[light.type];
-    to->range = INFINITY;
-    to->scaling = is_area ? LIGHT_SCALED_ALIKE : LIGHT_NOT_SCALED;
-    to->outer = light.outer_angle == 0 ? GLM_PI_4f : fminf(light.outer_angle, GLM_PI_2f);
+    bool is_area = light->type == MANYLIGHT_AREA, is_spot = light->type == MANYLIGHT_SPOT;
+    *to = (struct scene_light){.type = types[light->type],
+                               .range = INFINITY,
+                               .scaling = is_area ? LIGHT_SCALED_ALIKE : LIGHT_NOT_SCALED,
+                               .size = {light->extent[0]}};
+    to->outer = light->outer_angle == 0 ? GLM_PI_4f : fminf(light->outer_angle, GLM_PI_2f);
     to->outer = is_area ? GLM_PI_2f : is_spot ? to->outer : 0;
-    to->inner = is_spot ? fminf(light.inner_angle, to->outer) : 0;
-    to->size[0] = light.extent[0];
-    to->size[1] = is_area || is_spot ? light.extent[1] : 0;
-    fill_intensity(&light, to);
-    if (is_zero(light.direction, 3))
-        light.direction[1] = -1;
+    to->inner = is_spot ? fminf(light->inner_angle, to->outer) : 0;
+    to->size[1] = is_area || is_spot ? light->extent[1] : 0;
+    fill_intensity(light, to);
+    const float *direction = is_zero(light->direction, 3) ? down : light->direction;
     return desc_check_all("intensity", to->intensity, 3, 0, (double)SCENE_LIGHT_MOST) &&
-           aim_node(node, light.position, light.direction, light.up, "direction");
+           aim_node(node, light->position, direction, light->up, "direction");
+}
+
+static bool fill_light(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
+    struct manylight_light light;
+    struct node *node = add_node(scene);
+    node->light = scene->light_count++;
+    return desc_take_element(&light, sizeof light, desc->lights, i, "manylight_light") &&
+           arrays_set_light(&scene->lights[node->light], node, &light);
 }
 
 static bool check_scene_camera(const struct manylight_camera *camera, const struct node *node) {

@@ -28,7 +28,8 @@
  *     current; the caller's current context stays. Calls to a device and its renderers run one at a
  *     time. Devices run in parallel.
  *   - Adopted device: call from one thread at a time, on which make_current works.
- *   - Scenes and images are immutable: several threads may use one at the same time.
+ *   - Several threads may use a scene or an image at the same time. A scene does not change while
+ *     a call uses it: manylight_scene_set_... then fails.
  *   - Callbacks may run on other threads than the caller's, one at a time. They return before the
  *     call does. They may call functions of images and scenes. Calls of the device at work are
  *     MANYLIGHT_BAD_ARGUMENT.
@@ -302,9 +303,36 @@ MANYLIGHT_API enum manylight_status manylight_scene_info(const struct manylight_
 enum manylight_part { MANYLIGHT_NODE, MANYLIGHT_MESH, MANYLIGHT_MATERIAL };
 
 /* Returns the name of a part by its id in the layers id.node, id.mesh and id.material, from 1 on.
- * "" where the file has none. The text lives as long as the scene. NULL: no such part. */
+ * "" where the file has none. NULL: no such part. The text lives until the scene changes. */
 MANYLIGHT_API const char *manylight_scene_name(const struct manylight_scene *scene,
                                                enum manylight_part part, uint32_t id);
+
+/* Change a part of a scene without clips, by its id; of lights by the number of
+ * manylight_view.light. Renderers and references show the change from the next frame on, with the
+ * bits of a scene opened with it. That frame makes the renderer's buffers anew, once for all
+ * changes before it. Files' alpha modes, extensions and pictures stay. Error:
+ * MANYLIGHT_BAD_ARGUMENT while another call uses the scene; no such part; a part that these structs
+ * cannot describe. The scene then stays unchanged. */
+
+/* matrix: affine, from the node to its parent, row by row. */
+MANYLIGHT_API enum manylight_status manylight_scene_set_node(struct manylight_scene *scene,
+                                                             uint32_t id, const double matrix[16]);
+/* Replaces vertices and triangles, of any number. Keeps the material: mesh->material is it or 0. */
+MANYLIGHT_API enum manylight_status manylight_scene_set_mesh(struct manylight_scene *scene,
+                                                             uint32_t id,
+                                                             const struct manylight_mesh *mesh);
+/* Keeps the pictures: material->picture is NULL. */
+MANYLIGHT_API enum manylight_status
+manylight_scene_set_material(struct manylight_scene *scene, uint32_t id,
+                             const struct manylight_material *material);
+MANYLIGHT_API enum manylight_status manylight_scene_set_light(struct manylight_scene *scene,
+                                                              uint32_t number,
+                                                              const struct manylight_light *light);
+/* path: a file or a text of --environment; NULL: the same sky. turn (degrees) and strength (0
+ * selects 1) are relative to it. */
+MANYLIGHT_API enum manylight_status manylight_scene_set_sky(struct manylight_scene *scene,
+                                                            const char *path, float turn,
+                                                            float strength);
 
 /* Fills *camera with a camera of the scene at a time in seconds; text as in struct manylight_view.
  * The caller sets camera->size. */

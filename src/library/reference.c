@@ -184,8 +184,12 @@ static bool reference(const struct manylight_scene *scene,
     struct image image = {0};
     if (!desc_take(&tracing.desc, sizeof tracing.desc, given, "manylight_reference_desc") ||
         !desc_take(&tracing.view, sizeof tracing.view, tracing.desc.view, "manylight_view") ||
-        !check(&tracing) || !assign(&tracing) || !loan_take(&loan, scene))
+        !check(&tracing) || !assign(&tracing))
         return false;
+    if (!scene_use(scene) || !loan_take(&loan, scene)) {
+        scene_leave(scene);
+        return false;
+    }
     bool ok = trace(&tracing, &loan, &image);
     if (ok) {
         tell_facts(&tracing, &loan, &image);
@@ -195,6 +199,7 @@ static bool reference(const struct manylight_scene *scene,
     }
     if (!ok && tracing.cancelled)
         door_blame(MANYLIGHT_CANCELLED);
+    scene_leave(scene);
     loan_return(&loan);
     return ok;
 }

@@ -128,9 +128,10 @@ static bool create(struct manylight_device *device, const struct manylight_scene
                    const struct manylight_renderer_desc *desc, struct manylight_renderer **out) {
     struct manylight_renderer *made = mem_alloc(1, sizeof *made);
     struct renderer_desc resolved;
-    bool ok = loan_take(&made->loan, scene);
+    bool ok = scene_use(scene) && loan_take(&made->loan, scene);
     ok = ok && resolve(desc, &made->loan, &resolved, &made->drawing);
     ok = ok && device_do(device, init_renderer, &(struct call){.of = made, .desc = &resolved});
+    scene_leave(scene);
     if (!ok) {
         loan_return(&made->loan);
         free(made);
@@ -183,8 +184,38 @@ static bool check_exists(const struct manylight_renderer *renderer) {
            error_set("the renderer ended with an earlier failure: make another one");
 }
 
+/* Runs a job of the renderer while its scene stays as it is. */
+static bool do_job(struct manylight_renderer *renderer, worker_job *job, struct call *call) {
+    struct manylight_scene *scene = renderer->loan.from;
+    bool ok = scene_use(scene) && device_do(renderer->device, job, call);
+    scene_leave(scene);
+    return ok;
+}
+
+/* Follows a change of colours and lights, or starts anew with a scene that has changed. Programs
+ * stay in the device's store. */
+static bool follow_scene(struct manylight_renderer *renderer) {
+    struct renderer_desc desc = renderer->renderer.desc;
+    if (loan_is_current(&renderer->loan))
+        return true;
+    if (renderer->exists && loan_repaint(&renderer->loan)) {
+        renderer_relight(&renderer->renderer);
+        return true;
+    }
+    free_renderer(&(struct call){.of = renderer});
+    if (!loan_renew(&renderer->loan))
+        return false;
+    desc.emitters = renderer->loan.stage.emitters;
+    desc.camera = renderer->loan.stage.camera;
+    desc.direct = renderer->drawing.has_direct ? desc.direct : NULL;
+    return renderer->exists = renderer_init(&renderer->renderer, &desc);
+}
+
 static bool check_frame(const struct manylight_renderer *renderer) {
     return check_exists(renderer) &&
+           (loan_is_current(&renderer->loan) ||
+            error_set("the scene has changed since the frame: manylight_render draws another") ||
+            door_blame(MANYLIGHT_BAD_ARGUMENT)) &&
            (renderer->has_frame || error_set("there is no frame: manylight_render draws one") ||
             door_blame(MANYLIGHT_BAD_ARGUMENT));
 }
@@ -194,7 +225,8 @@ static bool follow(void *user) {
     struct manylight_renderer *renderer = call->of;
     struct renderer_desc resolved;
     struct drawing drawing;
-    if (!check_exists(renderer) || !resolve(call->given, &renderer->loan, &resolved, &drawing) ||
+    if (!check_exists(renderer) || !follow_scene(renderer) ||
+        !resolve(call->given, &renderer->loan, &resolved, &drawing) ||
         !renderer_follow(&renderer->renderer, &resolved))
         return false;
     renderer->drawing = drawing;
@@ -206,7 +238,7 @@ enum manylight_status manylight_renderer_change(struct manylight_renderer *rende
                                                 const struct manylight_renderer_desc *desc) {
     struct door door;
     door_enter(&door);
-    bool ok = device_do(renderer->device, follow, &(struct call){.of = renderer, .given = desc});
+    bool ok = do_job(renderer, follow, &(struct call){.of = renderer, .given = desc});
     return door_leave(&door, ok, MANYLIGHT_FAILED);
 }
 
@@ -232,8 +264,7 @@ enum manylight_status manylight_renderer_setting(struct manylight_renderer *rend
     struct door door;
     struct call call = {.of = renderer, .text = name, .room = text, .room_size = text_size};
     door_enter(&door);
-    return door_leave(&door, device_do(renderer->device, read_setting, &call),
-                      MANYLIGHT_BAD_SETTING);
+    return door_leave(&door, do_job(renderer, read_setting, &call), MANYLIGHT_BAD_SETTING);
 }
 
 /* --- drawing ---------------------------------------------------------------------------------- */
@@ -301,7 +332,8 @@ static bool show(struct manylight_renderer *renderer) {
  * neither. */
 static bool draw(struct call *call) {
     struct manylight_renderer *renderer = call->of;
-    if (!check_exists(renderer) || !loan_pose(&renderer->loan, &call->view) ||
+    if (!check_exists(renderer) || !follow_scene(renderer) ||
+        !loan_pose(&renderer->loan, &call->view) ||
         (call->view.placed && !loan_place_others(&call->view, renderer->others)))
         return false;
     if (!show(renderer)) {
@@ -337,7 +369,7 @@ enum manylight_status manylight_render(struct manylight_renderer *renderer,
     struct door door;
     door_enter(&door);
     struct call call = {.of = renderer, .given_view = view};
-    return door_leave(&door, device_do(renderer->device, render, &call), MANYLIGHT_FAILED);
+    return door_leave(&door, do_job(renderer, render, &call), MANYLIGHT_FAILED);
 }
 
 /* --- reading ---------------------------------------------------------------------------------- */
@@ -394,7 +426,7 @@ enum manylight_status manylight_read(struct manylight_renderer *renderer, const 
     struct call call = {.of = renderer, .text = outputs};
     *image = NULL;
     door_enter(&door);
-    bool ok = device_do(renderer->device, read_layers, &call);
+    bool ok = do_job(renderer, read_layers, &call);
     if (ok)
         *image = image_wrap(&call.image);
     return door_leave(&door, ok, MANYLIGHT_FAILED);
@@ -429,7 +461,7 @@ static bool read_display(void *user) {
 static bool copy_display(struct manylight_renderer *renderer, const char *layer, uint8_t *rgba,
                          size_t bytes) {
     struct call call = {.of = renderer, .text = layer};
-    if (!device_do(renderer->device, read_display, &call))
+    if (!do_job(renderer, read_display, &call))
         return false;
     size_t wanted = (size_t)call.bitmap.width * (size_t)call.bitmap.height * 4;
     bool fits = bytes >= wanted;
@@ -456,7 +488,7 @@ enum manylight_status manylight_display_texture(struct manylight_renderer *rende
         device_is_adopted(renderer->device) ||
         error_set("the device has a context of its own, whose textures are for nobody else") ||
         door_blame(MANYLIGHT_BAD_ARGUMENT);
-    ok = ok && device_do(renderer->device, compose, &(struct call){.of = renderer, .text = layer});
+    ok = ok && do_job(renderer, compose, &(struct call){.of = renderer, .text = layer});
     if (ok) {
         *texture = renderer->renderer.composite.display.id;
         *width = renderer->renderer.desc.width;
@@ -481,7 +513,7 @@ enum manylight_status manylight_milliseconds(struct manylight_renderer *renderer
     struct door door;
     struct call call = {.of = renderer, .text = path};
     door_enter(&door);
-    bool ok = device_do(renderer->device, read_time, &call);
+    bool ok = do_job(renderer, read_time, &call);
     *milliseconds = call.milliseconds;
     return door_leave(&door, ok, MANYLIGHT_FAILED);
 }

@@ -7,24 +7,14 @@
 #include "library/arrays.h"
 #include "library/desc.h"
 #include "library/door.h"
+#include "scene/gltf/gltf.h"
 #include "scene/placing.h"
 #include "scene/read_rules.h"
 #include "scene/surface_layers.h"
 
 #include <math.h>
-#include <pthread.h>
-#include <stdatomic.h>
 #include <stdlib.h>
 #include <string.h>
-
-struct manylight_scene {
-    atomic_int users;
-    pthread_mutex_t mutex; /* of is_lent and the stage's triangles */
-    struct stage stage;    /* at time 0 */
-    bool is_lent;          /* its triangles are */
-    char *light;           /* as it was opened; NULL: all */
-    struct manylight_scene_info info;
-};
 
 /* --- opening ---------------------------------------------------------------------------------- */
 
@@ -55,14 +45,10 @@ static bool check_sources(const struct manylight_scene_desc *desc) {
 }
 
 static bool open_stage(struct manylight_scene *scene, const struct manylight_scene_desc *desc,
-                       const struct file_bytes *bytes, struct scene *filled) {
+                       struct scene *filled) {
     struct stage_desc stage = {
-        .path = desc->path     ? desc->path
-                : desc->memory ? "memory"
-                               : "arrays",
-        .bytes = bytes->data ? bytes : NULL,
+        .path = filled->path,
         .filled = filled,
-        .choice = {desc->scene, desc->variant},
         .light = scene->light,
         .clip = desc->clip,
         .environment = {desc->environment, desc->environment_turn,
@@ -73,10 +59,17 @@ static bool open_stage(struct manylight_scene *scene, const struct manylight_sce
 
 static bool read_scene(struct manylight_scene *scene, const struct manylight_scene_desc *desc) {
     const struct file_bytes bytes = {(unsigned char *)(uintptr_t)desc->memory, desc->memory_bytes};
+    const struct scene_choice choice = {desc->scene, desc->variant};
     struct scene filled = {0};
-    if (desc->mesh_count == 0)
-        return open_stage(scene, desc, &bytes, NULL);
-    bool ok = arrays_fill(desc, &filled) && open_stage(scene, desc, &bytes, &filled);
+    bool ok = desc->mesh_count > 0 ? arrays_fill(desc, &filled)
+                                   : gltf_load(&filled, desc->path ? desc->path : "memory",
+                                               bytes.data ? &bytes : NULL, &choice);
+    original_keep(&scene->original, &filled);
+    if (desc->environment) {
+        scene->original.turn = 0;
+        scene->original.strength = 1;
+    }
+    ok = ok && open_stage(scene, desc, &filled);
     scene_free(&filled);
     return ok;
 }
@@ -92,7 +85,7 @@ static double duration_of(const struct scene *scene) {
     return most;
 }
 
-static void describe(struct manylight_scene *scene) {
+void scene_describe(struct manylight_scene *scene) {
     const struct scene *from = &scene->stage.scene;
     const struct geometry *geometry = &scene->stage.geometry;
     struct manylight_scene_info *info = &scene->info;
@@ -119,10 +112,11 @@ static bool open_scene(const struct manylight_scene_desc *given, struct manyligh
     read_rules_use(NULL);
     free(rules.root);
     if (!ok) {
+        original_free(&scene->original);
         mem_free(scene->light, scene);
         return false;
     }
-    describe(scene);
+    scene_describe(scene);
     atomic_init(&scene->users, 1);
     pthread_mutex_init(&scene->mutex, NULL);
     *out = scene;
@@ -150,6 +144,7 @@ static void release(struct manylight_scene *scene) {
     if (!scene || atomic_fetch_sub(&scene->users, 1) > 1)
         return;
     stage_free(&scene->stage);
+    original_free(&scene->original);
     free(scene->light);
     pthread_mutex_destroy(&scene->mutex);
     free(scene);
@@ -165,21 +160,34 @@ void manylight_scene_free(struct manylight_scene *scene) {
 /* The scene's stage, with its triangles unless another user has them. */
 static struct loan lend(struct manylight_scene *scene) {
     pthread_mutex_lock(&scene->mutex);
-    struct loan loan = {.from = scene, .stage = scene->stage, .has_original = !scene->is_lent};
+    struct loan loan = {.from = scene,
+                        .stage = scene->stage,
+                        .has_original = !scene->is_lent,
+                        .edition = scene->edition};
     scene->is_lent = true;
     pthread_mutex_unlock(&scene->mutex);
     return loan;
 }
 
-static void take_back(struct manylight_scene *scene, const struct geometry *geometry) {
+/* Triangles go back as they were at time 0, and a pose that came to be after them is put right by
+ * the next user. Those of before a change are freed, as copies are. */
+static void take_back(struct loan *loan) {
+    struct manylight_scene *scene = loan->from;
+    struct geometry *geometry = &loan->stage.geometry;
+    emitters_free(&loan->stage.emitters);
     pthread_mutex_lock(&scene->mutex);
-    scene->stage.geometry = *geometry;
-    scene->is_lent = false;
+    if (loan->has_original && loan->edition == scene->edition) {
+        scene->stage.geometry = *geometry;
+        scene->is_lent = false;
+    } else {
+        geometry_free(geometry);
+    }
     pthread_mutex_unlock(&scene->mutex);
+    *loan = (struct loan){.from = scene};
 }
 
-bool loan_take(struct loan *loan, const struct manylight_scene *scene) {
-    *loan = lend(hold(scene));
+static bool fill_loan(struct loan *loan) {
+    *loan = lend(loan->from);
     struct stage *stage = &loan->stage;
     stage->emitters = (struct emitters){0};
     stage->light_text = loan->from->light;
@@ -189,21 +197,44 @@ bool loan_take(struct loan *loan, const struct manylight_scene *scene) {
     bool ok = (loan->has_original || geometry_init(&stage->geometry, &stage->scene, 0)) &&
               stage_pose(stage, 0);
     if (!ok)
-        loan_return(loan);
+        take_back(loan);
     return ok;
 }
 
-/* Triangles go back as they were at time 0, and a pose that came to be after them is put right by
- * the next user. */
+bool loan_take(struct loan *loan, const struct manylight_scene *scene) {
+    *loan = (struct loan){.from = hold(scene)};
+    if (fill_loan(loan))
+        return true;
+    loan_return(loan);
+    return false;
+}
+
+bool loan_renew(struct loan *loan) {
+    take_back(loan);
+    return fill_loan(loan);
+}
+
+bool loan_repaint(struct loan *loan) {
+    const struct manylight_scene *scene = loan->from;
+    struct geometry *geometry = &loan->stage.geometry;
+    if (loan->edition < scene->reshaped ||
+        loan->stage.scene.node_count != scene->stage.scene.node_count)
+        return false;
+    loan->stage.scene = scene->stage.scene;
+    geometry->painted = ++geometry->pose_count;
+    loan->has_original = false;
+    loan->edition = scene->edition;
+    return true;
+}
+
+bool loan_is_current(const struct loan *loan) {
+    return loan->edition == loan->from->edition;
+}
+
 void loan_return(struct loan *loan) {
     if (!loan->from)
         return;
-    emitters_free(&loan->stage.emitters);
-    if (loan->has_original) {
-        take_back(loan->from, &loan->stage.geometry);
-    } else {
-        geometry_free(&loan->stage.geometry);
-    }
+    take_back(loan);
     release(loan->from);
     *loan = (struct loan){0};
 }
@@ -328,14 +359,23 @@ enum manylight_status manylight_scene_camera(const struct manylight_scene *scene
     struct door door;
     struct camera placed;
     door_enter(&door);
-    bool ok = camera_from_text(&placed, &scene->stage.scene, text, time, NULL) &&
+    bool ok = scene_use(scene) &&
+              camera_from_text(&placed, &scene->stage.scene, text, time, NULL) &&
               give_camera(&placed, camera);
+    scene_leave(scene);
     return door_leave(&door, ok, MANYLIGHT_BAD_ARGUMENT);
 }
 
 const char *manylight_scene_name(const struct manylight_scene *scene, enum manylight_part part,
                                  uint32_t id) {
-    return surface_layer_id_name(&scene->stage.scene, (int)part, (int)id - 1);
+    struct door door;
+    door_enter(&door);
+    const char *name = scene_use(scene)
+                           ? surface_layer_id_name(&scene->stage.scene, (int)part, (int)id - 1)
+                           : NULL;
+    scene_leave(scene);
+    door_leave(&door, true, MANYLIGHT_OK);
+    return name;
 }
 
 static bool make_pinhole(const struct manylight_pinhole *given, struct manylight_camera *out) {
@@ -370,7 +410,8 @@ enum manylight_status manylight_scene_info(const struct manylight_scene *scene,
                                            struct manylight_scene_info *info) {
     struct door door;
     door_enter(&door);
-    return door_leave(&door,
-                      desc_give(info, &scene->info, sizeof scene->info, "manylight_scene_info"),
-                      MANYLIGHT_BAD_ARGUMENT);
+    bool ok = scene_use(scene) &&
+              desc_give(info, &scene->info, sizeof scene->info, "manylight_scene_info");
+    scene_leave(scene);
+    return door_leave(&door, ok, MANYLIGHT_BAD_ARGUMENT);
 }

@@ -1,10 +1,53 @@
-/* Shares a scene among users. The scene itself is immutable. World-space triangles move with time,
- * so each user has its own. */
+/* Shares a scene among users. World-space triangles move with time, so each user has its own. A
+ * change of a part (library/changes.c) marks the scene. Its next user makes it ready again as its
+ * opening did, so its pictures are those of a scene opened with the change. */
 #ifndef LIBRARY_SCENE_H
 #define LIBRARY_SCENE_H
 
 #include "library/manylight.h"
 #include "renderer/stage.h"
+
+#include <pthread.h>
+#include <stdatomic.h>
+
+/* Lists of a scene before its opening adds lights and cameras; the scene's own nodes have the
+ * morph weights. */
+struct original {
+    struct node *nodes;
+    struct scene_light *lights;
+    struct scene_camera *cameras;
+    int node_count, light_count, camera_count;
+    float turn, strength; /* of the sky */
+};
+
+struct manylight_scene {
+    atomic_int users;
+    pthread_mutex_t mutex; /* of all below */
+    int calls;             /* that use the scene, and keep changes out */
+    struct stage stage;    /* at time 0 */
+    bool is_lent;          /* its triangles are */
+    bool is_marked;        /* a part has changed since the last use */
+    bool is_reshaped;      /* and not only colours, lights and the turn and strength of the sky */
+    bool is_broken;        /* the change could not be followed */
+    unsigned edition;      /* counts changes that were followed */
+    unsigned reshaped;     /* edition of the last that was no change of colours and lights alone */
+    struct original original;
+    char *light; /* as it was opened; NULL: all */
+    struct manylight_scene_info info;
+};
+
+/* Keeps changes out until scene_leave, after following those made. Error: a change made vertices
+ * that cannot be shown, or none. */
+bool scene_use(const struct manylight_scene *scene);
+void scene_leave(const struct manylight_scene *scene);
+
+/* Keep and free the lists; write copies of them into a scene. */
+void original_keep(struct original *original, const struct scene *scene);
+void original_free(struct original *original);
+void original_restore(const struct original *original, struct scene *scene);
+
+/* Writes the scene's info. */
+void scene_describe(struct manylight_scene *scene);
 
 /* A stage that shares the scene's data. The first user gets the scene's triangles, others
  * copies. */
@@ -12,10 +55,20 @@ struct loan {
     struct manylight_scene *from;
     struct stage stage;
     bool has_original;
+    unsigned edition; /* of the scene that it is of */
 };
 
-/* Lends the scene at time 0 and keeps it alive until loan_return. Error: out of memory. */
+/* Lends the scene, in use, at time 0 and keeps it alive until loan_return. Error: out of memory. */
 bool loan_take(struct loan *loan, const struct manylight_scene *scene);
+
+/* Lends the scene, in use, again after a change. Error: that of loan_take; return it in any case.
+ */
+bool loan_renew(struct loan *loan);
+bool loan_is_current(const struct loan *loan);
+
+/* Follows a change of colours and lights alone, which leaves the loan its triangles. False: it is
+ * another change. */
+bool loan_repaint(struct loan *loan);
 
 /* Returns the triangles and releases the scene. Accepts a zeroed loan. */
 void loan_return(struct loan *loan);

@@ -58,6 +58,10 @@ TEST(arguments) {
     run_script("check_arguments.py % @");
 }
 
+TEST(changes) {
+    run_script("check_changes.py");
+}
+
 TEST(life) {
     run_script("check_life.py");
 }

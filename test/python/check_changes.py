@@ -1,0 +1,174 @@
+"""check_changes.py: a scene whose parts change has the bits of one opened with them."""
+import json
+import os
+import struct
+
+import numpy as np
+
+import manylight
+from manylight import Camera, Light, Material, Mesh, Scene
+
+X, Z = (grid.ravel().astype(np.float32) for grid in np.meshgrid(np.linspace(-1, 1, 12), np.linspace(-1, 1, 12)))
+CORNERS = np.arange(144).reshape(12, 12)
+FACES = np.concatenate([np.stack([CORNERS[:-1, :-1], CORNERS[1:, :-1], CORNERS[:-1, 1:]], -1).reshape(-1, 3),
+                        np.stack([CORNERS[:-1, 1:], CORNERS[1:, :-1], CORNERS[1:, 1:]], -1).reshape(-1, 3)])
+CAMERA = Camera((0, 2, 3), (0, -2, -3))
+SKIES = ("scenes/day.hdr", "cie:12,elevation=40")
+LAYERS = ["beauty", "indirect", "direct", "albedo", "Z", "id.material"]
+
+
+def sheet(height, at=0., normals=None):
+    return Mesh(np.stack([X + np.float32(at), height * np.sin(4 * X), Z], 1), FACES, normals)
+
+
+def scene_of(height=.1, color=(.8, .2, .2, 1), light=Light("spot", (0, 2, 0), intensity=(9, 9, 9)), at=0., glow=0., **more):
+    """A sheet over another, and a small one that may glow."""
+    return Scene(meshes=[sheet(height), sheet(0, at), Mesh(np.eye(3) * .2, material=1)], lights=[light], cameras=[CAMERA],
+                 materials=[Material(color), Material(emission=(glow,) * 3, double_sided=True)], **more)
+
+
+def moved(x):
+    matrix = np.eye(4)
+    matrix[0, 3] = x
+    return matrix
+
+
+def same(device, name, renderer, scene, expected, **options):
+    """One renderer throughout against a new one of a new scene, and the path tracer."""
+    with device.renderer(expected, (40, 30), **options) as fresh:
+        pictures = renderer.render(layers=LAYERS), fresh.render(layers=LAYERS)
+    traced = [manylight.reference(s, (16, 12), samples=2, threads=1) for s in (scene, expected)]
+    for one, other in (pictures, traced):
+        for layer in one:
+            assert np.array_equal(one[layer], other[layer]), f"{name}: {layer}"
+    print(f"    {name}: mean {pictures[0]['beauty'][..., :3].mean():.4f}")
+    return pictures[0]["beauty"]
+
+
+def check_arrays(device, **options):
+    """Each change by itself, and several at once."""
+    scene, lamp = scene_of(), Light("area", (.2, 1.5, 0), intensity=(3, 2, 1), extent=(.4, .3))
+    with device.renderer(scene, (40, 30), **options) as renderer:
+        seen = [same(device, "first", renderer, scene, scene_of(), **options)]
+        for height in (.2, .3):
+            scene.set_mesh(1, sheet(height))
+            seen.append(same(device, "mesh", renderer, scene, scene_of(height), **options))
+        scene.set_material(1, Material((.1, .7, .2, 1)))
+        now = {"height": .3, "color": (.1, .7, .2, 1)}
+        seen.append(same(device, "material", renderer, scene, scene_of(**now), **options))
+        scene.set_light(0, lamp)
+        now["light"] = lamp
+        seen.append(same(device, "light", renderer, scene, scene_of(**now), **options))
+        scene.set_node(2, moved(.25))
+        seen.append(same(device, "node", renderer, scene, scene_of(at=.25, **now), **options))
+        scene.set_node(2, moved(0))
+        scene.set_material(2, Material(emission=(5, 5, 5), double_sided=True))
+        seen.append(same(device, "a lamp", renderer, scene, scene_of(glow=5, **now), **options))
+        scene.set_material(2, Material(double_sided=True))
+        scene.set_mesh(1, sheet(.1))
+        scene.set_material(1, Material((.8, .2, .2, 1)))
+        scene.set_light(0, Light("spot", (0, 2, 0), intensity=(9, 9, 9)))
+        last = same(device, "as at first", renderer, scene, scene_of(), **options)
+    assert np.array_equal(last, seen[0])
+    assert all(not np.array_equal(a, b) for a, b in zip(seen, seen[1:]))
+
+
+def check_sky(device):
+    scene = scene_of(environment=SKIES[0])
+    with device.renderer(scene, (40, 30)) as renderer:
+        scene.set_sky(turn=30, strength=2)
+        same(device, "turn", renderer, scene, scene_of(environment=SKIES[0], environment_turn=30, environment_strength=2))
+        scene.set_sky(SKIES[1], turn=10)
+        same(device, "sky", renderer, scene, scene_of(environment=SKIES[1], environment_turn=10))
+
+
+def with_matrix(path, name, matrix):
+    """The bytes of a GLB whose node has another matrix."""
+    data = open(path, "rb").read()
+    length = struct.unpack_from("<I", data, 12)[0]
+    root = json.loads(data[20:20 + length])
+    node, = (node for node in root["nodes"] if node.get("name") == name)
+    node["matrix"] = matrix.T.ravel().tolist()
+    for key in ("translation", "rotation", "scale"):
+        node.pop(key, None)
+    text = json.dumps(root).encode()
+    text += b" " * (-len(text) % 4)
+    rest = data[20 + length:]
+    return struct.pack("<4sIII4s", b"glTF", 2, 20 + len(text) + len(rest), len(text), b"JSON") + text + rest
+
+
+def check_file(device):
+    """A node of a file, moved here and in the file."""
+    path = "scenes/cornell-box.glb"
+    scene = Scene(path)
+    names = scene.names("node")
+    with device.renderer(scene, (40, 30)) as renderer:
+        first = renderer.render(layers=["beauty", "id.node"])
+        node = int(first["id.node"][15, 20])
+        scene.set_node(node, moved(.3))
+        refuse("draws another", renderer.display)
+        changed = same(device, names[node], renderer, scene, Scene(with_matrix(path, names[node], moved(.3))))
+    assert not np.array_equal(first["beauty"], changed)
+
+
+def refuse(words, call):
+    try:
+        call()
+    except manylight.Error as error:
+        print(f"    {type(error).__name__}: {error}")
+        assert words in str(error), words
+        return
+    raise AssertionError(f"no refusal: {words}")
+
+
+def check_refusals(device):
+    """A refused change leaves the scene what it was."""
+    scene = scene_of()
+    for words, call in (("node 9: there is 1 to 5", lambda: scene.set_node(9, np.eye(4))),
+                        ("node: -1", lambda: scene.set_node(-1, np.eye(4))),
+                        ("node 0: there is", lambda: scene.set_node(0, np.eye(4))),
+                        ("last row 0 0 0 1", lambda: scene.set_node(1, np.ones((4, 4)))),
+                        ("not finite", lambda: scene.set_node(1, moved(np.nan))),
+                        ("shape (3, 4)", lambda: scene.set_node(1, np.eye(4)[:3])),
+                        ("mesh 1: the position of vertex 0 is not finite", lambda: scene.set_mesh(1, sheet(np.nan, np.nan))),
+                        ("mesh 1: material: it keeps", lambda: scene.set_mesh(1, Mesh(np.eye(3), material=1))),
+                        ("is not a manylight.Mesh", lambda: scene.set_mesh(1, np.eye(3))),
+                        ("material 1: base_color: 2", lambda: scene.set_material(1, Material((2, 0, 0, 1)))),
+                        ("material 7: there is 1 to 3", lambda: scene.set_material(7, Material())),
+                        ("keeps its pictures", lambda: scene.set_material(1, Material(
+                            picture=np.zeros((2, 2, 3), np.uint8)))),
+                        ("light 1: there is 0 to 0", lambda: scene.set_light(1, Light())),
+                        ("light 0: extent", lambda: scene.set_light(0, Light("area"))),
+                        ("no environment", lambda: scene.set_sky(turn=4)),
+                        ("none.hdr", lambda: scene.set_sky("none.hdr")),
+                        ("has clips", lambda: Scene("scenes/door.glb").set_node(1, np.eye(4)))):
+        refuse(words, call)
+    with device.renderer(scene, (40, 30)) as renderer:
+        same(device, "unchanged", renderer, scene, scene_of())
+
+        def within(_done, _note):
+            refuse("in use by another call", lambda: scene.set_node(1, moved(.5)))
+            raise InterruptedError
+        try:
+            manylight.reference(scene, (64, 48), samples=400, progress=within)
+            raise AssertionError("not stopped")
+        except InterruptedError:
+            pass
+        scene.set_node(1, moved(1e30))
+        refuse("a vertex lies", renderer.render)
+        refuse("ended with a change", renderer.render)
+        refuse("ended with a change", lambda: scene.info)
+
+
+def main():
+    with manylight.Device(allow_software=True) as device:
+        check_arrays(device)
+        if os.environ.get("MANYLIGHT_LONG"):
+            check_arrays(device, settings={"path": "maps"})
+            check_arrays(device, technique="instant-radiosity", vpls=256)
+        check_sky(device)
+        check_file(device)
+        check_refusals(device)
+
+
+main()
