@@ -129,6 +129,7 @@ class Descriptor:
     arrays live as long as the descriptor."""
 
     def __init__(self, name: str, **members: Any):
+        self.name = name
         self.pointer = ffi.new(f"struct manylight_{name} *")
         self.pointer.size = ffi.sizeof(self.pointer[0])
         self.types = {member: field.type for member, field in ffi.typeof(self.pointer).item.fields}
@@ -162,6 +163,14 @@ class Descriptor:
                 raise ArgumentError(f"{member}: {number} is below 0")
             return lib.MANYLIGHT_ZERO
         return number
+
+    def copied(self, **members: Any) -> "Descriptor":
+        """A copy with other members."""
+        other = Descriptor(self.name, **members)
+        for member in set(self.types) - {"size", *members}:
+            setattr(other.pointer, member, getattr(self.pointer, member))
+        other.kept += self.kept
+        return other
 
     def keep(self, value: Any) -> Any:
         """Holds what a member points to."""

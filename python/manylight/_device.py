@@ -12,6 +12,7 @@ from ._call import Descriptor, Progress, Work, call, described, encode, is_repor
 from ._cffi import ffi, lib
 from ._errors import ArgumentError, DeviceError, text_of
 from ._image import Layers, layer_names, listed, to_layers
+from ._lens import is_plain, resampled
 from ._names import settings_text
 from ._parts import Camera
 from ._scene import Scene, camera_text, scene_of, view_of
@@ -42,11 +43,13 @@ class Renderer:
         self._process = os.getpid()
         self._shape = (0, 0)
         self._names: List[str] = []  # layers of every frame
+        self._lens: Optional[Renderer] = None  # draws the pinholes of a lens
+        self._parts = device, desc
         self.scene = scene
 
     def close(self) -> None:
         """Frees the renderer once no call uses it."""
-        self._handle = None
+        self._handle = self._lens = None
 
     def __enter__(self) -> "Renderer":
         return self
@@ -72,6 +75,12 @@ class Renderer:
                progress: Optional[Progress] = None) -> Layers:
         """Draws a frame at a time (s) and returns its layers, as `Device.render`."""
         renderer, work, wanted = self._open(), Work(progress), listed(layers)
+        if isinstance(camera, str) and any(word in camera for word in ("lens=", "skew=", "distortion=")):
+            camera = self.scene.camera(camera, time)
+        if not is_plain(camera):
+            with self._alone():
+                self._shape = (0, 0)
+                return self._resampled(camera, wanted, light, time, progress)
         view = view_of(work, camera, light, time, motion_step, next_camera, previous_camera)
 
         def draw() -> Layers:
@@ -82,6 +91,23 @@ class Renderer:
 
         with self._alone():
             return run(work, draw)
+
+    def _resampled(self, camera: Camera, wanted: Optional[List[str]], light: Optional[str], time: float,
+                   progress: Optional[Progress]) -> Layers:
+        """The frame of a camera that is no plain pinhole."""
+        device, desc = self._parts
+        size = desc.pointer.width, desc.pointer.height
+
+        def draw(pinhole: Camera, sides: Tuple[int, int], layers: List[str]) -> Layers:
+            made = self._lens
+            if made is None or (made._parts[1].pointer.width, made._parts[1].pointer.height) != sides:
+                other = desc.copied(width=sides[0], height=sides[1], keep_lights=1)
+                made = self._lens = Renderer(device, self.scene, other)
+            return made.render(layers=layers, camera=pinhole, light=light, time=time, progress=progress)
+
+        if size == (0, 0):
+            raise ArgumentError("size: a camera that is no plain pinhole needs one")
+        return resampled(camera, size, wanted, draw)
 
     def _image(self, renderer: Any, wanted: Optional[List[str]]) -> Any:
         """The last frame. Names that are no layers of every frame are outputs of the technique or of surfaces."""
@@ -100,6 +126,8 @@ class Renderer:
         """The last frame as a display shows it: uint8 sRGB (height, width, 4), row 0 at the top. `layer`: "beauty",
         "direct" or "indirect"; None: "beauty"."""
         renderer = self._open()
+        if self._lens is not None and self._shape == (0, 0):
+            raise ArgumentError("display: the last frame is of a camera that is no plain pinhole")
         name = ffi.NULL if layer is None else ffi.new("char[]", encode(layer))
         with self._alone():
             array = np.empty((*self._shape, 4), np.uint8)

@@ -73,27 +73,41 @@ class Camera:
     right: Vector = (0, 0, 0)  #: 0: made of `forward` and `up`
     #: shifted lens: the picture's middle, from the axis to the right and up, in halves of width and height
     shift: Tuple[float, float] = (0, 0)
+    #: "pinhole", "equirectangular", "cube", or a fisheye: "equidistant", "equisolid". `fov_y` of a fisheye is up to 2 pi
+    lens: str = "pinhole"
+    skew: float = 0  #: K[0][1] / K[0][0]
+    distortion: Sequence[float] = (0,) * 8  #: OpenCV's 4, 5 or 8 numbers: k1, k2, p1, p2, k3, k4, k5, k6
+
+    def rays(self, size: Tuple[int, int]) -> np.ndarray:
+        """Unit directions in which pixels' centres of a picture of `size` are seen: (height, width, 3)."""
+        sides = width_and_height(size)
+        array = np.empty((max(sides["height"], 0), max(sides["width"], 0), 3), np.float32)
+        call(lib.manylight_camera_rays, camera_desc(self).pointer, sides["width"], sides["height"],
+             ffi.from_buffer("float[]", array, require_writable=True))
+        return array
 
     @classmethod
     def from_intrinsics(cls, intrinsics: Any, pose: Any, size: Tuple[int, int], *, convention: str,
-                        pixel_center: Optional[float] = None, near_plane: float = 0, far_plane: float = 0) -> "Camera":
+                        pixel_center: Optional[float] = None, near_plane: float = 0, far_plane: float = 0,
+                        distortion: Any = ()) -> "Camera":
         """A pinhole camera for pictures of `size`.
 
         Parameters
         ----------
-        intrinsics : the matrix (3, 3) without skew, or (fx, fy, cx, cy), pixels
+        intrinsics : the matrix (3, 3), or (fx, fy, cx, cy), pixels
         pose : rigid matrix (4, 4) from camera to world; for extrinsics, from world to camera, take their inverse
         size : width and height of the pictures that the intrinsics are for
         convention : "opencv": x right, y down, z forward; "opengl": x right, y up, z back (glTF, Blender, pyrender)
         pixel_center : `cx` and `cy` of the first pixel's centre; None: 0 for "opencv", 0.5 for "opengl"
-        near_plane, far_plane : as of `Camera`
+        near_plane, far_plane, distortion : as of `Camera`
         """
         if convention not in CONVENTIONS:
             raise ArgumentError(f"convention: {described(convention)} is none of {', '.join(CONVENTIONS)}")
-        matrix = real_array("intrinsics", intrinsics).astype(float)
+        matrix, skew = real_array("intrinsics", intrinsics).astype(float), 0
         if matrix.shape == (3, 3):
-            if not np.array_equal(matrix[[0, 1, 2, 2, 2], [1, 0, 0, 1, 2]], [0, 0, 0, 0, 1]):
-                raise ArgumentError("intrinsics: not [fx 0 cx; 0 fy cy; 0 0 1]; there is no skew")
+            if not np.array_equal(matrix[[1, 2, 2, 2], [0, 0, 1, 2]], [0, 0, 0, 1]):
+                raise ArgumentError("intrinsics: not [fx skew cx; 0 fy cy; 0 0 1]")
+            skew = matrix[0, 1]
             matrix = matrix[[0, 1, 0, 1], [0, 1, 2, 2]]
         fx, fy, cx, cy = vector("intrinsics", matrix, 4)
         matrix = real_array("pose", pose)
@@ -103,12 +117,27 @@ class Camera:
             pixel_center = 0 if convention == "opencv" else .5
         corner = .5 - real("pixel_center", pixel_center)
         desc = Descriptor("pinhole", fx=fx, fy=fy, cx=cx + corner, cy=cy + corner, pose=matrix.ravel(),
-                          axes=CONVENTIONS[convention], **width_and_height(size))
+                          axes=CONVENTIONS[convention], skew=skew, distortion=eight(distortion), **width_and_height(size))
         out = Descriptor("camera").pointer
         call(lib.manylight_camera_pinhole, desc.pointer, out)
         return dataclasses.replace(camera_of(out), near_plane=near_plane, far_plane=far_plane)
 
 
+def eight(distortion: Any) -> list:
+    """OpenCV's numbers of a distortion, those left out as 0."""
+    array = real_array("distortion", distortion if len(np.atleast_1d(distortion)) else np.zeros(8))
+    if array.ndim != 1 or len(array) not in (4, 5, 8):
+        raise ArgumentError(f"distortion: {described(distortion)} is not 4, 5 or 8 numbers")
+    return array.astype(float).tolist() + [0.] * (8 - len(array))
+
+
+LENSES = {
+    "pinhole": lib.MANYLIGHT_LENS_PINHOLE,
+    "equirectangular": lib.MANYLIGHT_LENS_EQUIRECTANGULAR,
+    "cube": lib.MANYLIGHT_LENS_CUBE,
+    "equidistant": lib.MANYLIGHT_LENS_EQUIDISTANT,
+    "equisolid": lib.MANYLIGHT_LENS_EQUISOLID,
+}
 CONVENTIONS = {"opencv": lib.MANYLIGHT_OPENCV, "opengl": lib.MANYLIGHT_OPENGL}
 
 KINDS = {
@@ -215,12 +244,15 @@ def _light(light: Light) -> Descriptor:
 def camera_of(out: Any) -> Camera:
     """A camera of the library's struct."""
     return Camera(tuple(out.eye), tuple(out.forward), tuple(out.up), out.fov_y, out.y_extent, out.near_plane,
-                  out.far_plane, tuple(out.right), tuple(out.shift))
+                  out.far_plane, tuple(out.right), tuple(out.shift), list(LENSES)[out.lens], out.skew,
+                  tuple(out.distortion))
 
 
 def camera_desc(camera: Camera) -> Descriptor:
     """A camera for the library."""
-    return Descriptor("camera", **vars(camera))
+    if camera.lens not in LENSES:
+        raise ArgumentError(f"lens: {described(camera.lens)} is none of {', '.join(LENSES)}")
+    return Descriptor("camera", **{**vars(camera), "lens": LENSES[camera.lens], "distortion": eight(camera.distortion)})
 
 
 MAKERS = {"mesh": (Mesh, _mesh), "material": (Material, _material), "light": (Light, _light),

@@ -117,10 +117,6 @@ class Scene:
         """Replaces the numbers of a material, by its number in the layer "id.material". It keeps its pictures."""
         self._set(lib.manylight_scene_set_material, "material", material, to)
 
-    def set_light(self, light: int, to: Light) -> None:
-        """Replaces a light, by its number as in `light=` of `Device.render`, counted from 0."""
-        self._set(lib.manylight_scene_set_light, "light", light, to)
-
     def set_sky(self, path: "str | os.PathLike[str] | None" = None, *, turn: float = 0, strength: float = 1) -> None:
         """Replaces the environment, or turns it (degrees) and makes it stronger from how it was opened, if `path` is
         None."""
@@ -170,7 +166,7 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
               light: Optional[str] = None, time: float = 0, bounces: int = 1, samples: int = 0, noise: float = 0,
               paths: int = 0, seed: int = 0, light_paths: int = 0, smooth: bool = False, centers: bool = False,
               seen: bool = False, denoise: bool = False, hide_environment: bool = False, ao_distance: float = 0,
-              materials: Optional[str] = None, threads: int = 0, panorama: bool = False,
+              materials: Optional[str] = None, threads: int = 0,
               motion_step: float = 0, next_camera: Optional[Camera] = None,
               previous_camera: Optional[Camera] = None, settings: Any = None, progress: Optional[Progress] = None,
               **more: Any) -> Layers:
@@ -191,8 +187,6 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
     materials : "full" or "diffuse"; None: "full"
     threads : number of threads; 0: all cores. The picture does not depend on it
     ao_distance : distance of ambient occlusion, metres; 0: no layer "ao"
-    panorama : all directions from the camera, longitude along x, latitude along y, forward in the middle. "Z" is the
-        distance
     settings, **more : settings of the medium, as of `Device.render`
     progress : called with the fraction done and a note; an exception from it stops the work
     Other parameters are those of `Device.render`. There is no technique: paths are traced.
@@ -208,6 +202,6 @@ def reference(scene: "Scene | str | os.PathLike[str]", size: Tuple[int, int] = (
                       noise=noise, paths=paths, seed=seed, light_paths=light_paths, smooth=smooth, centers=centers,
                       seen=seen, denoise=denoise, hide_environment=hide_environment, ao_distance=ao_distance,
                       materials=materials, settings=settings_text(settings, more), threads=threads,
-                      outputs=surfaces or None, panorama=panorama)
+                      outputs=surfaces or None)
     handle = scene_of(scene)._handle
     return run(work, lambda: to_layers(made("image", lib.manylight_reference, handle, desc.pointer), wanted))

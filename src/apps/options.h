@@ -54,7 +54,8 @@ struct technique_values {
     {"camera", 0, OPTION_TEXT, offsetof(type, member.camera), .value_name = "NAME|N",              \
      .help = "camera by name or number [the first], with changes:\n"                               \
              "\"0 eye=0,1,3 forward=0,0,-1\", shift=X,Y (shifted lens); a pinhole:\n"             \
-             "\"intrinsics=FX,FY,CX,CY,WIDTH,HEIGHT opencv=...\", 16 numbers of a pose"},           \
+             "\"intrinsics=FX,FY,CX,CY,WIDTH,HEIGHT opencv=...\", 16 numbers of a pose;\n"          \
+             "lens=equirectangular, cube, equidistant or equisolid (fov along the height)"},       \
     LIGHTING_OPTIONS(type, member)
 #define LIGHTING_OPTIONS(type, member)                                                             \
     {"light", 0, OPTION_TEXT, offsetof(type, member.light), .value_name = "NAME|N,...",            \

@@ -18,6 +18,7 @@
 #include "renderer/about.h"
 #include "renderer/stage.h"
 #include "scene/caustics.h"
+#include "scene/lens.h"
 #include "scene/material.h"
 #include "scene/medium.h"
 #include "shared/composite.h"
@@ -38,7 +39,6 @@ struct values {
     const char *output, *format, *background, *ao;
     float noise;
     int technique, light_paths, threads;
-    bool panorama;
 };
 
 OPTION_ASSERT_SIZE(struct path_tracer_desc, width, height);
@@ -84,9 +84,6 @@ static const struct option options[] = {
      .value_name = "NAME[,NAME ...]",
      .help = "adds layers of surfaces at pixel centres: id.node, id.mesh, id.material, position,\n"
              "depth (along the ray), uv, motion.next, motion.previous (pixels to 1/25 s away)"},
-    {"panorama", 0, OPTION_FLAG, offsetof(struct values, panorama),
-     .help = "all directions from the camera, its forward in the middle: longitude along x and\n"
-             "latitude along y; Z is the distance; size 800x400 unless --size"},
     {"denoise", 0, OPTION_FLAG, offsetof(struct values, tracer.denoise),
      .help = "filters indirect light along surfaces by its noise, for few\n"
              "samples; standard_error is that of the unfiltered light"},
@@ -147,7 +144,7 @@ static bool check_use(const struct values *values) {
     return arguments_check_use(
         &values->common,
         (struct option_use[]){
-            {"bounces spp paths noise centers background seen ao aov panorama denoise smooth "
+            {"bounces spp paths noise centers background seen ao aov denoise smooth "
              "light-paths materials seed",
              path, "--technique path"},
             {"paths denoise", values->tracer.bounces > 0, "--bounces of 1 or more"},
@@ -171,8 +168,6 @@ static bool check_values(struct values *values) {
     if (!outputs_use_format(&values->output, 1, values->format) ||
         !image_name_holds_layers(values->output))
         return false;
-    if (values->panorama && values->light_paths > 0)
-        return error_set("--panorama and --light-paths exclude each other");
     if (values->noise > 0 && values->tracer.samples > 0)
         return error_set("--spp and --noise exclude each other");
     if (!check_use(values) || !check_light_paths(values))
@@ -295,10 +290,6 @@ static void choose_size(struct values *values, struct measure_desc *desc,
                         const struct stage *stage) {
     int size[2];
     stage_default_size(stage, size);
-    if (values->panorama) {
-        size[0] = 800;
-        size[1] = 400;
-    }
     if (values->tracer.width == 0) {
         values->tracer.width = size[0];
         values->tracer.height = size[1];
@@ -307,6 +298,13 @@ static void choose_size(struct values *values, struct measure_desc *desc,
         desc->width = size[0];
         desc->height = size[1];
     }
+}
+
+/* Light paths meet a plain pinhole. */
+static bool check_lens(const struct values *values, const struct camera *camera) {
+    return lens_check_size(camera, values->tracer.width, values->tracer.height) &&
+           (values->light_paths == 0 || !(camera_is_wide(camera) || camera_is_distorted(camera)) ||
+            error_set("--light-paths: for a plain pinhole, without lens=, skew and distortion"));
 }
 
 int app_reference(int argc, char **argv) {
@@ -321,12 +319,9 @@ int app_reference(int argc, char **argv) {
         return arguments_misuse(argv[0]);
     if (!output_file_check(values.output, NULL, 0) || !stage_init(&stage, &values.stage))
         return arguments_fail(argv[0]);
-    if (values.panorama && !camera_set_panorama(&stage.camera)) {
-        stage_free(&stage);
-        return arguments_fail(argv[0]);
-    }
     choose_size(&values, &desc, &stage);
     bool ok =
+        check_lens(&values, &stage.camera) &&
         (values.technique == TECHNIQUE_PATH ? trace_paths(&values, &stage, &desc.settings, &image)
                                             : trace_vpls(&values, &stage, &desc, &image));
     if (ok)

@@ -245,40 +245,39 @@ static bool check_light(const struct manylight_light *light) {
             error_set("extent: an area light has a width, and so has one with a height"));
 }
 
-bool arrays_set_light(struct scene_light *to, struct node *node,
-                      const struct manylight_light *light) {
+static bool fill_light(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
     static const enum emitter_type types[] = {EMITTER_SPOT, EMITTER_POINT, EMITTER_DIRECTIONAL,
                                               EMITTER_AREA};
-    static const float down[3] = {0, -1, 0};
-    if (!check_light(light))
-        return false;
-    bool is_area = light->type == MANYLIGHT_AREA, is_spot = light->type == MANYLIGHT_SPOT;
-    *to = (struct scene_light){.type = types[light->type],
-                               .range = INFINITY,
-                               .scaling = is_area ? LIGHT_SCALED_ALIKE : LIGHT_NOT_SCALED,
-                               .size = {light->extent[0]}};
-    to->outer = light->outer_angle == 0 ? GLM_PI_4f : fminf(light->outer_angle, GLM_PI_2f);
-    to->outer = is_area ? GLM_PI_2f : is_spot ? to->outer : 0;
-    to->inner = is_spot ? fminf(light->inner_angle, to->outer) : 0;
-    to->size[1] = is_area || is_spot ? light->extent[1] : 0;
-    fill_intensity(light, to);
-    const float *direction = is_zero(light->direction, 3) ? down : light->direction;
-    return desc_check_all("intensity", to->intensity, 3, 0, (double)SCENE_LIGHT_MOST) &&
-           aim_node(node, light->position, direction, light->up, "direction");
-}
-
-static bool fill_light(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
+    struct scene_light *to = &scene->lights[scene->light_count];
     struct manylight_light light;
     struct node *node = add_node(scene);
     node->light = scene->light_count++;
-    return desc_take_element(&light, sizeof light, desc->lights, i, "manylight_light") &&
-           arrays_set_light(&scene->lights[node->light], node, &light);
+    if (!desc_take_element(&light, sizeof light, desc->lights, i, "manylight_light") ||
+        !check_light(&light))
+        return false;
+    bool is_area = light.type == MANYLIGHT_AREA, is_spot = light.type == MANYLIGHT_SPOT;
+    to->type = types[light.type];
+    to->range = INFINITY;
+    to->scaling = is_area ? LIGHT_SCALED_ALIKE : LIGHT_NOT_SCALED;
+    to->outer = light.outer_angle == 0 ? GLM_PI_4f : fminf(light.outer_angle, GLM_PI_2f);
+    to->outer = is_area ? GLM_PI_2f : is_spot ? to->outer : 0;
+    to->inner = is_spot ? fminf(light.inner_angle, to->outer) : 0;
+    to->size[0] = light.extent[0];
+    to->size[1] = is_area || is_spot ? light.extent[1] : 0;
+    fill_intensity(&light, to);
+    if (is_zero(light.direction, 3))
+        light.direction[1] = -1;
+    return desc_check_all("intensity", to->intensity, 3, 0, (double)SCENE_LIGHT_MOST) &&
+           aim_node(node, light.position, light.direction, light.up, "direction");
 }
 
 static bool check_scene_camera(const struct manylight_camera *camera, const struct node *node) {
     if (!is_zero(camera->right, 3) &&
         glm_vec3_distance((float *)camera->right, (float *)node->matrix) > 2e-3F)
         return error_set("right is not that of forward and up");
+    if (camera->lens != MANYLIGHT_LENS_PINHOLE || camera->skew != 0 ||
+        !is_zero(camera->distortion, 8))
+        return error_set("lens, skew and distortion: for cameras of views, not of scenes");
     return is_zero(camera->shift, 2) || error_set("shift: for cameras of views, not of scenes");
 }
 

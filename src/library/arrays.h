@@ -9,11 +9,9 @@
 bool arrays_fill(const struct manylight_scene_desc *desc, struct scene *scene);
 
 /* Replace a part. A mesh has room for one primitive, and keeps it after an error. A material keeps
- * its pictures. A light's node has no parent. Error: names the member. */
+ * its pictures. Error: names the member. */
 bool arrays_set_mesh(struct mesh *to, const struct manylight_mesh *mesh, int material,
                      bool has_picture);
 bool arrays_set_material(struct material *to, const struct manylight_material *material);
-bool arrays_set_light(struct scene_light *to, struct node *node,
-                      const struct manylight_light *light);
 
 #endif

@@ -7,7 +7,6 @@
 #include "library/door.h"
 #include "library/scene.h"
 #include "scene/material.h"
-#include "scene/node.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,40 +16,27 @@
 
 static void *copy(const void *list, int count, size_t size) {
     void *to = mem_alloc((size_t)count, size);
-    if (count > 0)
-        memcpy(to, list, (size_t)count * size);
-    return to;
+    return count > 0 ? memcpy(to, list, (size_t)count * size) : to;
+}
+
+static void copy_lists(const struct scene *from, struct scene *to) {
+    to->nodes = copy(from->nodes, from->node_count, sizeof *from->nodes);
+    to->lights = copy(from->lights, from->light_count, sizeof *from->lights);
+    to->cameras = copy(from->cameras, from->camera_count, sizeof *from->cameras);
+    to->node_count = from->node_count;
+    to->light_count = from->light_count;
+    to->camera_count = from->camera_count;
 }
 
 void original_keep(struct original *original, const struct scene *scene) {
     const struct environment *sky = scene->environment;
-    *original = (struct original){
-        .nodes = copy(scene->nodes, scene->node_count, sizeof *scene->nodes),
-        .lights = copy(scene->lights, scene->light_count, sizeof *scene->lights),
-        .cameras = copy(scene->cameras, scene->camera_count, sizeof *scene->cameras),
-        .node_count = scene->node_count,
-        .light_count = scene->light_count,
-        .camera_count = scene->camera_count,
-        .turn = sky ? sky->turn : 0,
-        .strength = sky ? sky->strength : 1};
+    copy_lists(scene, &original->lists);
+    original->turn = sky ? sky->turn : 0;
+    original->strength = sky ? sky->strength : 1;
 }
 
 void original_free(struct original *original) {
-    mem_free(original->nodes, original->lights, original->cameras);
-    *original = (struct original){0};
-}
-
-void original_restore(const struct original *original, struct scene *scene) {
-    mem_free(scene->nodes, scene->lights, scene->cameras, scene->surfaces);
-    scene->surfaces = NULL;
-    scene->surface_count = 0;
-    scene->nodes = copy(original->nodes, original->node_count, sizeof *scene->nodes);
-    scene->lights = copy(original->lights, original->light_count, sizeof *scene->lights);
-    scene->cameras = copy(original->cameras, original->camera_count, sizeof *scene->cameras);
-    scene->node_count = original->node_count;
-    scene->light_count = original->light_count;
-    scene->camera_count = original->camera_count;
-    memset(scene->origin, 0, sizeof scene->origin);
+    mem_free(original->lists.nodes, original->lists.lights, original->lists.cameras);
 }
 
 /* --- following -------------------------------------------------------------------------------- */
@@ -59,7 +45,11 @@ void original_restore(const struct original *original, struct scene *scene) {
 static bool follow(struct manylight_scene *scene) {
     struct scene changed = scene->stage.scene;
     struct stage stage;
-    original_restore(&scene->original, &changed);
+    mem_free(changed.nodes, changed.lights, changed.cameras, changed.surfaces);
+    copy_lists(&scene->original.lists, &changed);
+    changed.surfaces = NULL;
+    changed.surface_count = 0;
+    memset(changed.origin, 0, sizeof changed.origin);
     const struct stage_desc desc = {.path = changed.path,
                                     .filled = &changed,
                                     .light = scene->light,
@@ -103,7 +93,7 @@ void scene_leave(const struct manylight_scene *shared) {
 
 /* --- changes ---------------------------------------------------------------------------------- */
 
-/* One change. id: from 1 on, as in the layers of ids; for lights from 0 on. */
+/* One change. id: from 1 on, as in the layers of ids. */
 struct change {
     struct manylight_scene *scene;
     uint32_t id;
@@ -117,8 +107,8 @@ static bool reshape(const struct change *change) {
     return change->scene->is_reshaped = true;
 }
 
-static bool refuse_id(const char *part, uint32_t id, int first, int last) {
-    error_set("%s %u: there is %d to %d", part, id, first, last);
+static bool refuse_id(const char *part, uint32_t id, int last) {
+    error_set("%s %u: there is 1 to %d", part, id, last);
     return door_blame(MANYLIGHT_BAD_ARGUMENT);
 }
 
@@ -146,11 +136,11 @@ static enum manylight_status change(bool (*make)(const struct change *change),
 }
 
 static bool set_node(const struct change *change) {
-    const struct original *original = &change->scene->original;
+    const struct scene *lists = &change->scene->original.lists;
     const double *matrix = change->to;
-    if (change->id - 1 >= (uint32_t)original->node_count)
-        return refuse_id("node", change->id, 1, original->node_count);
-    struct node node = original->nodes[change->id - 1];
+    if (change->id - 1 >= (uint32_t)lists->node_count)
+        return refuse_id("node", change->id, lists->node_count);
+    struct node node = lists->nodes[change->id - 1];
     bool is_affine =
         matrix && matrix[12] == 0 && matrix[13] == 0 && matrix[14] == 0 && matrix[15] == 1;
     node.has_matrix = true;
@@ -160,7 +150,7 @@ static bool set_node(const struct change *change) {
     }
     if (!is_affine)
         return error_set("node %u: its matrix is not finite with the last row 0 0 0 1", change->id);
-    original->nodes[change->id - 1] = node;
+    lists->nodes[change->id - 1] = node;
     return reshape(change);
 }
 
@@ -180,7 +170,7 @@ static bool set_mesh(const struct change *change) {
     struct scene *scene = &change->scene->stage.scene;
     struct manylight_mesh to;
     if (change->id - 1 >= (uint32_t)scene->mesh_count)
-        return refuse_id("mesh", change->id, 1, scene->mesh_count);
+        return refuse_id("mesh", change->id, scene->mesh_count);
     struct mesh *mesh = &scene->meshes[change->id - 1];
     if (!desc_take(&to, sizeof to, change->to, "manylight_mesh"))
         return false;
@@ -212,7 +202,7 @@ static bool set_material(const struct change *change) {
     struct scene *scene = &change->scene->stage.scene;
     struct manylight_material to;
     if (change->id - 1 >= (uint32_t)scene->material_count)
-        return refuse_id("material", change->id, 1, scene->material_count);
+        return refuse_id("material", change->id, scene->material_count);
     if (!desc_take(&to, sizeof to, change->to, "manylight_material"))
         return false;
     struct material *material = &scene->materials[change->id - 1], before = *material;
@@ -225,34 +215,6 @@ static bool set_material(const struct change *change) {
 enum manylight_status manylight_scene_set_material(struct manylight_scene *scene, uint32_t id,
                                                    const struct manylight_material *material) {
     return change(set_material, &(struct change){.scene = scene, .id = id, .to = material});
-}
-
-static bool set_light(const struct change *change) {
-    struct original *original = &change->scene->original;
-    const struct scene lists = {.nodes = original->nodes, .node_count = original->node_count};
-    int count = node_count_carrying(&lists, NODE_LIGHT), users = 0;
-    struct manylight_light to;
-    if (change->id >= (uint32_t)count)
-        return refuse_id("light", change->id, 0, count - 1);
-    struct node *node = &original->nodes[node_carrying(&lists, NODE_LIGHT, (int)change->id)];
-    for (int i = 0; i < original->node_count; i++)
-        users += original->nodes[i].light == node->light;
-    if (node->parent >= 0 || users > 1)
-        return error_set("light %u: it has a parent, or several nodes have it", change->id);
-    struct node placed = *node;
-    struct scene_light light;
-    if (!desc_take(&to, sizeof to, change->to, "manylight_light"))
-        return false;
-    if (!arrays_set_light(&light, &placed, &to))
-        return error_prefix("light %u", change->id);
-    *node = placed;
-    original->lights[node->light] = light;
-    return true;
-}
-
-enum manylight_status manylight_scene_set_light(struct manylight_scene *scene, uint32_t number,
-                                                const struct manylight_light *light) {
-    return change(set_light, &(struct change){.scene = scene, .id = number, .to = light});
 }
 
 static bool set_sky(const struct change *change) {

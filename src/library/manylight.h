@@ -221,6 +221,18 @@ struct manylight_light {
     float inner_angle, outer_angle;
 };
 
+/* Equirectangular: longitude along x, latitude along y, forward in the middle. Cube: a picture six
+ * times as wide as high, of squares that look right, left, up (its top is back), down (its top is
+ * forward), forward and back. Fisheyes: the angle from forward, or the sine of its half, grows as
+ * the distance from the picture's middle. */
+enum manylight_lens {
+    MANYLIGHT_LENS_PINHOLE,
+    MANYLIGHT_LENS_EQUIRECTANGULAR,
+    MANYLIGHT_LENS_CUBE,
+    MANYLIGHT_LENS_EQUIDISTANT,
+    MANYLIGHT_LENS_EQUISOLID
+};
+
 struct manylight_camera {
     size_t size;
     float eye[3], forward[3], up[3]; /* eye in m; forward 0: -Z; up 0: +Y */
@@ -234,12 +246,17 @@ struct manylight_camera {
     /* Shifted lens: place of the picture's middle, from the axis to the right and up, in halves of
      * width and height. Cameras of a scene have none. */
     float shift[2];
+    /* For manylight_reference; manylight_render takes plain pinholes. Wide lenses have fov_y for
+     * fisheyes alone, along the height, up to 2 pi, and Z and clip distances along the ray. skew is
+     * K[0][1] / K[0][0]. distortion is OpenCV's of a pinhole: k1 k2 p1 p2 k3 k4 k5 k6. */
+    enum manylight_lens lens;
+    float skew, distortion[8];
 };
 
 /* Camera's own axes of a pose: x right, y up, z back; or x right, y down, z forward. */
 enum manylight_axes { MANYLIGHT_OPENGL, MANYLIGHT_OPENCV };
 
-/* A pinhole by its intrinsics matrix without skew, and its pose. */
+/* A pinhole by its intrinsics matrix, its pose and its distortion. */
 struct manylight_pinhole {
     size_t size;
     int width, height; /* pixels, of the picture that the intrinsics are for */
@@ -247,12 +264,19 @@ struct manylight_pinhole {
     double cx, cy;     /* principal point, pixels from the top left corner; first centre .5, .5 */
     double pose[16];   /* rigid, camera to world, row by row; all 0: identity */
     enum manylight_axes axes;
+    double skew;          /* K[0][1], pixels */
+    double distortion[8]; /* as in struct manylight_camera */
 };
 
 /* Fills *camera for the pinhole. The caller sets camera->size. Pictures of other sizes keep the
  * vertical angle of view. */
 MANYLIGHT_API enum manylight_status
 manylight_camera_pinhole(const struct manylight_pinhole *pinhole, struct manylight_camera *camera);
+
+/* Writes the unit directions in which a camera sees the centres of a picture's pixels: height x
+ * width x 3 floats. */
+MANYLIGHT_API enum manylight_status manylight_camera_rays(const struct manylight_camera *camera,
+                                                          int width, int height, float *directions);
 
 /* Set exactly one of path, memory and meshes; memory may have a path, too. All elements of an array
  * have the same size member. */
@@ -307,12 +331,11 @@ enum manylight_part { MANYLIGHT_NODE, MANYLIGHT_MESH, MANYLIGHT_MATERIAL };
 MANYLIGHT_API const char *manylight_scene_name(const struct manylight_scene *scene,
                                                enum manylight_part part, uint32_t id);
 
-/* Change a part of a scene without clips, by its id; of lights by the number of
- * manylight_view.light. Renderers and references show the change from the next frame on, with the
- * bits of a scene opened with it. That frame makes the renderer's buffers anew, once for all
- * changes before it. Files' alpha modes, extensions and pictures stay. Error:
- * MANYLIGHT_BAD_ARGUMENT while another call uses the scene; no such part; a part that these structs
- * cannot describe. The scene then stays unchanged. */
+/* Change a part of a scene without clips, by its id; manylight_view.light changes lights. Renderers
+ * and references show the change from the next frame on, with the bits of a scene opened with it.
+ * That frame makes the renderer's buffers anew, once for all changes before it. Files' alpha modes,
+ * extensions and pictures stay. Error: MANYLIGHT_BAD_ARGUMENT while another call uses the scene; no
+ * such part; a part that these structs cannot describe. The scene then stays unchanged. */
 
 /* matrix: affine, from the node to its parent, row by row. */
 MANYLIGHT_API enum manylight_status manylight_scene_set_node(struct manylight_scene *scene,
@@ -325,9 +348,6 @@ MANYLIGHT_API enum manylight_status manylight_scene_set_mesh(struct manylight_sc
 MANYLIGHT_API enum manylight_status
 manylight_scene_set_material(struct manylight_scene *scene, uint32_t id,
                              const struct manylight_material *material);
-MANYLIGHT_API enum manylight_status manylight_scene_set_light(struct manylight_scene *scene,
-                                                              uint32_t number,
-                                                              const struct manylight_light *light);
 /* path: a file or a text of --environment; NULL: the same sky. turn (degrees) and strength (0
  * selects 1) are relative to it. */
 MANYLIGHT_API enum manylight_status manylight_scene_set_sky(struct manylight_scene *scene,
@@ -456,9 +476,6 @@ struct manylight_reference_desc {
     const char *settings;  /* settings of the medium only */
     int threads;           /* 0: all cores; the picture does not depend on it */
     const char *outputs;   /* layers of surfaces, as of manylight_read; NULL: none */
-    /* Nonzero: all directions from the camera, longitude along x, latitude along y, forward in the
-     * middle. Z is the distance, the default size 800x400. Excludes light_paths. */
-    int panorama;
 };
 
 /* Path-traces on the CPU and calls the view's progress. desc may be NULL. */

@@ -9,6 +9,7 @@
 #include "renderer/about.h"
 #include "renderer/settings.h"
 #include "scene/material.h"
+#include "scene/lens.h"
 #include "scene/medium.h"
 
 #include <math.h>
@@ -52,8 +53,6 @@ static bool check_numbers(const struct manylight_reference_desc *desc) {
 static bool check(struct tracing *tracing) {
     struct manylight_reference_desc *desc = &tracing->desc;
     desc->smooth = desc->smooth || desc->light_paths > 0;
-    if (desc->panorama && desc->light_paths > 0)
-        return refuse("--panorama and --light-paths exclude each other");
     if (desc->noise > 0 && desc->samples > 0)
         return refuse("--spp and --noise exclude each other");
     if (!check_numbers(desc) || !aov_check_surfaces(desc->outputs))
@@ -120,15 +119,16 @@ static bool trace_moving(const struct tracing *tracing, struct loan *loan,
 static bool trace(struct tracing *tracing, struct loan *loan, struct image *image) {
     const struct manylight_reference_desc *desc = &tracing->desc;
     int size[2];
+    const struct camera *camera = &loan->stage.camera;
     if (!loan_pose(loan, &tracing->view) ||
-        (desc->panorama && !camera_set_panorama(&loan->stage.camera)))
-        return door_blame(MANYLIGHT_BAD_ARGUMENT);
-    if (!loan_size(loan, tracing->view.camera, desc->width, desc->height, size))
+        !loan_size(loan, tracing->view.camera, desc->width, desc->height, size))
         return false;
-    if (desc->panorama && desc->width == 0) {
-        size[0] = 800;
-        size[1] = 400;
-    }
+    if (desc->width == 0)
+        lens_default_size(camera, size);
+    if (!lens_check_size(camera, size[0], size[1]))
+        return door_blame(MANYLIGHT_BAD_ARGUMENT);
+    if (desc->light_paths > 0 && (camera_is_wide(camera) || camera_is_distorted(camera)))
+        return refuse("--light-paths: for a plain pinhole, without lens=, skew and distortion");
     struct medium medium =
         medium_of(&loan->stage.scene, &tracing->settings, loan->stage.geometry.radius);
     const struct path_tracer_desc paths = {.width = size[0],

@@ -8,6 +8,7 @@
 #include "library/desc.h"
 #include "library/door.h"
 #include "scene/gltf/gltf.h"
+#include "scene/lens.h"
 #include "scene/placing.h"
 #include "scene/read_rules.h"
 #include "scene/surface_layers.h"
@@ -250,11 +251,14 @@ bool check_camera(const struct manylight_camera *camera) {
            desc_check_all("forward", camera->forward, 3, -INFINITY, INFINITY) &&
            desc_check_all("up", camera->up, 3, -INFINITY, INFINITY) &&
            desc_check_all("right", camera->right, 3, -INFINITY, INFINITY) &&
-           desc_check("fov_y (radians)", (double)camera->fov_y, 0, 3.14159) &&
+           desc_check("fov_y (radians)", (double)camera->fov_y, 0,
+                      camera->lens >= MANYLIGHT_LENS_EQUIDISTANT ? 6.2832 : 3.14159) &&
            desc_check("y_extent", (double)camera->y_extent, 0, INFINITY) &&
            desc_check("near_plane", (double)camera->near_plane, 0, INFINITY) &&
            desc_check("far_plane", (double)camera->far_plane, 0, INFINITY) &&
-           desc_check_all("shift", camera->shift, 2, -INFINITY, INFINITY);
+           desc_check_all("shift", camera->shift, 2, -INFINITY, INFINITY) &&
+           desc_check("skew", (double)camera->skew, -INFINITY, INFINITY) &&
+           desc_check_all("distortion", camera->distortion, 8, -INFINITY, INFINITY);
 }
 
 static bool refuse_camera(void) {
@@ -280,7 +284,10 @@ static bool place_camera(struct camera *to, const struct manylight_camera *given
                           .y_extent = camera.y_extent,
                           .near = camera.near_plane,
                           .far = camera.far_plane,
-                          .shift = {camera.shift[0], camera.shift[1]}};
+                          .shift = {camera.shift[0], camera.shift[1]},
+                          .lens = (enum camera_lens)camera.lens,
+                          .skew = camera.skew};
+    memcpy(to->distortion, camera.distortion, sizeof to->distortion);
     camera_look(to, camera.eye, camera.forward, camera.up);
     if (!is_zero(camera.right)) {
         take_vector(to->right, camera.right);
@@ -346,7 +353,10 @@ static bool give_camera(const struct camera *camera, struct manylight_camera *ou
                                      .y_extent = camera->orthographic ? camera->y_extent : 0,
                                      .near_plane = camera->near,
                                      .far_plane = camera->far,
-                                     .shift = {camera->shift[0], camera->shift[1]}};
+                                     .shift = {camera->shift[0], camera->shift[1]},
+                                     .lens = (enum manylight_lens)camera->lens,
+                                     .skew = camera->skew};
+    memcpy(given.distortion, camera->distortion, sizeof given.distortion);
     take_vector(given.eye, camera->eye);
     take_vector(given.forward, camera->forward);
     take_vector(given.up, camera->up);
@@ -378,6 +388,16 @@ const char *manylight_scene_name(const struct manylight_scene *scene, enum manyl
     return name;
 }
 
+static bool set_distortion(struct camera *camera, const struct manylight_pinhole *pinhole) {
+    bool ok = desc_check("skew", pinhole->skew, -INFINITY, INFINITY);
+    camera->skew = (float)(pinhole->skew / pinhole->fx);
+    for (int i = 0; ok && i < 8; i++) {
+        ok = desc_check("distortion", pinhole->distortion[i], -INFINITY, INFINITY);
+        camera->distortion[i] = (float)pinhole->distortion[i];
+    }
+    return ok;
+}
+
 static bool make_pinhole(const struct manylight_pinhole *given, struct manylight_camera *out) {
     static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     struct manylight_pinhole pinhole;
@@ -393,8 +413,8 @@ static bool make_pinhole(const struct manylight_pinhole *given, struct manylight
     const int size[2] = {pinhole.width, pinhole.height};
     return camera_set_pose(&camera, is_zero ? identity : pinhole.pose,
                            pinhole.axes == MANYLIGHT_OPENCV) &&
-           camera_set_intrinsics(&camera, intrinsics, size) && camera_check(&camera) &&
-           give_camera(&camera, out);
+           camera_set_intrinsics(&camera, intrinsics, size) && set_distortion(&camera, &pinhole) &&
+           camera_check(&camera) && give_camera(&camera, out);
 }
 
 enum manylight_status manylight_camera_pinhole(const struct manylight_pinhole *pinhole,
@@ -402,6 +422,27 @@ enum manylight_status manylight_camera_pinhole(const struct manylight_pinhole *p
     struct door door;
     door_enter(&door);
     return door_leave(&door, make_pinhole(pinhole, camera), MANYLIGHT_BAD_ARGUMENT);
+}
+
+static bool write_rays(const struct manylight_camera *given, int width, int height, float *rays) {
+    struct camera camera;
+    if (!place_camera(&camera, given) || !lens_check_size(&camera, width, height))
+        return false;
+    if (width <= 0 || height <= 0 || width > 16384 || height > 16384)
+        return error_set("%dx%d is no size of a picture", width, height);
+    for (int i = 0; i < width * height; i++) {
+        float origin[3], x = (float)(i % width) + .5F, y = (float)(i / width) + .5F;
+        camera_ray(&camera, x / (float)width, y / (float)height, (float)width / (float)height,
+                   origin, rays + 3 * (size_t)i);
+    }
+    return true;
+}
+
+enum manylight_status manylight_camera_rays(const struct manylight_camera *camera, int width,
+                                            int height, float *directions) {
+    struct door door;
+    door_enter(&door);
+    return door_leave(&door, write_rays(camera, width, height, directions), MANYLIGHT_BAD_ARGUMENT);
 }
 
 /* --- facts ------------------------------------------------------------------------------------ */

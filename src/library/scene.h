@@ -13,10 +13,7 @@
 /* Lists of a scene before its opening adds lights and cameras; the scene's own nodes have the
  * morph weights. */
 struct original {
-    struct node *nodes;
-    struct scene_light *lights;
-    struct scene_camera *cameras;
-    int node_count, light_count, camera_count;
+    struct scene lists;   /* only nodes, lights and cameras */
     float turn, strength; /* of the sky */
 };
 
@@ -41,8 +38,9 @@ struct manylight_scene {
 bool scene_use(const struct manylight_scene *scene);
 void scene_leave(const struct manylight_scene *scene);
 
-/* Keep and free the lists; write copies of them into a scene. */
+/* Keep copies of the lists, and free them. */
 void original_keep(struct original *original, const struct scene *scene);
+void original_free(struct original *original);
 void original_free(struct original *original);
 void original_restore(const struct original *original, struct scene *scene);
 

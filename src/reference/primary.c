@@ -43,7 +43,7 @@ void primary_ray(const struct primary_rays *primary, float x, float y, vec3s *or
 
 /* Writes the range of distances that the camera sees along a ray. */
 static void set_ends(const struct primary_rays *primary, vec3s direction, float ends[2]) {
-    float depth = primary->camera->panorama
+    float depth = camera_is_wide(primary->camera)
                       ? 1
                       : glms_vec3_dot(direction, vector_of(primary->camera->forward));
     ends[0] = primary->range.cuts ? primary->range.near / depth : 0;
@@ -80,13 +80,14 @@ uint32_t primary_triangle(const struct primary_rays *primary, float x, float y) 
 
 float primary_depth(const struct primary_rays *primary, vec3s position) {
     vec3s from_eye = glms_vec3_sub(position, vector_of(primary->camera->eye));
-    return primary->camera->panorama ? glms_vec3_norm(from_eye)
-                                     : glms_vec3_dot(from_eye, vector_of(primary->camera->forward));
+    return camera_is_wide(primary->camera)
+               ? glms_vec3_norm(from_eye)
+               : glms_vec3_dot(from_eye, vector_of(primary->camera->forward));
 }
 
 float primary_pixel_size(const struct primary_rays *primary, float depth) {
     const struct camera *camera = primary->camera;
-    if (camera->panorama)
+    if (camera_is_wide(camera))
         return GLM_PIf * depth / (float)primary->height;
     float half = camera->orthographic ? camera->y_extent : tanf(camera->fov_y / 2) * depth;
     return 2 * half * sqrtf(camera_axis_norm2(camera->up)) / (float)primary->height;

@@ -31,7 +31,7 @@ static char *changed_settings(const struct settings *settings) {
 
 static void add_camera(struct image *image, const struct camera *camera) {
     float matrix[16];
-    if (camera->panorama)
+    if (camera_is_wide(camera) || camera_is_distorted(camera))
         return;
     camera_world_to_camera(camera, matrix);
     image_add_numbers(image, "worldToCamera", IMAGE_MATRIX, matrix);

@@ -276,7 +276,18 @@ static void set_defaults(struct renderer_desc *desc) {
         renderer_settings_init(&desc->settings);
 }
 
+static bool check_camera(const struct camera *camera) {
+    return (!camera_is_wide(camera) && !camera_is_distorted(camera)) ||
+           error_set(
+               "camera: frames are of plain pinholes; reference and Python have lens=, skew and "
+               "distortion");
+}
+
 bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) {
+    if (!check_camera(&desc->camera)) {
+        *renderer = (struct renderer){0};
+        return false;
+    }
     *renderer = (struct renderer){.desc = *desc,
                                   .light_search = light_search_create(),
                                   .light_block = mem_alloc(1, sizeof *renderer->light_block),
@@ -476,7 +487,7 @@ bool renderer_follow(struct renderer *renderer, const struct renderer_desc *want
     /* Glass becomes an occluder or a pane, so the geometry changes. */
     if (renderer_has_caustics(&renderer->desc) != renderer_has_caustics(&desc))
         return start_anew(renderer, wanted);
-    if (!renderer_plan_lights(&plan, renderer, &desc) ||
+    if (!check_camera(&desc.camera) || !renderer_plan_lights(&plan, renderer, &desc) ||
         !renderer_begin_lights(&lights, renderer, &plan))
         return false;
     bool same_lights = emitters_same(&desc.emitters, &old);

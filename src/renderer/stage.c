@@ -1,6 +1,7 @@
 #include "renderer/stage.h"
 
 #include "base/memory.h"
+#include "scene/lens.h"
 #include "scene/open.h"
 #include "scene/placing.h"
 
@@ -24,8 +25,7 @@ static bool place(struct stage *stage, double time) {
 bool stage_init(struct stage *stage, const struct stage_desc *desc) {
     *stage = (struct stage){.camera_text = desc->camera, .light_text = desc->light};
     name_after(stage, desc->path);
-    const struct scene_open_desc open = {.bytes = desc->bytes,
-                                         .filled = desc->filled,
+    const struct scene_open_desc open = {.filled = desc->filled,
                                          .choice = desc->choice,
                                          .light = desc->light,
                                          .clip = desc->clip,
@@ -82,6 +82,7 @@ void stage_default_size(const struct stage *stage, int size[2]) {
     camera_default_size(&stage->scene, n, size);
     for (int i = 0; i < 2 && camera.size[0] > 0; i++)
         size[i] = camera.size[i];
+    lens_default_size(&camera, size);
 }
 
 bool stage_show(const struct stage *stage, struct renderer *renderer) {

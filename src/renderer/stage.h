@@ -11,8 +11,6 @@
 
 struct stage_desc {
     const char *path;
-    const struct file_bytes
-        *bytes; /* contents in place of the file, as in scene_load_bytes; NULL: reads the file */
     struct scene *filled; /* as in struct scene_open_desc */
     struct scene_choice choice;
     /* Texts of scene/placing.h; NULL: the first camera, all lights. They must outlive the stage. */

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/unit.h"
 #include "scene/animated.h"
+#include "scene/lens.h"
 #include "scene/node.h"
 
 #include <math.h>
@@ -19,7 +20,8 @@ bool cameras_same(const struct camera *a, const struct camera *b) {
            memcmp(a->right, b->right, sizeof a->right) == 0 &&
            memcmp(a->up, b->up, sizeof a->up) == 0 &&
            memcmp(a->forward, b->forward, sizeof a->forward) == 0 && a->shift[0] == b->shift[0] &&
-           a->shift[1] == b->shift[1] && a->panorama == b->panorama;
+           a->shift[1] == b->shift[1] && a->lens == b->lens && a->skew == b->skew &&
+           memcmp(a->distortion, b->distortion, sizeof a->distortion) == 0;
 }
 
 int camera_find(const struct scene *scene, const char *text) {
@@ -138,17 +140,10 @@ bool camera_set_pose(struct camera *camera, const double pose[16], bool opencv) 
     return check_frame(camera) || error_prefix("pose");
 }
 
-bool camera_set_panorama(struct camera *camera) {
-    bool unit = camera_axis_norm2(camera->right) == 1 && camera_axis_norm2(camera->up) == 1;
-    if (camera->orthographic || camera->shift[0] != 0 || camera->shift[1] != 0 || !unit)
-        return error_set("panorama: the camera is orthographic, or has a shifted lens or pixels "
-                         "that are not square");
-    return camera->panorama = true;
-}
-
 bool camera_check(const struct camera *camera) {
-    bool has_view =
-        camera->orthographic ? camera->y_extent > 0 : camera->fov_y > 0 && camera->fov_y < GLM_PIf;
+    bool has_view = camera_is_wide(camera) ||
+                    (camera->orthographic ? camera->y_extent > 0
+                                          : camera->fov_y > 0 && camera->fov_y < GLM_PIf);
     if (!has_view && camera->orthographic)
         return error_set("extent: %g m is not above 0", (double)camera->y_extent);
     if (!has_view)
@@ -159,25 +154,19 @@ bool camera_check(const struct camera *camera) {
     if (camera->near < 0 || camera->far < 0)
         return error_set("near=%g far=%g: less than none", (double)camera->near,
                          (double)camera->far);
-    return check_frame(camera);
+    return check_frame(camera) && lens_check(camera);
 }
 
-/* The unit direction at a place of a panorama. */
-static void panorama_direction(const struct camera *camera, float x, float y, float direction[3]) {
-    float longitude = (2 * x - 1) * GLM_PIf, latitude = (.5F - y) * GLM_PIf;
-    for (int c = 0; c < 3; c++)
-        direction[c] = cosf(latitude) * (sinf(longitude) * camera->right[c] +
-                                         cosf(longitude) * camera->forward[c]) +
-                       sinf(latitude) * camera->up[c];
-    vec3_unit(direction);
-}
-
-static void panorama_place(const struct camera *camera, const float to_point[3], float place[2]) {
-    float right = glm_vec3_dot((float *)to_point, (float *)camera->right);
-    float up = glm_vec3_dot((float *)to_point, (float *)camera->up);
-    float ahead = glm_vec3_dot((float *)to_point, (float *)camera->forward);
-    place[0] = .5F + atan2f(right, ahead) / (2 * GLM_PIf);
-    place[1] = .5F - atan2f(up, hypotf(right, ahead)) / GLM_PIf;
+/* Takes a place at depth 1 to that of its ray, x right and y up in the camera's axes; or back. */
+static void distort(const struct camera *camera, bool back, float *across, float *above) {
+    double right = sqrt((double)camera_axis_norm2(camera->right)), out[2];
+    const double plane[2] = {(double)*across * right, (double)-*above};
+    if (back)
+        lens_undistort(camera, plane, out);
+    else
+        lens_distort(camera, plane, out);
+    *across = (float)(out[0] / right);
+    *above = (float)-out[1];
 }
 
 void camera_ray(const struct camera *camera, float x, float y, float aspect, float origin[3],
@@ -186,11 +175,13 @@ void camera_ray(const struct camera *camera, float x, float y, float aspect, flo
     float across = (2 * x - 1 + camera->shift[0]) * half * aspect;
     float above = (1 - 2 * y + camera->shift[1]) * half;
     vec3 offset;
-    if (camera->panorama) {
+    if (camera_is_wide(camera)) {
         memcpy(origin, camera->eye, sizeof camera->eye);
-        panorama_direction(camera, x, y, direction);
+        lens_ray(camera, x, y, aspect, direction);
         return;
     }
+    if (camera_is_distorted(camera))
+        distort(camera, true, &across, &above);
     for (int c = 0; c < 3; c++)
         offset[c] = across * camera->right[c] + above * camera->up[c];
     memcpy(origin, camera->eye, sizeof camera->eye);
@@ -204,8 +195,8 @@ bool camera_project(const struct camera *camera, const float point[3], float asp
                     float place[2]) {
     vec3 to_point;
     glm_vec3_sub((float *)point, (float *)camera->eye, to_point);
-    if (camera->panorama) {
-        panorama_place(camera, to_point, place);
+    if (camera_is_wide(camera)) {
+        lens_project(camera, to_point, aspect, place);
         return true;
     }
     float depth = glm_vec3_dot(to_point, (float *)camera->forward);
@@ -214,8 +205,18 @@ bool camera_project(const struct camera *camera, const float point[3], float asp
         return false;
     float right = glm_vec3_dot(to_point, (float *)camera->right) / (half * aspect);
     float up = glm_vec3_dot(to_point, (float *)camera->up) / half;
-    place[0] = .5F + .5F * (right / camera_axis_norm2(camera->right) - camera->shift[0]);
-    place[1] = .5F - .5F * (up / camera_axis_norm2(camera->up) - camera->shift[1]);
+    right /= camera_axis_norm2(camera->right);
+    up /= camera_axis_norm2(camera->up);
+    if (camera_is_distorted(camera)) {
+        float across = tanf(camera->fov_y / 2) * aspect, above = tanf(camera->fov_y / 2);
+        right *= across;
+        up *= above;
+        distort(camera, false, &right, &up);
+        right /= across;
+        up /= above;
+    }
+    place[0] = .5F + .5F * (right - camera->shift[0]);
+    place[1] = .5F - .5F * (up - camera->shift[1]);
     return true;
 }
 

@@ -4,6 +4,15 @@
 
 #include "scene/scene.h"
 
+enum camera_lens {
+    LENS_PINHOLE,
+    LENS_EQUIRECTANGULAR,
+    LENS_CUBE,
+    LENS_EQUIDISTANT,
+    LENS_EQUISOLID
+};
+extern const char *const camera_lens_names[];
+
 struct camera {
     bool orthographic;
     float eye[3];
@@ -16,10 +25,9 @@ struct camera {
     /* Shifted lens: place of the picture's middle, from the axis to the right and up, in halves of
      * the width and height. */
     float shift[2];
-    /* Shows all directions, for the path tracer alone: longitude along x, latitude along y, forward
-     * in the middle. Axes are unit; near and far are distances. */
-    bool panorama;
-    int size[2]; /* size of the picture that intrinsics are for, pixels; 0: none */
+    enum camera_lens lens;     /* scene/lens.h; wide ones have near and far as distances */
+    float skew, distortion[8]; /* of a pinhole, scene/lens.h */
+    int size[2];               /* size of the picture that intrinsics are for, pixels; 0: none */
 };
 
 /* A small plane that measures the light of its front. */
@@ -47,15 +55,16 @@ bool camera_set_intrinsics(struct camera *camera, const double intrinsics[4], co
  * up, z back (OpenGL), or x right, y down, z forward (opencv). Error: it is not rigid. */
 bool camera_set_pose(struct camera *camera, const double pose[16], bool opencv);
 
-/* Makes the camera a panorama. Error: it is orthographic, its lens is shifted, or its axes are not
- * unit. */
-bool camera_set_panorama(struct camera *camera);
+/* True if the lens is no pinhole; if the pinhole is distorted or skewed. Frames show neither. */
+bool camera_is_wide(const struct camera *camera);
+bool camera_is_distorted(const struct camera *camera);
 
 /* Writes the default picture size of the scene's n-th camera: 800 pixels along the longer side in
  * the camera's aspect ratio; square without one. */
 void camera_default_size(const struct scene *scene, int n, int size[2]);
 
-/* Error: a frame that is not orthogonal, an angle of view of pi or more, a negative length. */
+/* Error: a frame that is not orthogonal, an angle of view of pi or more, a negative length, or that
+ * of lens_check. */
 bool camera_check(const struct camera *camera);
 
 /* Returns the squared length of an axis. Unit axes have exactly 1, whatever their rounding. */

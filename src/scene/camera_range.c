@@ -126,7 +126,7 @@ struct camera_range camera_range_of(const struct camera *camera, const struct ge
                                     float aspect) {
     struct camera_range range = {.near = camera->near, .far = end_of(camera)};
     struct frustum frustum = frustum_of(camera, aspect);
-    if (camera->panorama) {
+    if (camera_is_wide(camera)) {
         range.cuts = range.near > 0 || isfinite(range.far);
         return range;
     }

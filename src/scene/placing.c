@@ -31,8 +31,8 @@ struct pinhole {
     float opencv[16], opengl[16];
 };
 
-enum { WORD_FOV = 4, WORD_EXTENT, WORD_NEAR, WORD_FAR, WORD_SHIFT, WORD_INTRINSICS };
-enum { WORD_OPENCV = WORD_INTRINSICS + 1, WORD_OPENGL };
+enum { WORD_FOV = 4, WORD_EXTENT, WORD_NEAR, WORD_FAR, WORD_SHIFT, WORD_LENS };
+enum { WORD_INTRINSICS = WORD_LENS + 3, WORD_OPENCV, WORD_OPENGL };
 
 static const struct word camera_words[] = {
     {"eye", offsetof(struct camera, eye), 3, NULL},
@@ -44,6 +44,9 @@ static const struct word camera_words[] = {
     {"near", offsetof(struct camera, near), 1, NULL},
     {"far", offsetof(struct camera, far), 1, NULL},
     {"shift", offsetof(struct camera, shift), 2, NULL},
+    {"lens", offsetof(struct camera, lens), 1, camera_lens_names},
+    {"skew", offsetof(struct camera, skew), 1, NULL},
+    {"distortion", offsetof(struct camera, distortion), 8, NULL},
     {"intrinsics", offsetof(struct pinhole, intrinsics), 6, NULL},
     {"opencv", offsetof(struct pinhole, opencv), 16, NULL},
     {"opengl", offsetof(struct pinhole, opengl), 16, NULL},
@@ -175,7 +178,7 @@ static void append_words(const struct word *words, const void *values, const voi
     for (int i = 1; i <= FRAME_RIGHT; i++)
         moved |= memcmp((const char *)values + words[i].offset,
                         (const char *)before + words[i].offset, 3 * sizeof(float)) != 0;
-    for (int i = 0; words[i].name && words[i].count <= 3; i++) {
+    for (int i = 0; words[i].name && words[i].count <= 8; i++) {
         const void *now = (const char *)values + words[i].offset;
         const void *old = (const char *)before + words[i].offset;
         bool of_frame = i >= 1 && i <= FRAME_RIGHT;

@@ -4,14 +4,15 @@
  *     "Lamp,2"   "Lamp position=0,2,0 intensity=5,5,5; 2"   "0; +area position=0,2,0 size=1,1"
  *
  * Cameras have eye, forward, up, right, fov (vertical, radians), extent (orthographic: half the
- * height), near, far, shift (struct camera). A pinhole's words set several of these at once:
- * intrinsics=FX,FY,CX,CY,WIDTH,HEIGHT (camera_set_intrinsics), and opencv= or opengl= with the 16
- * numbers of a pose (camera_set_pose). Lights have position, direction, up, right, intensity, type
- * (emitter_type_names), size (as in struct emitter) and cone (spot: cosines of inner and outer half
- * angle). Without `right`, direction and up make the frame; with it they are used unchanged, so
- * written text restores a camera exactly. Commas separate names of lights, semicolons lights with
- * changes. Names with either, or with "=", need their number there. Changes without a name apply to
- * all. "emitters": all area lights. "sky": the environment. "+TYPE" adds a light (emitter_new). */
+ * height), near, far, shift (struct camera); lens (camera_lens_names), skew, distortion (lens.h). A
+ * pinhole's words set several of these at once: intrinsics=FX,FY,CX,CY,WIDTH,HEIGHT
+ * (camera_set_intrinsics), and opencv= or opengl= with the 16 numbers of a pose (camera_set_pose).
+ * Lights have position, direction, up, right, intensity, type (emitter_type_names), size (as in
+ * struct emitter) and cone (spot: cosines of inner and outer half angle). Without `right`,
+ * direction and up make the frame; with it they are used unchanged, so written text restores a
+ * camera exactly. Commas separate names of lights, semicolons lights with changes. Names with
+ * either, or with "=", need their number there. Changes without a name apply to all. "emitters":
+ * all area lights. "sky": the environment. "+TYPE" adds a light (emitter_new). */
 #ifndef SCENE_PLACING_H
 #define SCENE_PLACING_H
 

@@ -149,13 +149,15 @@ static void fill_motion(const struct surface_view *view, int frame, const float 
                         const float then[3], const int size[2], float out[2]) {
     struct camera other = view->motion->cameras[frame];
     float places[2][2], aspect = (float)size[0] / (float)size[1];
-    other.panorama = view->camera->panorama;
+    other.lens = view->camera->lens;
+    other.skew = view->camera->skew;
+    memcpy(other.distortion, view->camera->distortion, sizeof other.distortion);
     if (!camera_project(view->camera, now, aspect, places[0]) ||
         !camera_project(&other, then, aspect, places[1]))
         return;
     for (int axis = 0; axis < 2; axis++)
         out[axis] = (places[1][axis] - places[0][axis]) * (float)size[axis];
-    if (view->camera->panorama) /* the way past the seam is shorter */
+    if (other.lens == LENS_EQUIRECTANGULAR) /* the way past the seam is shorter */
         out[0] -= (float)size[0] * roundf(places[1][0] - places[0][0]);
 }
 

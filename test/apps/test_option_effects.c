@@ -52,7 +52,7 @@ static const char *const values[][2] = {
     {"fps", "7"}, {"frames", "2"}, {"grid", "0,.5,0,1,0,0,0,0,-1,2x1"}, {"gl", ""}, {"gl-debug", ""}, {"glsl", "glsl"}, {"help", ""},
     {"help-all", ""}, {"json", ""}, {"layer", "direct"}, {"compare:layer", "Z"}, {"light", "sky"},
     {"light-paths", "1000"}, {"materials", "diffuse"}, {"max", "mae=0"}, {"max-error", "90%"},
-    {"metric", "mae"}, {"noise", "50%"}, {"passes", "2"}, {"panorama", ""}, {"paths", "8"},
+    {"metric", "mae"}, {"noise", "50%"}, {"passes", "2"}, {"paths", "8"},
     {"ppd", "20"}, {"punctual-scale", "2"}, {"progress", "json"}, {"quality", "draft"}, {"quiet", ""},
     {"reference-layer", "Z"}, {"root", "scenes"}, {"scene", "0"}, {"variant", "0"}, {"screen-passes", "compute"}, {"seed", "5"},
     {"seen", ""}, {"set", "exposure=2"}, {"reference:set", "medium.scatter=.3"},

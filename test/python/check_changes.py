@@ -12,19 +12,19 @@ X, Z = (grid.ravel().astype(np.float32) for grid in np.meshgrid(np.linspace(-1, 
 CORNERS = np.arange(144).reshape(12, 12)
 FACES = np.concatenate([np.stack([CORNERS[:-1, :-1], CORNERS[1:, :-1], CORNERS[:-1, 1:]], -1).reshape(-1, 3),
                         np.stack([CORNERS[:-1, 1:], CORNERS[1:, :-1], CORNERS[1:, 1:]], -1).reshape(-1, 3)])
-CAMERA = Camera((0, 2, 3), (0, -2, -3))
 SKIES = ("scenes/day.hdr", "cie:12,elevation=40")
 LAYERS = ["beauty", "indirect", "direct", "albedo", "Z", "id.material"]
 
 
-def sheet(height, at=0., normals=None):
-    return Mesh(np.stack([X + np.float32(at), height * np.sin(4 * X), Z], 1), FACES, normals)
+def sheet(height, at=0.):
+    return Mesh(np.stack([X + np.float32(at), height * np.sin(4 * X), Z], 1), FACES)
 
 
-def scene_of(height=.1, color=(.8, .2, .2, 1), light=Light("spot", (0, 2, 0), intensity=(9, 9, 9)), at=0., glow=0., **more):
-    """A sheet over another, and a small one that may glow."""
-    return Scene(meshes=[sheet(height), sheet(0, at), Mesh(np.eye(3) * .2, material=1)], lights=[light], cameras=[CAMERA],
-                 materials=[Material(color), Material(emission=(glow,) * 3, double_sided=True)], **more)
+def scene_of(height=.1, color=(.8, .2, .2, 1), at=0., glow=0., **more):
+    """A sheet over another, and a triangle that may glow."""
+    return Scene(meshes=[sheet(height), sheet(0, at), Mesh(np.eye(3) * .2, material=1)],
+                 materials=[Material(color), Material(emission=(glow,) * 3, double_sided=True)],
+                 lights=[Light("spot", (0, 2, 0), intensity=(9, 9, 9))], cameras=[Camera((0, 2, 3), (0, -2, -3))], **more)
 
 
 def moved(x):
@@ -35,8 +35,7 @@ def moved(x):
 
 def same(device, name, renderer, scene, expected, **options):
     """One renderer throughout against a new one of a new scene, and the path tracer."""
-    with device.renderer(expected, (40, 30), **options) as fresh:
-        pictures = renderer.render(layers=LAYERS), fresh.render(layers=LAYERS)
+    pictures = renderer.render(layers=LAYERS), device.render(expected, (40, 30), layers=LAYERS, **options)
     traced = [manylight.reference(s, (16, 12), samples=2, threads=1) for s in (scene, expected)]
     for one, other in (pictures, traced):
         for layer in one:
@@ -46,30 +45,20 @@ def same(device, name, renderer, scene, expected, **options):
 
 
 def check_arrays(device, **options):
-    """Each change by itself, and several at once."""
-    scene, lamp = scene_of(), Light("area", (.2, 1.5, 0), intensity=(3, 2, 1), extent=(.4, .3))
+    scene, now, seen = scene_of(), {}, []
     with device.renderer(scene, (40, 30), **options) as renderer:
-        seen = [same(device, "first", renderer, scene, scene_of(), **options)]
-        for height in (.2, .3):
-            scene.set_mesh(1, sheet(height))
-            seen.append(same(device, "mesh", renderer, scene, scene_of(height), **options))
-        scene.set_material(1, Material((.1, .7, .2, 1)))
-        now = {"height": .3, "color": (.1, .7, .2, 1)}
-        seen.append(same(device, "material", renderer, scene, scene_of(**now), **options))
-        scene.set_light(0, lamp)
-        now["light"] = lamp
-        seen.append(same(device, "light", renderer, scene, scene_of(**now), **options))
-        scene.set_node(2, moved(.25))
-        seen.append(same(device, "node", renderer, scene, scene_of(at=.25, **now), **options))
-        scene.set_node(2, moved(0))
-        scene.set_material(2, Material(emission=(5, 5, 5), double_sided=True))
-        seen.append(same(device, "a lamp", renderer, scene, scene_of(glow=5, **now), **options))
-        scene.set_material(2, Material(double_sided=True))
-        scene.set_mesh(1, sheet(.1))
-        scene.set_material(1, Material((.8, .2, .2, 1)))
-        scene.set_light(0, Light("spot", (0, 2, 0), intensity=(9, 9, 9)))
-        last = same(device, "as at first", renderer, scene, scene_of(), **options)
-    assert np.array_equal(last, seen[0])
+        for name, change, more in (
+                ("first", lambda: None, {}),
+                ("mesh", lambda: scene.set_mesh(1, sheet(.3)), {"height": .3}),
+                ("other mesh", lambda: scene.set_mesh(1, Mesh(np.eye(3))), None),
+                ("colour", lambda: (scene.set_mesh(1, sheet(.3)), scene.set_material(1, Material((.1, .7, .2, 1)))),
+                 {"color": (.1, .7, .2, 1)}),
+                ("node", lambda: scene.set_node(2, moved(.25)), {"at": .25}),
+                ("lamp", lambda: scene.set_material(2, Material(emission=(5, 5, 5), double_sided=True)), {"glow": 5})):
+            change()
+            now.update(more or {})
+            seen.append(same(device, name, renderer, scene, scene_of(**now), **options) if more is not None
+                        else renderer.render()["beauty"])
     assert all(not np.array_equal(a, b) for a, b in zip(seen, seen[1:]))
 
 
@@ -89,25 +78,22 @@ def with_matrix(path, name, matrix):
     root = json.loads(data[20:20 + length])
     node, = (node for node in root["nodes"] if node.get("name") == name)
     node["matrix"] = matrix.T.ravel().tolist()
-    for key in ("translation", "rotation", "scale"):
-        node.pop(key, None)
     text = json.dumps(root).encode()
     text += b" " * (-len(text) % 4)
-    rest = data[20 + length:]
-    return struct.pack("<4sIII4s", b"glTF", 2, 20 + len(text) + len(rest), len(text), b"JSON") + text + rest
+    return struct.pack("<4sIII4s", b"glTF", 2, len(data) - length + len(text), len(text), b"JSON") + text + data[20 + length:]
 
 
 def check_file(device):
     """A node of a file, moved here and in the file."""
     path = "scenes/cornell-box.glb"
     scene = Scene(path)
-    names = scene.names("node")
     with device.renderer(scene, (40, 30)) as renderer:
         first = renderer.render(layers=["beauty", "id.node"])
         node = int(first["id.node"][15, 20])
+        name = scene.names("node")[node]
         scene.set_node(node, moved(.3))
         refuse("draws another", renderer.display)
-        changed = same(device, names[node], renderer, scene, Scene(with_matrix(path, names[node], moved(.3))))
+        changed = same(device, name, renderer, scene, Scene(with_matrix(path, name, moved(.3))))
     assert not np.array_equal(first["beauty"], changed)
 
 
@@ -115,49 +101,39 @@ def refuse(words, call):
     try:
         call()
     except manylight.Error as error:
-        print(f"    {type(error).__name__}: {error}")
-        assert words in str(error), words
+        assert words in str(error), f"{words}: {error}"
         return
     raise AssertionError(f"no refusal: {words}")
 
 
 def check_refusals(device):
-    """A refused change leaves the scene what it was."""
-    scene = scene_of()
+    """A refused change leaves the scene what it was; one that cannot be shown ends it."""
+    scene, picture = scene_of(), np.zeros((2, 2, 3), np.uint8)
     for words, call in (("node 9: there is 1 to 5", lambda: scene.set_node(9, np.eye(4))),
                         ("node: -1", lambda: scene.set_node(-1, np.eye(4))),
-                        ("node 0: there is", lambda: scene.set_node(0, np.eye(4))),
-                        ("last row 0 0 0 1", lambda: scene.set_node(1, np.ones((4, 4)))),
-                        ("not finite", lambda: scene.set_node(1, moved(np.nan))),
+                        ("last row 0 0 0 1", lambda: scene.set_node(1, moved(np.nan))),
                         ("shape (3, 4)", lambda: scene.set_node(1, np.eye(4)[:3])),
-                        ("mesh 1: the position of vertex 0 is not finite", lambda: scene.set_mesh(1, sheet(np.nan, np.nan))),
+                        ("mesh 1: the position of vertex 0", lambda: scene.set_mesh(1, sheet(np.nan, np.nan))),
                         ("mesh 1: material: it keeps", lambda: scene.set_mesh(1, Mesh(np.eye(3), material=1))),
                         ("is not a manylight.Mesh", lambda: scene.set_mesh(1, np.eye(3))),
                         ("material 1: base_color: 2", lambda: scene.set_material(1, Material((2, 0, 0, 1)))),
-                        ("material 7: there is 1 to 3", lambda: scene.set_material(7, Material())),
-                        ("keeps its pictures", lambda: scene.set_material(1, Material(
-                            picture=np.zeros((2, 2, 3), np.uint8)))),
-                        ("light 1: there is 0 to 0", lambda: scene.set_light(1, Light())),
-                        ("light 0: extent", lambda: scene.set_light(0, Light("area"))),
+                        ("keeps its pictures", lambda: scene.set_material(1, Material(picture=picture))),
                         ("no environment", lambda: scene.set_sky(turn=4)),
-                        ("none.hdr", lambda: scene.set_sky("none.hdr")),
                         ("has clips", lambda: Scene("scenes/door.glb").set_node(1, np.eye(4)))):
         refuse(words, call)
+
+    def within(_done, _note):
+        refuse("in use by another call", lambda: scene.set_node(1, moved(.5)))
+        raise InterruptedError
+    try:
+        manylight.reference(scene, (64, 48), samples=400, progress=within)
+    except InterruptedError:
+        pass
     with device.renderer(scene, (40, 30)) as renderer:
         same(device, "unchanged", renderer, scene, scene_of())
-
-        def within(_done, _note):
-            refuse("in use by another call", lambda: scene.set_node(1, moved(.5)))
-            raise InterruptedError
-        try:
-            manylight.reference(scene, (64, 48), samples=400, progress=within)
-            raise AssertionError("not stopped")
-        except InterruptedError:
-            pass
         scene.set_node(1, moved(1e30))
         refuse("a vertex lies", renderer.render)
         refuse("ended with a change", renderer.render)
-        refuse("ended with a change", lambda: scene.info)
 
 
 def main():
@@ -165,7 +141,6 @@ def main():
         check_arrays(device)
         if os.environ.get("MANYLIGHT_LONG"):
             check_arrays(device, settings={"path": "maps"})
-            check_arrays(device, technique="instant-radiosity", vpls=256)
         check_sky(device)
         check_file(device)
         check_refusals(device)

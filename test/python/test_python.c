@@ -58,6 +58,10 @@ TEST(arguments) {
     run_script("check_arguments.py % @");
 }
 
+TEST(cameras) {
+    run_script("check_cameras.py % @");
+}
+
 TEST(changes) {
     run_script("check_changes.py");
 }
