@@ -57,7 +57,7 @@ bool scene_open(struct scene *scene, struct geometry *geometry, const char *path
     const struct scene_open_desc usual = {0};
     const struct scene_open_desc *from = desc ? desc : &usual;
     bool ok = from->filled ? scene_take(scene, from->filled)
-                           : scene_load_bytes(scene, path, from->bytes, &from->choice);
+                           : scene_load_choice(scene, path, &from->choice);
     if (ok && change(scene, desc)) {
         bool is_empty = desc && desc->may_be_empty && !has_triangles(scene);
         if (is_empty || lay_out(scene, geometry, desc ? desc->light : NULL))

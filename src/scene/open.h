@@ -7,8 +7,6 @@
 #include "scene/mesh/geometry.h"
 
 struct scene_open_desc {
-    const struct file_bytes
-        *bytes; /* contents in place of the file, as in scene_load_bytes; NULL: reads the file */
     struct scene *filled; /* a scene that takes the file's place; it is left zeroed. NULL: none */
     struct scene_choice choice;
     const char *light; /* lights, as in scene/placing.h; NULL: all */

@@ -29,7 +29,7 @@ static void add_lights(struct scene *scene) {
 }
 
 bool scene_load(struct scene *scene, const char *path) {
-    return scene_load_bytes(scene, path, NULL, &(struct scene_choice){0});
+    return scene_load_choice(scene, path, &(struct scene_choice){0});
 }
 
 static bool finish(struct scene *scene, bool is_filled) {
@@ -41,10 +41,9 @@ static bool finish(struct scene *scene, bool is_filled) {
     return false;
 }
 
-bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes,
-                      const struct scene_choice *choice) {
+bool scene_load_choice(struct scene *scene, const char *path, const struct scene_choice *choice) {
     *scene = (struct scene){0};
-    return finish(scene, gltf_load(scene, path, bytes, choice));
+    return finish(scene, gltf_load(scene, path, NULL, choice));
 }
 
 bool scene_take(struct scene *scene, struct scene *filled) {

@@ -251,11 +251,8 @@ struct scene {
  * file, object and reason; the scene is then zeroed. */
 bool scene_load(struct scene *scene, const char *path);
 
-/* Reads a file from memory, or from `path` if bytes is NULL. With bytes, path only gives the folder
- * of named files; a name without a folder has none. Error: also an unknown choice. */
-struct file_bytes;
-bool scene_load_bytes(struct scene *scene, const char *path, const struct file_bytes *bytes,
-                      const struct scene_choice *choice);
+/* Reads one of a file's scenes and variants. Error: also an unknown choice. */
+bool scene_load_choice(struct scene *scene, const char *path, const struct scene_choice *choice);
 
 /* Moves a scene that a caller has filled, and adds its emissive surfaces' lights. Error: a node too
  * far away; the scene is then zeroed. */
