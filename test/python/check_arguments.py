@@ -7,6 +7,7 @@ import numpy as np
 
 import manylight
 from manylight import Camera, Light, Material, Mesh, Scene
+from support import refuse
 
 PROGRAM, FOLDER = sys.argv[1:]
 LONG = bool(os.environ.get("MANYLIGHT_LONG"))
@@ -29,17 +30,6 @@ def centre(device, layer="albedo", text=None, **parts):
 def near(name, value, expected, tolerance=2e-3):
     print(f"    {name}: {value}, expected {expected}")
     assert np.allclose(value, expected, rtol=tolerance, atol=1e-4), name
-
-
-def refuse(words, call):
-    """A call raises the module's exception with these words in it."""
-    try:
-        call()
-    except manylight.Error as error:
-        print(f"    {type(error).__name__}: {error}")
-        assert words in str(error), words
-        return
-    raise AssertionError(f"no refusal: {words}")
 
 
 def check_area_lights(device):

@@ -7,6 +7,7 @@ import numpy as np
 
 import manylight
 from manylight import Camera, Light, Material, Mesh, Scene
+from support import refuse
 
 X, Z = (grid.ravel().astype(np.float32) for grid in np.meshgrid(np.linspace(-1, 1, 12), np.linspace(-1, 1, 12)))
 CORNERS = np.arange(144).reshape(12, 12)
@@ -95,15 +96,6 @@ def check_file(device):
         refuse("draws another", renderer.display)
         changed = same(device, name, renderer, scene, Scene(with_matrix(path, name, moved(.3))))
     assert not np.array_equal(first["beauty"], changed)
-
-
-def refuse(words, call):
-    try:
-        call()
-    except manylight.Error as error:
-        assert words in str(error), f"{words}: {error}"
-        return
-    raise AssertionError(f"no refusal: {words}")
 
 
 def check_refusals(device):
