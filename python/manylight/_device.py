@@ -180,6 +180,9 @@ class Device:
             raise ArgumentError("the device is closed")
         return self._handle
 
+    def __repr__(self) -> str:
+        return f"<manylight.Device {'closed' if self._handle is None else self.info.renderer}>"
+
     @property
     def info(self) -> DeviceInfo:
         """Names of the device and of its driver."""

@@ -78,6 +78,14 @@ class Camera:
     skew: float = 0  #: K[0][1] / K[0][0]
     distortion: Sequence[float] = (0,) * 8  #: OpenCV's 4, 5 or 8 numbers: k1, k2, p1, p2, k3, k4, k5, k6
 
+    @property
+    def axes(self) -> np.ndarray:
+        """Rows right, up and back, unit, in the world: `layers["normal"] @ camera.axes.T` is in the camera's space."""
+        back = -np.asarray(self.forward, float)
+        right = np.cross(self.up, back)
+        frame = np.stack([right, np.cross(back, right), back])
+        return frame / np.linalg.norm(frame, axis=1, keepdims=True)
+
     def rays(self, size: Tuple[int, int]) -> np.ndarray:
         """Unit directions in which pixels' centres of a picture of `size` are seen: (height, width, 3)."""
         sides = width_and_height(size)

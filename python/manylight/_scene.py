@@ -76,6 +76,9 @@ class Scene:
             add_parts(desc, kind, parts)
         self._handle = made("scene", lib.manylight_scene_open, desc.pointer)
 
+    def __repr__(self) -> str:
+        return f"<manylight.Scene of {self.info.triangles} triangles, {self.info.lights} lights>"
+
     @property
     def info(self) -> SceneInfo:
         """What the scene holds."""

@@ -79,6 +79,7 @@ def check_places(device, name, scene, size, camera, place):
         assert np.quantile(away, .9 if kind == "frame" else 1) < .01 and away.max() < (1 if camera.lens == "pinhole" else 4)
         found.append(seen)
         along = local(seen["position"])[..., 2] if camera.lens == "pinhole" else seen["depth"]
+        assert np.allclose(local(seen["position"]), (seen["position"] - EYE) @ camera.axes.T * [1, 1, -1], atol=1e-5)
         assert (np.abs(seen["Z"] - along) < 1e-3).mean() > .9
     frame, paths = found
     assert (frame["id.material"] == paths["id.material"]).mean() > .97

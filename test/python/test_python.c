@@ -74,6 +74,15 @@ LONG_TEST(notebook) {
     run_script("run_notebook.py examples/python.ipynb");
 }
 
+static void test_examples(void **state) {
+    (void)state;
+    run_script("../../examples/dataset.py scenes/cornell-box.glb @/set --views 2 --size 16");
+    expect(0, "ls @/set");
+    expect_text("0000.exr\n0001.exr\nviews.json\n");
+    run_script("../../examples/noise.py scenes/cornell-box.glb --size 8 --samples 2 4");
+    expect_text("samples  relative RMSE  estimated\n");
+}
+
 /* pip's wheel is for any later Python, carries the library and makes the same bits, from wherever
  * it lies. */
 LONG_TEST(wheel) {
