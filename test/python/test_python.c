@@ -74,8 +74,7 @@ LONG_TEST(notebook) {
     run_script("run_notebook.py examples/python.ipynb");
 }
 
-static void test_examples(void **state) {
-    (void)state;
+TEST(examples) {
     run_script("../../examples/dataset.py scenes/cornell-box.glb @/set --views 2 --size 16");
     expect(0, "ls @/set");
     expect_text("0000.exr\n0001.exr\nviews.json\n");
