@@ -32,13 +32,15 @@ float plate_passes(pane p, vec3 direction) {
     return p.index < 0.0 ? sqrt(plate) : plate;
 }
 
-// What goes on of light along a unit direction, and what the pane reflects of it diffusely.
+// What goes on of light along a unit direction, and what the pane reflects of it diffusely: of what its face lets in.
 vec3 pane_passes(pane p, vec3 direction) {
     return p.base + p.glass * p.color * plate_passes(p, direction);
 }
 
 vec3 pane_albedo(pane p, vec3 direction) {
-    return p.both || dot(p.normal, direction) < 0.0 ? p.color * max(1.0 - p.base - p.glass, 0.0) : vec3(0.0);
+    if (!p.both && dot(p.normal, direction) >= 0.0)
+        return vec3(0.0);
+    return p.color * (max(1.0 - p.base - p.glass, 0.0) * (p.glass > 0.0 ? plate_passes(p, direction) : 1.0));
 }
 
 // Parts of a triangle's sides, or of a distance, that rounding makes: an edge belongs to both its triangles.

@@ -88,6 +88,11 @@ float material_plate_passes(float index, float cosine) {
     return is_face ? sqrtf(sum) : sum;
 }
 
+float material_pane_passes(const struct material *material, float cosine) {
+    float index = fmaxf(material->index_of_refraction, 1);
+    return material_plate_passes(material->thin_walled ? index : -index, cosine);
+}
+
 struct pane_color material_pane_color(const struct material *material, vec4s base_color) {
     float covers = material->blends ? glm_clamp(base_color.a, 0, 1) : 1;
     struct pane_color pane = {.base = 1 - covers, .index = fmaxf(material->index_of_refraction, 1)};
@@ -100,7 +105,7 @@ struct pane_color material_pane_color(const struct material *material, vec4s bas
 
 struct passing material_passing(const struct material *material, vec4s base_color, float cosine) {
     struct pane_color pane = material_pane_color(material, base_color);
-    float plate = material_plate_passes(material->thin_walled ? pane.index : -pane.index, cosine);
+    float plate = material_pane_passes(material, cosine);
     return (struct passing){glms_vec3_muladds(pane.glass, plate, glms_vec3_fill(pane.base)),
                             1 - pane.base};
 }

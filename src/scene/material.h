@@ -60,6 +60,10 @@ struct pane_color {
  * negative index, of one face of a solid. */
 float material_plate_passes(float index, float cosine);
 
+/* Returns the transmittance of the plate, or of the face of a solid, that a pane is. It reflects
+ * the rest. */
+float material_pane_passes(const struct material *material, float cosine);
+
 struct pane_color material_pane_color(const struct material *material, vec4s base_color);
 
 /* Effect of a pane on light, by its base colour and the cosine of the angle of incidence. */

@@ -166,13 +166,13 @@ static const float roughnesses[] = {.3F, .5F, .1F, .75F, .95F};
 
 /* A convex roof, so that no part hides another's sky: a column bends down for each angle, a row has
  * a material each. */
-static void open_roof(struct stage *stage, int rows) {
+static void open_roof(struct stage *stage, int rows, const char *material) {
     char materials[512] = "", meshes[1024] = "", nodes[8192] = "";
     for (int row = 0; row < rows; row++) {
         const char *end = row + 1 < rows ? ", " : "";
         double x = 0, z = 0;
-        snprintf(materials + strlen(materials), sizeof materials - strlen(materials),
-                 "{\"doubleSided\": false}%s", end);
+        snprintf(materials + strlen(materials), sizeof materials - strlen(materials), "%s%s",
+                 material, end);
         snprintf(meshes + strlen(meshes), sizeof meshes - strlen(meshes),
                  "{\"primitives\": [{\"attributes\": {\"POSITION\": 0}, \"indices\": 1,"
                  " \"material\": %d}]}%s",
@@ -211,7 +211,7 @@ TEST(furnace) {
     } kinds[] = {{"dielectric", 0, .04F}, {"specular-glossiness", 0, .3F}, {"metal", 1, .04F}};
     int rows = is_long_run() ? 5 : 2;
     OWNED(stage) stage;
-    open_roof(&stage, rows);
+    open_roof(&stage, rows, "{\"doubleSided\": false}");
     for (int k = 0; k < 3; k++) {
         double most = 0, farthest = 0;
         for (int row = 0; row < rows; row++) {
@@ -236,6 +236,20 @@ TEST(furnace) {
         check_at_most("most", most, 1.005);
         check_at_most("farthest from what it reflects", farthest, .01);
     }
+}
+
+/* A pane that transmits .4 of what enters shows all light: past it, diffuse and mirrored. */
+TEST(furnace_of_glass) {
+    OWNED(stage) stage;
+    open_roof(&stage, 1,
+              "{\"pbrMetallicRoughness\": {\"metallicFactor\": 0, \"roughnessFactor\": 0},"
+              " \"extensions\": {\"KHR_materials_transmission\": {\"transmissionFactor\": 0.4}}}");
+    OWNED(image) got = render_stage(&stage, "unshadowed", "", CELL * ANGLES);
+    for (int i = 0; i < ANGLES; i++)
+        check_near("glass at an angle",
+                   (double)image_at(&got, CELL * i + CELL / 2,
+                                    CELL * ANGLES - CELL / 2)[image_find_channel(&got, "R")],
+                   1, .005);
 }
 
 /* --- a closed room, 1 m wide and high, its walls two triangles thin --------------------------- */

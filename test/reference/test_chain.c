@@ -82,4 +82,30 @@ TEST(glow) {
                1e-4);
 }
 
+/* Panes that let light pass straight on keep the light of a white sky: what glass reflects is what
+ * Fresnel's equations leave, at each angle, and the rest of the surface has what enters. */
+TEST(pane_furnace) {
+    for (int i = 0; i < 8; i++) {
+        OWNED(world) world;
+        OWNED(image) image;
+        struct material *pane = &world.materials[MATERIAL_SMOOTH];
+        world_init(&world);
+        make_glass(pane, 1.5F);
+        glm_vec3_broadcast(.04F, pane->specular_f0);
+        pane->specular_f90 = 1;
+        pane->transmission = i & 1 ? .4F : 1;
+        pane->thin_walled = i & 2;
+        make_sheet(&world);
+        float angle = glm_rad(i & 4 ? 75 : 50), s = sinf(angle), c = cosf(angle);
+        world.camera.forward[0] = s, world.camera.forward[1] = -c;
+        world.camera.right[0] = c, world.camera.right[1] = s;
+        world.camera.eye[0] = -s, world.camera.eye[1] = c;
+        world.camera.y_extent = .05F;
+        struct path_tracer_desc desc = describe(&world, 4, 4096);
+        desc.emitters = (struct emitters){.sky = &sky};
+        render(&desc, &image);
+        check_near("glass in a white furnace", mean_of_layer(&image, ""), 1, .002);
+    }
+}
+
 RUN_TESTS(NULL, NULL)

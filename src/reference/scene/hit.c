@@ -84,7 +84,7 @@ static bool is_pane(const struct hit_table *table, const struct material *materi
 }
 
 static struct brdf reflection_at(const struct hit_table *table, const struct material *material,
-                                 const struct corners *corners) {
+                                 const struct corners *corners, float cosine) {
     vec3s color = glms_vec3(base_color(table, material, corners));
     bool is_glass = is_pane(table, material);
     if (is_glass)
@@ -93,8 +93,10 @@ static struct brdf reflection_at(const struct hit_table *table, const struct mat
         return brdf_lambertian(color);
     struct reflectance at = corners_reflectance(corners, table->scene, table->geometry,
                                                 table->srgb_to_linear, material);
-    for (int c = 0; c < 3 && is_glass && material_transmits(material) > 0; c++)
-        at.f0.raw[c] = 2 * at.f0.raw[c] / (1 + at.f0.raw[c]); /* two faces */
+    if (is_glass && material_transmits(material) > 0) {
+        at.f90 = 1 - material_pane_passes(material, cosine);
+        at.f0 = glms_vec3_fill(at.f90);
+    }
     return brdf_of(material, color, &at);
 }
 
@@ -180,7 +182,8 @@ void hit_at(const struct hit_table *table, const struct triangle_point *point, v
     else if (hit->smooth)
         hit->tint = glms_vec3(base_color(table, material, &corners));
     else
-        hit->brdf = reflection_at(table, material, &corners);
+        hit->brdf =
+            reflection_at(table, material, &corners, glms_vec3_dot(hit->normal, hit->towards));
     brdf_turn(&hit->brdf, hit->normal, hit->towards);
     if (from_behind && !has_two_sides(table, material))
         return;
