@@ -107,6 +107,7 @@ bool points_parse_grid(struct points *points, const char *text) {
     if (area < 1e-12)
         return error_set("grid: its sides span no area");
     points->count = counts[0] * counts[1];
+    points->columns = counts[0];
     points->rows = mem_alloc((size_t)points->count, sizeof *points->rows);
     for (int i = 0; i < points->count; i++)
         for (int c = 0; c < 3; c++) {

@@ -8,6 +8,7 @@ struct points {
     double (*rows)[6];      /* x y z nx ny nz as given, metres of the file */
     struct sensor *sensors; /* the same in the scene's coordinates, after points_place */
     int count;
+    int columns; /* of a grid: points along u */
 };
 
 /* Reads lines of x,y,z,nx,ny,nz and columns after these, which are left alone. A first line of

@@ -5,9 +5,11 @@
 #include "apps/subcommands.h"
 
 #include "base/error.h"
+#include "base/file/image_file.h"
 #include "base/file/output_file.h"
 #include "base/log.h"
 #include "base/memory.h"
+#include "metrics/heat_map.h"
 #include "quality/meter.h"
 #include "quality/picture.h"
 #include "scene/material.h"
@@ -29,7 +31,7 @@ struct values {
     struct technique_values technique;
     struct stage_desc stage;
     struct path_tracer_desc tracer;
-    const char *points, *grid, *output;
+    const char *points, *grid, *output, *map;
     float noise, efficacy;
     int unit, by;
 };
@@ -41,6 +43,8 @@ static const struct option options[] = {
              "sides u and v, metres; the points face u x v"},
     {"output", 'o', OPTION_TEXT, offsetof(struct values, output), .value_name = "FILE",
      .help = "table to write [standard output]"},
+    {"map", 0, OPTION_TEXT, offsetof(struct values, map), .value_name = "FILE",
+     .help = "also total light of the grid in false colours with a scale, v up; EXR: its values"},
     {"by", 0, OPTION_CHOICE, offsetof(struct values, by), .choices = way_names,
      .help = "path tracing, with its standard error; or frames, as render draws them"},
     {"unit", 0, OPTION_CHOICE, offsetof(struct values, unit), UNIT_LUX, .choices = unit_names,
@@ -103,6 +107,7 @@ static bool check_values(struct values *values) {
         (struct option_use[]){
             {"spp noise seed", !by_frame, "--by reference"},
             {"technique direct set context device screen-passes gl-debug", by_frame, "--by frame"},
+            {"map", values->grid != NULL, "--grid"},
             {"efficacy", values->unit == UNIT_LUX, "--unit lux"},
             {NULL}});
 }
@@ -133,8 +138,11 @@ static bool measure_paths(const struct values *values, const struct stage *stage
     bool ok = meter_paths(stage, &desc, points->sensors, points->count, readings, &reached);
     double seconds = progress_end(&progress);
     if (ok)
-        log_note("%d points, %d samples each, in %.1f s, noise %.2f %%", points->count,
-                 reached.samples, seconds, 100 * reached.noise);
+        log_note("%d points, %d samples each, in %.1f s, noise %.2f %%%s", points->count,
+                 reached.samples, seconds, 100 * reached.noise,
+                 desc.samples == 0 && reached.noise > (desc.noise > 0 ? desc.noise : .01)
+                     ? ": above --noise after the most samples"
+                     : "");
     return ok;
 }
 
@@ -153,30 +161,50 @@ static bool measure_frames(const struct values *values, const struct points *poi
     return ok;
 }
 
+/* Of all points, in the table's unit. */
+struct summary {
+    double unit, mean, least, greatest;
+};
+
+static double total_of(const struct reading *reading) {
+    return reading->direct + reading->indirect;
+}
+
+static struct summary summarize(const struct values *values, const struct points *points,
+                                const struct reading *readings) {
+    double unit = values->unit == UNIT_LUX ? (double)values->efficacy : 1;
+    struct summary summary = {.unit = unit, .least = INFINITY};
+    for (int i = 0; i < points->count; i++) {
+        double total = unit * total_of(&readings[i]);
+        summary.mean += total / points->count;
+        summary.least = fmin(summary.least, total);
+        summary.greatest = fmax(summary.greatest, total);
+    }
+    return summary;
+}
+
 static void print_table(FILE *out, const struct values *values, const struct points *points,
                         const struct reading *readings) {
     bool has_error = values->by == BY_REFERENCE, in_lux = values->unit == UNIT_LUX;
-    double unit = in_lux ? (double)values->efficacy : 1, sum = 0, least = INFINITY, greatest = 0;
+    struct summary all = summarize(values, points, readings);
+    double unit = all.unit;
     fprintf(out, "x,y,z,nx,ny,nz,direct,indirect,total%s\n", has_error ? ",standard_error" : "");
     for (int i = 0; i < points->count; i++) {
         const struct reading *reading = &readings[i];
-        double total = unit * (reading->direct + reading->indirect);
         for (int c = 0; c < 6; c++)
             fprintf(out, "%.9g,", points->rows[i][c]);
-        fprintf(out, "%.6g,%.6g,%.6g", unit * reading->direct, unit * reading->indirect, total);
+        fprintf(out, "%.6g,%.6g,%.6g", unit * reading->direct, unit * reading->indirect,
+                unit * total_of(reading));
         if (has_error)
             fprintf(out, ",%.3g", unit * reading->error);
         fprintf(out, "\n");
-        sum += total;
-        least = fmin(least, total);
-        greatest = fmax(greatest, total);
     }
-    double mean = sum / points->count;
     fprintf(out, "# %s", unit_names[values->unit]);
     if (in_lux)
         fprintf(out, ", %g lm for each watt of the scene", unit);
     fprintf(out, ", by %s: mean %.6g, least %.6g, greatest %.6g, uniformity %.4g\n",
-            way_names[values->by], mean, least, greatest, mean > 0 ? least / mean : 0);
+            way_names[values->by], all.mean, all.least, all.greatest,
+            all.mean > 0 ? all.least / all.mean : 0);
 }
 
 static bool write_table(const struct values *values, const struct points *points,
@@ -187,21 +215,57 @@ static bool write_table(const struct values *values, const struct points *points
     return output_text_end(&text, values->output ? values->output : "-");
 }
 
+/* A number above, whose quarters have few digits: they label the scale. */
+static double scale_end(double greatest) {
+    double step = greatest > 0 ? 4 * pow(10, floor(log10(greatest)) - 1) : 1;
+    return fmax(ceil(greatest / step), 1) * step;
+}
+
+/* Draws the grid as a plan: u to the right, v up. */
+static bool write_map(const struct values *values, const struct points *points,
+                      const struct reading *readings) {
+    struct summary all = summarize(values, points, readings);
+    float *cells = mem_alloc((size_t)points->count, sizeof *cells);
+    char title[64];
+    for (int i = 0; i < points->count; i++) {
+        int up = points->count / points->columns - 1 - i / points->columns;
+        cells[up * points->columns + i % points->columns] =
+            (float)(all.unit * total_of(&readings[i]));
+    }
+    snprintf(title, sizeof title, "%s. mean %.4g least %.4g most %.4g",
+             values->unit == UNIT_LUX ? "lux" : "w per m2", all.mean, all.least, all.greatest);
+    struct heat_map map = {.title = title,
+                           .width = points->columns,
+                           .height = points->count / points->columns,
+                           .values = cells,
+                           .top = (float)scale_end(all.greatest)};
+    bool ok = heat_map_write(&map, values->map);
+    free(cells);
+    return ok;
+}
+
+static bool check_outputs(const struct values *values) {
+    const char *const inputs[] = {values->points, values->output};
+    bool is_float;
+    return (!values->output || output_file_check(values->output, inputs, 1)) &&
+           (!values->map || (image_format_is_float(values->map, &is_float) &&
+                             output_file_check(values->map, inputs, 2)));
+}
+
 static bool probe(const struct values *values, struct points *points, struct measure_desc *desc) {
     struct stage stage;
-    const char *const inputs[] = {values->points};
-    if (values->output && !output_file_check(values->output, inputs, values->points ? 1 : 0))
-        return false;
-    if (!stage_init(&stage, &values->stage))
+    if (!check_outputs(values) || !stage_init(&stage, &values->stage))
         return false;
     struct reading *readings = mem_alloc((size_t)points->count, sizeof *readings);
     desc->stage = &stage;
     points_place(points, stage.scene.origin);
     bool ok = (!values->output || scene_check_output(&stage.scene, values->output)) &&
+              (!values->map || scene_check_output(&stage.scene, values->map)) &&
               (values->by == BY_REFERENCE
                    ? measure_paths(values, &stage, points, &desc->settings, readings)
                    : measure_frames(values, points, desc, readings)) &&
-              write_table(values, points, readings);
+              write_table(values, points, readings) &&
+              (!values->map || write_map(values, points, readings));
     free(readings);
     stage_free(&stage);
     return ok;

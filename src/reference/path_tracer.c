@@ -26,6 +26,7 @@
 /* Samples of a pixel: of the first pass, and how many a forecast expects before it has seen any. */
 /* EXPECTED_SAMPLES: of a usual scene, for a noise of 1 %. */
 enum { FIRST_PASS_SAMPLES = 32, EXPECTED_SAMPLES = 256 };
+static const uint32_t samples_most = 1 << 20;
 
 /* Indirect paths from each point that the camera sees: the noise is in them, not in the camera ray
  * and the direct light, whose rays are thus shared. Few samples want each its own point. */
@@ -471,7 +472,7 @@ static bool render_passes(struct tracer *tracer) {
     if (tracer->desc.samples > 0)
         return render_pass(tracer, (uint32_t)tracer->desc.samples);
     bool ok = render_pass(tracer, tracer->desc.show ? FILM_STREAMS : FIRST_PASS_SAMPLES);
-    while (ok && tracer->noise > tracer->desc.noise)
+    while (ok && tracer->noise > tracer->desc.noise && tracer->done < samples_most)
         ok = show(tracer) && render_pass(tracer, next_end(tracer->done));
     return ok;
 }

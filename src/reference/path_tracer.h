@@ -39,7 +39,7 @@ struct path_tracer_desc {
     /* Default 1. n: renders one pixel of each n x n (path_tracer_pixel), into a smaller picture. */
     int every;
     int bounces; /* 0: only direct light */
-    int samples; /* samples of a pixel; 0: until `noise` is reached */
+    int samples; /* samples of a pixel; 0: until `noise` is reached, 2^20 at most */
     int paths;   /* paths of indirect light of a sample; default 1 below 16 samples, else 4 */
     /* Target standard error, default 0.01. Indirect layer: RMS over its mean. Direct light of
      * lights with a size, specular light and airlight: over the beauty's mean. Also of ao. */

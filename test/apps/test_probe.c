@@ -4,6 +4,7 @@
 #include "gltf_parts.h"
 
 #include "base/file/file.h"
+#include "base/file/image_file.h"
 
 #include <cglm/util.h>
 #include <math.h>
@@ -156,6 +157,31 @@ TEST(grid) {
     expect(0, "% probe scenes/cornell-box.glb @/again.csv --spp 16 -q | cmp - @/table.csv");
 }
 
+/* The map has the table's totals, v up. */
+TEST(map) {
+    probe("scenes/cornell-box.glb --grid -2,5,2,4,0,0,0,0,-4,3x2 --spp 16 --map @/map.exr");
+    OWNED(image) map;
+    check_ok("map", image_read(&map, scratch("map.exr")));
+    assert_int_equal(map.width, 3);
+    assert_int_equal(map.height, 2);
+    for (int i = 0; i < row_count; i++)
+        check_near("over the table's", (double)*image_at(&map, i % 3, 1 - i / 3) / total(i), 1,
+                   1e-5);
+    expect_command(0, "probe",
+                   "scenes/cornell-box.glb --grid -2,5,2,4,0,0,0,0,-4,3x2 --spp 1 -q"
+                   " -o @/a.csv --map @/map.png");
+}
+
+/* Noise that cannot be reached ends at the most samples, with a note. */
+TEST(most_samples) {
+    expect_command(0, "probe",
+                   "@/floor.glb --light '+area size=1,1 position=0,1,0 direction=0,-1,0"
+                   " intensity=1,1,1' --grid 0,0,0,1,0,0,0,0,-1,1x1 --bounces 0 --noise 1e-9"
+                   " -o @/most.csv");
+    expect_text("1048576 samples each");
+    expect_text("above --noise after the most samples");
+}
+
 /* --- refusals --- */
 
 TEST(refusals) {
@@ -185,6 +211,8 @@ TEST(refusals) {
         {"scenes/sphere.glb p.csv --by frame --spp 4", "--spp is for --by reference", 2},
         {"scenes/sphere.glb p.csv --technique clustered", "--technique is for --by frame", 2},
         {"scenes/sphere.glb p.csv --unit W/m2 --efficacy 683", "--efficacy is for --unit lux", 2},
+        {"scenes/sphere.glb p.csv --map p.png", "--map is for --grid", 2},
+        {"scenes/sphere.glb --grid 0,0,0,1,0,0,0,0,-1,2x2 --map p.txt", "p.txt", 1},
         {"scenes/sphere.glb p.csv --by frame --bounces 0", "is for --by reference", 2},
         {"scenes/sphere.glb no-such.csv", "no-such.csv", 1},
         {"scenes/gem.glb --by frame --set caustics.surface=patches --grid 0,0,0,1,0,0,0,0,1,2x2",
