@@ -350,7 +350,7 @@ def rows(device, names):
 REASONS = {
     "imperfect-volume": "voxels blur light, and a voxel at a wall has light of its neighbours",
     "implicit-visibility": "an element sees the nearest partner of each direction, and light between elements is interpolated",
-    "clustered": "a sky is 120 area lights, of which an opening shows few; a block of pixels shares its rays",
+    "clustered": "a sky is 120 area lights, few of which an opening shows, by rays of a block of pixels",
     "clustered, path=paper": "VALs stand for their VPLs in visibility",
     "pcss": "64 rays to a lamp as wide as the room, of which few see past the box",
     "msm": "four moments of one map, from the middle of a wide lamp",
