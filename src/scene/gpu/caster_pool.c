@@ -72,6 +72,7 @@ static struct pooled *add(struct caster_pool *pool, const struct caster_desc *de
     struct pooled *pooled = mem_alloc(1, sizeof *pooled);
     free_unused(pool);
     struct caster_desc own = *desc;
+    own.scene = pool->scene;
     struct camera camera;
     if (desc->error > 0 && tells_solids(pool->scene)) {
         camera_place(&camera, pool->scene, 0, 0);

@@ -49,6 +49,7 @@ struct caster_desc {
     int long_count;
     /* A point in the open of a static scene. NULL: only metaballs that may stray count as solid. */
     const float *eye;
+    const struct scene *scene; /* whose instances share their triangles; NULL: none do */
 };
 
 /* Simplifies the geometry in its current pose, then separates long triangles. */

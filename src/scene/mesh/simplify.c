@@ -379,47 +379,141 @@ void simplify_mesh(const struct simplify_mesh *mesh, const struct simplify_desc 
 
 /* --- geometry --------------------------------------------------------------------------------- */
 
-struct parts {
+/* A part, and what decides its triangles: parts of one primitive that agree share them. */
+struct subject {
+    const struct geometry_part *part;
+    const struct primitive *primitive; /* NULL: the part's own vertices, in the world */
+    float error;                       /* in the primitive's space */
+};
+
+struct work {
     const struct geometry *geometry;
-    const struct simplify_desc *desc;
-    struct weld weld;
+    struct subject *subjects;
+    uint32_t *first; /* subjects that agree follow each other: where they begin, and the end */
+    const bool *shared;
     uint32_t *moved_to;
 };
 
-/* With vertices counted from the part's first, and welded. */
-static void simplify_part(const struct parts *parts, const struct geometry_part *part) {
-    uint32_t base = part->first_vertex, count = part->vertex_count;
-    const uint32_t *first = parts->weld.first;
-    const uint32_t *corner = parts->geometry->indices + part->first_index;
-    uint32_t *indices = mem_alloc(part->index_count, sizeof *indices);
-    uint32_t *moved = mem_alloc(count, sizeof *moved);
-    for (uint32_t k = 0; k < part->index_count; k++)
-        indices[k] = first[corner[k]] - base;
-    struct simplify_mesh mesh = {parts->geometry->position + base, indices,
-                                 parts->weld.shared + base, count, part->index_count};
-    float diagonal = glm_vec3_distance((float *)part->bounds_min, (float *)part->bounds_max);
-    struct simplify_desc own = *parts->desc;
-    own.error = fminf(own.error, part_fraction * diagonal);
-    simplify_mesh(&mesh, &own, moved);
-    for (uint32_t v = 0; v < count; v++)
-        parts->moved_to[base + v] = base + moved[first[base + v] - base];
-    mem_free(indices, moved);
+/* The longest image of the axes' unit vectors. */
+static float scale_of(const float world[16]) {
+    return fmaxf(glm_vec3_norm((float *)world),
+                 fmaxf(glm_vec3_norm((float *)world + 4), glm_vec3_norm((float *)world + 8)));
 }
 
-static void simplify_numbered_part(void *context, size_t number) {
-    const struct parts *parts = context;
-    const struct geometry_part *part = &parts->geometry->parts[number];
-    if (part->rigid && part->first_index < parts->geometry->opaque_index_count)
-        simplify_part(parts, part);
+/* In steps of a quarter of an octave, so that instances of nearly one size agree. */
+static float local_error(float error, float scale) {
+    return exp2f(floorf(4 * log2f(error / scale)) / 4);
+}
+
+static bool has_shared(const bool *shared, const struct geometry_part *part) {
+    return memchr(shared + part->first_vertex, true, part->vertex_count) != NULL;
+}
+
+static struct subject subject_of(const struct geometry *geometry, const struct simplify_desc *desc,
+                                 const bool *shared, const struct geometry_part *part) {
+    struct subject subject = {part, NULL, desc->error};
+    if (!desc->scene || has_shared(shared, part))
+        return subject;
+    const struct node *node = &desc->scene->nodes[part->node];
+    subject.primitive = &desc->scene->meshes[node->mesh].primitives[part->primitive];
+    subject.error = local_error(desc->error, scale_of(geometry->pose.worlds[part->node]));
+    return subject;
+}
+
+static int compare_shape(const struct subject *x, const struct subject *y) {
+    if (x->primitive != y->primitive)
+        return (uintptr_t)x->primitive < (uintptr_t)y->primitive ? -1 : 1;
+    return (x->error > y->error) - (x->error < y->error);
+}
+
+static int compare_subjects(const void *a, const void *b) {
+    const struct subject *x = a, *y = b;
+    int order = compare_shape(x, y);
+    return order ? order : (x->part > y->part) - (x->part < y->part);
+}
+
+/* In the primitive's space. */
+static float diagonal_of(const struct subject *subject) {
+    const struct primitive *primitive = subject->primitive;
+    vec3 low, high;
+    glm_vec3_copy((float *)subject->part->bounds_min, low);
+    glm_vec3_copy((float *)subject->part->bounds_max, high);
+    for (int k = 0; primitive && k < primitive->index_count; k++) {
+        float *position = primitive->position[primitive->indices[k]];
+        glm_vec3_minv(k ? low : position, position, low);
+        glm_vec3_maxv(k ? high : position, position, high);
+    }
+    return glm_vec3_distance(low, high);
+}
+
+/* Welds before it simplifies. The caller frees the result. */
+static uint32_t *move_vertices(const struct work *work, const struct subject *subject) {
+    const struct primitive *primitive = subject->primitive;
+    uint32_t base = subject->part->first_vertex, count = subject->part->vertex_count;
+    uint32_t index_count = subject->part->index_count, from = primitive ? 0 : base;
+    const uint32_t *corner = primitive ? primitive->indices
+                                       : work->geometry->indices + subject->part->first_index;
+    float(*position)[3] = primitive ? primitive->position : work->geometry->position + base;
+    uint32_t *first = mem_alloc(count, sizeof *first), *moved = mem_alloc(count, sizeof *moved);
+    uint32_t *indices = mem_alloc(index_count, sizeof *indices);
+    bool *locked = mem_alloc(count, sizeof *locked);
+    weld_vertices(position, count, first);
+    for (uint32_t v = 0; v < count; v++)
+        locked[first[v]] |= work->shared[base + v];
+    for (uint32_t k = 0; k < index_count; k++)
+        indices[k] = first[corner[k] - from];
+    struct simplify_mesh mesh = {position, indices, locked, count, index_count};
+    float most = part_fraction * diagonal_of(subject);
+    simplify_mesh(&mesh, &(struct simplify_desc){.error = fminf(subject->error, most)}, moved);
+    for (uint32_t v = 0; v < count; v++)
+        first[v] = moved[first[v]];
+    mem_free(moved, indices, locked);
+    return first;
+}
+
+static void simplify_subjects(void *context, size_t number) {
+    const struct work *work = context;
+    uint32_t *moved = move_vertices(work, &work->subjects[work->first[number]]);
+    for (uint32_t i = work->first[number]; i < work->first[number + 1]; i++) {
+        const struct geometry_part *part = work->subjects[i].part;
+        for (uint32_t v = 0; v < part->vertex_count; v++)
+            work->moved_to[part->first_vertex + v] = part->first_vertex + moved[v];
+    }
+    free(moved);
+}
+
+/* Returns how many different ones there are. */
+static uint32_t list_subjects(struct work *work, const struct simplify_desc *desc) {
+    const struct geometry *geometry = work->geometry;
+    uint32_t count = 0, different = 0;
+    for (int i = 0; i < geometry->part_count; i++) {
+        const struct geometry_part *part = &geometry->parts[i];
+        if (part->rigid && part->index_count && part->first_index < geometry->opaque_index_count)
+            work->subjects[count++] = subject_of(geometry, desc, work->shared, part);
+    }
+    qsort(work->subjects, count, sizeof *work->subjects, compare_subjects);
+    for (uint32_t i = 0; i < count; i++)
+        if (i == 0 || !work->subjects[i].primitive ||
+            compare_shape(&work->subjects[i - 1], &work->subjects[i]) != 0)
+            work->first[different++] = i;
+    work->first[different] = count;
+    return different;
 }
 
 uint32_t *simplify_geometry(const struct geometry *geometry, const struct simplify_desc *desc) {
+    size_t parts = (size_t)geometry->part_count;
     uint32_t *moved_to = mem_alloc(geometry->vertex_count, sizeof *moved_to);
     for (uint32_t v = 0; v < geometry->vertex_count; v++)
         moved_to[v] = v;
-    struct parts parts = {.geometry = geometry, .desc = desc, .moved_to = moved_to};
-    weld_init(&parts.weld, geometry);
-    parallel_for((size_t)geometry->part_count, 0, simplify_numbered_part, &parts);
-    weld_free(&parts.weld);
+    bool *shared = weld_find_shared(geometry);
+    struct work work = {
+        .geometry = geometry,
+        .subjects = mem_alloc(parts, sizeof *work.subjects),
+        .first = mem_alloc(parts + 1, sizeof *work.first),
+        .shared = shared,
+        .moved_to = moved_to,
+    };
+    parallel_for(list_subjects(&work, desc), 0, simplify_subjects, &work);
+    mem_free(shared, work.subjects, work.first);
     return moved_to;
 }

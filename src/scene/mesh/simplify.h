@@ -15,6 +15,8 @@
 struct simplify_desc {
     float error;             /* surface error, root mean square; INFINITY: unbounded */
     uint32_t triangle_count; /* least number of triangles left */
+    /* For simplify_geometry: the scene whose instances share their triangles; NULL: none do. */
+    const struct scene *scene;
 };
 
 /* Triangles with shared vertices. */
@@ -29,8 +31,8 @@ struct simplify_mesh {
 void simplify_mesh(const struct simplify_mesh *mesh, const struct simplify_desc *desc,
                    uint32_t *moved_to);
 
-/* Simplifies all parts of a geometry, small ones with a smaller error, as simplify_mesh. The caller
- * frees the result. Masked and non-rigid parts keep their triangles. Vertices shared by parts stay,
+/* Simplifies all parts of a geometry, small ones with a smaller error, as simplify_mesh. A mesh is
+ * simplified once for its instances of one size. The caller frees the result. Masked and non-rigid parts keep their triangles. Vertices shared by parts stay,
  * so that no crack opens. */
 uint32_t *simplify_geometry(const struct geometry *geometry, const struct simplify_desc *desc);
 

@@ -5,12 +5,11 @@
 
 #include "scene/mesh/geometry.h"
 
-struct weld {
-    uint32_t *first; /* for each vertex the first one of its part at its position */
-    bool *shared;    /* another part has a vertex at this position */
-};
+/* Writes for each vertex the first one at its position. */
+void weld_vertices(float (*position)[3], uint32_t count, uint32_t *first);
 
-void weld_init(struct weld *weld, const struct geometry *geometry);
-void weld_free(struct weld *weld);
+/* Returns for each vertex whether another part has one at its position. It marks this vertex and
+ * the first one of all parts at the position. The caller frees the result. */
+bool *weld_find_shared(const struct geometry *geometry);
 
 #endif
