@@ -8,8 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A small thing in a large scene keeps its shape: it strays at most so far, over its diagonal. */
-static const float part_fraction = 0.0025F;
+/* A small thing in a large scene keeps its shape: it strays at most so far, over its diagonal. In
+ * a scene of more triangles it strays farther in proportion, so that their number has a bound. */
+static const float part_fraction = 0.0025F, part_fraction_triangles = 1 << 20;
 
 /* How much more than a triangle's plane the line of a border counts. */
 static const float border_weight = 10;
@@ -390,6 +391,7 @@ struct work {
     const struct geometry *geometry;
     struct subject *subjects;
     uint32_t *first; /* subjects that agree follow each other: where they begin, and the end */
+    float fraction;
     const bool *shared;
     uint32_t *moved_to;
 };
@@ -463,7 +465,7 @@ static uint32_t *move_vertices(const struct work *work, const struct subject *su
     for (uint32_t k = 0; k < index_count; k++)
         indices[k] = first[corner[k] - from];
     struct simplify_mesh mesh = {position, indices, locked, count, index_count};
-    float most = part_fraction * diagonal_of(subject);
+    float most = work->fraction * diagonal_of(subject);
     simplify_mesh(&mesh, &(struct simplify_desc){.error = fminf(subject->error, most)}, moved);
     for (uint32_t v = 0; v < count; v++)
         first[v] = moved[first[v]];
@@ -506,10 +508,12 @@ uint32_t *simplify_geometry(const struct geometry *geometry, const struct simpli
     for (uint32_t v = 0; v < geometry->vertex_count; v++)
         moved_to[v] = v;
     bool *shared = weld_find_shared(geometry);
+    float excess = (float)geometry->index_count / (3 * part_fraction_triangles);
     struct work work = {
         .geometry = geometry,
         .subjects = mem_alloc(parts, sizeof *work.subjects),
         .first = mem_alloc(parts + 1, sizeof *work.first),
+        .fraction = part_fraction * fmaxf(1, excess),
         .shared = shared,
         .moved_to = moved_to,
     };
