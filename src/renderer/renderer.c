@@ -298,7 +298,8 @@ bool renderer_init(struct renderer *renderer, const struct renderer_desc *desc) 
     renderer->casters = caster_pool_create(desc->scene, renderer_geometry(renderer));
     timers_init(&renderer->timers, desc->timed, gl.software);
     if (renderer_plan_lights(&renderer->plan, renderer, &renderer->desc) &&
-        scene_gpu_init(&renderer->scene, desc->scene, renderer_geometry(renderer)) &&
+        scene_gpu_init(&renderer->scene, desc->scene, renderer_geometry(renderer),
+                       caster_pool_levels(renderer->casters)) &&
         (!desc->scene->environment || sky_pieces_init(&renderer->sky_pieces)) &&
         renderer_init_sampled(renderer, &renderer->plan) && init_parts(renderer, PART_ALL) &&
         buffer_init(&renderer->view_buffer, "view", sizeof renderer->camera_view, NULL) &&

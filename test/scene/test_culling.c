@@ -87,7 +87,7 @@ static void check_views(const struct stage *stage, const struct culling *culling
     look_along(&sun, stage, 1);
     look_along(&part_of_sun, stage, 3);
     struct draw_views layers = {.count = 3, .first = views, .margin = margin};
-    struct draw_views three = {3, views, sizeof *views, margin};
+    struct draw_views three = {3, views, sizeof *views, margin, 0};
     struct draw_views along = {.count = 1, .first = &sun, .margin = margin};
     struct draw_views along_part = {.count = 1, .first = &part_of_sun, .margin = margin};
     struct draw_views around = {.count = 6};

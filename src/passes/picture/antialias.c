@@ -156,6 +156,11 @@ void antialias_pass_free(struct antialias_pass *pass) {
     *pass = (struct antialias_pass){0};
 }
 
+/* Error of levels of detail, pixels: about what a sample may lie off its pixel's plane
+ * (edges.frag).
+ */
+static const float sample_error = .125F;
+
 /* The same surfaces as the G-buffer's. Where no fragment can be discarded a rasteriser is several
  * times faster, so masks go apart. */
 static void render_samples(const struct antialias_pass *pass, const struct frame *frame) {
@@ -176,6 +181,7 @@ static void render_samples(const struct antialias_pass *pass, const struct frame
     float margin =
         1 / (float)(pass->desc.width < pass->desc.height ? pass->desc.width : pass->desc.height);
     struct draw_views views = frame_camera_views(frame, pass->layers.layers, margin);
+    views.coarseness = 2 * sample_error / (float)pass->desc.width;
     scene_gpu_draw_solid(frame->scene, true, &views);
     state.cull = PASS_CULL_BACK;
     pass_set_state(&state);

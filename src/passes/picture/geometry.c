@@ -84,6 +84,9 @@ void geometry_pass_render_camera(const struct geometry_pass *pass, const struct 
     timer_end(frame->timers);
 }
 
+/* Error of levels of detail, texels. */
+static const float rsm_error = .25F;
+
 void geometry_pass_render_lights(const struct geometry_pass *pass, const struct frame *frame,
                                  const struct gbuffer rsm[LIGHT_MAP_KINDS]) {
     struct pass_state state = {
@@ -91,8 +94,10 @@ void geometry_pass_render_lights(const struct geometry_pass *pass, const struct 
     timer_begin(frame->timers, "rsm");
     for (int kind = 0; kind < LIGHT_MAP_KINDS; kind++)
         if (frame->layout.views[kind]) {
+            struct draw_views views = frame_light_views(frame, kind);
+            views.coarseness = 2 * rsm_error / (float)rsm[kind].width;
             frame_target_views(frame, state.program, kind);
-            render(state, frame, &rsm[kind], frame_light_views(frame, kind));
+            render(state, frame, &rsm[kind], views);
         }
     timer_end(frame->timers);
 }

@@ -44,6 +44,9 @@ void shadow_map_pass_free(struct shadow_map_pass *pass) {
     *pass = (struct shadow_map_pass){0};
 }
 
+/* Error of levels of detail, texels. */
+static const float map_error = .25F;
+
 static void render_kind(const struct shadow_map_pass *pass, const struct frame *frame, int kind) {
     struct pass_state state = {
         .name = "shadow map",
@@ -58,6 +61,7 @@ static void render_kind(const struct shadow_map_pass *pass, const struct frame *
     pass_set_state(&state);
     framebuffer_clear_depth(state.framebuffer, 0);
     struct draw_views views = frame_light_views(frame, kind);
+    views.coarseness = 2 * map_error / (float)state.width;
     frame_target_views(frame, state.program, kind);
     scene_gpu_draw_opaque(frame->scene, &views);
     if (frame->scene->has_masked) {

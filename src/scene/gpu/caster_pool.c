@@ -1,11 +1,16 @@
 #include "scene/gpu/caster_pool.h"
 
+#include "base/clock.h"
 #include "base/memory.h"
+#include "base/phases.h"
 #include "scene/camera.h"
 #include "scene/node.h"
 
 #include <assert.h>
 #include <stdlib.h>
+
+/* Triangles of a scene that draws all of them. */
+static const uint32_t most_without_levels = 1 << 20;
 
 struct caster_pool {
     const struct scene *scene;
@@ -18,6 +23,8 @@ struct caster_pool {
     } * first;
     struct caster_bvh tree;
     int tree_uses;
+    struct levels levels;
+    bool has_levels;
 };
 
 struct caster_pool *caster_pool_create(const struct scene *scene, const struct geometry *geometry) {
@@ -25,6 +32,15 @@ struct caster_pool *caster_pool_create(const struct scene *scene, const struct g
     pool->scene = scene;
     pool->geometry = geometry;
     return pool;
+}
+
+struct levels *caster_pool_levels(struct caster_pool *pool) {
+    double start = clock_ms();
+    if (!pool->has_levels && pool->geometry->index_count / 3 > most_without_levels)
+        levels_init(&pool->levels, pool->scene, pool->geometry);
+    phase_add(PHASE_SIMPLIFY, start);
+    pool->has_levels = true;
+    return &pool->levels;
 }
 
 static void free_unused(struct caster_pool *pool) {
@@ -44,6 +60,7 @@ void caster_pool_free(struct caster_pool *pool) {
     if (pool) {
         free_unused(pool);
         caster_bvh_free(&pool->tree);
+        levels_free(&pool->levels);
         assert(!pool->first && !pool->tree_uses);
     }
     free(pool);
@@ -73,6 +90,7 @@ static struct pooled *add(struct caster_pool *pool, const struct caster_desc *de
     free_unused(pool);
     struct caster_desc own = *desc;
     own.scene = pool->scene;
+    own.levels = pool->has_levels ? &pool->levels : NULL;
     struct camera camera;
     if (desc->error > 0 && tells_solids(pool->scene)) {
         camera_place(&camera, pool->scene, 0, 0);

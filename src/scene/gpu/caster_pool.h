@@ -8,11 +8,16 @@
 
 #include "scene/gpu/caster_gpu.h"
 #include "scene/gpu/caster_bvh.h"
+#include "scene/mesh/levels.h"
 
 struct caster_pool;
 
 /* Scene and geometry must outlive the pool. */
 struct caster_pool *caster_pool_create(const struct scene *scene, const struct geometry *geometry);
+
+/* Returns the geometry's levels of detail, made at the first call; a scene of up to 2^20 triangles
+ * has none. Casters begin with them. */
+struct levels *caster_pool_levels(struct caster_pool *pool);
 
 /* Requires that all casters are released. Accepts NULL. */
 void caster_pool_free(struct caster_pool *pool);

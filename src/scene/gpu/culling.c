@@ -75,16 +75,48 @@ static bool view_sees(const struct view *view, float margin, float (*box)[3]) {
     return true;
 }
 
+static const struct view *view_at(const struct draw_views *views, int i) {
+    return (const struct view *)((const char *)views->first + (size_t)i * views->stride);
+}
+
+static int view_count(const struct draw_views *views) {
+    return views->stride ? views->count : 1;
+}
+
 static bool views_see(const struct draw_views *views, float (*box)[3]) {
-    int count = views->stride ? views->count : 1;
     if (!views->first)
         return true;
-    for (int i = 0; i < count; i++) {
-        const char *view = (const char *)views->first + (size_t)i * views->stride;
-        if (view_sees((const struct view *)view, views->margin, box))
+    for (int i = 0; i < view_count(views); i++)
+        if (view_sees(view_at(views, i), views->margin, box))
             return true;
-    }
     return false;
+}
+
+/* Half the picture's width at the box's nearest point, metres; 0 behind the view. */
+static float half_width(const struct view *view, float (*box)[3]) {
+    float nearest = 0;
+    if (view->orthographic)
+        return glm_vec3_norm((float *)view->right);
+    for (int c = 0; c < 3; c++)
+        nearest += view->forward[c] * (box[view->forward[c] < 0][c] - view->origin[c]);
+    return fmaxf(nearest, 0) * glm_vec3_norm((float *)view->right);
+}
+
+int culling_level(const struct draw_views *views, float (*box)[3], const float *errors, int count) {
+    int coarsest = -1;
+    if (!views->first || views->coarseness <= 0)
+        return 0;
+    for (int i = 0; i < view_count(views); i++) {
+        const struct view *view = view_at(views, i);
+        if (!view_sees(view, views->margin, box))
+            continue;
+        int level = 0;
+        for (int l = 0; l < count; l++)
+            if (errors[l] <= views->coarseness * half_width(view, box))
+                level = l + 1;
+        coarsest = coarsest < 0 || level < coarsest ? level : coarsest;
+    }
+    return coarsest;
 }
 
 bool culling_next(const struct culling *culling, const struct draw_views *views, uint32_t *at,

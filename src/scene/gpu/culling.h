@@ -18,6 +18,7 @@ struct draw_views {
     const struct view *first; /* NULL: all directions, nothing is culled */
     size_t stride;            /* bytes between views; 0: all are equal */
     float margin;             /* visible margin around the picture, NDC */
+    float coarseness;         /* largest error of levels of detail, over half the picture's width */
 };
 
 void culling_init(struct culling *culling, const struct geometry *geometry);
@@ -31,5 +32,9 @@ void culling_measure(const struct culling *culling, const struct geometry *geome
  * the run. False: none. */
 bool culling_next(const struct culling *culling, const struct draw_views *views, uint32_t *at,
                   uint32_t end, uint32_t *first, uint32_t *count);
+
+/* Returns the coarsest level of detail for a box that no view shows the error of, from 1 on; 0: all
+ * triangles; -1: no view sees the box. The errors, metres, rise; INFINITY: no such level. */
+int culling_level(const struct draw_views *views, float (*box)[3], const float *errors, int count);
 
 #endif

@@ -221,15 +221,46 @@ static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry)
     gpu->has_masked = geometry->opaque_index_count < geometry->blocking_index_count;
 }
 
-static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry) {
+static void copy_level_boxes(const struct scene_gpu *gpu, const struct geometry *geometry) {
+    for (int i = 0; i < gpu->level_part_count; i++) {
+        const struct geometry_part *part = &geometry->parts[gpu->level_parts[i].part];
+        memcpy(gpu->level_boxes[i][0], part->bounds_min, sizeof part->bounds_min);
+        memcpy(gpu->level_boxes[i][1], part->bounds_max, sizeof part->bounds_max);
+    }
+}
+
+/* Indices of all triangles, and then of the levels' triangles. */
+static bool upload_indices(struct scene_gpu *gpu, const struct geometry *geometry,
+                           const struct levels *levels) {
+    size_t size = sizeof *geometry->indices, all = geometry->index_count * size;
+    size_t more = levels ? levels->index_count * size : 0;
+    if (!buffer_init_texels(&gpu->indices, GL_R32UI, "scene indices", all + more,
+                            more ? NULL : geometry->indices))
+        return false;
+    if (!more)
+        return true;
+    buffer_write(&gpu->indices, 0, all, geometry->indices);
+    buffer_write(&gpu->indices, all, more, levels->indices);
+    gpu->level_part_count = levels->part_count;
+    gpu->level_parts = mem_alloc((size_t)levels->part_count, sizeof *gpu->level_parts);
+    gpu->level_boxes = mem_alloc((size_t)levels->part_count, sizeof *gpu->level_boxes);
+    memcpy(gpu->level_parts, levels->parts, (size_t)levels->part_count * sizeof *gpu->level_parts);
+    for (int i = 0; i < levels->part_count; i++)
+        for (int l = 0; l < LEVEL_COUNT; l++)
+            gpu->level_parts[i].first[l] += geometry->index_count;
+    copy_level_boxes(gpu, geometry);
+    return true;
+}
+
+static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry,
+                          const struct levels *levels) {
     size_t count = geometry->vertex_count;
     gpu->pose = geometry->pose_count;
     copy_batches(gpu, geometry);
     if (!buffer_init_texels(&gpu->positions, GL_RGB32F, "scene positions",
                             count * sizeof *geometry->position, geometry->position) ||
         !upload_uvs(gpu, geometry) || !upload_attributes(gpu, geometry) ||
-        !buffer_init_texels(&gpu->indices, GL_R32UI, "scene indices",
-                            geometry->index_count * sizeof(uint32_t), geometry->indices))
+        !upload_indices(gpu, geometry, levels))
         return false;
     if (!caster_bvh_update(&gpu->panes, gpu->scene, geometry))
         return false;
@@ -245,8 +276,11 @@ static void free_geometry(struct scene_gpu *gpu) {
         buffer_free(&gpu->uvs[m]);
     buffers_free(&gpu->colors, &gpu->indices);
     culling_free(&gpu->culling);
-    free(gpu->batches);
+    mem_free(gpu->batches, gpu->level_parts, gpu->level_boxes);
     gpu->batches = NULL;
+    gpu->level_parts = NULL;
+    gpu->level_boxes = NULL;
+    gpu->level_part_count = 0;
 }
 
 /* Texels as the file has them, so that the path tracer has the same. */
@@ -271,11 +305,12 @@ static bool upload_slides(struct scene_gpu *gpu, const struct scene *scene) {
 }
 
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
-                    const struct geometry *geometry) {
+                    const struct geometry *geometry, struct levels *levels) {
     *gpu = (struct scene_gpu){.scene = scene, .panes.of_panes = true};
-    if (init_geometry(gpu, geometry) && upload_materials(gpu, scene) && make_blank(gpu) &&
-        upload_textures(gpu, scene) && upload_sky(gpu, scene->environment) &&
-        upload_slides(gpu, scene) &&
+    bool laid = init_geometry(gpu, geometry, levels);
+    levels_free_indices(levels);
+    if (laid && upload_materials(gpu, scene) && make_blank(gpu) && upload_textures(gpu, scene) &&
+        upload_sky(gpu, scene->environment) && upload_slides(gpu, scene) &&
         (materials_are_plain(scene) ||
          (lobes_init(&gpu->lobes) && lobe_albedos_init(&gpu->lobe_albedos))))
         return true;
@@ -334,7 +369,7 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
         write_materials(gpu);
     if (geometry->laid_out > seen) {
         free_geometry(gpu);
-        return init_geometry(gpu, geometry);
+        return init_geometry(gpu, geometry, NULL);
     }
     gpu->pose = geometry->pose_count;
     for (int i = 0; i < geometry->part_count; i++) {
@@ -346,6 +381,7 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
         if (part->moved > seen)
             culling_measure(&gpu->culling, geometry, part->first_index, part->index_room);
     }
+    copy_level_boxes(gpu, geometry);
     return caster_bvh_update(&gpu->panes, gpu->scene, geometry);
 }
 
@@ -393,6 +429,11 @@ void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
+static void draw_elements(uint32_t first, uint32_t count, const struct draw_views *views) {
+    gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
+                             (const void *)(uintptr_t)(first * sizeof(uint32_t)), views->count);
+}
+
 /* program: that of scene_gpu_draw_numbered; 0: another. */
 static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
                       const struct draw_views *views, GLuint program) {
@@ -400,14 +441,27 @@ static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t coun
     while (culling_next(&gpu->culling, views, &at, end, &first, &count)) {
         if (program)
             gl.ProgramUniform1i(program, LOCATION_FIRST_TRIANGLE, (GLint)(first / 3));
-        gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
-                                 (const void *)(uintptr_t)(first * sizeof(uint32_t)), views->count);
+        draw_elements(first, count, views);
     }
 }
 
+/* All triangles of what the views have close by, and of each other part its level. */
 static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
                          const struct draw_views *views) {
-    draw_runs(gpu, first, count, views, 0);
+    uint32_t end = first + count;
+    for (int i = 0; i < gpu->level_part_count; i++) {
+        const struct level_part *part = &gpu->level_parts[i];
+        if (part->first_index < first || part->first_index >= end)
+            continue;
+        int level = culling_level(views, gpu->level_boxes[i], part->error, LEVEL_COUNT);
+        if (level == 0)
+            continue;
+        draw_runs(gpu, first, part->first_index - first, views, 0);
+        if (level > 0)
+            draw_elements(part->first[level - 1], part->count[level - 1], views);
+        first = part->first_index + part->index_count;
+    }
+    draw_runs(gpu, first, end - first, views, 0);
 }
 
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {

@@ -9,6 +9,7 @@
 #include "scene/gpu/culling.h"
 #include "scene/lights/emitter.h"
 #include "scene/mesh/geometry.h"
+#include "scene/mesh/levels.h"
 
 struct scene_gpu {
     struct buffer positions, normals, uvs[MAPPINGS_MAX], colors, indices, materials;
@@ -27,19 +28,22 @@ struct scene_gpu {
     bool has_masked; /* batches with an alpha mask exist */
     uint32_t opaque_indices;
     struct culling culling;
+    struct level_part *level_parts; /* of struct levels; their triangles follow all in `indices` */
+    float (*level_boxes)[2][3];
+    int level_part_count;
     struct caster_bvh panes;
     unsigned pose;             /* pose of the geometry at the last upload */
     int16_t (*normal_room)[4]; /* conversion buffer of a part's normals */
     uint32_t normal_room_size;
 };
 
-/* Uploads. Error: out of GPU memory. */
+/* Uploads, and frees the indices of the levels. Error: out of GPU memory. */
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
-                    const struct geometry *geometry);
+                    const struct geometry *geometry, struct levels *levels);
 
 /* Uploads parts of the geometry that moved since the last upload. If its arrays were laid out
- * again, it uploads all into new buffers. Error: out of GPU memory; the caller must then free the
- * copy. */
+ * again, it uploads all into new buffers, without levels. Error: out of GPU memory; the caller must
+ * then free the copy. */
 bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry);
 void scene_gpu_free(struct scene_gpu *gpu);
 
@@ -51,9 +55,9 @@ void scene_gpu_set_glow(struct scene_gpu *gpu, const struct emitters *emitters, 
 /* black: smooth materials (material_smooth_kind) scatter no light, because caustics carry it. */
 void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black);
 
-/* Draw the batches that the views may see, with shaded_vertices bound. In order: all; masked;
- * unmasked with one side or two; all unmasked, for depth alone. The first two bind BLOCK_MATERIAL
- * and the textures. */
+/* Draw the batches that the views may see, in levels of detail, with shaded_vertices bound. In
+ * order: all; masked; unmasked with one side or two; all unmasked, for depth alone. The first two
+ * bind BLOCK_MATERIAL and the textures. */
 void scene_gpu_draw_shaded(const struct scene_gpu *gpu, const struct draw_views *views);
 void scene_gpu_draw_masked(const struct scene_gpu *gpu, const struct draw_views *views);
 void scene_gpu_draw_solid(const struct scene_gpu *gpu, bool double_sided,

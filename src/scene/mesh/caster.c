@@ -205,7 +205,8 @@ void caster_init(struct caster *caster, const struct geometry *geometry,
     uint32_t *moved_to =
         desc->error > 0
             ? simplify_geometry(geometry, &(struct simplify_desc){.error = caster->error,
-                                                                  .scene = desc->scene})
+                                                                  .scene = desc->scene,
+                                                                  .levels = desc->levels})
             : NULL;
     struct caster_list all;
     list_all(&all, geometry, moved_to);

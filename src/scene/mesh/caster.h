@@ -49,7 +49,8 @@ struct caster_desc {
     int long_count;
     /* A point in the open of a static scene. NULL: only metaballs that may stray count as solid. */
     const float *eye;
-    const struct scene *scene; /* whose instances share their triangles; NULL: none do */
+    const struct scene *scene;   /* whose instances share their triangles; NULL: none do */
+    const struct levels *levels; /* of the scene, to begin with; NULL: none */
 };
 
 /* Simplifies the geometry in its current pose, then separates long triangles. */

@@ -4,6 +4,7 @@
 #include "base/memory.h"
 
 #include <cglm/cglm.h>
+#include <float.h>
 #include <string.h>
 #include <stdlib.h>
 
@@ -144,6 +145,18 @@ void primitive_repair_normals(struct primitive *primitive) {
         unit_or_up(sum[i], normal);
     }
     free(sum);
+}
+
+float primitive_diagonal(const struct primitive *primitive) {
+    vec3 low, high;
+    glm_vec3_broadcast(FLT_MAX, low);
+    glm_vec3_broadcast(-FLT_MAX, high);
+    for (int k = 0; k < primitive->index_count; k++) {
+        float *position = primitive->position[primitive->indices[k]];
+        glm_vec3_minv(low, position, low);
+        glm_vec3_maxv(high, position, high);
+    }
+    return glm_vec3_distance(low, high);
 }
 
 void primitive_free(struct primitive *primitive, int target_count) {

@@ -25,6 +25,9 @@ void primitive_repair_normals(struct primitive *primitive);
 /* Normalises joint weights to sum 1. Error: a weight that is negative or not finite. */
 bool primitive_repair_weights(struct primitive *primitive);
 
+/* Returns the diagonal of the bounding box of used vertices. */
+float primitive_diagonal(const struct primitive *primitive);
+
 void primitive_free(struct primitive *primitive, int target_count);
 
 #endif

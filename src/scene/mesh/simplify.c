@@ -3,6 +3,8 @@
 #include "base/memory.h"
 #include "base/parallel.h"
 #include "base/unit.h"
+#include "scene/mesh/levels.h"
+#include "scene/mesh/primitive.h"
 #include "scene/mesh/weld.h"
 
 #include <stdlib.h>
@@ -17,6 +19,9 @@ static const float border_weight = 10;
 
 /* In one collapse no triangle turns by more than this cosine. */
 static const float least_cosine = 0.4F;
+
+/* The normal that a vertex collapses onto is within this cosine, where normals count. */
+static const float least_normal_cosine = 0.97F;
 
 /* Casters may fall back behind what they stand for, but in one collapse come before the vertex that
  * it takes away by no more than this much of the error: maps set them back as much. A face that is
@@ -38,7 +43,7 @@ struct quadric {
 };
 
 struct patch {
-    float (*position)[3];
+    float (*position)[3], (*normal)[3];
     const bool *locked;
     uint32_t (*triangles)[3];
     struct quadric *quadrics; /* of each vertex: the surface that it stands for */
@@ -205,6 +210,11 @@ static int count_border(const struct ring *ring) {
     return count;
 }
 
+static bool like_normals(const struct patch *patch, uint32_t a, uint32_t b) {
+    return !patch->normal ||
+           glm_vec3_dot(patch->normal[a], patch->normal[b]) >= least_normal_cosine;
+}
+
 /* Along a border a vertex moves along it alone. */
 static struct collapse best_collapse(const struct patch *patch, uint32_t from) {
     struct collapse best = {from, none, INFINITY};
@@ -212,13 +222,13 @@ static struct collapse best_collapse(const struct patch *patch, uint32_t from) {
     if ((patch->locked && patch->locked[from]) || !list_ring(patch, from, &ring))
         return best;
     int border = count_border(&ring);
-    if (border != 0 && border != 2)
+    if (border != 0 && (border != 2 || patch->desc.holds_borders))
         return best;
     /* In sum, so that what stands for little goes first. */
     float sum = sqrtf((float)patch->quadrics[from].weight);
     for (int i = 0; i < ring.count; i++) {
         uint32_t to = ring.items[i].vertex;
-        if (border && ring.items[i].triangles != 1)
+        if ((border && ring.items[i].triangles != 1) || !like_normals(patch, from, to))
             continue;
         float strayed = quadric_distance(&patch->quadrics[from], patch->position[to]);
         float length = glm_vec3_distance(patch->position[from], patch->position[to]);
@@ -339,6 +349,7 @@ static void patch_init(struct patch *patch, const struct simplify_mesh *mesh,
     uint32_t vertices = mesh->vertex_count, triangles = mesh->index_count / 3;
     *patch = (struct patch){
         .position = mesh->position,
+        .normal = mesh->normal,
         .locked = mesh->locked,
         .triangles = mem_alloc(triangles, sizeof *patch->triangles),
         .quadrics = mem_alloc(vertices, sizeof *patch->quadrics),
@@ -393,11 +404,11 @@ struct work {
     uint32_t *first; /* subjects that agree follow each other: where they begin, and the end */
     float fraction;
     const bool *shared;
+    const struct levels *levels;
     uint32_t *moved_to;
 };
 
-/* The longest image of the axes' unit vectors. */
-static float scale_of(const float world[16]) {
+float simplify_scale(const float world[16]) {
     return fmaxf(glm_vec3_norm((float *)world),
                  fmaxf(glm_vec3_norm((float *)world + 4), glm_vec3_norm((float *)world + 8)));
 }
@@ -418,7 +429,7 @@ static struct subject subject_of(const struct geometry *geometry, const struct s
         return subject;
     const struct node *node = &desc->scene->nodes[part->node];
     subject.primitive = &desc->scene->meshes[node->mesh].primitives[part->primitive];
-    subject.error = local_error(desc->error, scale_of(geometry->pose.worlds[part->node]));
+    subject.error = local_error(desc->error, simplify_scale(geometry->pose.worlds[part->node]));
     return subject;
 }
 
@@ -436,16 +447,10 @@ static int compare_subjects(const void *a, const void *b) {
 
 /* In the primitive's space. */
 static float diagonal_of(const struct subject *subject) {
-    const struct primitive *primitive = subject->primitive;
-    vec3 low, high;
-    glm_vec3_copy((float *)subject->part->bounds_min, low);
-    glm_vec3_copy((float *)subject->part->bounds_max, high);
-    for (int k = 0; primitive && k < primitive->index_count; k++) {
-        float *position = primitive->position[primitive->indices[k]];
-        glm_vec3_minv(k ? low : position, position, low);
-        glm_vec3_maxv(k ? high : position, position, high);
-    }
-    return glm_vec3_distance(low, high);
+    const struct geometry_part *part = subject->part;
+    return subject->primitive
+               ? primitive_diagonal(subject->primitive)
+               : glm_vec3_distance((float *)part->bounds_min, (float *)part->bounds_max);
 }
 
 /* Welds before it simplifies. The caller frees the result. */
@@ -453,8 +458,8 @@ static uint32_t *move_vertices(const struct work *work, const struct subject *su
     const struct primitive *primitive = subject->primitive;
     uint32_t base = subject->part->first_vertex, count = subject->part->vertex_count;
     uint32_t index_count = subject->part->index_count, from = primitive ? 0 : base;
-    const uint32_t *corner = primitive ? primitive->indices
-                                       : work->geometry->indices + subject->part->first_index;
+    const uint32_t *corner =
+        primitive ? primitive->indices : work->geometry->indices + subject->part->first_index;
     float(*position)[3] = primitive ? primitive->position : work->geometry->position + base;
     uint32_t *first = mem_alloc(count, sizeof *first), *moved = mem_alloc(count, sizeof *moved);
     uint32_t *indices = mem_alloc(index_count, sizeof *indices);
@@ -462,11 +467,16 @@ static uint32_t *move_vertices(const struct work *work, const struct subject *su
     weld_vertices(position, count, first);
     for (uint32_t v = 0; v < count; v++)
         locked[first[v]] |= work->shared[base + v];
+    float error = fminf(subject->error, work->fraction * diagonal_of(subject));
+    const uint32_t *begun =
+        primitive && work->levels ? levels_moved(work->levels, primitive, error / 2) : NULL;
+    for (uint32_t v = 0; v < count && begun; v++)
+        moved[v] = first[begun[v]];
+    memcpy(first, begun ? moved : first, count * sizeof *first);
     for (uint32_t k = 0; k < index_count; k++)
         indices[k] = first[corner[k] - from];
-    struct simplify_mesh mesh = {position, indices, locked, count, index_count};
-    float most = work->fraction * diagonal_of(subject);
-    simplify_mesh(&mesh, &(struct simplify_desc){.error = fminf(subject->error, most)}, moved);
+    struct simplify_mesh mesh = {position, indices, locked, count, index_count, NULL};
+    simplify_mesh(&mesh, &(struct simplify_desc){.error = error}, moved);
     for (uint32_t v = 0; v < count; v++)
         first[v] = moved[first[v]];
     mem_free(moved, indices, locked);
@@ -515,6 +525,7 @@ uint32_t *simplify_geometry(const struct geometry *geometry, const struct simpli
         .first = mem_alloc(parts + 1, sizeof *work.first),
         .fraction = part_fraction * fmaxf(1, excess),
         .shared = shared,
+        .levels = desc->levels,
         .moved_to = moved_to,
     };
     parallel_for(list_subjects(&work, desc), 0, simplify_subjects, &work);

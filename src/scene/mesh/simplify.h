@@ -15,8 +15,10 @@
 struct simplify_desc {
     float error;             /* surface error, root mean square; INFINITY: unbounded */
     uint32_t triangle_count; /* least number of triangles left */
+    bool holds_borders;      /* vertices of borders stay */
     /* For simplify_geometry: the scene whose instances share their triangles; NULL: none do. */
     const struct scene *scene;
+    const struct levels *levels; /* of the scene, to begin with (scene/mesh/levels.h); or NULL */
 };
 
 /* Triangles with shared vertices. */
@@ -25,15 +27,19 @@ struct simplify_mesh {
     const uint32_t *indices; /* 3 a triangle */
     const bool *locked;      /* fixed vertices; NULL: none */
     uint32_t vertex_count, index_count;
+    float (*normal)[3]; /* a vertex collapses only onto one of nearly its normal; NULL: onto any */
 };
+
+/* Returns the longest image of the axes' unit vectors under a world matrix. */
+float simplify_scale(const float world[16]);
 
 /* Writes for each vertex the one it collapses onto, perhaps itself. */
 void simplify_mesh(const struct simplify_mesh *mesh, const struct simplify_desc *desc,
                    uint32_t *moved_to);
 
 /* Simplifies all parts of a geometry, small ones with a smaller error, as simplify_mesh. A mesh is
- * simplified once for its instances of one size. The caller frees the result. Masked and non-rigid parts keep their triangles. Vertices shared by parts stay,
- * so that no crack opens. */
+ * simplified once for its instances of one size. The caller frees the result. Masked and non-rigid
+ * parts keep their triangles. Vertices shared by parts stay, so that no crack opens. */
 uint32_t *simplify_geometry(const struct geometry *geometry, const struct simplify_desc *desc);
 
 #endif

@@ -1,0 +1,146 @@
+/* Levels of detail: their triangles, which views choose them, and that instances have the same. */
+#include "render_support.h"
+
+#include "base/memory.h"
+#include "scene/gpu/culling.h"
+#include "scene/mesh/simplify.h"
+
+#include <cglm/cglm.h>
+
+#include <stdlib.h>
+#include <string.h>
+
+/* Adds a node with the mesh of another, moved along x and scaled by 1.5. */
+static void add_instance(struct stage *stage, int of) {
+    struct scene *scene = &stage->scene;
+    scene->nodes = mem_resize(scene->nodes, (size_t)scene->node_count + 1, sizeof *scene->nodes);
+    struct node *node = &scene->nodes[scene->node_count++];
+    *node = scene->nodes[of];
+    node->parent = of;
+    node->weights = NULL;
+    node->has_matrix = false;
+    memcpy(node->translation, (float[3]){2, 0, 0}, sizeof node->translation);
+    memcpy(node->rotation, (float[4]){0, 0, 0, 1}, sizeof node->rotation);
+    memcpy(node->scale, (float[3]){1.5F, 1.5F, 1.5F}, sizeof node->scale);
+    pose_stage(stage);
+}
+
+/* The animal of 16,976 triangles, twice. */
+static void open_twins(struct stage *stage, struct levels *levels) {
+    open_stage(stage, "scenes/cornell-animal.glb");
+    levels_init(levels, &stage->scene, &stage->geometry);
+    assert_int_equal(levels->part_count, 1);
+    int node = stage->geometry.parts[levels->parts[0].part].node;
+    levels_free(levels);
+    add_instance(stage, node);
+    levels_init(levels, &stage->scene, &stage->geometry);
+    assert_int_equal(levels->part_count, 2);
+    assert_int_equal(levels->shape_count, 1);
+}
+
+/* Whether each edge has a triangle on both sides: the sum of an antisymmetric hash of the directed
+ * edges is zero. */
+static bool is_closed(const uint32_t *indices, uint32_t count) {
+    uint64_t sum = 0;
+    for (uint32_t k = 0; k < count; k++) {
+        uint64_t a = indices[k], b = indices[k % 3 == 2 ? k - 2 : k + 1];
+        uint64_t low = a < b ? a : b, high = a ^ b ^ low;
+        uint64_t hash = (low * 0x9e3779b97f4a7c15U ^ high) * 0xc2b2ae3d27d4eb4fU;
+        sum += a < b ? hash : -hash;
+    }
+    return sum == 0;
+}
+
+/* Each level has fewer triangles and a larger error than the one before, is closed as the animal
+ * is, and the larger instance has the same triangles with errors 1.5 times as large. */
+static void test_twins(void **state) {
+    (void)state;
+    struct stage stage;
+    struct levels levels;
+    open_twins(&stage, &levels);
+    const struct level_part *part = levels.parts;
+    const struct geometry_part *parts = stage.geometry.parts;
+    uint32_t before = part->index_count, found = 0;
+    uint32_t apart = parts[part[1].part].first_vertex - parts[part[0].part].first_vertex;
+    float error = 0;
+    assert_true(is_closed(stage.geometry.indices + part->first_index, part->index_count));
+    for (int l = 0; l < LEVEL_COUNT; l++) {
+        if (isinf(part->error[l]))
+            continue;
+        assert_true(part->error[l] > error && part->count[l] < before && part->count[l] > 0);
+        assert_true(is_closed(levels.indices + part->first[l], part->count[l]));
+        check_near("error of twin over error", (double)(part[1].error[l] / part->error[l]), 1.5,
+                   1e-5);
+        assert_int_equal(part[1].count[l], part->count[l]);
+        for (uint32_t k = 0; k < part->count[l]; k++)
+            assert_int_equal(levels.indices[part[1].first[l] + k],
+                             levels.indices[part->first[l] + k] + apart);
+        before = part->count[l];
+        error = part->error[l];
+        found++;
+    }
+    assert_true(found >= 2);
+    check_at_most("triangles left", before, part->index_count / 4.);
+    levels_free(&levels);
+    stage_free(&stage);
+}
+
+/* The vertices of instances collapse onto the same ones, where the size of the mesh bounds the
+ * error. */
+static void test_casters_of_twins(void **state) {
+    (void)state;
+    struct stage stage;
+    struct levels levels;
+    open_twins(&stage, &levels);
+    const struct geometry_part *one = &stage.geometry.parts[levels.parts[0].part];
+    const struct geometry_part *other = &stage.geometry.parts[levels.parts[1].part];
+    uint32_t *moved_to = simplify_geometry(
+        &stage.geometry,
+        &(struct simplify_desc){.error = 1, .scene = &stage.scene, .levels = &levels});
+    uint32_t moved = 0;
+    for (uint32_t v = 0; v < one->vertex_count; v++) {
+        uint32_t to = moved_to[one->first_vertex + v] - one->first_vertex;
+        assert_int_equal(moved_to[other->first_vertex + v] - other->first_vertex, to);
+        moved += to != v;
+    }
+    assert_true(moved > one->vertex_count / 2);
+    free(moved_to);
+    levels_free(&levels);
+    stage_free(&stage);
+}
+
+/* Half a picture is as wide as the distance. A box from 3 to 5 m shows 1 % of half the picture as
+ * 3 cm at its nearest point. Behind the camera nothing is drawn. */
+static void test_choice(void **state) {
+    (void)state;
+    struct view near = {.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .near = .1F};
+    float box[2][3] = {{-1, -1, -5}, {1, 1, -3}}, behind[2][3] = {{-1, -1, 3}, {1, 1, 5}};
+    float ahead[2][3] = {{-1, -1, -5}, {1, 1, 1}};
+    glm_mat4_zero(near.world_to_clip);
+    near.world_to_clip[0][0] = near.world_to_clip[1][1] = 1;
+    near.world_to_clip[2][3] = -1;
+    near.world_to_clip[3][2] = near.near;
+    struct draw_views views = {.count = 1, .first = &near, .coarseness = .01F};
+    const float errors[] = {.0299F, .0301F, INFINITY};
+    assert_int_equal(culling_level(&views, box, errors, 3), 1);
+    assert_int_equal(culling_level(&views, box, errors + 1, 2), 0);
+    assert_int_equal(culling_level(&views, behind, errors, 3), -1);
+    assert_int_equal(culling_level(&views, ahead, errors, 3), 0);
+    struct view both[2] = {near, near};
+    both[1].origin[2] = 3; /* farther off */
+    struct draw_views pair = {2, both, sizeof near, 0, .01F};
+    assert_int_equal(culling_level(&pair, box, errors, 3), 1);
+    views.first = &both[1];
+    assert_int_equal(culling_level(&views, box, errors, 3), 2);
+    views.coarseness = 0;
+    assert_int_equal(culling_level(&views, behind, errors, 3), 0);
+}
+
+int main(void) {
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_twins),
+        cmocka_unit_test(test_casters_of_twins),
+        cmocka_unit_test(test_choice),
+    };
+    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
+}
