@@ -9,9 +9,6 @@
 #include <assert.h>
 #include <stdlib.h>
 
-/* Triangles of a scene that draws all of them. */
-static const uint32_t most_without_levels = 1 << 20;
-
 struct caster_pool {
     const struct scene *scene;
     const struct geometry *geometry;
@@ -34,9 +31,14 @@ struct caster_pool *caster_pool_create(const struct scene *scene, const struct g
     return pool;
 }
 
+/* Small scenes have no levels, and the casters of each part are made by themselves. */
+static bool is_large(const struct geometry *geometry) {
+    return geometry->index_count / 3 > 1 << 20;
+}
+
 struct levels *caster_pool_levels(struct caster_pool *pool) {
     double start = clock_ms();
-    if (!pool->has_levels && pool->geometry->index_count / 3 > most_without_levels)
+    if (!pool->has_levels && is_large(pool->geometry))
         levels_init(&pool->levels, pool->scene, pool->geometry);
     phase_add(PHASE_SIMPLIFY, start);
     pool->has_levels = true;
@@ -89,7 +91,7 @@ static struct pooled *add(struct caster_pool *pool, const struct caster_desc *de
     struct pooled *pooled = mem_alloc(1, sizeof *pooled);
     free_unused(pool);
     struct caster_desc own = *desc;
-    own.scene = pool->scene;
+    own.scene = is_large(pool->geometry) ? pool->scene : NULL;
     own.levels = pool->has_levels ? &pool->levels : NULL;
     struct camera camera;
     if (desc->error > 0 && tells_solids(pool->scene)) {
