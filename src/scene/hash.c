@@ -54,7 +54,8 @@ static void hash_geometry(uint64_t *sum, const struct geometry *g) {
     hash_bytes(sum, g->normal, vertices * sizeof *g->normal);
     for (int m = 0; m < g->mapping_count; m++)
         hash_bytes(sum, g->uv[m], vertices * sizeof *g->uv[m]);
-    hash_bytes(sum, g->color, vertices * sizeof *g->color);
+    for (uint32_t i = 0; i < vertices; i++)
+        hash_bytes(sum, geometry_color(g, i), sizeof *g->color);
     hash_bytes(sum, g->indices, g->index_count * sizeof *g->indices);
     for (int i = 0; i < g->batch_count; i++) {
         hash_bytes(sum, &g->batches[i].material, sizeof g->batches[i].material);

@@ -105,7 +105,7 @@ TEST(batches) {
     check_vector("greatest corner", geometry.bounds_max, 10, 1, 0, 0);
     check_vector("centre", geometry.center, 5, .5, 0, 0);
     check_near("radius", geometry.radius, sqrt(25.25), 1e-5);
-    check_near("white", geometry.color[0][3], 1, 0);
+    check_near("white", geometry_color(&geometry, 0)[3], 1, 0);
     check_near("default material", scene.materials[4].base_color[1], 1, 0);
     unload(&scene, &geometry);
 }

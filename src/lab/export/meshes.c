@@ -211,7 +211,7 @@ static vec3s vertex_color_at(const struct export_target *target, const struct ex
     (void)mesh;
     vec3s sum = glms_vec3_zero();
     for (int k = 0; k < 3; k++) {
-        const float *color = target->stage->geometry.color[corners->index[k]];
+        const float *color = geometry_color(&target->stage->geometry, corners->index[k]);
         sum = glms_vec3_muladds((vec3s){{color[0], color[1], color[2]}}, corners->weight[k], sum);
     }
     return sum;
@@ -242,11 +242,12 @@ vec3s export_emission(const struct export_target *target, const struct export_me
 
 static bool has_one_color(const struct export_target *target, const struct export_mesh *mesh) {
     const struct geometry *geometry = &target->stage->geometry;
-    const float *first = geometry->color[geometry->indices[3 * (size_t)mesh->triangles[0]]];
+    const float *first =
+        geometry_color(geometry, geometry->indices[3 * (size_t)mesh->triangles[0]]);
     for (uint32_t i = 0; i < mesh->count; i++)
         for (int k = 0; k < 3; k++) {
             uint32_t vertex = geometry->indices[3 * (size_t)mesh->triangles[i] + (size_t)k];
-            if (memcmp(geometry->color[vertex], first, 3 * sizeof *first) != 0)
+            if (memcmp(geometry_color(geometry, vertex), first, 3 * sizeof *first) != 0)
                 return false;
         }
     return true;

@@ -28,19 +28,27 @@ static void convert_normals(float (*from)[3], size_t count, int16_t (*to)[4]) {
             to[i][c] = (int16_t)lrintf(from[i][c] * 32767);
 }
 
-/* Normals as 16-bit signed, colours as 16-bit unsigned fractions, four each. */
-static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geometry) {
-    size_t count = geometry->vertex_count;
-    int16_t(*normals)[4] = mem_alloc(count, sizeof *normals);
+/* One element for all vertices, where they are alike: its attribute has no stride. */
+static uint16_t (*convert_colors(const struct geometry *geometry, size_t count))[4] {
     uint16_t(*colors)[4] = mem_alloc(count, sizeof *colors);
-    convert_normals(geometry->normal, count, normals);
     for (size_t i = 0; i < count; i++)
         for (int c = 0; c < 4; c++)
-            colors[i][c] = (uint16_t)lrintf(fminf(fmaxf(geometry->color[i][c], 0), 1) * 65535);
+            colors[i][c] = (uint16_t)lrintf(
+                fminf(fmaxf(geometry_color(geometry, (uint32_t)i)[c], 0), 1) * 65535);
+    return colors;
+}
+
+/* Normals as 16-bit signed, colours as 16-bit unsigned fractions, four each. */
+static bool upload_attributes(struct scene_gpu *gpu, const struct geometry *geometry) {
+    size_t count = geometry->vertex_count, color_count = geometry->color ? count : 1;
+    int16_t(*normals)[4] = mem_alloc(count, sizeof *normals);
+    convert_normals(geometry->normal, count, normals);
     bool ok = buffer_init_texels(&gpu->normals, GL_RGBA16I, "scene normals",
-                                 count * sizeof *normals, normals) &&
-              buffer_init(&gpu->colors, "scene colours", count * sizeof *colors, colors);
-    mem_free(normals, colors);
+                                 count * sizeof *normals, normals);
+    free(normals);
+    uint16_t(*colors)[4] = convert_colors(geometry, color_count);
+    ok = ok && buffer_init(&gpu->colors, "scene colours", color_count * sizeof *colors, colors);
+    free(colors);
     return ok;
 }
 
@@ -194,11 +202,13 @@ static bool upload_uvs(struct scene_gpu *gpu, const struct geometry *geometry) {
     bool ok = true;
     for (int m = 0; ok && m < geometry->mapping_count; m++)
         ok = buffer_init(&gpu->uvs[m], "scene uvs",
-                         geometry->vertex_count * sizeof *geometry->uv[m], geometry->uv[m]);
+                         (geometry->has_uv[m] ? geometry->vertex_count : 1) *
+                             sizeof *geometry->uv[m],
+                         geometry->uv[m]);
     return ok;
 }
 
-static void make_vertex_array(struct scene_gpu *gpu) {
+static void make_vertex_array(struct scene_gpu *gpu, const struct geometry *geometry) {
     gl.CreateVertexArrays(1, &gpu->shaded_vertices);
     vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_POSITION,
                            &(struct vertex_attribute){&gpu->positions, 3, GL_FLOAT, 12, 0});
@@ -207,9 +217,11 @@ static void make_vertex_array(struct scene_gpu *gpu) {
     for (int m = 0; m < MAPPINGS_MAX; m++)
         if (gpu->uvs[m].id)
             vertex_array_attribute(gpu->shaded_vertices, uv_attributes[m],
-                                   &(struct vertex_attribute){&gpu->uvs[m], 2, GL_FLOAT, 8, 0});
-    vertex_array_attribute(gpu->shaded_vertices, ATTRIBUTE_COLOR,
-                           &(struct vertex_attribute){&gpu->colors, 4, GL_UNSIGNED_SHORT, 8, 0});
+                                   &(struct vertex_attribute){&gpu->uvs[m], 2, GL_FLOAT,
+                                                              geometry->has_uv[m] ? 8 : 0, 0});
+    vertex_array_attribute(
+        gpu->shaded_vertices, ATTRIBUTE_COLOR,
+        &(struct vertex_attribute){&gpu->colors, 4, GL_UNSIGNED_SHORT, geometry->color ? 8 : 0, 0});
     gl.VertexArrayElementBuffer(gpu->shaded_vertices, gpu->indices.id);
 }
 
@@ -264,7 +276,7 @@ static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry
         return false;
     if (!caster_bvh_update(&gpu->panes, gpu->scene, geometry))
         return false;
-    make_vertex_array(gpu);
+    make_vertex_array(gpu, geometry);
     culling_init(&gpu->culling, geometry);
     return true;
 }

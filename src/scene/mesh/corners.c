@@ -34,10 +34,10 @@ vec3s corners_vector(const struct corners *corners, float (*vectors)[3]) {
     return sum;
 }
 
-static vec4s interpolate_color(const struct corners *corners, float (*colors)[4]) {
+static vec4s interpolate_color(const struct corners *corners, const struct geometry *geometry) {
     vec4s sum = {{0, 0, 0, 0}};
     for (int k = 0; k < 3; k++) {
-        const float *color = colors[corners->index[k]];
+        const float *color = geometry_color(geometry, corners->index[k]);
         sum = glms_vec4_muladds((vec4s){{color[0], color[1], color[2], color[3]}},
                                 corners->weight[k], sum);
     }
@@ -66,7 +66,7 @@ vec4s corners_base_color(const struct corners *corners, const struct scene *scen
                          const struct geometry *geometry, const float srgb_to_linear[256],
                          const struct material *material) {
     const float *factor = material->base_color;
-    vec4s color = glms_vec4_mul(interpolate_color(corners, geometry->color),
+    vec4s color = glms_vec4_mul(interpolate_color(corners, geometry),
                                 (vec4s){{factor[0], factor[1], factor[2], factor[3]}});
     if (material->base_color_texture < 0)
         return color;

@@ -109,6 +109,15 @@ static int count_mappings(const struct scene *scene) {
     return count;
 }
 
+static void find_attributes(struct geometry *geometry, const struct scene *scene) {
+    for (int i = 0; i < geometry->part_count; i++) {
+        const struct primitive *primitive = part_primitive(scene, &geometry->parts[i]);
+        geometry->has_color |= primitive->color && !geometry->parts[i].dynamic;
+        for (int m = 0; m < MAPPINGS_MAX; m++)
+            geometry->has_uv[m] |= primitive->uv[m] && !geometry->parts[i].dynamic;
+    }
+}
+
 /* Dynamic parts come last, so that the others' vertices stay where they are when one grows. */
 static void list_parts(struct geometry *geometry, const struct scene *scene) {
     size_t count = 0;
@@ -123,7 +132,8 @@ static void list_parts(struct geometry *geometry, const struct scene *scene) {
 
 static size_t vertex_bytes(const struct geometry *geometry) {
     return sizeof *geometry->position + sizeof *geometry->normal +
-           (size_t)geometry->mapping_count * sizeof *geometry->uv[0] + sizeof *geometry->color;
+           (size_t)geometry->mapping_count * sizeof *geometry->uv[0] +
+           (geometry->has_color ? sizeof *geometry->color : 0);
 }
 
 /* Vertices of part after part. */
@@ -211,7 +221,8 @@ static void allocate_arrays(struct geometry *geometry) {
     geometry->normal = mem_alloc(vertices, sizeof *geometry->normal);
     for (int m = 0; m < geometry->mapping_count; m++)
         geometry->uv[m] = mem_alloc(vertices, sizeof *geometry->uv[m]);
-    geometry->color = mem_alloc(vertices, sizeof *geometry->color);
+    if (geometry->has_color)
+        geometry->color = mem_alloc(vertices, sizeof *geometry->color);
     geometry->indices = mem_alloc(geometry->index_count, sizeof *geometry->indices);
 }
 
@@ -232,8 +243,9 @@ static void copy_attributes(struct geometry *geometry, const struct scene *scene
         for (int m = 0; m < MAPPINGS_MAX && !part->dynamic; m++)
             if (primitive->uv[m])
                 memcpy(geometry->uv[m][to], primitive->uv[m][i], sizeof *geometry->uv[m]);
-        memcpy(geometry->color[to],
-               primitive->color && !part->dynamic ? primitive->color[i] : white, sizeof white);
+        if (geometry->color)
+            memcpy(geometry->color[to],
+                   primitive->color && !part->dynamic ? primitive->color[i] : white, sizeof white);
     }
 }
 
@@ -458,6 +470,7 @@ static bool init(struct geometry *geometry, const struct scene *scene, double ti
     pose_init(&geometry->pose, scene);
     pose_init(&geometry->next, scene);
     list_parts(geometry, scene);
+    find_attributes(geometry, scene);
     geometry->mapping_count = count_mappings(scene);
     if (pose_in_clip(geometry, scene, time))
         return true;

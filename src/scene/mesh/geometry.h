@@ -41,7 +41,9 @@ struct geometry {
     float (*position)[3]; /* world; one spare element, because Embree reads 16 bytes a vertex */
     float (*normal)[3];   /* world, unit */
     float (*uv[MAPPINGS_MAX])[2]; /* by mapping, mapping_count of them */
-    float (*color)[4];
+    bool has_uv[MAPPINGS_MAX];    /* false: all are zero, and the untouched pages take no memory */
+    bool has_color;
+    float (*color)[4]; /* NULL without has_color: all are white */
     uint32_t *indices;
     struct geometry_batch *batches;
     int batch_count;
@@ -100,6 +102,12 @@ static inline bool geometry_has_panes(const struct geometry *geometry) {
 static inline bool geometry_part_is_pane(const struct geometry *geometry,
                                          const struct geometry_part *part) {
     return part->first_index >= geometry->blocking_index_count;
+}
+
+/* Returns the colour of a vertex, linear RGBA. */
+static inline const float *geometry_color(const struct geometry *geometry, uint32_t vertex) {
+    static const float white[4] = {1, 1, 1, 1};
+    return geometry->color ? geometry->color[vertex] : white;
 }
 
 /* Returns the number of triangles in use. */
