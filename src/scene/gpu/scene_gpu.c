@@ -441,26 +441,38 @@ void scene_gpu_set_smooth_black(struct scene_gpu *gpu, bool black) {
 
 /* --- drawing ---------------------------------------------------------------------------------- */
 
-static void draw_elements(uint32_t first, uint32_t count, const struct draw_views *views) {
-    gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
-                             (const void *)(uintptr_t)(first * sizeof(uint32_t)), views->count);
+/* llvmpipe keeps triangles in memory until they are drawn: so many at most. */
+enum { PENDING_MOST = 3 << 18 };
+
+/* pending: indices since the last end of drawing. */
+static void draw_elements(uint32_t first, uint32_t count, const struct draw_views *views,
+                          uint64_t *pending) {
+    uint32_t most = gl.software ? PENDING_MOST : UINT32_MAX;
+    for (uint32_t at = 0, next; at < count; at += next) {
+        next = count - at < most ? count - at : most;
+        gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)next, GL_UNSIGNED_INT,
+                                 (const void *)((first + (size_t)at) * sizeof(uint32_t)),
+                                 views->count);
+        *pending += (uint64_t)next * (uint64_t)views->count;
+        if (*pending > most) {
+            gl.Finish();
+            *pending = 0;
+        }
+    }
 }
 
-/* program: that of scene_gpu_draw_numbered; 0: another. */
 static void draw_runs(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
-                      const struct draw_views *views, GLuint program) {
+                      const struct draw_views *views, uint64_t *pending) {
     uint32_t at = first, end = first + count;
-    while (culling_next(&gpu->culling, views, &at, end, &first, &count)) {
-        if (program)
-            gl.ProgramUniform1i(program, LOCATION_FIRST_TRIANGLE, (GLint)(first / 3));
-        draw_elements(first, count, views);
-    }
+    while (culling_next(&gpu->culling, views, &at, end, &first, &count))
+        draw_elements(first, count, views, pending);
 }
 
 /* All triangles of what the views have close by, and of each other part its level. */
 static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t count,
                          const struct draw_views *views) {
     uint32_t end = first + count;
+    uint64_t pending = 0;
     for (int i = 0; i < gpu->level_part_count; i++) {
         const struct level_part *part = &gpu->level_parts[i];
         if (part->first_index < first || part->first_index >= end)
@@ -468,12 +480,12 @@ static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t c
         int level = culling_level(views, gpu->level_boxes[i], part->error, LEVEL_COUNT);
         if (level == 0)
             continue;
-        draw_runs(gpu, first, part->first_index - first, views, 0);
+        draw_runs(gpu, first, part->first_index - first, views, &pending);
         if (level > 0)
-            draw_elements(part->first[level - 1], part->count[level - 1], views);
+            draw_elements(part->first[level - 1], part->count[level - 1], views, &pending);
         first = part->first_index + part->index_count;
     }
-    draw_runs(gpu, first, end - first, views, 0);
+    draw_runs(gpu, first, end - first, views, &pending);
 }
 
 void scene_gpu_bind_material(const struct scene_gpu *gpu, int material) {
@@ -512,8 +524,14 @@ void scene_gpu_draw_numbered(const struct scene_gpu *gpu, const struct draw_view
                              GLuint program) {
     for (int i = 0; i < gpu->batch_count; i++) {
         const struct geometry_batch *batch = &gpu->batches[i];
+        uint32_t at = batch->first_index, end = at + batch->index_count, first, count;
         scene_gpu_bind_material(gpu, batch->material);
-        draw_runs(gpu, batch->first_index, batch->index_count, views, program);
+        while (culling_next(&gpu->culling, views, &at, end, &first, &count)) {
+            gl.ProgramUniform1i(program, LOCATION_FIRST_TRIANGLE, (GLint)(first / 3));
+            gl.DrawElementsInstanced(GL_TRIANGLES, (GLsizei)count, GL_UNSIGNED_INT,
+                                     (const void *)(uintptr_t)(first * sizeof(uint32_t)),
+                                     views->count);
+        }
     }
 }
 
