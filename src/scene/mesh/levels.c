@@ -10,7 +10,7 @@
 #include <string.h>
 
 /* Over the diagonal of the primitive. The chain of levels sums up to the last one's error. */
-static const float level_errors[LEVEL_COUNT] = {1 / 1024.F, 1 / 512.F, 1 / 256.F, 1 / 128.F};
+static const float level_errors[LEVEL_COUNT] = {1 / 512.F, 1 / 256.F, 1 / 128.F};
 
 /* A level of nearly as many triangles as the one before is none. */
 static const float most_left = .8F;

@@ -9,7 +9,7 @@
 
 #include "scene/mesh/geometry.h"
 
-enum { LEVEL_COUNT = 4 };
+enum { LEVEL_COUNT = 3 };
 
 /* A part with levels: rigid, opaque, without textures and colours, of many triangles. */
 struct level_part {
