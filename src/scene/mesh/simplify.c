@@ -288,14 +288,15 @@ static uint32_t list_collapses(struct patch *patch, struct collapse *list) {
     return count;
 }
 
-/* The cheaper half of what there is, but for what touches another. False when there is nothing, or
- * the triangles are few enough. */
+/* The cheaper half of what there is, or all where borders stay, but for what touches another. False
+ * when there is nothing, or the triangles are few enough. */
 static bool collapse_some(struct patch *patch, struct collapse *list) {
     find_around(patch);
     uint32_t count = list_collapses(patch, list);
     qsort(list, count, sizeof *list, compare_order);
     memset(patch->touched, 0, patch->vertex_count);
-    for (uint32_t i = 0; i < (count + 1) / 2 && patch->left > patch->desc.triangle_count; i++)
+    uint32_t most = patch->desc.holds_borders ? count : (count + 1) / 2;
+    for (uint32_t i = 0; i < most && patch->left > patch->desc.triangle_count; i++)
         if (!patch->touched[list[i].from] && !patch->touched[list[i].to])
             apply(patch, &list[i]);
     drop_flat(patch);
