@@ -233,17 +233,11 @@ static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry)
     gpu->has_masked = geometry->opaque_index_count < geometry->blocking_index_count;
 }
 
-static void copy_level_boxes(const struct scene_gpu *gpu, const struct geometry *geometry) {
-    for (int i = 0; i < gpu->level_part_count; i++) {
-        const struct geometry_part *part = &geometry->parts[gpu->level_parts[i].part];
-        memcpy(gpu->level_boxes[i][0], part->bounds_min, sizeof part->bounds_min);
-        memcpy(gpu->level_boxes[i][1], part->bounds_max, sizeof part->bounds_max);
-    }
-}
-
 /* Indices of all triangles, and then of the levels' triangles. */
 static bool upload_indices(struct scene_gpu *gpu, const struct geometry *geometry,
-                           const struct levels *levels) {
+                           struct levels *levels) {
+    gpu->levels = levels;
+    gpu->first_level_index = geometry->index_count;
     size_t size = sizeof *geometry->indices, all = geometry->index_count * size;
     size_t more = levels ? levels->index_count * size : 0;
     if (!buffer_init_texels(&gpu->indices, GL_R32UI, "scene indices", all + more,
@@ -253,19 +247,11 @@ static bool upload_indices(struct scene_gpu *gpu, const struct geometry *geometr
         return true;
     buffer_write(&gpu->indices, 0, all, geometry->indices);
     buffer_write(&gpu->indices, all, more, levels->indices);
-    gpu->level_part_count = levels->part_count;
-    gpu->level_parts = mem_alloc((size_t)levels->part_count, sizeof *gpu->level_parts);
-    gpu->level_boxes = mem_alloc((size_t)levels->part_count, sizeof *gpu->level_boxes);
-    memcpy(gpu->level_parts, levels->parts, (size_t)levels->part_count * sizeof *gpu->level_parts);
-    for (int i = 0; i < levels->part_count; i++)
-        for (int l = 0; l < LEVEL_COUNT; l++)
-            gpu->level_parts[i].first[l] += geometry->index_count;
-    copy_level_boxes(gpu, geometry);
     return true;
 }
 
 static bool init_geometry(struct scene_gpu *gpu, const struct geometry *geometry,
-                          const struct levels *levels) {
+                          struct levels *levels) {
     size_t count = geometry->vertex_count;
     gpu->pose = geometry->pose_count;
     copy_batches(gpu, geometry);
@@ -288,11 +274,8 @@ static void free_geometry(struct scene_gpu *gpu) {
         buffer_free(&gpu->uvs[m]);
     buffers_free(&gpu->colors, &gpu->indices);
     culling_free(&gpu->culling);
-    mem_free(gpu->batches, gpu->level_parts, gpu->level_boxes);
+    free(gpu->batches);
     gpu->batches = NULL;
-    gpu->level_parts = NULL;
-    gpu->level_boxes = NULL;
-    gpu->level_part_count = 0;
 }
 
 /* Texels as the file has them, so that the path tracer has the same. */
@@ -393,7 +376,8 @@ bool scene_gpu_update(struct scene_gpu *gpu, const struct geometry *geometry) {
         if (part->moved > seen)
             culling_measure(&gpu->culling, geometry, part->first_index, part->index_room);
     }
-    copy_level_boxes(gpu, geometry);
+    if (gpu->levels)
+        levels_measure(gpu->levels, geometry);
     return caster_bvh_update(&gpu->panes, gpu->scene, geometry);
 }
 
@@ -473,16 +457,17 @@ static void draw_indices(const struct scene_gpu *gpu, uint32_t first, uint32_t c
                          const struct draw_views *views) {
     uint32_t end = first + count;
     uint64_t pending = 0;
-    for (int i = 0; i < gpu->level_part_count; i++) {
-        const struct level_part *part = &gpu->level_parts[i];
+    for (int i = 0; gpu->levels && i < gpu->levels->part_count; i++) {
+        struct level_part *part = &gpu->levels->parts[i];
         if (part->first_index < first || part->first_index >= end)
             continue;
-        int level = culling_level(views, gpu->level_boxes[i], part->error, LEVEL_COUNT);
+        int level = culling_level(views, part->box, part->error, LEVEL_COUNT);
         if (level == 0)
             continue;
         draw_runs(gpu, first, part->first_index - first, views, &pending);
         if (level > 0)
-            draw_elements(part->first[level - 1], part->count[level - 1], views, &pending);
+            draw_elements(gpu->first_level_index + part->first[level - 1], part->count[level - 1],
+                          views, &pending);
         first = part->first_index + part->index_count;
     }
     draw_runs(gpu, first, end - first, views, &pending);

@@ -28,16 +28,16 @@ struct scene_gpu {
     bool has_masked; /* batches with an alpha mask exist */
     uint32_t opaque_indices;
     struct culling culling;
-    struct level_part *level_parts; /* of struct levels; their triangles follow all in `indices` */
-    float (*level_boxes)[2][3];
-    int level_part_count;
+    struct levels *levels; /* NULL: none; their indices follow all others in `indices` */
+    uint32_t first_level_index;
     struct caster_bvh panes;
     unsigned pose;             /* pose of the geometry at the last upload */
     int16_t (*normal_room)[4]; /* conversion buffer of a part's normals */
     uint32_t normal_room_size;
 };
 
-/* Uploads, and frees the indices of the levels. Error: out of GPU memory. */
+/* Uploads, and frees the indices of the levels, which must outlive the copy. Error: out of GPU
+ * memory. */
 bool scene_gpu_init(struct scene_gpu *gpu, const struct scene *scene,
                     const struct geometry *geometry, struct levels *levels);
 

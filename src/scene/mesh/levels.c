@@ -44,14 +44,16 @@ static uint32_t move_triangles(const uint32_t *from, uint32_t count, const uint3
             corner[c] = moved[from[k + (uint32_t)c] - base] + base;
         if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
             continue;
-        if (to)
-            memcpy(to + left, corner, sizeof corner);
+        memcpy(to + left, corner, sizeof corner);
         left += 3;
     }
     return left;
 }
 
-static void make_level(struct level_shape *shape, int level, uint32_t *indices, uint32_t *count) {
+/* count: indices of the level before, and then of this one; drawn: of the coarsest that is drawn.
+ */
+static void make_level(struct level_shape *shape, int level, uint32_t *indices, uint32_t *count,
+                       uint32_t *drawn) {
     const struct primitive *primitive = shape->primitive;
     uint32_t vertices = (uint32_t)primitive->vertex_count;
     uint32_t *moved = mem_alloc(vertices, sizeof *moved);
@@ -62,30 +64,23 @@ static void make_level(struct level_shape *shape, int level, uint32_t *indices, 
                   &(struct simplify_desc){.error = (level_errors[level] - before) * shape->diagonal,
                                           .holds_borders = true},
                   moved);
-    uint32_t left = move_triangles(indices, *count, moved, 0, NULL);
-    shape->has[level] = (float)left < most_left * (float)*count;
-    if (!shape->has[level]) {
-        free(moved);
-        return;
-    }
     *count = move_triangles(indices, *count, moved, 0, indices);
-    for (int l = level - 1; l >= 0; l--)
-        if (shape->has[l]) {
-            for (uint32_t v = 0; v < vertices; v++)
-                moved[v] = moved[shape->moved[l][v]];
-            break;
-        }
+    shape->has[level] = (float)*count < most_left * (float)*drawn;
+    if (shape->has[level])
+        *drawn = *count;
+    for (uint32_t v = 0; v < vertices && level > 0; v++)
+        moved[v] = moved[shape->moved[level - 1][v]];
     shape->moved[level] = moved;
 }
 
 static void make_shape(void *context, size_t number) {
     struct level_shape *shape = &((struct levels *)context)->shapes[number];
-    uint32_t count = (uint32_t)shape->primitive->index_count;
+    uint32_t count = (uint32_t)shape->primitive->index_count, drawn = count;
     uint32_t *indices = mem_alloc(count, sizeof *indices);
     memcpy(indices, shape->primitive->indices, count * sizeof *indices);
     shape->diagonal = primitive_diagonal(shape->primitive);
     for (int level = 0; level < LEVEL_COUNT; level++)
-        make_level(shape, level, indices, &count);
+        make_level(shape, level, indices, &count, &drawn);
     free(indices);
 }
 
@@ -149,38 +144,30 @@ static void list_parts(struct work *work) {
     for (int i = 0; i < geometry->part_count; i++) {
         const struct geometry_part *part = &geometry->parts[i];
         if (has_levels(work, part))
-            levels->parts[levels->part_count++] =
-                (struct level_part){i, part->first_index, part->index_count, {0}, {0}, {0}};
+            levels->parts[levels->part_count++] = (struct level_part){
+                .part = i, .first_index = part->first_index, .index_count = part->index_count};
     }
     qsort(levels->parts, (size_t)levels->part_count, sizeof *levels->parts, compare_parts);
     for (int i = 0; i < levels->part_count; i++)
         work->primitives[i] = primitive_of(work->scene, &geometry->parts[levels->parts[i].part]);
 }
 
-/* Counts a part's triangles by level, or writes them. */
-static void fill_part(const struct work *work, struct level_part *part, bool writes) {
-    const struct geometry *geometry = work->geometry;
-    const struct geometry_part *own = &geometry->parts[part->part];
+/* Adds its triangles by level. */
+static void add_part(const struct work *work, struct level_part *part) {
+    const struct geometry_part *own = &work->geometry->parts[part->part];
     const struct level_shape *shape = find_shape(work->levels, primitive_of(work->scene, own));
-    const uint32_t *from = geometry->indices + part->first_index;
-    float scale = simplify_scale(geometry->pose.worlds[own->node]) * shape->diagonal;
+    const uint32_t *from = work->geometry->indices + part->first_index;
+    float scale = simplify_scale(work->geometry->pose.worlds[own->node]) * shape->diagonal;
+    struct levels *levels = work->levels;
     for (int l = 0; l < LEVEL_COUNT; l++) {
         part->error[l] = shape->has[l] ? level_errors[l] * scale : INFINITY;
-        if (shape->has[l])
-            part->count[l] =
-                move_triangles(from, part->index_count, shape->moved[l], own->first_vertex,
-                               writes ? work->levels->indices + part->first[l] : NULL);
+        if (!shape->has[l])
+            continue;
+        part->first[l] = levels->index_count;
+        part->count[l] = move_triangles(from, part->index_count, shape->moved[l], own->first_vertex,
+                                        levels->indices + part->first[l]);
+        levels->index_count += part->count[l];
     }
-}
-
-static void count_part(void *context, size_t number) {
-    const struct work *work = context;
-    fill_part(work, &work->levels->parts[number], false);
-}
-
-static void write_part(void *context, size_t number) {
-    const struct work *work = context;
-    fill_part(work, &work->levels->parts[number], true);
 }
 
 /* Casters begin with it. */
@@ -191,15 +178,6 @@ static void keep_coarsest(struct level_shape *shape) {
     }
 }
 
-static void lay_out(struct levels *levels) {
-    for (int i = 0; i < levels->part_count; i++)
-        for (int l = 0; l < LEVEL_COUNT; l++) {
-            levels->parts[i].first[l] = levels->index_count;
-            levels->index_count += levels->parts[i].count[l];
-        }
-    levels->indices = mem_alloc(levels->index_count, sizeof *levels->indices);
-}
-
 void levels_init(struct levels *levels, const struct scene *scene,
                  const struct geometry *geometry) {
     *levels = (struct levels){0};
@@ -207,12 +185,24 @@ void levels_init(struct levels *levels, const struct scene *scene,
     list_parts(&work);
     list_shapes(&work);
     parallel_for((size_t)levels->shape_count, 0, make_shape, levels);
-    parallel_for((size_t)levels->part_count, 0, count_part, &work);
-    lay_out(levels);
-    parallel_for((size_t)levels->part_count, 0, write_part, &work);
+    /* Pages that no triangle fills take no memory. */
+    levels->indices =
+        mem_alloc((size_t)geometry->index_count * LEVEL_COUNT, sizeof *levels->indices);
+    for (int i = 0; i < levels->part_count; i++)
+        add_part(&work, &levels->parts[i]);
+    levels_measure(levels, geometry);
     for (int i = 0; i < levels->shape_count; i++)
         keep_coarsest(&levels->shapes[i]);
     free(work.primitives);
+}
+
+void levels_measure(struct levels *levels, const struct geometry *geometry) {
+    for (int i = 0; i < levels->part_count; i++) {
+        struct level_part *part = &levels->parts[i];
+        const struct geometry_part *own = &geometry->parts[part->part];
+        memcpy(part->box[0], own->bounds_min, sizeof own->bounds_min);
+        memcpy(part->box[1], own->bounds_max, sizeof own->bounds_max);
+    }
 }
 
 void levels_free_indices(struct levels *levels) {

@@ -17,6 +17,7 @@ struct level_part {
     uint32_t first_index, index_count;               /* of all its triangles, in the geometry */
     uint32_t first[LEVEL_COUNT], count[LEVEL_COUNT]; /* in struct levels; finest first */
     float error[LEVEL_COUNT];                        /* metres; INFINITY: no such level */
+    float box[2][3];                                 /* lower and upper corner, world, metres */
 };
 
 struct levels {
@@ -30,6 +31,9 @@ struct levels {
 
 /* Makes the levels of the geometry's current pose. */
 void levels_init(struct levels *levels, const struct scene *scene, const struct geometry *geometry);
+
+/* Follows the geometry's pose: the boxes. */
+void levels_measure(struct levels *levels, const struct geometry *geometry);
 void levels_free_indices(struct levels *levels);
 void levels_free(struct levels *levels);
 
