@@ -114,9 +114,15 @@ static bool list_ring(const struct patch *patch, uint32_t vertex, struct ring *r
     return true;
 }
 
+static uint32_t count_around(const struct patch *patch, uint32_t vertex) {
+    return patch->first[vertex + 1] - patch->first[vertex];
+}
+
+/* Of the ends, that with fewer triangles is asked: a fan may have any number around its centre. */
 static bool adjacent(const struct patch *patch, uint32_t a, uint32_t b) {
-    for (uint32_t i = patch->first[a]; i < patch->first[a + 1]; i++)
-        if (has_corner(patch->triangles[patch->around[i]], b))
+    uint32_t few = count_around(patch, a) < count_around(patch, b) ? a : b, other = a ^ b ^ few;
+    for (uint32_t i = patch->first[few]; i < patch->first[few + 1]; i++)
+        if (has_corner(patch->triangles[patch->around[i]], other))
             return true;
     return false;
 }
@@ -313,12 +319,7 @@ static void add_border(struct patch *patch, uint32_t a, uint32_t b, vec3 normal)
     add_plane(&patch->quadrics[b], upright, patch->position[a], border_weight * length);
 }
 
-static uint32_t count_around(const struct patch *patch, uint32_t vertex) {
-    return patch->first[vertex + 1] - patch->first[vertex];
-}
-
-/* Whether one triangle alone has the edge. Of the ends, that with fewer triangles is asked: a fan
- * may have any number around its centre. */
+/* Whether one triangle alone has the edge. */
 static bool is_border(const struct patch *patch, uint32_t a, uint32_t b) {
     uint32_t few = count_around(patch, a) < count_around(patch, b) ? a : b, other = a ^ b ^ few;
     int count = 0;
