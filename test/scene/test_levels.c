@@ -27,7 +27,7 @@ static void add_instance(struct stage *stage, int of) {
 
 /* The animal of 16,976 triangles, twice. */
 static void open_twins(struct stage *stage, struct levels *levels) {
-    open_stage(stage, "scenes/cornell-animal.glb");
+    *stage = open_stage("scenes/cornell-animal.glb");
     levels_init(levels, &stage->scene, &stage->geometry);
     assert_int_equal(levels->part_count, 1);
     int node = stage->geometry.parts[levels->parts[0].part].node;
