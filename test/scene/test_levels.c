@@ -53,8 +53,7 @@ static bool is_closed(const uint32_t *indices, uint32_t count) {
 
 /* Each level has fewer triangles and a larger error than the one before, is closed as the animal
  * is, and the larger instance has the same triangles with errors 1.5 times as large. */
-static void test_twins(void **state) {
-    (void)state;
+TEST(twins) {
     struct stage stage;
     struct levels levels;
     open_twins(&stage, &levels);
@@ -87,8 +86,7 @@ static void test_twins(void **state) {
 
 /* The vertices of instances collapse onto the same ones, where the size of the mesh bounds the
  * error. */
-static void test_casters_of_twins(void **state) {
-    (void)state;
+TEST(casters_of_twins) {
     struct stage stage;
     struct levels levels;
     open_twins(&stage, &levels);
@@ -111,8 +109,7 @@ static void test_casters_of_twins(void **state) {
 
 /* Half a picture is as wide as the distance. A box from 3 to 5 m shows 1 % of half the picture as
  * 3 cm at its nearest point. Behind the camera nothing is drawn. */
-static void test_choice(void **state) {
-    (void)state;
+TEST(choice) {
     struct view near = {.right = {1, 0, 0}, .up = {0, 1, 0}, .forward = {0, 0, -1}, .near = .1F};
     float box[2][3] = {{-1, -1, -5}, {1, 1, -3}}, behind[2][3] = {{-1, -1, 3}, {1, 1, 5}};
     float ahead[2][3] = {{-1, -1, -5}, {1, 1, 1}};
@@ -136,11 +133,4 @@ static void test_choice(void **state) {
     assert_int_equal(culling_level(&views, behind, errors, 3), 0);
 }
 
-int main(void) {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_twins),
-        cmocka_unit_test(test_casters_of_twins),
-        cmocka_unit_test(test_choice),
-    };
-    return cmocka_run_group_tests(tests, open_group_context, close_group_context);
-}
+RUN_TESTS(open_group_context, close_group_context)
