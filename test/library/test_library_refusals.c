@@ -67,8 +67,8 @@ static int use_in_child(struct manylight_device *device, struct manylight_scene 
     return 0;
 }
 
-/* A child does without the driver's threads: it gets errors, and may trace paths. exit() of Mesa may
- * wait for a thread of the parent, as its stack is that of a new one. */
+/* A child does without the driver's threads: it gets errors, and may trace paths. exit() of Mesa
+ * may wait for a thread of the parent, as its stack is that of a new one. */
 TEST(forked) {
     int status;
     struct manylight_device *device = open_device();
