@@ -1,8 +1,8 @@
 #!/bin/sh
 # OpenImageIO 2.4.7 leaves the EXPOSURE of a Radiance picture out of its pixels. By Radiance's manual the line says by how
 # much pixels were multiplied, and a reader divides by it to get W/(sr m2). The number is kept as metadata, hdr:exposure,
-# also in an EXR made of the picture, where no renderer looks for it. An environment map that Radiance's tools exposed
-# then lights a scene by a wrong factor, here 4.
+# where few look for it, and an EXR made of the picture lacks it. An environment map that Radiance's tools exposed then
+# lights a scene by a wrong factor, here 4.
 #
 # Seen on Debian 12 with openimageio-tools 2.4.7.1+dfsg-2:
 #     radiance .5 in the file, Pixel (0, 0): 2.000000000 2.000000000 2.000000000
