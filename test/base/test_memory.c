@@ -60,8 +60,8 @@ TEST(refusals) {
          "material 0 'wall': image 0: huge.tga: 2389.3 MiB of memory are wanted, and 2048.0 MiB "
          "are "
          "left of what the scene may take"},
-        {"2500000", "info @/huge-mesh.gltf",
-         "60000000 vertices and 60000000 indices: 2.91 GiB of memory are wanted, and "},
+        {"2000000", "info @/huge-mesh.gltf",
+         "60000000 vertices and 60000000 indices: 1.56 GiB of memory are wanted, and "},
         {"8000000", "reference scenes/cornell-box.glb --size 16384x16384 --spp 4 -o none.exr",
          "a reference of 16384x16384: 70.00 GiB of memory are wanted, and "},
     };

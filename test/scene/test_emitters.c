@@ -251,7 +251,7 @@ TEST(camera_text) {
          "camera: right points to the left of forward and up"},
         {"forward=0,1,0 up=0,2,0", "camera: up is along forward"},
         {"fov=60", "camera: fov: 60 is not between 0 and pi radians"},
-        {"eye=1,2,3 lens=5", "camera: 'lens=5' is not understood"},
+        {"eye=1,2,3 zoom=5", "camera: 'zoom=5' is not understood"},
     };
     OWNED(scene) scene;
     struct camera camera;

@@ -131,9 +131,10 @@ static void list_parts(struct geometry *geometry, const struct scene *scene) {
 }
 
 static size_t vertex_bytes(const struct geometry *geometry) {
-    return sizeof *geometry->position + sizeof *geometry->normal +
-           (size_t)geometry->mapping_count * sizeof *geometry->uv[0] +
-           (geometry->has_color ? sizeof *geometry->color : 0);
+    size_t bytes = sizeof *geometry->position + sizeof *geometry->normal;
+    for (int m = 0; m < geometry->mapping_count; m++)
+        bytes += geometry->has_uv[m] ? sizeof *geometry->uv[m] : 0;
+    return bytes + (geometry->has_color ? sizeof *geometry->color : 0);
 }
 
 /* Vertices of part after part. */
