@@ -66,6 +66,8 @@ static const struct word emitter_words[] = {
     {NULL, 0, 0, NULL},
 };
 
+enum { EMITTER_WORDS = sizeof emitter_words / sizeof *emitter_words - 1 };
+
 static bool parse_floats(const char *text, float *values, int count) {
     for (int i = 0; i < count; i++) {
         char *end;
@@ -172,13 +174,14 @@ static void append_word(const struct word *word, const void *at, char text[PLACI
         append(text, ",%.9g", (double)x[c]);
 }
 
-static void append_words(const struct word *words, const void *values, const void *before,
-                         char text[PLACING_TEXT_SIZE]) {
+/* The first `count` words. */
+static void append_words(const struct word *words, int count, const void *values,
+                         const void *before, char text[PLACING_TEXT_SIZE]) {
     bool moved = false;
     for (int i = 1; i <= FRAME_RIGHT; i++)
         moved |= memcmp((const char *)values + words[i].offset,
                         (const char *)before + words[i].offset, 3 * sizeof(float)) != 0;
-    for (int i = 0; words[i].name && words[i].count <= 8; i++) {
+    for (int i = 0; i < count; i++) {
         const void *now = (const char *)values + words[i].offset;
         const void *old = (const char *)before + words[i].offset;
         bool of_frame = i >= 1 && i <= FRAME_RIGHT;
@@ -425,7 +428,7 @@ void camera_to_text(const struct camera *camera, const struct scene *scene, int 
     struct camera before;
     camera_place(&before, scene, n, time);
     snprintf(text, PLACING_TEXT_SIZE, "%d", n);
-    append_words(camera_words, camera, &before, text);
+    append_words(camera_words, WORD_INTRINSICS, camera, &before, text);
 }
 
 char *emitters_to_text(const struct emitters *emitters, const struct scene *scene, double time) {
@@ -438,7 +441,7 @@ char *emitters_to_text(const struct emitters *emitters, const struct scene *scen
         char changes[PLACING_TEXT_SIZE] = "";
         if (light->number >= 0)
             before = placed.items[light->number];
-        append_words(emitter_words, light, &before, changes);
+        append_words(emitter_words, EMITTER_WORDS, light, &before, changes);
         bool apart = *changes || light->number < 0;
         text_print(&text, "%s", apart && i ? "; " : separator);
         if (light->number < 0)
