@@ -206,20 +206,22 @@ static void begin(struct renderer *renderer, struct stage *stage, const struct s
 }
 
 static void make_scene(const char *path, bool thorough) {
-    OWNED(stage) stage;
-    OWNED(renderer) renderer;
+    struct stage stage;
+    struct renderer renderer;
     begin(&renderer, &stage, &(struct stage_desc){.path = path});
     for (const struct technique *const *t = techniques; *t; t++)
         make_technique(&renderer, *t, thorough);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         make_direct(&renderer, *d, thorough);
+    renderer_free(&renderer);
+    stage_free(&stage);
 }
 
 /* Spots may have slides: of one white texel. */
 static void make_with_slides(const char *path) {
     unsigned char white[4] = {255, 255, 255, 255};
-    OWNED(stage) stage;
-    OWNED(renderer) renderer;
+    struct stage stage;
+    struct renderer renderer;
     check(stage_init(&stage, &(struct stage_desc){.path = path}), path);
     stage.scene.slides = mem_alloc(1, sizeof *stage.scene.slides);
     stage.scene.slide_count = 1;
@@ -230,13 +232,15 @@ static void make_with_slides(const char *path) {
         make_technique(&renderer, *t, false);
     for (const struct direct_method *const *d = direct_methods; *d; d++)
         make_direct(&renderer, *d, false);
+    renderer_free(&renderer);
+    stage_free(&stage);
 }
 
 /* More lights than have maps. */
 static void make_with_many_lights(const char *path) {
     enum { COUNT = 17 };
-    OWNED(stage) stage;
-    OWNED(renderer) renderer;
+    struct stage stage;
+    struct renderer renderer;
     check(stage_init(&stage, &(struct stage_desc){.path = path}), path);
     struct emitter first = stage.emitters.items[0];
     stage.emitters.items = mem_resize(stage.emitters.items, COUNT, sizeof first);
@@ -246,18 +250,22 @@ static void make_with_many_lights(const char *path) {
     init(&renderer, &stage);
     for (const struct technique *const *t = techniques; *t; t++)
         make_technique(&renderer, *t, false);
+    renderer_free(&renderer);
+    stage_free(&stage);
 }
 
 /* Its glass and fog beside an environment. Glass reflects a part diffusely. */
 static void make_under_sky(const char *path) {
-    OWNED(stage) stage;
-    OWNED(renderer) renderer;
+    struct stage stage;
+    struct renderer renderer;
     check(stage_init(&stage, &(struct stage_desc){.path = path, .environment = {"scenes/day.hdr"}}),
           path);
     for (int m = 0; m < stage.scene.material_count; m++)
         stage.scene.materials[m].transmission *= .8F;
     init(&renderer, &stage);
     make_progressive(&renderer, renderer.desc);
+    renderer_free(&renderer);
+    stage_free(&stage);
 }
 
 int main(int argc, char **argv) {
