@@ -145,7 +145,7 @@ const struct step many_lights_steps[] = {
     {STEP_FINISH, "near field", "gather.clamp=near", MADE(near_field.program), add_near_field},
     {STEP_FINISH, "adaptive near field", "gather.adaptive>0, gather.clamp=near",
      MADE(near_field.adaptive_program), add_adaptive_near_field},
-    {STEP_FINISH, "near field, sampled", "gather.clamp=near, more than 16 lights",
+    {STEP_FINISH, "near field, sampled", "gather.clamp=near, sampled lights",
      MADE(near_sampled.program), add_sampled},
     {STEP_FINISH, "blur", "gather.interleave>1", MADE(blur.pack_program), blur_irradiance},
     {STEP_FINISH, "specular rays", "gather.specular=rays, specular surfaces",
