@@ -31,6 +31,12 @@ class Parts:
         return {"attributes": attributes, "material": mesh.material, "indices": indices}
 
 
+def quad(corner, right, up, material=0):
+    """A rectangle, seen from where `right` turns to `up` counter-clockwise."""
+    corner, right, up = (np.array(v, float) for v in (corner, right, up))
+    return manylight.Mesh([corner, corner + right, corner + right + up, corner + up], [[0, 1, 2], [0, 2, 3]], material=material)
+
+
 def glb(meshes, materials, **more):
     """The bytes of a GLB: manylight.Mesh, and materials and other members as glTF's JSON."""
     parts = Parts()

@@ -9,16 +9,9 @@ import math
 import os
 import sys
 
-from glb import glb
-from manylight import Mesh
+from glb import glb, quad
 
 FLOOR, WALLS, CEILING, LAMP, MIRROR = range(5)
-
-
-def quad(corner, right, up, material):
-    (a, b, c), (d, e, f), (g, h, i) = corner, right, up
-    return Mesh([corner, (a + d, b + e, c + f), (a + d + g, b + e + h, c + f + i), (a + g, b + h, c + i)],
-                [[0, 1, 2], [0, 2, 3]], material=material)
 
 
 def partition(x, near, far):

@@ -12,8 +12,8 @@ import numpy as np
 import furnace
 import manylight
 from furnace import plate_passes
-from glb import open_glb
-from manylight import Camera, Light, Material, Mesh
+from glb import open_glb, quad
+from manylight import Camera, Light, Material
 
 TEXELS = 40  # a metre; 8 where a mean counts
 WALL_HEIGHTS = (2.75, 2.25, 1.75, 1.25, .75, .25)
@@ -26,12 +26,6 @@ TECHNIQUES = sorted(["clustered, path=maps", "clustered, path=paper"] + [
 MARCHES = {.2: 8, .5: 16, .7: 24}
 TECHNIQUES = ("clustered", "clustered, path=maps", "clustered, path=paper", "instant-radiosity", "lightcuts", "row-column",
               "cluster-lights", "imperfect-shadow-maps", "imperfect-volume", "implicit-visibility")
-
-
-def quad(corner, right, up, material=0):
-    """A rectangle, seen from where `right` turns to `up` counter-clockwise."""
-    corner, right, up = (np.array(v, float) for v in (corner, right, up))
-    return Mesh([corner, corner + right, corner + right + up, corner + up], [[0, 1, 2], [0, 2, 3]], material=material)
 
 
 def box(low, high, material=0):

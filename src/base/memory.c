@@ -127,6 +127,11 @@ void *mem_resize(void *pointer, size_t count, size_t size) {
     return checked(resized, count, size);
 }
 
+void *mem_copy(const void *elements, size_t count, size_t size) {
+    void *to = elements ? mem_resize(NULL, count, size) : NULL;
+    return to ? memcpy(to, elements, count * size) : NULL;
+}
+
 char *mem_strdup(const char *text) {
     size_t size = strlen(text) + 1;
     return memcpy(mem_alloc(size, 1), text, size);

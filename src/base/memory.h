@@ -50,6 +50,9 @@ void *mem_resize(void *pointer, size_t count, size_t size);
 /* Frees each pointer with free(). */
 #define mem_free(...) MEM_EACH(void, free, __VA_ARGS__)
 
+/* Returns a copy of an array, or NULL for NULL; the caller frees it. */
+void *mem_copy(const void *elements, size_t count, size_t size);
+
 /* Return allocated text; the caller frees it. */
 char *mem_strdup(const char *text);
 char *mem_printf(const char *format, ...) __attribute__((format(printf, 1, 2)));

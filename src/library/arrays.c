@@ -9,6 +9,7 @@
 #include "library/scene.h"
 #include "scene/material.h"
 #include "scene/mesh/primitive.h"
+#include "scene/node.h"
 #include "scene/read_rules.h"
 #include "scene/texture.h"
 
@@ -16,24 +17,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool is_zero(const float *values, int count) {
-    for (int i = 0; i < count; i++)
-        if (values[i] != 0)
-            return false;
-    return true;
-}
-
-/* Adds a node with the identity as its transform. */
 static struct node *add_node(struct scene *scene) {
     struct node *node = &scene->nodes[scene->node_count++];
-    *node = (struct node){.parent = -1,
-                          .mesh = -1,
-                          .light = -1,
-                          .camera = -1,
-                          .skin = -1,
-                          .metaballs = -1,
-                          .rotation = {0, 0, 0, 1},
-                          .scale = {1, 1, 1}};
+    *node = node_new();
     return node;
 }
 
@@ -44,7 +30,7 @@ static bool aim_node(struct node *node, const float eye[3], const float directio
     vec3 above, right, up, forward;
     vec3_unit_to((float *)direction, forward);
     glm_vec3_copy((float *)wanted, above);
-    if (is_zero(above, 3))
+    if (desc_is_zero(above, 3))
         above[fabsf(forward[1]) > .999F ? 2 : 1] = 1;
     vec3_unit_cross(forward, above, right);
     glm_vec3_cross(right, forward, up);
@@ -52,7 +38,7 @@ static bool aim_node(struct node *node, const float eye[3], const float directio
                             -forward[0], -forward[1], -forward[2], 0, eye[0], eye[1], eye[2], 1};
     node->has_matrix = true;
     memcpy(node->matrix, matrix, sizeof matrix);
-    return !is_zero(right, 3) || error_set("up is along %s", name);
+    return !desc_is_zero(right, 3) || error_set("up is along %s", name);
 }
 
 /* --- meshes ----------------------------------------------------------------------------------- */
@@ -65,7 +51,7 @@ static bool check_vertices(const struct manylight_mesh *mesh) {
         const float *color = mesh->colors ? mesh->colors + 4 * v : NULL;
         const float *uv = mesh->uvs ? mesh->uvs + 2 * v : NULL;
         ok = (!normal || desc_check_all("normals", normal, 3, -INFINITY, INFINITY)) &&
-             (!normal || !is_zero(normal, 3) || error_set("normals: it has no length")) &&
+             (!normal || !desc_is_zero(normal, 3) || error_set("normals: it has no length")) &&
              (!color || desc_check_all("colors", color, 4, 0, SHARE_MOST)) &&
              (!uv || desc_check_all("uvs", uv, 2, -INFINITY, INFINITY));
         ok = ok || error_prefix("vertex %zu", v);
@@ -85,23 +71,16 @@ static bool check_mesh(const struct manylight_mesh *mesh) {
            check_vertices(mesh);
 }
 
-static void *copy(const void *elements, size_t count, size_t size) {
-    void *to = elements ? mem_alloc(count, size) : NULL;
-    if (to)
-        memcpy(to, elements, count * size);
-    return to;
-}
-
 static bool fill_primitive(struct primitive *to, const struct manylight_mesh *mesh,
                            bool has_picture) {
     size_t count = mesh->vertex_count;
     to->vertex_count = (int)count;
-    to->position = copy(mesh->positions, count, sizeof *to->position);
-    to->normal = copy(mesh->normals, count, sizeof *to->normal);
-    to->uv[0] = has_picture ? copy(mesh->uvs, count, sizeof *to->uv[0]) : NULL;
-    to->color = copy(mesh->colors, count, sizeof *to->color);
+    to->position = mem_copy(mesh->positions, count, sizeof *to->position);
+    to->normal = mem_copy(mesh->normals, count, sizeof *to->normal);
+    to->uv[0] = has_picture ? mem_copy(mesh->uvs, count, sizeof *to->uv[0]) : NULL;
+    to->color = mem_copy(mesh->colors, count, sizeof *to->color);
     to->index_count = (int)(mesh->indices ? mesh->index_count : count);
-    to->indices = mesh->indices ? copy(mesh->indices, mesh->index_count, sizeof *to->indices)
+    to->indices = mesh->indices ? mem_copy(mesh->indices, mesh->index_count, sizeof *to->indices)
                                 : mem_alloc(count, sizeof *to->indices);
     for (size_t i = 0; !mesh->indices && i < count; i++)
         to->indices[i] = (uint32_t)i;
@@ -187,7 +166,7 @@ bool arrays_set_material(struct material *to, const struct manylight_material *m
     static const float white[4] = {1, 1, 1, 1};
     if (!check_material(material))
         return false;
-    memcpy(to->base_color, is_zero(material->base_color, 4) ? white : material->base_color,
+    memcpy(to->base_color, desc_is_zero(material->base_color, 4) ? white : material->base_color,
            sizeof to->base_color);
     to->metalness = material->metalness;
     to->roughness = material->roughness == 0                ? 1
@@ -265,20 +244,21 @@ static bool fill_light(struct scene *scene, const struct manylight_scene_desc *d
     to->size[0] = light.extent[0];
     to->size[1] = is_area || is_spot ? light.extent[1] : 0;
     fill_intensity(&light, to);
-    if (is_zero(light.direction, 3))
+    if (desc_is_zero(light.direction, 3))
         light.direction[1] = -1;
     return desc_check_all("intensity", to->intensity, 3, 0, (double)SCENE_LIGHT_MOST) &&
            aim_node(node, light.position, light.direction, light.up, "direction");
 }
 
 static bool check_scene_camera(const struct manylight_camera *camera, const struct node *node) {
-    if (!is_zero(camera->right, 3) &&
+    if (!desc_is_zero(camera->right, 3) &&
         glm_vec3_distance((float *)camera->right, (float *)node->matrix) > 2e-3F)
         return error_set("right is not that of forward and up");
     if (camera->lens != MANYLIGHT_LENS_PINHOLE || camera->skew != 0 ||
-        !is_zero(camera->distortion, 8))
+        !desc_is_zero(camera->distortion, 8))
         return error_set("lens, skew and distortion: for cameras of views, not of scenes");
-    return is_zero(camera->shift, 2) || error_set("shift: for cameras of views, not of scenes");
+    return desc_is_zero(camera->shift, 2) ||
+           error_set("shift: for cameras of views, not of scenes");
 }
 
 static bool fill_camera(struct scene *scene, const struct manylight_scene_desc *desc, size_t i) {
@@ -286,7 +266,7 @@ static bool fill_camera(struct scene *scene, const struct manylight_scene_desc *
     if (!desc_take_element(&camera, sizeof camera, desc->cameras, i, "manylight_camera") ||
         !check_camera(&camera))
         return false;
-    if (is_zero(camera.forward, 3))
+    if (desc_is_zero(camera.forward, 3))
         camera.forward[2] = -1;
     struct scene_camera *to = &scene->cameras[scene->camera_count++];
     struct node *node = add_node(scene);

@@ -14,15 +14,10 @@
 
 /* --- the lists of before ---------------------------------------------------------------------- */
 
-static void *copy(const void *list, int count, size_t size) {
-    void *to = mem_alloc((size_t)count, size);
-    return count > 0 ? memcpy(to, list, (size_t)count * size) : to;
-}
-
 static void copy_lists(const struct scene *from, struct scene *to) {
-    to->nodes = copy(from->nodes, from->node_count, sizeof *from->nodes);
-    to->lights = copy(from->lights, from->light_count, sizeof *from->lights);
-    to->cameras = copy(from->cameras, from->camera_count, sizeof *from->cameras);
+    to->nodes = mem_copy(from->nodes, (size_t)from->node_count, sizeof *from->nodes);
+    to->lights = mem_copy(from->lights, (size_t)from->light_count, sizeof *from->lights);
+    to->cameras = mem_copy(from->cameras, (size_t)from->camera_count, sizeof *from->cameras);
     to->node_count = from->node_count;
     to->light_count = from->light_count;
     to->camera_count = from->camera_count;

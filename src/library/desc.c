@@ -65,3 +65,10 @@ bool desc_check_all(const char *member, const float *numbers, int count, double 
         ok = desc_check(member, (double)numbers[i], least, most);
     return ok;
 }
+
+bool desc_is_zero(const float *numbers, int count) {
+    for (int i = 0; i < count; i++)
+        if (numbers[i] != 0)
+            return false;
+    return true;
+}

@@ -25,6 +25,9 @@ bool desc_check(const char *member, double number, double least, double most);
 /* Checks each of count numbers. */
 bool desc_check_all(const char *member, const float *numbers, int count, double least, double most);
 
+/* True if all numbers are 0, which a caller leaves to the library. */
+bool desc_is_zero(const float *numbers, int count);
+
 /* Largest accepted value of a fraction: computed fractions may round above 1. Messages print 1. */
 #define SHARE_MOST 1.0001
 

@@ -242,10 +242,6 @@ void loan_return(struct loan *loan) {
 
 /* --- cameras ---------------------------------------------------------------------------------- */
 
-static bool is_zero(const float vector[3]) {
-    return vector[0] == 0 && vector[1] == 0 && vector[2] == 0;
-}
-
 bool check_camera(const struct manylight_camera *camera) {
     return desc_check_all("eye", camera->eye, 3, -INFINITY, INFINITY) &&
            desc_check_all("forward", camera->forward, 3, -INFINITY, INFINITY) &&
@@ -272,9 +268,9 @@ static bool place_camera(struct camera *to, const struct manylight_camera *given
         return false;
     if (!check_camera(&camera))
         return refuse_camera();
-    if (is_zero(camera.forward))
+    if (desc_is_zero(camera.forward, 3))
         camera.forward[2] = -1;
-    if (is_zero(camera.up))
+    if (desc_is_zero(camera.up, 3))
         camera.up[1] = 1;
     bool orthographic = camera.fov_y == 0 && camera.y_extent > 0;
     *to = (struct camera){.orthographic = orthographic,
@@ -289,7 +285,7 @@ static bool place_camera(struct camera *to, const struct manylight_camera *given
                           .skew = camera.skew};
     memcpy(to->distortion, camera.distortion, sizeof to->distortion);
     camera_look(to, camera.eye, camera.forward, camera.up);
-    if (!is_zero(camera.right)) {
+    if (!desc_is_zero(camera.right, 3)) {
         take_vector(to->right, camera.right);
         take_vector(to->up, camera.up);
         take_vector(to->forward, camera.forward);

@@ -41,8 +41,6 @@ void scene_leave(const struct manylight_scene *scene);
 /* Keep copies of the lists, and free them. */
 void original_keep(struct original *original, const struct scene *scene);
 void original_free(struct original *original);
-void original_free(struct original *original);
-void original_restore(const struct original *original, struct scene *scene);
 
 /* Writes the scene's info. */
 void scene_describe(struct manylight_scene *scene);

@@ -18,8 +18,7 @@ static double sum_of(const float *values, size_t count) {
 static const double most = 0.99;
 
 static float threshold_of(const float *errors, size_t count) {
-    float *sorted = mem_alloc(count, sizeof *sorted);
-    memcpy(sorted, errors, count * sizeof *sorted);
+    float *sorted = mem_copy(errors, count, sizeof *sorted);
     float threshold = quantile(sorted, count, most);
     free(sorted);
     return threshold;

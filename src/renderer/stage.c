@@ -60,10 +60,8 @@ bool stage_find_motion(struct stage *stage, double time, double step,
     bool ok = true;
     *motion = (struct surface_motion){.positions = {NULL}};
     memcpy(parts, geometry->parts, (size_t)geometry->part_count * sizeof *parts);
-    for (int i = 0; i < 2; i++) {
-        motion->positions[i] = mem_alloc(bytes, 1);
-        memcpy(motion->positions[i], geometry->position, bytes);
-    }
+    for (int i = 0; i < 2; i++)
+        motion->positions[i] = mem_copy(geometry->position, bytes, 1);
     for (int i = 0; ok && i < 2; i++) {
         double then = fmax(0, i == 0 ? time + step : time - step);
         ok = geometry_pose(geometry, &stage->scene, then) &&

@@ -82,11 +82,9 @@ static bool is_of_reflection(const struct channel *channel) {
 
 /* Runs over the channels of all clips, whether they play or not. */
 static void keep_material(struct scene *scene, const struct channel *channel) {
-    if (!scene->still_materials) {
-        size_t size = (size_t)scene->material_count * sizeof *scene->materials;
-        scene->still_materials = mem_alloc(1, size);
-        memcpy(scene->still_materials, scene->materials, size);
-    }
+    if (!scene->still_materials)
+        scene->still_materials =
+            mem_copy(scene->materials, (size_t)scene->material_count, sizeof *scene->materials);
     struct material *material = &scene->materials[channel->target];
     material->is_animated = true;
     material->may_shine |= is_of_reflection(channel);

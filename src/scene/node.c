@@ -10,6 +10,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+struct node node_new(void) {
+    return (struct node){.parent = -1,
+                         .mesh = -1,
+                         .light = -1,
+                         .camera = -1,
+                         .skin = -1,
+                         .metaballs = -1,
+                         .rotation = {0, 0, 0, 1},
+                         .scale = {1, 1, 1}};
+}
+
 /* A local transform; of a node with a matrix only that counts. */
 struct trs {
     float translation[3], rotation[4], scale[3];

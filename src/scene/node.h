@@ -5,6 +5,9 @@
 
 #include "scene/scene.h"
 
+/* Returns a root without contents, at the origin. */
+struct node node_new(void);
+
 /* Contents of a node. */
 enum node_kind { NODE_MESH, NODE_LIGHT, NODE_CAMERA };
 

@@ -1,6 +1,7 @@
 #include "scene/stand_in.h"
 
 #include "base/memory.h"
+#include "scene/node.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -77,13 +78,8 @@ static void make_mesh(struct scene *scene, const struct scene *like,
     free(used);
     scene->node_count = 1;
     scene->nodes = mem_alloc(1, sizeof *scene->nodes);
-    *scene->nodes = (struct node){.parent = -1,
-                                  .light = -1,
-                                  .camera = -1,
-                                  .skin = -1,
-                                  .metaballs = -1,
-                                  .rotation = {0, 0, 0, 1},
-                                  .scale = {1, 1, 1}};
+    *scene->nodes = node_new();
+    scene->nodes->mesh = 0;
 }
 
 void stand_in_init(struct stand_in *stand_in, const struct scene *scene,
@@ -95,9 +91,8 @@ void stand_in_init(struct stand_in *stand_in, const struct scene *scene,
         own->environment = &stand_in->sky;
     }
     own->material_count = scene->material_count;
-    own->materials = mem_alloc((size_t)scene->material_count, sizeof *own->materials);
-    memcpy(own->materials, scene->materials,
-           (size_t)scene->material_count * sizeof *own->materials);
+    own->materials =
+        mem_copy(scene->materials, (size_t)scene->material_count, sizeof *own->materials);
     make_textures(own, scene);
     make_mesh(own, scene, geometry);
     if (scene->surface_count > 0) { /* whether anything shines is known when programs are made */

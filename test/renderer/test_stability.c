@@ -3,6 +3,7 @@
 #include "render_support.h"
 
 #include "base/memory.h"
+#include "scene/node.h"
 #include "scene/recentre.h"
 
 #include <stdio.h>
@@ -24,14 +25,7 @@ static void move_away(struct scene *scene, const float translation[3]) {
     memmove(scene->nodes + 1, scene->nodes, (size_t)scene->node_count++ * sizeof *scene->nodes);
     for (int i = 1; i < scene->node_count; i++)
         scene->nodes[i].parent++;
-    scene->nodes[0] = (struct node){.parent = -1,
-                                    .mesh = -1,
-                                    .light = -1,
-                                    .camera = -1,
-                                    .skin = -1,
-                                    .metaballs = -1,
-                                    .rotation = {0, 0, 0, 1},
-                                    .scale = {1, 1, 1}};
+    scene->nodes[0] = node_new();
     memcpy(scene->nodes[0].translation, translation, sizeof scene->nodes[0].translation);
 }
 

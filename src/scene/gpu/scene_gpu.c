@@ -227,8 +227,7 @@ static void make_vertex_array(struct scene_gpu *gpu, const struct geometry *geom
 
 static void copy_batches(struct scene_gpu *gpu, const struct geometry *geometry) {
     gpu->batch_count = geometry->blocking_batch_count;
-    gpu->batches = mem_alloc((size_t)geometry->batch_count, sizeof *gpu->batches);
-    memcpy(gpu->batches, geometry->batches, (size_t)geometry->batch_count * sizeof *gpu->batches);
+    gpu->batches = mem_copy(geometry->batches, (size_t)geometry->batch_count, sizeof *gpu->batches);
     gpu->opaque_indices = geometry->opaque_index_count;
     gpu->has_masked = geometry->opaque_index_count < geometry->blocking_index_count;
 }

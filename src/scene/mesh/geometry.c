@@ -24,11 +24,6 @@ struct geometry_balls {
     struct surface surface;
 };
 
-static const struct primitive *part_primitive(const struct scene *scene,
-                                              const struct geometry_part *part) {
-    return &scene->meshes[scene->nodes[part->node].mesh].primitives[part->primitive];
-}
-
 /* --- parts ------------------------------------------------------------------------------------ */
 
 static struct surface *part_surface(const struct geometry *geometry, const struct scene *scene,
@@ -44,7 +39,7 @@ static uint32_t room(uint32_t count) {
 /* Sets the counts and makes sure of the room. */
 static void size_part(const struct geometry *geometry, const struct scene *scene,
                       struct geometry_part *part) {
-    const struct primitive *primitive = part_primitive(scene, part);
+    const struct primitive *primitive = geometry_primitive(scene, part);
     if (!part->dynamic) {
         part->vertex_count = part->vertex_room = (uint32_t)primitive->vertex_count;
         part->index_count = part->index_room = (uint32_t)primitive->index_count;
@@ -111,7 +106,7 @@ static int count_mappings(const struct scene *scene) {
 
 static void find_attributes(struct geometry *geometry, const struct scene *scene) {
     for (int i = 0; i < geometry->part_count; i++) {
-        const struct primitive *primitive = part_primitive(scene, &geometry->parts[i]);
+        const struct primitive *primitive = geometry_primitive(scene, &geometry->parts[i]);
         geometry->has_color |= primitive->color && !geometry->parts[i].dynamic;
         for (int m = 0; m < MAPPINGS_MAX; m++)
             geometry->has_uv[m] |= primitive->uv[m] && !geometry->parts[i].dynamic;
@@ -190,7 +185,8 @@ static void lay_batches(struct geometry *geometry, const struct scene *scene) {
     } *keys = mem_alloc((size_t)scene->material_count * 2, sizeof *keys);
     for (int i = 0; i < geometry->part_count; i++) {
         const struct geometry_part *part = &geometry->parts[i];
-        keys[2 * part_primitive(scene, part)->material + part->dynamic].count += part->index_room;
+        keys[2 * geometry_primitive(scene, part)->material + part->dynamic].count +=
+            part->index_room;
     }
     geometry->batch_count = 0;
     uint32_t first = 0;
@@ -209,7 +205,7 @@ static void lay_batches(struct geometry *geometry, const struct scene *scene) {
     find_blocking(geometry, scene);
     for (int i = 0; i < geometry->part_count; i++) {
         struct geometry_part *part = &geometry->parts[i];
-        struct key *key = &keys[2 * part_primitive(scene, part)->material + part->dynamic];
+        struct key *key = &keys[2 * geometry_primitive(scene, part)->material + part->dynamic];
         part->first_index = key->next;
         key->next += part->index_room;
     }
@@ -238,7 +234,7 @@ static void free_arrays(struct geometry *geometry) {
 static void copy_attributes(struct geometry *geometry, const struct scene *scene,
                             const struct geometry_part *part) {
     static const float white[4] = {1, 1, 1, 1};
-    const struct primitive *primitive = part_primitive(scene, part);
+    const struct primitive *primitive = geometry_primitive(scene, part);
     for (uint32_t i = 0; i < part->vertex_room; i++) {
         uint32_t to = part->first_vertex + i;
         for (int m = 0; m < MAPPINGS_MAX && !part->dynamic; m++)
@@ -287,7 +283,7 @@ static void fill_indices(struct geometry *geometry, const struct geometry_part *
 /* A part that is not shown is a point. */
 static bool pose_part(struct geometry *geometry, const struct scene *scene,
                       struct geometry_part *part, bool anew) {
-    const struct primitive *primitive = part_primitive(scene, part);
+    const struct primitive *primitive = geometry_primitive(scene, part);
     const struct pose *pose = &geometry->pose;
     float(*position)[3] = geometry->position + part->first_vertex;
     float(*normal)[3] = geometry->normal + part->first_vertex;

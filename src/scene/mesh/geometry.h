@@ -91,6 +91,12 @@ bool geometry_pose(struct geometry *geometry, struct scene *scene, double time);
 void geometry_block_glass(struct geometry *view, const struct geometry *geometry,
                           const struct scene *scene);
 
+/* Returns the primitive of a part. */
+static inline const struct primitive *geometry_primitive(const struct scene *scene,
+                                                         const struct geometry_part *part) {
+    return &scene->meshes[scene->nodes[part->node].mesh].primitives[part->primitive];
+}
+
 /* Returns the offset of ray origins above surfaces, metres: about 100 times the rounding error of
  * coordinates. */
 float geometry_clearance(const struct geometry *geometry);

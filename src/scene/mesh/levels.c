@@ -76,8 +76,7 @@ static void make_level(struct level_shape *shape, int level, uint32_t *indices, 
 static void make_shape(void *context, size_t number) {
     struct level_shape *shape = &((struct levels *)context)->shapes[number];
     uint32_t count = (uint32_t)shape->primitive->index_count, drawn = count;
-    uint32_t *indices = mem_alloc(count, sizeof *indices);
-    memcpy(indices, shape->primitive->indices, count * sizeof *indices);
+    uint32_t *indices = mem_copy(shape->primitive->indices, count, sizeof *indices);
     shape->diagonal = primitive_diagonal(shape->primitive);
     for (int level = 0; level < LEVEL_COUNT; level++)
         make_level(shape, level, indices, &count, &drawn);
@@ -110,11 +109,6 @@ static void list_shapes(struct work *work) {
 
 /* --- parts ------------------------------------------------------------------------------------ */
 
-static const struct primitive *primitive_of(const struct scene *scene,
-                                            const struct geometry_part *part) {
-    return &scene->meshes[scene->nodes[part->node].mesh].primitives[part->primitive];
-}
-
 static bool is_textured(const struct material *material) {
     return material->base_color_texture >= 0 || material->emission_texture >= 0 ||
            material->metal_roughness_texture >= 0 || material->normal_texture >= 0;
@@ -124,7 +118,7 @@ static bool has_levels(const struct work *work, const struct geometry_part *part
     if (!part->rigid || part->first_index >= work->geometry->opaque_index_count ||
         part->index_count < 3 * PART_TRIANGLES)
         return false;
-    const struct primitive *primitive = primitive_of(work->scene, part);
+    const struct primitive *primitive = geometry_primitive(work->scene, part);
     return !primitive->color && !primitive->flat &&
            !is_textured(&work->scene->materials[primitive->material]);
 }
@@ -149,13 +143,15 @@ static void list_parts(struct work *work) {
     }
     qsort(levels->parts, (size_t)levels->part_count, sizeof *levels->parts, compare_parts);
     for (int i = 0; i < levels->part_count; i++)
-        work->primitives[i] = primitive_of(work->scene, &geometry->parts[levels->parts[i].part]);
+        work->primitives[i] =
+            geometry_primitive(work->scene, &geometry->parts[levels->parts[i].part]);
 }
 
 /* Adds its triangles by level. */
 static void add_part(const struct work *work, struct level_part *part) {
     const struct geometry_part *own = &work->geometry->parts[part->part];
-    const struct level_shape *shape = find_shape(work->levels, primitive_of(work->scene, own));
+    const struct level_shape *shape =
+        find_shape(work->levels, geometry_primitive(work->scene, own));
     const uint32_t *from = work->geometry->indices + part->first_index;
     float scale = simplify_scale(work->geometry->pose.worlds[own->node]) * shape->diagonal;
     struct levels *levels = work->levels;

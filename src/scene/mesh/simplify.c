@@ -429,8 +429,7 @@ static struct subject subject_of(const struct geometry *geometry, const struct s
     struct subject subject = {part, NULL, desc->error};
     if (!desc->scene || has_shared(shared, part))
         return subject;
-    const struct node *node = &desc->scene->nodes[part->node];
-    subject.primitive = &desc->scene->meshes[node->mesh].primitives[part->primitive];
+    subject.primitive = geometry_primitive(desc->scene, part);
     subject.error = local_error(desc->error, simplify_scale(geometry->pose.worlds[part->node]));
     return subject;
 }

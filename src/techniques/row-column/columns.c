@@ -181,8 +181,8 @@ static int find_centers(struct columns *columns, int most, uint32_t *state) {
 /* Puts the members of each label side by side, in their order. */
 static void gather_labels(struct columns *columns, int labels) {
     int n = columns->member_count, at = 0;
-    int *sorted = columns->labels, *members = mem_alloc((size_t)n, sizeof *members);
-    memcpy(members, columns->members, (size_t)n * sizeof *members);
+    int *sorted = columns->labels,
+        *members = mem_copy(columns->members, (size_t)n, sizeof *members);
     for (int label = 0; label < labels; label++) {
         int first = at;
         for (int i = 0; i < n; i++)
