@@ -60,7 +60,7 @@ static void colour(struct volume_points *points, const struct geometry *geometry
             continue;
         const struct material *material = surface_point_material(point, colors.scene, geometry);
         const struct corners corners = surface_point_corners(point, geometry);
-        vec4s color = corners_albedo(&corners, &colors, material);
+        vec4s color = corners_albedo(&corners, &colors, material, NULL);
         for (int c = 0; c < 3; c++)
             to->albedo[c] = (uint8_t)lroundf(255 * sqrtf(color.raw[c]));
         to->normal[3] = material->double_sided ? INT16_MAX : 0;

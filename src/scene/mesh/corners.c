@@ -88,16 +88,20 @@ struct reflectance corners_reflectance(const struct corners *corners, const stru
 }
 
 vec4s corners_albedo(const struct corners *corners, const struct surface_colors *colors,
-                     const struct material *material) {
+                     const struct material *material, struct reflectance *lobe) {
     const struct scene *scene = colors->scene;
     const struct geometry *geometry = colors->geometry;
     const float *table = colors->srgb_to_linear;
+    if (lobe)
+        *lobe = (struct reflectance){0};
     vec4s base = corners_base_color(corners, scene, geometry, table, material);
     vec3s color = glms_vec3(base);
     if (colors->smooth_black && material_smooth_kind(material) != SMOOTH_NONE)
         return glms_vec4(glms_vec3_zero(), base.w);
     if (colors->materials == MATERIALS_FULL) {
         struct reflectance at = corners_reflectance(corners, scene, geometry, table, material);
+        if (lobe && !material->unlit && !material_is_diffuse(material))
+            *lobe = reflectance_lobe(&at, color);
         color = material_reflects(material, color, &at);
     }
     return glms_vec4(glms_vec3_clamp(color, 0, 1), base.w);

@@ -48,9 +48,9 @@ struct surface_colors {
 };
 
 /* Returns the total albedo, or the base colour with MATERIALS_DIFFUSE, in [0, 1]; A as in
- * corners_base_color. */
+ * corners_base_color. lobe: set to its specular part, zeroed without one; may be NULL. */
 vec4s corners_albedo(const struct corners *corners, const struct surface_colors *colors,
-                     const struct material *material);
+                     const struct material *material, struct reflectance *lobe);
 
 struct reflectance corners_reflectance(const struct corners *corners, const struct scene *scene,
                                        const struct geometry *geometry,

@@ -24,38 +24,21 @@ static uint32_t count_places(const struct finder *finder, const struct material 
     return 1 + (uint32_t)fmin(share * PLACES, PLACES_MOST - 1);
 }
 
-static void add_lobe(struct triangle_albedo *sum, const struct corners *corners,
-                     const struct surface_colors *colors, const struct material *material,
-                     float share) {
-    const float *table = colors->srgb_to_linear;
-    vec4s base = corners_base_color(corners, colors->scene, colors->geometry, table, material);
-    struct reflectance at =
-        corners_reflectance(corners, colors->scene, colors->geometry, table, material);
-    struct reflectance lobe = reflectance_lobe(&at, glms_vec3(base));
-    glm_vec3_muladds(lobe.f0.raw, share, sum->f0);
-    sum->f90 += share * lobe.f90;
-    sum->roughness += share * lobe.roughness;
-}
-
-static bool has_lobe(const struct surface_colors *colors, const struct material *material) {
-    return colors->materials == MATERIALS_FULL && !material->unlit &&
-           !material_is_diffuse(material) &&
-           !(colors->smooth_black && material_smooth_kind(material) != SMOOTH_NONE);
-}
-
 static struct triangle_albedo mean_of(const struct finder *finder, const struct material *material,
                                       const uint32_t index[3]) {
     struct triangle_albedo sum = {.backs = material->double_sided ? 1 : 0};
     struct corners corners;
+    struct reflectance lobe;
     uint32_t places = count_places(finder, material, index);
     float share = 1 / (float)places;
     memcpy(corners.index, index, sizeof corners.index);
     for (uint32_t i = 0; i < places; i++) {
         corners_spread(corners.weight, radical_inverse(2, 1 + i), radical_inverse(3, 1 + i));
-        vec4s color = corners_albedo(&corners, finder->colors, material);
+        vec4s color = corners_albedo(&corners, finder->colors, material, &lobe);
         glm_vec3_add(sum.color, color.raw, sum.color);
-        if (has_lobe(finder->colors, material))
-            add_lobe(&sum, &corners, finder->colors, material, share);
+        glm_vec3_muladds(lobe.f0.raw, share, sum.f0);
+        sum.f90 += share * lobe.f90;
+        sum.roughness += share * lobe.roughness;
     }
     glm_vec3_scale(sum.color, share, sum.color);
     return sum;

@@ -191,7 +191,7 @@ static void visit_piece(struct maker *maker, const uint32_t *index, const struct
         middle[c] = (piece->at[0][c] + piece->at[1][c] + piece->at[2][c]) / 3;
     if (material->alpha_mask || maker->colored) {
         struct corners corners = corners_of(index, middle);
-        vec4s albedo = corners_albedo(&corners, &maker->colors, material);
+        vec4s albedo = corners_albedo(&corners, &maker->colors, material, NULL);
         third.albedo = glms_vec3(albedo);
         if (maker->colored)
             third.emission = emission_at(maker, &corners, material);
