@@ -57,8 +57,7 @@ struct loan {
 /* Lends the scene, in use, at time 0 and keeps it alive until loan_return. Error: out of memory. */
 bool loan_take(struct loan *loan, const struct manylight_scene *scene);
 
-/* Lends the scene, in use, again after a change. Error: that of loan_take; return it in any case.
- */
+/* Lends the scene, in use, again after a change. Error: that of loan_take; it must be returned. */
 bool loan_renew(struct loan *loan);
 bool loan_is_current(const struct loan *loan);
 

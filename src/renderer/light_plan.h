@@ -4,10 +4,10 @@
 
 #include "renderer/renderer.h"
 
-/* Fills `plan` for `desc`. Where lights are many and rays can test visibility, it divides them: few
- * have maps, and all others are sampled (passes/sampled_lights.h). The caller calls
- * light_plan_free. It reuses the renderer's fit where nothing changed. Error: too many lights;
- * `plan` has none. */
+/* Fills `plan` for `desc`. Where rays can test visibility, it divides many lights: few have maps,
+ * and all others are sampled, as triangles of emissive surfaces are (passes/sampled_lights.h). The
+ * caller calls light_plan_free. It reuses the renderer's fit where nothing changed. Error: too many
+ * lights; `plan` has none. */
 bool renderer_plan_lights(struct light_plan *plan, const struct renderer *renderer,
                           const struct renderer_desc *desc);
 

@@ -1,11 +1,11 @@
 /* Lenses besides the pinhole: panoramas, fisheyes, and distorted or skewed pinholes.
  *
- * Wide lenses see in unit axes from the eye:
- *   equirectangular   longitude along x, latitude along y, forward in the middle
- *   cube              six squares side by side, pinholes of 90 degrees that look right, left, up,
- *                     down, forward and back. Up's top is back, down's top is forward.
- *   equidistant       the angle from forward grows as the distance from the picture's middle
- *   equisolid         its half's sine does
+ * Wide lenses see in unit axes from the eye. An equirectangular picture has longitude along x,
+ * latitude along y and forward in the middle. A cube is six squares side by side: pinholes of 90
+ * degrees that look right, left, up, down, forward and back. The top of up is back, that of down is
+ * forward. Of an equidistant fisheye the angle from forward grows as the distance from the
+ * picture's middle; of an equisolid one the sine of half the angle does.
+ *
  * fov_y is the angle of a fisheye along the picture's height. Beyond pi from forward rays look
  * back.
  *

@@ -51,8 +51,8 @@ static bool is_closed(const uint32_t *indices, uint32_t count) {
     return sum == 0;
 }
 
-/* Each level has fewer triangles and a larger error than the one before, is closed as the animal
- * is, and the larger instance has the same triangles with errors 1.5 times as large. */
+/* Each level has fewer triangles and a larger error than the one before. It is closed, as the
+ * animal is. The larger instance has the same triangles, with errors 1.5 times as large. */
 TEST(twins) {
     struct stage stage;
     struct levels levels;

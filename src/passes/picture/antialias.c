@@ -156,9 +156,7 @@ void antialias_pass_free(struct antialias_pass *pass) {
     *pass = (struct antialias_pass){0};
 }
 
-/* Error of levels of detail, pixels: about what a sample may lie off its pixel's plane
- * (edges.frag).
- */
+/* Error of levels of detail, pixels. edges.frag lets samples lie about as far off their plane. */
 static const float sample_error = .125F;
 
 /* The same surfaces as the G-buffer's. Where no fragment can be discarded a rasteriser is several

@@ -2,9 +2,10 @@
  *
  * Blender and most other tools export lamps as emissive planes, not as area lights. The front
  * emits, and with a double-sided material the back too. A rectangle or disk of one colour becomes
- * one area light. Other shapes, and textured ones, are replaced by a few rectangles
- * (scene/lights/lamp_parts.h), as are the least powerful surfaces together. Surfaces that deform
- * stay dark, and a note names them.
+ * one area light. For other shapes, and textured ones, a few rectangles stand in
+ * (scene/lights/lamp_parts.h), as for the least powerful surfaces together. They light frames whose
+ * lights need maps; others take the triangles (scene/lights/emissive_triangles.h). Surfaces that
+ * deform stay dark, and a note names them.
  *
  * Islands of a primitive (scene/lights/islands.h) are separate surfaces, because tools join panels.
  * A lamp is one surface, or several that share their rectangles. */

@@ -50,8 +50,7 @@ static uint32_t move_triangles(const uint32_t *from, uint32_t count, const uint3
     return left;
 }
 
-/* count: indices of the level before, and then of this one; drawn: of the coarsest that is drawn.
- */
+/* count: indices of the level before, then of this one; drawn: of the coarsest that is drawn. */
 static void make_level(struct level_shape *shape, int level, uint32_t *indices, uint32_t *count,
                        uint32_t *drawn) {
     const struct primitive *primitive = shape->primitive;
