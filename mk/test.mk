@@ -78,7 +78,7 @@ CHECKED := base file_colours json options output_file stored heat_map metrics co
     bvh_ray caster caster_pool clips darkness gltf gltf_refusals marching_cubes mended named_files packed \
     scene scene_parts scenes seeds shown solid lattice prefilter blur cluster passes \
     adaptive lookup gl gl_objects gl_pass shared brdf chain reference_rules seen \
-    traced_specular vpl_sum reference panes ao vpl_tree score manual about pages events pace frames
+    traced_specular vpl_sum reference panes ao vpl_tree manual about pages events pace frames
 CHECKS := $(CHECKED:%=$(BUILD)/check/test_%)
 $(foreach test,$(CHECKED),$(eval $(BUILD)/check/test_$(test).o: $(patsubst %.c,$(BUILD)/%.o,$(filter %/test_$(test).c,$(TEST_SOURCES)))))
 
