@@ -32,9 +32,9 @@ enum pass_cull {
 /* Colour channels as bits. */
 enum { PASS_RED = 1, PASS_GREEN = 2, PASS_BLUE = 4, PASS_ALPHA = 8 };
 
-/* OpenGL guarantees 16 textures per stage; drivers for 4.5 offer 32. Specular rays with slides and
- * maps of Fourier bases need up to 18. */
-enum { PASS_TEXTURES_MAX = 20, PASS_BLOCKS_MAX = 8, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
+/* OpenGL guarantees 16 textures per stage; drivers for 4.5 offer 32. Specular rays with slides,
+ * fog, a sky, sampled lights and reflective maps of both kinds list 23. */
+enum { PASS_TEXTURES_MAX = 32, PASS_BLOCKS_MAX = 8, PASS_STORAGES_MAX = 4, PASS_IMAGES_MAX = 4 };
 
 /* Unit and block numbers are in shared/bindings.h and in the shared header of the pass. Lists end
  * at the first empty row. */

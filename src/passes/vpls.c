@@ -33,6 +33,7 @@ bool vpl_buffer_init(struct vpl_buffer *vpls, const char *label, int count) {
     add_attribute(vpls, ATTRIBUTE_VPL_POSITION, offsetof(struct vpl, position));
     add_attribute(vpls, ATTRIBUTE_VPL_NORMAL, offsetof(struct vpl, normal));
     add_attribute(vpls, ATTRIBUTE_VPL_FLUX, offsetof(struct vpl, flux));
+    add_attribute(vpls, ATTRIBUTE_VPL_LOBE, offsetof(struct vpl, to_light));
     return true;
 }
 

@@ -97,7 +97,7 @@ static bool init_gathers(struct many_lights *lights, const struct technique_desc
         .clamp = own->clamp,
         .clamp_value = many_lights_clamp_value,
         .sphere = sphere_radius,
-        .lobes = lights->specular == SPECULAR_RAYS,
+        .lobes = lights->specular != SPECULAR_NONE,
         .medium = lights->medium,
         .later = lights->bounces > 1,
     };
@@ -312,7 +312,7 @@ static bool init_blank_rsm(struct gbuffer *rsm, bool has_specular) {
 
 static bool init_rsm(struct many_lights *lights, const struct technique_desc *desc, int size) {
     const struct light_layout *layout = desc->lights;
-    bool ok = true, has_specular = lights->specular == SPECULAR_RAYS;
+    bool ok = true, has_specular = lights->specular != SPECULAR_NONE;
     bool facets = sends_as_facets(desc);
     for (int kind = 0; ok && kind < LIGHT_MAP_KINDS; kind++) {
         int texels = light_map_size(kind, size), layers = layout->views[kind];
@@ -417,7 +417,7 @@ bool many_lights_init(struct many_lights *lights, const struct technique_desc *d
                                          .by_importance = many_lights_follow_camera(lights),
                                          .sky_rays = has_sky_rays(lights, desc),
                                          .sampled = lights->sampled,
-                                         .lobes = lights->specular == SPECULAR_RAYS,
+                                         .lobes = lights->specular != SPECULAR_NONE,
                                          .medium = lights->medium,
                                          .slides = lights->slides}) &&
         vpl_buffer_init(&lights->vpls, "VPLs", own->vpls) && init_bounces(lights, desc) &&

@@ -320,10 +320,10 @@ static double relative_mae(const struct image *got, const struct image *referenc
     return sum / mean;
 }
 
-static struct image trace(const struct stage *stage, int size) {
+static struct image trace(const struct stage *stage, int size, int bounces) {
     struct image traced;
     const struct path_tracer_desc desc = {
-        .width = size, .height = size, .bounces = 1, .samples = 64, .centers = true};
+        .width = size, .height = size, .bounces = bounces, .samples = 64, .centers = true};
     check_ok("reference", picture_trace_paths(stage, &desc, &traced, NULL));
     return traced;
 }
@@ -331,7 +331,7 @@ static struct image trace(const struct stage *stage, int size) {
 TEST(picture) {
     enum { SIZE = 96 };
     OWNED(stage) stage = open_stage("scenes/gloss.glb");
-    OWNED(image) reference = trace(&stage, SIZE);
+    OWNED(image) reference = trace(&stage, SIZE, 1);
     OWNED(image) rays = render_stage(&stage, "clustered", "", SIZE);
     OWNED(image) balls = render_stage(&stage, "clustered", "gather.specular=sphere", SIZE);
     OWNED(image) points = render_stage(&stage, "clustered", "gather.specular=point", SIZE);
@@ -458,8 +458,25 @@ TEST(mirror) {
     check_mirror(&stage, 1);
 }
 
+/* A floor of metal before a wall. */
+static const char *const wall_behind_floor =
+    "[{\"mesh\": 0, \"translation\": [-4, 0, -1], \"scale\": [9, 9, 1]},"
+    " {\"mesh\": 1, \"translation\": [-4, 0, 5], \"scale\": [9, 6, 1],"
+    " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}]";
+static const struct camera floor_camera = {.eye = {.5F, 1.5F, 3},
+                                           .right = {1, 0, 0},
+                                           .up = {0, 1, 0},
+                                           .forward = {0, 0, -1},
+                                           .fov_y = .7F};
+
+static void paint_grey(const float direction[3], float radiance[3]) {
+    (void)direction;
+    glm_vec3_broadcast(.2F, radiance);
+}
+
 /* The same light as one spot, which has a map, and as so many that none has. */
-static void check_floor(const struct stage *stage, const struct image *reference, int spots) {
+static void check_floor(const struct stage *stage, const struct image *reference, int spots,
+                        const char *settings) {
     struct stage own = *stage;
     struct emitter lights[32];
     for (int i = 0; i < spots; i++) {
@@ -467,8 +484,8 @@ static void check_floor(const struct stage *stage, const struct image *reference
         glm_vec3_scale(lights[i].intensity, 1 / (float)spots, lights[i].intensity);
     }
     own.emitters = (struct emitters){.items = lights, .count = spots};
-    OWNED(image) drawn = render_stage(&own, "clustered", "", reference->width);
-    printf("    %d spots, ", spots);
+    OWNED(image) drawn = render_stage(&own, "clustered", settings, reference->width);
+    printf("    %d spots, %s, ", spots, settings);
     check_near("indirect over the reference's",
                layer_mean(&drawn, "indirect") / layer_mean(reference, "indirect"), 1, .03);
     check_at_most("error", relative_rmse(&drawn, reference, "indirect"), .1);
@@ -477,17 +494,8 @@ static void check_floor(const struct stage *stage, const struct image *reference
 /* A floor of rough metal throws a spot's light onto the wall ahead. */
 TEST(metal_floor) {
     static const float of_floor[] = {.45F, .6F, .8F};
-    const struct camera camera = {.eye = {.5F, 1.5F, 3},
-                                  .right = {1, 0, 0},
-                                  .up = {0, 1, 0},
-                                  .forward = {0, 0, -1},
-                                  .fov_y = .7F};
     OWNED(stage) stage;
-    open_mirror(&stage,
-                "[{\"mesh\": 0, \"translation\": [-4, 0, -1], \"scale\": [9, 9, 1]},"
-                " {\"mesh\": 1, \"translation\": [-4, 0, 5], \"scale\": [9, 6, 1],"
-                " \"rotation\": [-0.70710678, 0, 0, 0.70710678]}]",
-                &camera, (float[]){0, -.5F, -.86602540F});
+    open_mirror(&stage, wall_behind_floor, &floor_camera, (float[]){0, -.5F, -.86602540F});
     struct emitter *spot = &stage.emitters.items[0];
     *spot = emitter_new(EMITTER_SPOT);
     glm_vec3_copy((vec3){.5F, 2, 5.4641016F}, spot->position);
@@ -497,11 +505,42 @@ TEST(metal_floor) {
     for (int i = 0; i < 3; i++) {
         enum { SIZE = 48 };
         stage.scene.materials[1].roughness = of_floor[i];
-        OWNED(image) reference = trace(&stage, SIZE);
+        OWNED(image) reference = trace(&stage, SIZE, 1);
         printf("    roughness %.2f:\n", (double)of_floor[i]);
-        check_floor(&stage, &reference, 1);
-        check_floor(&stage, &reference, 20);
+        check_floor(&stage, &reference, 1, "");
+        check_floor(&stage, &reference, 1, "path=maps");
+        check_floor(&stage, &reference, 1, "path=maps gather.specular=sphere");
+        check_floor(&stage, &reference, 20, "");
     }
+}
+
+/* Each kind of light at once, which no pass has more textures for: a sky, and a point, a spot and a
+ * sun with maps among lights without one. */
+TEST(all_lights) {
+    enum { SIZE = 48, SPOTS = 20, KINDS = 3 };
+    static const enum emitter_type kinds[KINDS] = {EMITTER_POINT, EMITTER_SPOT,
+                                                   EMITTER_DIRECTIONAL};
+    OWNED(stage) stage;
+    open_mirror(&stage, wall_behind_floor, &floor_camera, (float[]){0, -.5F, -.86602540F});
+    stage.scene.materials[1].roughness = .7F;
+    set_sky(&stage, 16, 8, paint_grey);
+    emitters_free(&stage.emitters);
+    stage.emitters = (struct emitters){.items = mem_alloc(SPOTS + KINDS, sizeof(struct emitter)),
+                                       .count = SPOTS + KINDS,
+                                       .sky = stage.scene.environment};
+    for (int i = 0; i < SPOTS + KINDS; i++) {
+        struct emitter *light = &stage.emitters.items[i];
+        *light = emitter_new(i < KINDS ? kinds[i] : EMITTER_SPOT);
+        emitter_aim(light, (float[]){0, -.5F, -.86602540F});
+        glm_vec3_copy((vec3){.2F * (float)i - 1.5F, 2, 4}, light->position);
+        glm_vec3_broadcast(i < KINDS ? 2 : .3F, light->intensity);
+    }
+    OWNED(image) reference = trace(&stage, SIZE, 2);
+    OWNED(image) drawn = render_stage(&stage, "clustered", "importance=on bounces=2", SIZE);
+    check_near("direct over the reference's",
+               layer_mean(&drawn, "direct") / layer_mean(&reference, "direct"), 1, .02);
+    check_near("indirect over the reference's",
+               layer_mean(&drawn, "indirect") / layer_mean(&reference, "indirect"), 1, .03);
 }
 
 RUN_TESTS(open_group_context, close_group_context)
