@@ -136,8 +136,8 @@ keep = @cmp -s $@ $@.new && rm $@.new || mv $@.new $@
 
 $(BUILD)/include/version.h: FORCE
 	@mkdir -p $(@D)
-	@printf '#define MANYLIGHT_VERSION "%s"\n#define MANYLIGHT_DATE "%s"\n#define MANYLIGHT_COMMIT "%s"\n#define MANYLIGHT_LIBDIR "%s"\n' \
-	    $(VERSION) $(DATE) $(COMMIT) $(LIBDIR) > $@.new
+	@printf '#define MANYLIGHT_VERSION "%s"\n#define MANYLIGHT_COMMIT "%s"\n#define MANYLIGHT_LIBDIR "%s"\n' \
+	    $(VERSION) $(COMMIT) $(LIBDIR) > $@.new
 	$(keep)
 
 $(BUILD)/include/sources.h: FORCE

@@ -4,7 +4,7 @@ SHARE := share/manylight
 DOC := share/doc/manylight
 INSTALLED := $(SHARE)/installed
 
-# What the program writes of its own options: man pages, and completions for bash.
+# Made of the help of the program: man pages, and completions for bash.
 MANUAL := $(BUILD)/manual
 
 install: all lib $(FINDERS)
@@ -12,7 +12,7 @@ install: all lib $(FINDERS)
 	@set -e; root="$(DESTDIR)$(PREFIX)"; install -d "$$root/$(SHARE)"; \
 	put_as() { install -D -m $$2 "$$3" "$$root/$$1"; echo "$$1" >> "$$root/$(INSTALLED)"; }; \
 	put() { folder=$$1; mode=$$2; shift 2; for file; do put_as "$$folder/$${file##*/}" $$mode "$$file"; done; }; \
-	rm -rf $(MANUAL); ./manylight manual -o $(MANUAL); \
+	rm -rf $(MANUAL); docs/manual ./manylight $(MANUAL) $(DATE); \
 	put bin 755 manylight; \
 	put $(DOC) 644 LICENSE; \
 	put include 644 src/library/manylight.h; \

@@ -142,14 +142,6 @@ static bool apply(const struct arguments *arguments, const struct common_values 
            error_prefix("--root");
 }
 
-static arguments_reader *reading;
-static void *reading_user;
-
-void arguments_set_reader(arguments_reader *reader, void *user) {
-    reading = reader;
-    reading_user = user;
-}
-
 bool arguments_parse(const struct arguments *arguments, void *values, int argc, char **argv,
                      const char **positional, int *positional_count, int *status) {
     for (int i = 0; i < arguments->max_positional; i++)
@@ -158,10 +150,7 @@ bool arguments_parse(const struct arguments *arguments, void *values, int argc, 
     struct common_values *common = values;
     options_set_defaults(table, values);
     bool go_on = false;
-    if (reading) {
-        reading(reading_user, argv[0], arguments, table, values);
-        *status = STATUS_OK;
-    } else if (asks_for_help(argc, argv, values)) {
+    if (asks_for_help(argc, argv, values)) {
         options_parse_arguments(table, values, argc, argv, positional, arguments->max_positional,
                                 positional_count, NULL);
         print_help(arguments, table, argv[0], values);

@@ -47,12 +47,6 @@ struct option_use {
  * the option and the one that it needs. */
 bool arguments_check_use(const struct common_values *common, const struct option_use *uses);
 
-/* Replaces the run of each subcommand until it is set to NULL. The reader gets the arguments,
- * the table with common options, and defaults as values. */
-typedef void arguments_reader(void *user, const char *name, const struct arguments *arguments,
-                              const struct option *table, const void *values);
-void arguments_set_reader(arguments_reader *reader, void *user);
-
 /* Returns true for --help, --help-all and -h. */
 bool arguments_is_help(const char *argument);
 

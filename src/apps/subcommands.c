@@ -10,7 +10,6 @@ const struct subcommand subcommands[] = {
     {"compare", "measures the error between two pictures", app_compare},
     {"export", "writes a scene for other renderers: a pack, Mitsuba 3", IF_LAB(app_export, NULL)},
     {"info", "describes a scene, or the renderer of this machine", app_info},
-    {"manual", "writes man pages, and completions for bash", IF_LAB(app_manual, NULL)},
     {"probe", "measures illuminance at points of a scene", app_probe},
     {"render", "renders pictures without a window", app_render},
     {"score", "scores a folder of pictures against references, and names their faults",

@@ -20,7 +20,6 @@ int app_compare(int argc, char **argv);
 int app_export(int argc, char **argv);
 int app_reference(int argc, char **argv);
 int app_info(int argc, char **argv);
-int app_manual(int argc, char **argv);
 int app_probe(int argc, char **argv);
 int app_render(int argc, char **argv);
 int app_score(int argc, char **argv);

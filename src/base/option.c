@@ -303,7 +303,8 @@ bool options_parse_arguments(const struct option *table, void *values, int argc,
     return true;
 }
 
-void option_describe_range(const struct option *o, char *text, size_t size) {
+/* " [DEFAULT; MINIMUM to MAXIMUM]" or a similar text, or "". */
+static void describe_range(const struct option *o, char *text, size_t size) {
     text[0] = '\0';
     size_t used = 0;
     switch (o->type) {
@@ -333,7 +334,8 @@ void option_describe_range(const struct option *o, char *text, size_t size) {
     }
 }
 
-const char *option_value_word(const struct option *o) {
+/* The word for a value in help, "N" or "WxH"; "" for a flag. */
+static const char *value_word(const struct option *o) {
     static const char *const words[] = {"", "N", "X", "NAME", "TEXT", "TEXT", "WxH"};
     return o->value_name ? o->value_name : words[o->type];
 }
@@ -351,11 +353,11 @@ void option_print_help(FILE *out, const struct option *o, const char *prefix, co
     char left[96], range[512], letter[8] = "";
     if (o->letter)
         snprintf(letter, sizeof letter, "-%c, ", o->letter);
-    const char *value = option_value_word(o);
+    const char *value = value_word(o);
     bool shown = *value && *prefix == '-';
     snprintf(left, sizeof left, "%s%s%s%s%s", letter, prefix, o->name, shown ? " " : "",
              shown ? value : "");
-    option_describe_range(o, range, sizeof range);
+    describe_range(o, range, sizeof range);
     fprintf(out, "  %-26s ", left);
     print_indented(out, o->help);
     if (*with) {

@@ -76,12 +76,6 @@ bool options_parse_arguments(const struct option *table, void *values, int argc,
                              const char **positional, int max_positional, int *positional_count,
                              struct text_list *given);
 
-/* Returns the word for a value in help, "N" or "WxH"; "" for a flag. */
-const char *option_value_word(const struct option *option);
-
-/* Writes " [DEFAULT; MINIMUM to MAXIMUM]" or a similar text, or "". */
-void option_describe_range(const struct option *option, char *text, size_t size);
-
 /* Prints the help of an option. prefix precedes its name, "--" on a command line. with: words after
  * the help, or "". */
 void option_print_help(FILE *out, const struct option *option, const char *prefix,

@@ -35,7 +35,7 @@ TEST(files) {
               " cmp $s @/dest/opt/here/share/manylight/scenes/$s || exit; done");
 }
 
-/* Of manylight manual, and of desktop/. */
+/* Of docs/manual, and of desktop/. */
 TEST(shares) {
     need_default_build();
     expect(0, "cd @/dest/opt/here/share && ls man/man1/manylight.1 man/man1/manylight-render.1 "
