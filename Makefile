@@ -227,6 +227,6 @@ include mk/library.mk mk/install.mk mk/test.mk mk/python.mk mk/deb.mk
 
 BENCHES := validate bench chart accuracy methods fronts parsimony direct convergence stability table figures
 .PHONY: $(BENCHES)
-validate: python
+validate table: python
 $(BENCHES): all
 	@$(MAKE) --no-print-directory -f bench/Makefile $@ BUILD=$(BUILD) BINARY=$(BINARY) SCENE_NAMES="$(SCENE_NAMES)" PYTHON="$(PYTHON)"

@@ -37,4 +37,4 @@ $(MODULE)/$(PLUGIN_NAME): $(PLUGIN)
 	@mkdir -p $(@D)
 	@cp $< $@
 
-$(BUILD)/test/test_python: | $(SHARED)
+$(BUILD)/test/test_python $(BUILD)/test/test_table: | $(SHARED)

@@ -12,8 +12,6 @@ const struct subcommand subcommands[] = {
     {"info", "describes a scene, or the renderer of this machine", app_info},
     {"probe", "measures illuminance at points of a scene", app_probe},
     {"render", "renders pictures without a window", app_render},
-    {"score", "scores a folder of pictures against references, and names their faults",
-     IF_LAB(app_score, NULL)},
     {"view", "shows a scene in a window", IF_VIEWER(app_view, NULL)},
     {"reference", "path-traces a scene on the CPU", app_reference},
     {NULL, NULL, NULL},

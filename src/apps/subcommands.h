@@ -22,7 +22,6 @@ int app_reference(int argc, char **argv);
 int app_info(int argc, char **argv);
 int app_probe(int argc, char **argv);
 int app_render(int argc, char **argv);
-int app_score(int argc, char **argv);
 int app_view(int argc, char **argv);
 
 #endif

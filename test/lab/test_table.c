@@ -11,14 +11,14 @@
 #include <unistd.h>
 
 /* The driver's own program is that of the tests. */
-#define RUN "bench/table/run --frames 0 --spp 4 --device test --scene scenes/cornell-box.glb "
+#define TABLE WITH_MODULE(BUILD "/python") "bench/table/run "
+#define RUN TABLE "--frames 0 --spp 4 --device test --scene scenes/cornell-box.glb "
 #define SIZES "--size 24x24 --size 32x24 "
 #define COPY "--variant none --renderer 'copy=@/draw' "
 #define MORE "--renderer 'none=echo too bad >&2; false' "
 
 static int prepare(void **state) {
-    (void)state;
-    if (access("bench/table/run", X_OK) != 0)
+    if (build_module(state) != 0 || run_line("test/python/find") != 0)
         return 0;
     expect(0, "rm -rf @/* && mkdir -p @/entry");
     expect(0, "printf '#!/bin/sh\\nexec %s reference \"$1\" --size \"$2\" --spp 1 --seed 1 -q -o "
@@ -39,7 +39,7 @@ static void expect_count(const char *file, const char *text, int expected) {
 }
 
 TEST(failed_case_is_a_row) {
-    need_file("bench/table/run");
+    need_module();
     expect_count("one/results.json", "\"scene\": ", 4);
     expect_count("one/results.json", "\"status\": \"failed\", \"error\": \"too bad\"", 2);
     expect_count("one/results.json", "\"relative-rmse\": ", 2);
@@ -48,9 +48,10 @@ TEST(failed_case_is_a_row) {
 
 /* All figures are those of score for the folder that the table leaves as an entry. */
 TEST(rows_are_scores) {
-    need_file("bench/table/run");
+    need_module();
     run_line(
-        "% score @/one/entries/copy @/one/references -o @/score.json"); /* noise may be a fault */
+        WITH_MODULE(BUILD "/python") "$PYTHON bench/score.py @/one/entries/copy @/one/references"
+                                     " -o @/score.json"); /* noise may be a fault */
     expect_text("copy\npicture");
     expect(0, "grep -o '\"metrics\": {[^}]*}' @/score.json > @/a && "
               "grep -o '\"metrics\": {[^}]*}' @/one/results.json > @/b && cmp @/a @/b && cat @/a");
@@ -59,7 +60,7 @@ TEST(rows_are_scores) {
 }
 
 TEST(resume) {
-    need_file("bench/table/run");
+    need_module();
     expect(0,
            "rm -rf @/two && cp -r @/one @/two && rm @/two/cases/*24x24.copy* @/two/results.json");
     expect(0, RUN SIZES COPY MORE "-o @/two --dry-run");
@@ -81,7 +82,7 @@ TEST(resume) {
 }
 
 TEST(dry_run_writes_nothing) {
-    need_file("bench/table/run");
+    need_module();
     expect(0, RUN SIZES COPY "-o @/nothing --dry-run");
     expect_text("missing  cornell-box 24x24 copy");
     expect_text("missing: 2");
@@ -89,7 +90,7 @@ TEST(dry_run_writes_nothing) {
 }
 
 TEST(parts_and_machines) {
-    need_file("bench/table/run");
+    need_module();
     expect(0, RUN SIZES COPY MORE "-o @/parts --part 1/2");
     expect(1, "test -e @/parts/results.json");
     expect(0, RUN SIZES COPY MORE "-o @/parts --part 0/2");
@@ -110,13 +111,14 @@ TEST(parts_and_machines) {
 }
 
 TEST(entry_and_variant) {
-    need_file("bench/table/run");
+    need_module();
     expect(0, "cp @/one/references/cornell-box.24x24.exr @/entry && echo '{\"name\": \"them\", "
               "\"device\": \"GPU\", "
               "\"ms\": {\"median\": 2.5, \"frames\": 9}}' > @/entry/method.json");
-    expect(0, "bench/table/run --spp 4 --scene scenes/cornell-box.glb " SIZES
-              "--size 24x24 --frames 1 --variant few:technique=unshadowed,vpls=64 --entry @/entry "
-              "-o @/mixed");
+    expect(0, TABLE
+           "--spp 4 --scene scenes/cornell-box.glb " SIZES
+           "--size 24x24 --frames 1 --variant few:technique=unshadowed,vpls=64 --entry @/entry "
+           "-o @/mixed");
     expect_count("mixed/results.json", "\"method\": \"entry\"", 1);
     expect_count("mixed/results.json", "--technique unshadowed --set vpls=64", 2);
     expect_count("mixed/times.json", "\"ms\": 2.5, \"cpu_ms\": null", 1);
@@ -129,11 +131,11 @@ TEST(entry_and_variant) {
         "bench/schema/results.schema.json @/one/results.json");
 }
 
-#define FEW "bench/table/run --spp 4 --scene scenes/cornell-box.glb --size 24x24 --frames 1 "
+#define FEW TABLE "--spp 4 --scene scenes/cornell-box.glb --size 24x24 --frames 1 "
 
 /* A row of another picture of the entry or of other settings is stale. */
 TEST(changed_inputs) {
-    need_file("bench/table/run");
+    need_module();
     expect(0,
            FEW "--variant few:technique=unshadowed,vpls=64 --entry @/entry -o @/mixed --dry-run");
     expect_text("stale: 0\nfailed: 0\nok: 2");
@@ -148,7 +150,7 @@ TEST(changed_inputs) {
 
 /* A run that is ended stops the renderer that it started, and leaves no row of it. */
 TEST(ended_run) {
-    need_file("bench/table/run");
+    need_module();
     expect(0,
            RUN "--size 24x24 --variant none --renderer 'slow=echo $$ > @/pid; exec sleep 300; :' "
                "-o @/ended & run=$!; i=0; while [ $i -lt 600 ] && ! [ -s @/pid ]; do sleep .1; "
@@ -158,11 +160,11 @@ TEST(ended_run) {
 
 /* Names stay whole in all files. A case that is named twice is measured once. */
 TEST(odd_names) {
-    need_file("bench/table/run");
+    need_module();
     expect(0, "cp scenes/cornell-box.glb '@/a \"b\" c\\d|e.glb'");
-    expect(0, "bench/table/run --frames 0 --spp 4 --device test --scene '@/a \"b\" c\\d|e.glb' "
-              "--scene '@/a \"b\" c\\d|e.glb' " SIZES "--size 24x24 --jobs 2 --variant none "
-              "--renderer 'my copy=@/draw' -o '@/odd names'");
+    expect(0, TABLE "--frames 0 --spp 4 --device test --scene '@/a \"b\" c\\d|e.glb' "
+                    "--scene '@/a \"b\" c\\d|e.glb' " SIZES "--size 24x24 --jobs 2 --variant none "
+                    "--renderer 'my copy=@/draw' -o '@/odd names'");
     assert_int_equal(count_text(output, "c\\d|e 24x24 my copy\n"), 1);
     expect_text("2 rows, 0 failed");
     need_command("python3 -c 1");
@@ -175,7 +177,7 @@ TEST(odd_names) {
 
 /* Two cases must not write one file. */
 TEST(names_taken) {
-    need_file("bench/table/run");
+    need_module();
     expect(0, "cp scenes/cornell-box.glb @/cornell-box.glb");
     expect(2, RUN "--scene @/cornell-box.glb -o @/nothing");
     expect_text("its rows would be those of scenes/cornell-box.glb");
@@ -187,7 +189,7 @@ TEST(names_taken) {
 }
 
 TEST(refusals) {
-    need_file("bench/table/run");
+    need_module();
     expect(2, RUN "--size 24 -o @/nothing");
     expect_text("--size 24: it is no WxH");
     expect(2, RUN "--part 2/2 -o @/nothing");

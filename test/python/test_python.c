@@ -7,43 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Sets PYTHON to one that has what the module needs: the first of the path, or the system's. */
-#define FIND_PYTHON                                                                                \
-    "for PYTHON in python3 /usr/bin/python3 false; do $PYTHON -c 'import numpy, cffi, os, "        \
-    "sysconfig; os.stat(sysconfig.get_path(\"include\") + \"/Python.h\")' 2>/dev/null && break;"   \
-    " done; "
-#define BUILD "${MANYLIGHT_BUILD:-build}"
-
-static bool has_python;
-
-/* Builds the module for the library that is there. */
-static int build_module(void **state) {
-    (void)state;
-    has_python = run_line(FIND_PYTHON "test $PYTHON != false && test -e Makefile") == 0;
-    return !has_python || run_line(FIND_PYTHON "make -s python PYTHON=$PYTHON BUILD=" BUILD
-                                               " -o " BUILD "/lib/libmanylight.so.*.* -o " BUILD
-                                               "/openimageio/libmanylight-openimageio.so") == 0
-               ? 0
-               : -1;
-}
-
-static void need_python(void) {
-    if (has_python)
-        return;
-    printf("    skipped: python3-dev, python3-cffi, python3-numpy or the source is not here\n");
-    skip();
-}
-
-/* A library of AddressSanitizer wants to be loaded first, and Python leaves memory at its end. */
-#define WITH_SANITIZER                                                                             \
-    "export LD_PRELOAD=$(ldd %s/manylight/libmanylight.so.0 | awk '/libasan/ { print $3 }') "      \
-    "ASAN_OPTIONS=detect_leaks=0; "
-
 /* Runs a script of test/python with the module of a folder. */
 static void run_script_of(const char *folder, const char *script) {
-    need_python();
-    expect(0, form(FIND_PYTHON WITH_SANITIZER "PYTHONPATH=%s $PYTHON test/python/%s", folder,
-                   folder, script));
+    need_module();
+    expect(0, form(WITH_MODULE("%s") "$PYTHON test/python/%s", folder, folder, script));
 }
 
 static void run_script(const char *script) {
@@ -66,6 +33,10 @@ TEST(changes) {
     run_script("check_changes.py");
 }
 
+TEST(score) {
+    run_script("check_score.py % @");
+}
+
 TEST(life) {
     run_script("check_life.py");
 }
@@ -85,7 +56,7 @@ TEST(examples) {
 /* pip's wheel is for any later Python, carries the library and makes the same bits, from wherever
  * it lies. */
 LONG_TEST(wheel) {
-    need_python();
+    need_module();
     need_command(
         "/usr/bin/python3 -c 'import mesonpy, pip; mesonpy.__version__ >= \"0.14\" or exit(1)'");
     expect(0, "rm -rf @/wheel @/site && BUILD=" BUILD " /usr/bin/python3 -m pip wheel -q -w @/wheel"

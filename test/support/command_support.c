@@ -76,3 +76,24 @@ void need_default_build(void) {
         skip();
     }
 }
+
+static bool has_module;
+
+int build_module(void **state) {
+    (void)state;
+    has_module = run_line("test -e Makefile && test/python/find") == 0;
+    return !has_module ||
+                   run_line("flock -o " BUILD
+                            "/module.lock make -s python PYTHON=$(test/python/find) BUILD=" BUILD
+                            " -o " BUILD "/lib/libmanylight.so.*.* -o " BUILD
+                            "/openimageio/libmanylight-openimageio.so") == 0
+               ? 0
+               : -1;
+}
+
+void need_module(void) {
+    if (has_module)
+        return;
+    printf("    skipped: python3-dev, python3-cffi, python3-numpy or the source is not here\n");
+    skip();
+}

@@ -29,6 +29,21 @@ int count_text(const char *where, const char *text);
 /* Fails unless the first text has the second. */
 void expect_in(const char *where, const char *text);
 
+#define BUILD "${MANYLIGHT_BUILD:-build}"
+
+/* Begins a line of the shell that calls $PYTHON with the Python module of a folder. A library of
+ * AddressSanitizer wants to be loaded first, and Python leaves memory at its end. */
+#define WITH_MODULE(folder)                                                                        \
+    "PYTHON=$(test/python/find); export PYTHON PYTHONPATH=" folder                                 \
+    " ASAN_OPTIONS=detect_leaks=0 LD_PRELOAD=$(ldd " folder                                        \
+    "/manylight/libmanylight.so.0 | awk '/libasan/ { print $3 }'); "
+
+/* Set-up of a program: builds the module for the library that is there, where it can be built. */
+int build_module(void **state);
+
+/* Skips the test where it cannot be built. */
+void need_module(void);
+
 /* Skips the test of another build than the one that is installed. */
 void need_default_build(void);
 

@@ -7,7 +7,6 @@
 #include "base/memory.h"
 #include "lab/export/lights.h"
 #include "lab/export/textures.h"
-#include "lab/score/sha256.h"
 #include "scene/lights/environment.h"
 
 #include <cglm/cglm.h>
@@ -97,15 +96,7 @@ static void print_lights(struct json *json, const struct stage *stage) {
 
 /* --- files ------------------------------------------------------------------------------------ */
 
-static bool hash_file(const struct export_target *target, const char *name,
-                      char sum[SHA256_DIGITS + 1]) {
-    char *path = export_path(target, name);
-    bool ok = sha256_of_file(path, sum);
-    free(path);
-    return ok;
-}
-
-static bool copy_scene(const struct export_target *target, char sum[SHA256_DIGITS + 1]) {
+static bool copy_scene(const struct export_target *target) {
     const char *from = target->stage->scene.path;
     struct file_bytes bytes;
     if (!piped_file_read(&bytes, from))
@@ -114,24 +105,20 @@ static bool copy_scene(const struct export_target *target, char sum[SHA256_DIGIT
     bool ok = (bytes.size > 4 && memcmp(bytes.data, "glTF", 4) == 0) ||
               error_set("%s: a pack holds a GLB, which it is not; --format mitsuba takes it", from);
     ok = ok && output_file_write(path, bytes.data, bytes.size);
-    if (ok)
-        sha256(bytes.data, bytes.size, sum);
     mem_free(bytes.data, path);
     return ok;
 }
 
 static bool print_environment(const struct export_target *target, struct json *json) {
     const struct environment *sky = target->stage->emitters.sky;
-    char sum[SHA256_DIGITS + 1];
     if (!sky) {
         json_text(json, "environment", NULL);
         return true;
     }
-    if (!export_panorama(target, "environment.exr") || !hash_file(target, "environment.exr", sum))
+    if (!export_panorama(target, "environment.exr"))
         return false;
     json_open(json, "environment", "{");
     json_text(json, "file", "environment.exr");
-    json_text(json, "sha256", sum);
     json_number(json, "width", sky->width);
     json_number(json, "height", sky->height);
     json_number(json, "turn_degrees", (double)sky->turn);
@@ -156,13 +143,12 @@ static bool find_shining(const struct export_target *target, bool *shines) {
                      "they deform; --format mitsuba takes them");
 }
 
-static void print_scene(struct json *json, const struct stage *stage, const char *sum) {
+static void print_scene(struct json *json, const struct stage *stage) {
     json_text(json, "format", "manylight scene pack");
     json_number(json, "version", 1);
     json_text(json, "name", stage->name);
     json_open(json, "scene", "{");
     json_text(json, "file", "scene.glb");
-    json_text(json, "sha256", sum);
     json_number(json, "triangles", geometry_triangle_count(&stage->geometry));
     json_number(json, "time_s", stage->geometry.pose.time);
     json_close(json, "}");
@@ -187,15 +173,14 @@ static void print_picture(struct json *json, const struct export_target *target)
 }
 
 bool export_pack(struct export_target *target) {
-    char sum[SHA256_DIGITS + 1];
     struct output_text text;
     bool shines;
-    if (!find_shining(target, &shines) || !copy_scene(target, sum))
+    if (!find_shining(target, &shines) || !copy_scene(target))
         return false;
     output_text_init(&text);
     struct json json = {.out = text.stream, .lines = 2};
     json_open(&json, NULL, "{");
-    print_scene(&json, target->stage, sum);
+    print_scene(&json, target->stage);
     print_picture(&json, target);
     print_camera(&json, target->stage);
     print_lights(&json, target->stage);
